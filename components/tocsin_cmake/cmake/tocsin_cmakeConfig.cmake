@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+# The CMake functions of the workspace. Every package includes them with find_package(tocsin_cmake).
+include_guard(DIRECTORY)
+include(GNUInstallDirs)
+include(CTest)
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+set(CMAKE_CXX_STANDARD 17)  # not only cxx_std_17: clang-tidy needs -std on the command line
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/.." "$ORIGIN/../lib")
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+set(TOCSIN_SANITIZE "" CACHE STRING "Sanitizers for all of our code: address,undefined or thread")
+
+# Warnings, armed asserts and sanitizers for one of our targets.
+function(tocsin_target_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+                                           -UNDEBUG)
+  if(TOCSIN_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${TOCSIN_SANITIZE} -fno-omit-frame-pointer
+                                             -fno-sanitize-recover=all -g1)
+    target_link_options(${target} PUBLIC -fsanitize=${TOCSIN_SANITIZE})
+  endif()
+endfunction()
+
+# Installs targets with headers and a package configuration that finds what they link to.
+# tocsin_export(TARGETS a b LINK pkg::target ...)
+function(tocsin_export)
+  cmake_parse_arguments(A "" "" "TARGETS;LINK" ${ARGN})
+  set(config "include(CMakeFindDependencyMacro)\n")
+  foreach(item IN LISTS A_LINK)
+    string(REGEX REPLACE "::.*" "" package "${item}")
+    if(NOT package STREQUAL PROJECT_NAME AND NOT package MATCHES "^(dl|rt|m|util|jpeg|pthread)$")
+      string(APPEND config "find_dependency(${package})\n")
+    endif()
+  endforeach()
+  string(APPEND config "include(\"\${CMAKE_CURRENT_LIST_DIR}/${PROJECT_NAME}Targets.cmake\")\n")
+  file(WRITE "${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake" "${config}")
+  set(to share/${PROJECT_NAME}/cmake)
+  install(TARGETS ${A_TARGETS} EXPORT ${PROJECT_NAME}Targets LIBRARY DESTINATION lib)
+  install(EXPORT ${PROJECT_NAME}Targets NAMESPACE ${PROJECT_NAME}:: DESTINATION ${to})
+  install(FILES "${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake" DESTINATION ${to})
+  if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/include")
+    install(DIRECTORY include/ DESTINATION include)
+  endif()
+endfunction()
+
+# A library of this package, exported as <project>::<name>.
+# tocsin_library(name [SHARED] SOURCES a.cpp ... LINK pkg::target ...)
+# With one library per package this is the whole of it.
+function(tocsin_library name)
+  cmake_parse_arguments(A "SHARED" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  set(kind STATIC)
+  if(A_SHARED)
+    set(kind SHARED)
+  endif()
+  add_library(${name} ${kind} ${A_SOURCES})
+  target_include_directories(${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
+                                            "$<INSTALL_INTERFACE:include>")
+  target_link_libraries(${name} PUBLIC ${A_LINK} PRIVATE ${A_PRIVATE_LINK})
+  tocsin_target_options(${name})
+  tocsin_export(TARGETS ${name} LINK ${A_LINK} ${A_PRIVATE_LINK})
+endfunction()
+
+# A component package: <name>_core holds the decision and links no runtime; lib<name>.so holds the
+# ports and is loaded by name into a container process.
+# tocsin_component(name [CORE a.cpp ...] [CORE_LINK ...] COMPONENT b.cpp ... [LINK ...])
+function(tocsin_component name)
+  cmake_parse_arguments(A "" "" "CORE;CORE_LINK;COMPONENT;LINK" ${ARGN})
+  if(A_CORE)
+    add_library(${name}_core STATIC ${A_CORE})
+    target_include_directories(${name}_core PUBLIC include src)
+    target_link_libraries(${name}_core PUBLIC ${A_CORE_LINK})
+    tocsin_target_options(${name}_core)
+  endif()
+  add_library(${name} SHARED ${A_COMPONENT})
+  target_include_directories(${name} PUBLIC include src)
+  target_link_libraries(${name} PUBLIC $<TARGET_NAME_IF_EXISTS:${name}_core> runtime::runtime
+                                       ${A_LINK})
+  tocsin_target_options(${name})
+  install(TARGETS ${name} LIBRARY DESTINATION lib/tocsin)
+endfunction()
+
+
+# A program of this package, installed in bin/.
+# tocsin_executable(name SOURCES a.cpp ... LINK ...)
+function(tocsin_executable name)
+  cmake_parse_arguments(A "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${A_SOURCES})
+  target_link_libraries(${name} PRIVATE ${A_LINK})
+  tocsin_target_options(${name})
+  install(TARGETS ${name} RUNTIME DESTINATION bin)
+endfunction()
+
+# A GoogleTest program. LABEL is unit, component or system; sources default to test/<name>.cpp.
+# tocsin_test(name LABEL unit LINK target ... [SOURCES ...] [TIMEOUT seconds])
+function(tocsin_test name)
+  if(NOT BUILD_TESTING)
+    return()
+  endif()
+  cmake_parse_arguments(A "" "LABEL;TIMEOUT" "LINK;SOURCES" ${ARGN})
+  if(NOT A_LABEL MATCHES "^(unit|component|system)$")
+    message(FATAL_ERROR "tocsin_test(${name}): LABEL '${A_LABEL}' is not unit, component or system")
+  endif()
+  if(NOT A_SOURCES)
+    set(A_SOURCES test/${name}.cpp)
+  endif()
+  if(NOT A_TIMEOUT)
+    set(A_TIMEOUT 120)
+  endif()
+  find_package(GTest REQUIRED)
+  add_executable(${name} ${A_SOURCES})
+  target_link_libraries(${name} PRIVATE ${A_LINK} GTest::gmock GTest::gtest_main)
+  tocsin_target_options(${name})
+  target_compile_definitions(${name} PRIVATE TOCSIN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  add_test(NAME ${name} COMMAND ${name} --gtest_shuffle
+           --gtest_output=xml:${CMAKE_CURRENT_BINARY_DIR}/test_results/${name}.xml)
+  set_tests_properties(${name} PROPERTIES LABELS ${A_LABEL} TIMEOUT ${A_TIMEOUT})
+endfunction()
+
+include("${CMAKE_CURRENT_LIST_DIR}/TocsinIdl.cmake")
