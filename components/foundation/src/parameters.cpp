@@ -128,7 +128,8 @@ void ParameterLoader::operator()(const char* name, std::vector<double>& value, R
     if (!item.IsScalar() || !YAML::convert<double>::decode(item, number)) {
       fail(name, "has an element that is not a number");
     }
-    if (!inside(number, range)) fail(name, number_text(number) + " is outside " + range_text(range));
+    if (!inside(number, range))
+      fail(name, number_text(number) + " is outside " + range_text(range));
     read.push_back(number);
   }
   value = std::move(read);

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Included by generated code only: the one place that knows Fast CDR.
+#pragma once
+
+#include <fastcdr/Cdr.h>
+#include <fastcdr/FastBuffer.h>
+#include <fastcdr/exceptions/Exception.h>
+
+#include <array>
+#include <exception>
+#include <type_traits>
+#include <vector>
+
+#include "idl_support/type_info.hpp"
+
+namespace tocsin::cdr {
+
+inline constexpr std::size_t encapsulation_bytes = 4;
+
+template <class T>
+std::shared_ptr<void> create() {
+  return std::make_shared<T>();
+}
+
+template <class T>
+std::size_t serialized_size(const void* message) {
+  return encapsulation_bytes + T::getCdrSerializedSize(*static_cast<const T*>(message));
+}
+
+template <class T>
+std::size_t serialize(const void* message, std::uint8_t* buffer, std::size_t capacity) {
+  eprosima::fastcdr::FastBuffer memory(reinterpret_cast<char*>(buffer), capacity);
+  eprosima::fastcdr::Cdr encoder(memory, eprosima::fastcdr::Cdr::LITTLE_ENDIANNESS,
+                                 eprosima::fastcdr::Cdr::DDS_CDR);
+  try {
+    encoder.serialize_encapsulation();
+    static_cast<const T*>(message)->serialize(encoder);
+  } catch (const eprosima::fastcdr::exception::Exception&) {
+    return 0;
+  }
+  return encoder.getSerializedDataLength();
+}
+
+template <class T>
+bool deserialize(const std::uint8_t* buffer, std::size_t size, void* message) {
+  auto* bytes = reinterpret_cast<char*>(const_cast<std::uint8_t*>(buffer));  // Fast CDR only reads
+  eprosima::fastcdr::FastBuffer memory(bytes, size);
+  eprosima::fastcdr::Cdr decoder(memory, eprosima::fastcdr::Cdr::DEFAULT_ENDIAN,
+                                 eprosima::fastcdr::Cdr::DDS_CDR);
+  try {
+    decoder.read_encapsulation();
+    static_cast<T*>(message)->deserialize(decoder);
+  } catch (const std::exception&) {  // Fast CDR's own, and a length that no memory can hold
+    return false;
+  }
+  return true;
+}
+
+template <class T>
+void visit_value(FieldVisitor& visitor, const char* name, const T& value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    visitor.number(name, value);
+  } else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>) {
+    visitor.integer(name, static_cast<std::int64_t>(value));
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    visitor.text(name, value);
+  } else {
+    visitor.begin_struct(name);
+    type_info<T>().visit(&value, visitor);
+    visitor.end_struct();
+  }
+}
+
+template <class List>
+void visit_list(FieldVisitor& visitor, const char* name, const List& list) {
+  visitor.begin_list(name, list.size());
+  for (const auto& item : list) visit_value(visitor, name, item);
+  visitor.end_list();
+}
+
+template <class T>
+void visit_value(FieldVisitor& visitor, const char* name, const std::vector<T>& list) {
+  if constexpr (std::is_same_v<T, std::uint8_t>) {
+    visitor.bytes(name, list.data(), list.size());
+  } else {
+    visit_list(visitor, name, list);
+  }
+}
+
+template <class T, std::size_t size>
+void visit_value(FieldVisitor& visitor, const char* name, const std::array<T, size>& list) {
+  visit_list(visitor, name, list);
+}
+
+template <class T>
+TypeInfo make_type_info(const char* name, void (*visit)(const void*, FieldVisitor&)) {
+  return {name, create<T>, serialized_size<T>, serialize<T>, deserialize<T>, visit};
+}
+
+}  // namespace tocsin::cdr

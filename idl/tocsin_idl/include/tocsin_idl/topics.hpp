@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one list of topics: type, name, QoS profile, scope. Both ends name the struct.
+#pragma once
+
+#include "idl_support/topic_info.hpp"
+#include "ros_idl/geometry_msgs.hpp"
+#include "ros_idl/nav_msgs.hpp"
+#include "ros_idl/sensor_msgs.hpp"
+#include "ros_idl/std_msgs.hpp"
+#include "ros_idl/tf2_msgs.hpp"
+#include "tocsin_idl/tocsin_msgs.hpp"
+
+namespace tocsin::topic {
+
+// On the vehicle.
+
+/// Velocity for the base: linear.x [m/s], angular.z [rad/s].
+struct CmdVel {
+  using Message = geometry_msgs::msg::Twist;
+  static constexpr TopicInfo info{"cmd_vel", "command", Scope::host};
+};
+/// Pose and velocity from the wheels, frame odom.
+struct Odom {
+  using Message = nav_msgs::msg::Odometry;
+  static constexpr TopicInfo info{"odom", "sensor", Scope::host};
+};
+struct JointStates {
+  using Message = sensor_msgs::msg::JointState;
+  static constexpr TopicInfo info{"joint_states", "sensor", Scope::host};
+};
+struct Imu {
+  using Message = sensor_msgs::msg::Imu;
+  static constexpr TopicInfo info{"imu_data", "sensor", Scope::host};
+};
+struct Tf {
+  using Message = tf2_msgs::msg::TFMessage;
+  static constexpr TopicInfo info{"tf", "sensor", Scope::host};
+};
+
+// From the vehicle to the ground station.
+
+/// Where the vehicle is, frame map.
+struct Location {
+  using Message = geometry_msgs::msg::PoseWithCovarianceStamped;
+  static constexpr TopicInfo info{"location", "telemetry", Scope::link};
+};
+struct NetworkQuality {
+  using Message = tocsin_msgs::msg::NetworkQuality;
+  static constexpr TopicInfo info{"network_quality", "telemetry", Scope::link};
+};
+struct NavigationStatus {
+  using Message = tocsin_msgs::msg::NavigationStatus;
+  static constexpr TopicInfo info{"navigation_status", "state", Scope::link};
+};
+struct BatteryState {
+  using Message = sensor_msgs::msg::BatteryState;
+  static constexpr TopicInfo info{"battery_state", "telemetry", Scope::link};
+};
+struct MemoryUsage {
+  using Message = tocsin_msgs::msg::MemoryUsage;
+  static constexpr TopicInfo info{"memory_usage", "telemetry", Scope::link};
+};
+struct CpuLoad {
+  using Message = tocsin_msgs::msg::CpuLoad;
+  static constexpr TopicInfo info{"cpu_load", "telemetry", Scope::link};
+};
+struct CpuTemperature {
+  using Message = sensor_msgs::msg::Temperature;
+  static constexpr TopicInfo info{"cpu_temperature", "telemetry", Scope::link};
+};
+struct CameraImage {
+  using Message = sensor_msgs::msg::CompressedImage;
+  static constexpr TopicInfo info{"camera/image_raw/compressed", "stream", Scope::link};
+};
+
+// From the ground station to the vehicle.
+
+struct Goal {
+  using Message = tocsin_msgs::msg::Goal;
+  static constexpr TopicInfo info{"goal", "command", Scope::link};
+};
+struct MissionStatus {
+  using Message = tocsin_msgs::msg::MissionStatus;
+  static constexpr TopicInfo info{"mission_status", "state", Scope::link};
+};
+/// True stops the vehicle until false is sent.
+struct EmergencyStop {
+  using Message = std_msgs::msg::Bool;
+  static constexpr TopicInfo info{"emergency_stop", "state", Scope::link};
+};
+
+// From both sides; the field `role` tells which.
+
+struct Heartbeat {
+  using Message = tocsin_msgs::msg::Heartbeat;
+  static constexpr TopicInfo info{"heartbeat", "telemetry", Scope::link};
+};
+struct TransmissionState {
+  using Message = tocsin_msgs::msg::TransmissionState;
+  static constexpr TopicInfo info{"transmission_state", "state", Scope::link};
+};
+struct TrafficReport {
+  using Message = tocsin_msgs::msg::TrafficReport;
+  static constexpr TopicInfo info{"traffic_report", "telemetry", Scope::link};
+};
+
+}  // namespace tocsin::topic
