@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "foundation/time.hpp"
+#include "idl_support/topic_info.hpp"
+#include "idl_support/type_info.hpp"
+
+namespace tocsin {
+
+/// What became of a write. Only `failed` is a loss that the caller did not ask for.
+enum class [[nodiscard]] Status{
+    ok,      ///< Handed to every reader on this host and, for link topics, to the link's writer.
+    paused,  ///< Handed to the readers on this host; the gate kept it off the radio.
+    failed,  ///< The middleware refused it (history full, or shutting down); counted.
+};
+
+/// One message with what is known of its way here.
+struct Sample {
+  std::shared_ptr<const void> message;
+  Time received{};                    ///< when it reached this process
+  std::int64_t sent_wall_ns = 0;      ///< [ns] since the Unix epoch, writer's clock
+  std::int64_t received_wall_ns = 0;  ///< [ns] since the Unix epoch, own clock
+  std::uint64_t sequence = 0;  ///< of the writer, gaps are samples that never came; 0 unknown
+  std::uint64_t source = 0;    ///< identifies the writer; changes when it restarts
+  std::uint32_t bytes = 0;     ///< serialised size; 0 when it was handed over unserialised
+};
+
+/// Takes samples off a bus. `receive` may be called from any thread, and must not block.
+class Receiver {
+ public:
+  virtual ~Receiver() = default;
+  virtual void receive(const Sample& sample) = 0;
+};
+
+/// One end of a topic, as the bus sees it.
+struct Endpoint {
+  TopicInfo topic;
+  const TypeInfo* type;
+};
+
+/// Subscribed as long as it lives. Destroying it waits for a running `receive`.
+class Subscription {
+ public:
+  virtual ~Subscription() = default;
+};
+
+/// The writing end of a topic.
+class Publication {
+ public:
+  virtual ~Publication() = default;
+  /// Thread-safe; never blocks on the network. The message must not change afterwards.
+  virtual Status write(const std::shared_ptr<const void>& message) = 0;
+};
+
+/// Account of one gated writer since start.
+struct TopicTraffic {
+  std::string topic;
+  std::string traffic_class;
+  bool paused = false;
+  std::uint64_t written = 0;
+  std::uint64_t sent = 0;
+  std::uint64_t dropped = 0;
+  std::uint64_t held = 0;
+  std::uint64_t sent_bytes = 0;
+};
+
+/// The only seam between components and the middleware.
+class Bus {
+ public:
+  virtual ~Bus() = default;
+
+  /// Throws ConfigError when the topic's QoS profile is missing or its type clashes with the one
+  /// that another endpoint of this process uses. `receiver` must outlive the result.
+  virtual std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) = 0;
+  virtual std::unique_ptr<Publication> advertise(const Endpoint& endpoint) = 0;
+
+  /// The clock of this bus: real, or virtual in a simulation.
+  [[nodiscard]] virtual Time now() const = 0;
+  /// Wall time at `t` [ns since the Unix epoch], for stamps only.
+  [[nodiscard]] virtual std::int64_t wall_ns(Time t) const = 0;
+
+  /// Opens or closes the gate of all pausable link writers of this process. Returns when a closed
+  /// gate's writers have fallen silent. Thread-safe.
+  virtual void set_gate(bool open) = 0;
+  /// What the link writers of this process did so far. Thread-safe.
+  [[nodiscard]] virtual std::vector<TopicTraffic> link_traffic() const = 0;
+};
+
+}  // namespace tocsin

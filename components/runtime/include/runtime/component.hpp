@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "foundation/time.hpp"
+#include "ros_idl/builtin_interfaces.hpp"
+#include "runtime/bus.hpp"
+#include "runtime/logger.hpp"
+
+namespace tocsin {
+
+/// What a component is given at construction.
+struct Context {
+  Bus& bus;
+  std::string name;     ///< instance name, from the bringup file
+  std::string role;     ///< side of the link: uxv or gcs
+  std::string run_dir;  ///< folder for files of this run; exists
+  /// Ends the process with this code after the current tick; 0 is "my work is done".
+  std::function<void(int)> request_exit = [](int) {};
+};
+
+/// When a component runs next. The component asks through its protected functions; the runner
+/// reads. Only `input_arrived` may be called from another thread.
+struct Schedule {
+  std::atomic<bool> input_pending{false};
+  std::function<void()> wake;  ///< set by the runner before the first tick
+  Time deadline = never;
+  Duration period{0};
+  Time next_period = never;
+  std::uint64_t overruns = 0;  ///< periods that were skipped because a tick came too late
+  std::vector<int> descriptors;
+
+  void input_arrived();
+  /// The next instant at which a tick is due without input.
+  [[nodiscard]] Time due() const { return std::min(deadline, next_period); }
+  /// Forgets what the tick at `now` answers to.
+  void begin_tick(Time now);
+};
+
+/// A part of the vehicle: ports, parameters and a decision.
+///
+/// Complete after its constructor, which may throw ConfigError; after that nothing may throw.
+/// One thread calls `tick`, so a component needs no lock; it never sleeps and reads no clock.
+class Component {
+ public:
+  explicit Component(Context& context) : context_(context), log_(context.name) {}
+  virtual ~Component() = default;
+  Component(const Component&) = delete;
+  Component& operator=(const Component&) = delete;
+
+  /// Runs after an input came, a deadline passed or a descriptor became readable, and once at
+  /// start. `now` never decreases. Takes inputs, calls the decision, writes outputs.
+  virtual void tick(Time now) = 0;
+
+  [[nodiscard]] const std::string& name() const { return context_.name; }
+  [[nodiscard]] Bus& bus() { return context_.bus; }
+  [[nodiscard]] Schedule& schedule() { return schedule_; }
+
+ protected:
+  /// Tick not later than `deadline`. The earliest wish since the start of the last tick counts;
+  /// every tick forgets it, so ask again.
+  void wake_at(Time deadline);
+  /// Tick each `period` (> 0) from now on; a missed one is skipped, not caught up.
+  void wake_every(Duration period) { schedule_.period = period; }
+  /// Tick whenever `descriptor` is readable, until `forget`. The caller keeps ownership.
+  void wake_on(int descriptor) { schedule_.descriptors.push_back(descriptor); }
+  void forget(int descriptor);
+  /// Wall time at `now`, for the stamp of a message.
+  [[nodiscard]] builtin_interfaces::msg::Time wall(Time now) const;
+  [[nodiscard]] const Context& context() const { return context_; }
+  [[nodiscard]] Logger& log() { return log_; }
+
+ private:
+  Context& context_;
+  Schedule schedule_;
+  Logger log_;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "foundation/parameters.hpp"
+#include "runtime/component.hpp"
+
+namespace tocsin {
+
+/// What a component's library tells about itself.
+struct ComponentEntry {
+  /// Loads the parameters (node, file for error texts), then builds. Throws ConfigError.
+  std::unique_ptr<Component> (*create)(Context& context, const YAML::Node& parameters,
+                                       const std::string& file);
+  /// Checks the parameters only. Throws ConfigError.
+  void (*check)(const std::string& owner, const YAML::Node& parameters, const std::string& file);
+  /// All parameters with defaults, units and ranges, as commented YAML.
+  std::string (*defaults)();
+};
+
+template <class T>
+ComponentEntry make_component_entry() {
+  return {[](Context& context, const YAML::Node& parameters,
+             const std::string& file) -> std::unique_ptr<Component> {
+            const auto loaded = load_parameters<typename T::Params>(parameters, context.name, file);
+            return std::make_unique<T>(context, loaded);
+          },
+          [](const std::string& owner, const YAML::Node& parameters, const std::string& file) {
+            (void)load_parameters<typename T::Params>(parameters, owner, file);
+          },
+          [] { return default_yaml<typename T::Params>(); }};
+}
+
+}  // namespace tocsin
+
+/// Makes a class loadable by its library's name: once, at the end of the component's .cpp file.
+#define TOCSIN_COMPONENT(Class)                                                        \
+  extern "C" const tocsin::ComponentEntry* tocsin_component() {                        \
+    static const tocsin::ComponentEntry entry = tocsin::make_component_entry<Class>(); \
+    return &entry;                                                                     \
+  }

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/sim_bus.hpp"
+
+#include <gtest/gtest.h>
+
+#include "foundation/error.hpp"
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+namespace {
+
+/// Answers each goal with a status, and counts ticks.
+class Echo : public Component {
+ public:
+  explicit Echo(Context& context) : Component(context) {}
+  void tick(Time now) override {
+    ticks.push_back(now);
+    while (const auto goal = goal_.take()) {
+      tocsin_msgs::msg::NavigationStatus status;
+      status.stamp(wall(now));
+      status.goal_id(goal->id());
+      EXPECT_EQ(status_.write(status), Status::ok);
+    }
+    if (again_at) wake_at(*again_at);
+    again_at.reset();
+  }
+  void every(Duration period) { wake_every(period); }
+  std::vector<Time> ticks;
+  std::optional<Time> again_at;
+
+ private:
+  Input<topic::Goal> goal_{*this};
+  Output<topic::NavigationStatus> status_{*this};
+};
+
+class SimBusTest : public ::testing::Test {
+ protected:
+  SimBus bus_;
+  Context context_{bus_, "echo", "uxv", ""};
+};
+
+/// The name of a topic with another type.
+struct OtherGoal {
+  using Message = std_msgs::msg::String;
+  static constexpr TopicInfo info{"goal", "command", Scope::link};
+};
+
+tocsin_msgs::msg::Goal goal(std::uint64_t id) {
+  tocsin_msgs::msg::Goal message;
+  message.id(id);
+  return message;
+}
+
+TEST_F(SimBusTest, TicksOnceAtStart) {
+  Echo sut(context_);
+  bus_.add(sut);
+  bus_.run_for(seconds(10));
+  EXPECT_EQ(sut.ticks.size(), 1U);
+}
+
+TEST_F(SimBusTest, WakesOnInputAndDeliversTheAnswer) {
+  Echo sut(context_);
+  SimReader<topic::NavigationStatus> answers(bus_);
+  bus_.add(sut);
+  bus_.publish<topic::Goal>(goal(7));
+  bus_.run_for(Duration::zero());
+  const auto taken = answers.take();
+  ASSERT_EQ(taken.size(), 1U);
+  EXPECT_EQ(taken[0].goal_id(), 7U);
+  EXPECT_EQ(taken[0].stamp().sec(), 1'767'225'600);
+}
+
+TEST_F(SimBusTest, WakesExactlyAtTheDeadline) {
+  Echo sut(context_);
+  const Time start = bus_.now();
+  sut.again_at = start + seconds(0.25);
+  bus_.add(sut);
+  bus_.run_for(seconds(1));
+  ASSERT_EQ(sut.ticks.size(), 2U);
+  EXPECT_EQ(sut.ticks[1] - start, seconds(0.25));
+}
+
+TEST_F(SimBusTest, WakesPeriodically) {
+  Echo sut(context_);
+  sut.every(seconds(0.1));
+  bus_.add(sut);
+  bus_.run_for(seconds(1));
+  EXPECT_EQ(sut.ticks.size(), 11U);
+}
+
+TEST_F(SimBusTest, LateReaderOfAStateTopicGetsTheLastSample) {
+  Echo sut(context_);
+  bus_.add(sut);
+  bus_.publish<topic::Goal>(goal(7));
+  bus_.run_for(Duration::zero());
+  SimReader<topic::NavigationStatus> late(bus_);
+  EXPECT_EQ(late.take().size(), 1U);
+}
+
+TEST_F(SimBusTest, LateReaderOfACommandTopicGetsNothing) {
+  bus_.publish<topic::Goal>(goal(7));
+  SimReader<topic::Goal> late(bus_);
+  EXPECT_TRUE(late.take().empty());
+}
+
+TEST_F(SimBusTest, RefusesTwoTypesOnOneTopic) {
+  Echo sut(context_);
+  EXPECT_THROW(SimReader<OtherGoal>{bus_}, ConfigError);
+}
+
+TEST(Schedule, SkipsMissedPeriodsAndCountsThem) {
+  Schedule sut;
+  sut.period = seconds(0.1);
+  const Time t0{seconds(1)};
+  sut.begin_tick(t0);
+  EXPECT_EQ(sut.due(), t0 + seconds(0.1));
+  sut.begin_tick(t0 + seconds(0.35));
+  EXPECT_EQ(sut.overruns, 2U);
+  EXPECT_EQ(sut.due(), t0 + seconds(0.45));
+}
+
+TEST(Schedule, InputDoesNotMoveThePeriod) {
+  Schedule sut;
+  sut.period = seconds(0.1);
+  const Time t0{seconds(1)};
+  sut.begin_tick(t0);
+  sut.begin_tick(t0 + seconds(0.05));
+  EXPECT_EQ(sut.due(), t0 + seconds(0.1));
+}
+
+}  // namespace
+}  // namespace tocsin
