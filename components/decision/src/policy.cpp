@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "decision/policy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::decision {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// `a - b` for a >= b, without overflow.
+Duration since(Time a, Time b) {
+  if (b.time_since_epoch().count() < 0 && a > Time::max() + b.time_since_epoch()) {
+    return Duration::max();
+  }
+  return a - b;
+}
+
+/// `a + b` for positive values, without overflow.
+Duration saturating_sum(Duration a, Duration b) {
+  return a > Duration::max() - b ? Duration::max() : a + b;
+}
+
+Time saturating_sum(Time a, Duration b) { return a > Time::max() - b ? Time::max() : a + b; }
+
+}  // namespace
+
+const char* to_string(State state) { return state == State::active ? "active" : "passive"; }
+
+const char* to_string(Reason reason) {
+  switch (reason) {
+    case Reason::start:
+      return "start";
+    case Reason::steady:
+      return "steady";
+    case Reason::no_measurement:
+      return "no_measurement";
+    case Reason::stale_sample:
+      return "stale_sample";
+    case Reason::threshold_low:
+      return "threshold_low";
+    case Reason::threshold_high:
+      return "threshold_high";
+    case Reason::cusum_alarm:
+      return "cusum_alarm";
+    case Reason::reverse_alarm:
+      return "reverse_alarm";
+    case Reason::best_so_far:
+      return "best_so_far";
+    case Reason::fixed_pause_over:
+      return "fixed_pause_over";
+    case Reason::forced_resume_samples:
+      return "forced_resume_samples";
+    case Reason::forced_resume_time:
+      return "forced_resume_time";
+  }
+  return "unknown";
+}
+
+Policy::Policy(const char* name, const PolicyLimits& limits, std::unique_ptr<Rule> rule)
+    : name_(name),
+      th_max_samples_(limits.th_max_samples),
+      th_max_(seconds(limits.th_max_s)),
+      gap_(seconds(limits.gap_reset_s)),
+      rule_(std::move(rule)) {
+  std::ostringstream text;
+  if (limits.th_max_samples < 1) {
+    text << "policy.th_max_samples: " << limits.th_max_samples << " must be at least 1";
+  } else if (!(limits.th_max_s > 0) || !(limits.gap_reset_s > 0)) {
+    text << "policy.th_max_s and gap_reset_s: " << limits.th_max_s << " and " << limits.gap_reset_s
+         << " must be above 0";
+  }
+  if (!text.str().empty()) throw ConfigError(text.str());
+}
+
+/// Only steps forward count, so a clock that is set back cannot move the end of a pause away.
+/// Returns true when the clock went back.
+bool Policy::advance(Time now) {
+  const bool back = now_ && now < *now_;
+  const Duration step = now_ && !back ? since(now, *now_) : Duration{};
+  now_ = now;
+  unheard_ = saturating_sum(unheard_, step);
+  if (state_ == State::passive) silent_ = saturating_sum(silent_, step);
+  return back;
+}
+
+/// A stamp of the future is taken as `now`, lest it make all later samples look stale.
+bool Policy::is_stale(Time stamp, bool clock_went_back) {
+  const Time bounded = std::min(stamp, *now_);
+  if (last_stamp_ && !clock_went_back && bounded < *last_stamp_) return true;
+  last_stamp_ = bounded;
+  return false;
+}
+
+bool Policy::pause_expired() const { return state_ == State::passive && silent_ >= th_max_; }
+
+Verdict Policy::limit_silence(Verdict verdict) {
+  if (state_ == State::active || verdict.change) return verdict;
+  if (age_ >= th_max_samples_) {
+    verdict.change = true;
+    verdict.reason = Reason::forced_resume_samples;
+  } else if (pause_expired()) {
+    verdict.change = true;
+    verdict.reason = Reason::forced_resume_time;
+  }
+  return verdict;
+}
+
+Evidence Policy::on_sample(const Sample& sample, Time now) {
+  const bool back = advance(now);
+  if (state_ == State::active && unheard_ > gap_) rule_->forget();
+  const bool stale = is_stale(sample.stamp, back);
+  const double qni = stale || !std::isfinite(sample.qni) ? nan : sample.qni;
+  if (!std::isnan(qni)) unheard_ = Duration{};
+  Verdict verdict;
+  if (state_ == State::active) {
+    verdict = rule_->while_active(qni);
+  } else {
+    verdict = rule_->while_passive(qni, ++age_);
+  }
+  if (!verdict.change && stale) verdict.reason = Reason::stale_sample;
+  if (!verdict.change && !stale && std::isnan(qni)) verdict.reason = Reason::no_measurement;
+  return conclude(limit_silence(verdict), qni);
+}
+
+Evidence Policy::on_deadline(Time now) {
+  advance(now);
+  Verdict verdict;
+  if (pause_expired()) verdict = {true, Reason::forced_resume_time, 0, 0};
+  return conclude(verdict, nan);
+}
+
+Evidence Policy::conclude(const Verdict& verdict, double qni) {
+  Evidence evidence;
+  evidence.age = age_;
+  if (verdict.change) {
+    state_ = state_ == State::active ? State::passive : State::active;
+    age_ = 0;
+    silent_ = Duration{};
+    rule_->entered(state_);
+  }
+  evidence.state = state_;
+  evidence.changed = verdict.change;
+  evidence.reason = verdict.reason;
+  evidence.sample = qni;
+  evidence.statistic = verdict.statistic;
+  evidence.threshold = verdict.threshold;
+  if (state_ == State::passive) evidence.deadline = saturating_sum(*now_, th_max_ - silent_);
+  return evidence;
+}
+
+}  // namespace tocsin::decision

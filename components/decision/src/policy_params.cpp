@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "decision/policy_params.hpp"
+
+#include <sstream>
+
+#include "decision/cusum.hpp"
+#include "foundation/error.hpp"
+
+namespace tocsin::decision {
+namespace {
+
+[[noreturn]] void reject(const char* name, double value, const char* rule, double other) {
+  std::ostringstream text;
+  text << "policy." << name << ": " << value << " must be " << rule << ' ' << other;
+  throw ConfigError(text.str());
+}
+
+void check_threshold(const PolicyParams& p) {
+  if (!(p.pause_below_qni <= p.resume_at_qni)) {
+    reject("pause_below_qni", p.pause_below_qni, "at most resume_at_qni,", p.resume_at_qni);
+  }
+}
+
+void check_pause(const PolicyParams& p) {
+  if (p.policy == "tocp" && p.fixed_pause_samples > p.th_max_samples) {
+    reject("fixed_pause_samples", p.fixed_pause_samples, "at most th_max_samples,",
+           p.th_max_samples);
+  }
+  if (p.policy == "tocp_dsp" && p.discount == "geometric" && !(p.discount_value > 0)) {
+    reject("discount_value", p.discount_value, "with a geometric discount above", 0);
+  }
+}
+
+}  // namespace
+
+void check(const PolicyParams& params) {
+  (void)NormalLlr({params.good_mean, params.good_sd}, {params.bad_mean, params.bad_sd},
+                  params.llr_clip);
+  check_threshold(params);
+  check_pause(params);
+}
+
+}  // namespace tocsin::decision

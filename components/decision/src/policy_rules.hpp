@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+
+#include "decision/cusum.hpp"
+#include "decision/policy.hpp"
+
+namespace tocsin::decision {
+
+/// Never pauses; the baseline.
+class AlwaysActive final : public Rule {
+ public:
+  Verdict while_active(double) override { return {}; }
+  Verdict while_passive(double, int) override { return {true, Reason::steady, 0, 0}; }
+  void entered(State) override {}
+  void forget() override {}
+};
+
+/// Two bounds with hysteresis; `in_a_row` samples beyond a bound must agree.
+class ThresholdRule final : public Rule {
+ public:
+  ThresholdRule(double pause_below, double resume_at, int in_a_row);
+  Verdict while_active(double qni) override;
+  Verdict while_passive(double qni, int age) override;
+  void entered(State) override { agreeing_ = 0; }
+  void forget() override { agreeing_ = 0; }
+
+ private:
+  double pause_below_;
+  double resume_at_;
+  int in_a_row_;
+  int agreeing_ = 0;
+};
+
+/// TOCP: pauses at the alarm of the log-likelihood CUSUM. Derived rules say when to resume.
+class TocpRule : public Rule {
+ public:
+  TocpRule(const NormalLlr& llr, double alpha) : llr_(llr), alpha_(alpha) {}
+  Verdict while_active(double qni) final;
+  void entered(State state) override;
+  void forget() override { cusum_.reset(); }
+
+ protected:
+  [[nodiscard]] double llr(double qni) const { return llr_(qni); }
+
+ private:
+  NormalLlr llr_;
+  double alpha_;
+  Cusum cusum_;
+};
+
+/// Resumes after a pause of fixed length.
+class FixedPause final : public TocpRule {
+ public:
+  FixedPause(const NormalLlr& llr, double alpha, int samples)
+      : TocpRule(llr, alpha), samples_(samples) {}
+  Verdict while_passive(double qni, int age) override;
+
+ private:
+  int samples_;
+};
+
+/// DSP: resumes on the first sample from candidate r* on that is the best of the pause.
+class BestSoFar final : public TocpRule {
+ public:
+  BestSoFar(const NormalLlr& llr, double alpha, int r_star)
+      : TocpRule(llr, alpha), r_star_(r_star) {}
+  Verdict while_passive(double qni, int age) override;
+  void entered(State state) override;
+
+ private:
+  int r_star_;
+  double best_ = -std::numeric_limits<double>::infinity();
+};
+
+/// Resumes when a CUSUM on -l says that the network has turned good.
+class ReverseCusum final : public TocpRule {
+ public:
+  ReverseCusum(const NormalLlr& llr, double alpha, double reverse_alpha)
+      : TocpRule(llr, alpha), reverse_alpha_(reverse_alpha) {}
+  Verdict while_passive(double qni, int age) override;
+  void entered(State state) override;
+
+ private:
+  double reverse_alpha_;
+  Cusum reverse_;
+};
+
+}  // namespace tocsin::decision
