@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace YAML {
+class Node;
+}
+
+/// The bringup file in memory: which components run in which process, on which host.
+namespace tocsin::deployment {
+
+/// One component of a container process.
+struct ComponentInstance {
+  std::string component;  ///< library that offers it, also its default name
+  std::string name;       ///< unique on its host
+  /// A map of parameters, never null, possibly empty. After load_resolved its nodes carry the lines
+  /// of the resolved file, so `load_parameters<P>(*parameters, name, deployment.file)` points
+  /// there.
+  std::shared_ptr<const YAML::Node> parameters;
+  /// "file:line" that each parameter came from; empty after load_resolved.
+  std::map<std::string, std::string> origins;
+};
+
+/// One process that runs components.
+struct Container {
+  std::string name;       ///< unique among the programs and containers of its host
+  bool terminal = false;  ///< owns the terminal; at most one of a deployment
+  std::vector<ComponentInstance> components;
+};
+
+/// One plain process without DDS.
+struct Program {
+  std::string name;
+  std::vector<std::string> command;  ///< program and arguments, at least the program
+};
+
+/// One side of the radio link.
+struct Host {
+  std::string name;
+  std::string role;                ///< "uxv" or "gcs"
+  std::string address;             ///< IPv4, of this host on the link
+  std::vector<std::string> peers;  ///< IPv4 addresses of the other hosts
+  int local_domain = 0;            ///< DDS domain id of topics that stay on this host
+  std::vector<Program> programs;
+  std::vector<Container> containers;
+};
+
+/// The emulated radio between the two hosts; with it each host has a network namespace.
+struct Radio {
+  std::string channel;  ///< absolute path of the channel's parameters
+  std::string walls;    ///< absolute path of the wall segments
+};
+
+/// When and how often a process that died is started again.
+struct RestartPolicy {
+  double backoff_s = 0.2;      ///< [0.01, 60] wait before the first restart, doubled each time
+  double max_backoff_s = 5.0;  ///< [0.01, 600] longest wait, at least backoff_s
+  int limit = 20;              ///< [0, 1000] restarts of one process within 60 s
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("backoff_s", backoff_s, {0.01, 60}, "[s] wait before the first restart, doubled each time");
+    v("max_backoff_s", max_backoff_s, {0.01, 600}, "[s] longest wait");
+    v("limit", limit, {0, 1000}, "[1] restarts of one process within 60 s");
+  }
+};
+
+/// A whole bringup file. All paths are absolute, all variables replaced.
+struct Deployment {
+  std::string file;     ///< it was read from; for error texts
+  std::string run_dir;  ///< folder of this run's recordings, logs and sockets
+  std::string share;    ///< installed share/tocsin folder
+  int seed = 1;
+  std::string qos;              ///< path; empty only without containers
+  std::string traffic;          ///< path; empty only without containers
+  int link_domain = 2;          ///< DDS domain id of the topics that cross the radio
+  std::string ros_namespace;    ///< of all topics; empty or words joined by '/'
+  std::string stop_when_exits;  ///< "host/process", or empty
+  RestartPolicy restart;
+  std::optional<Radio> radio;
+  std::vector<Host> hosts;  ///< one or two, in the file's order
+};
+
+/// What the command line adds to a bringup file.
+struct Overrides {
+  std::string run_dir;               ///< value of ${run_dir}
+  std::string share;                 ///< value of ${share}
+  int seed = 1;                      ///< value of ${seed}
+  std::optional<int> domain;         ///< in place of the file's `domain`
+  std::vector<std::string> set;      ///< "name.key=value" or "host/name.key=value", value in YAML
+  std::vector<std::string> without;  ///< "host/process" that is left out
+};
+
+/// Reads a bringup file with its parameter files and applies the overrides.
+/// Throws ConfigError naming file:line, key, value and what is allowed.
+[[nodiscard]] Deployment load_deployment(const std::string& path, const Overrides& overrides);
+
+/// Writes the deployment as one self-contained YAML file; each parameter with its origin as a
+/// comment. Throws ConfigError when the file cannot be written.
+void write_resolved(const Deployment& deployment, const std::string& path);
+
+/// Reads what write_resolved wrote. Throws ConfigError like load_deployment.
+[[nodiscard]] Deployment load_resolved(const std::string& path);
+
+/// Null when there is no such host or container.
+[[nodiscard]] const Host* find_host(const Deployment& deployment, const std::string& name);
+[[nodiscard]] const Container* find_container(const Host& host, const std::string& name);
+
+}  // namespace tocsin::deployment

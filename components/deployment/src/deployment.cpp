@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deployment/deployment.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "foundation/error.hpp"
+#include "foundation/yaml_file.hpp"
+#include "parameter_set.hpp"
+#include "reader.hpp"
+
+namespace tocsin::deployment {
+namespace {
+
+/// "host/process" of every process, in starting order.
+std::vector<std::string> process_names(const Deployment& deployment) {
+  std::vector<std::string> names;
+  for (const Host& host : deployment.hosts) {
+    for (const Program& program : host.programs) names.push_back(host.name + "/" + program.name);
+    for (const Container& container : host.containers) {
+      names.push_back(host.name + "/" + container.name);
+    }
+  }
+  return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return "[" + text + "]";
+}
+
+[[noreturn]] void fail(const Deployment& deployment, const std::string& what) {
+  throw ConfigError(what + " (" + deployment.file + ")");
+}
+
+void check_unique(const Deployment& deployment, const std::vector<std::string>& names,
+                  const std::string& what) {
+  std::set<std::string> seen;
+  for (const std::string& name : names) {
+    if (!seen.insert(name).second) fail(deployment, name + ": " + what + " of this name twice");
+  }
+}
+
+void check_components(const Deployment& deployment) {
+  int terminals = 0;
+  for (const Host& host : deployment.hosts) {
+    std::vector<std::string> names;
+    for (const Container& container : host.containers) {
+      terminals += container.terminal ? 1 : 0;
+      for (const auto& instance : container.components) {
+        names.push_back(host.name + "/" + instance.name);
+      }
+    }
+    check_unique(deployment, names, "component");
+    if (!host.containers.empty() && (deployment.qos.empty() || deployment.traffic.empty())) {
+      fail(deployment, "qos, traffic: both are needed when there are containers");
+    }
+  }
+  if (terminals > 1) fail(deployment, "terminal: true in more than one container");
+}
+
+void check_radio(const Deployment& deployment) {
+  if (!deployment.radio) return;
+  const auto& hosts = deployment.hosts;
+  if (hosts.size() != 2 || hosts[0].role == hosts[1].role) {
+    fail(deployment, "radio: needs two hosts, one with role uxv and one with role gcs");
+  }
+  const auto network = [](const std::string& address) {
+    return address.substr(0, address.rfind('.'));
+  };
+  if (hosts[0].address == hosts[1].address ||
+      network(hosts[0].address) != network(hosts[1].address)) {
+    fail(deployment, "radio: the hosts' addresses " + hosts[0].address + " and " +
+                         hosts[1].address + " must be different addresses of one /24 network");
+  }
+}
+
+void leave_out(const std::string& process, Deployment& deployment) {
+  const auto names = process_names(deployment);
+  if (std::find(names.begin(), names.end(), process) == names.end()) {
+    fail(deployment, "--without " + process + ": no such process; allowed: " + listed(names));
+  }
+  if (deployment.stop_when_exits == process) deployment.stop_when_exits.clear();
+  for (Host& host : deployment.hosts) {
+    const auto is_it = [&](const auto& item) { return host.name + "/" + item.name == process; };
+    auto& programs = host.programs;
+    programs.erase(std::remove_if(programs.begin(), programs.end(), is_it), programs.end());
+    auto& containers = host.containers;
+    containers.erase(std::remove_if(containers.begin(), containers.end(), is_it), containers.end());
+  }
+}
+
+/// The instances' own parameters, with variables and relative paths resolved.
+void resolve_own_parameters(const Source& source, ComponentInstance& instance) {
+  instance.parameters = std::make_shared<const YAML::Node>(source.resolve(*instance.parameters));
+}
+
+void merge_parameters(const ParameterSet& parameters, const Source& source,
+                      Deployment& deployment) {
+  parameters.reject_unknown_components(deployment);
+  for (Host& host : deployment.hosts) {
+    for (Container& container : host.containers) {
+      for (ComponentInstance& instance : container.components) {
+        resolve_own_parameters(source, instance);
+        parameters.apply(host.name, instance);
+      }
+    }
+  }
+}
+
+constexpr int max_domain = 229;  // three ids follow each other; RTPS ports end at domain 232
+
+}  // namespace
+
+void assign_domains(int domain, Deployment& deployment) {
+  for (Host& host : deployment.hosts) host.local_domain = domain++;
+  deployment.link_domain = domain + (deployment.hosts.size() == 1 ? 1 : 0);
+}
+
+void check_whole(const Deployment& deployment) {
+  if (deployment.hosts.empty() || deployment.hosts.size() > 2) {
+    fail(deployment,
+         "hosts: " + std::to_string(deployment.hosts.size()) + " hosts; allowed are one or two");
+  }
+  const auto names = process_names(deployment);
+  check_unique(deployment, names, "process");
+  check_components(deployment);
+  check_radio(deployment);
+  const std::string& last = deployment.stop_when_exits;
+  if (!last.empty() && std::find(names.begin(), names.end(), last) == names.end()) {
+    fail(deployment, "stop_when_exits: '" + last + "' is not one of: " + listed(names));
+  }
+}
+
+Deployment load_deployment(const std::string& path, const Overrides& overrides) {
+  const std::map<std::string, std::string> variables{{"run_dir", overrides.run_dir},
+                                                     {"seed", std::to_string(overrides.seed)},
+                                                     {"share", overrides.share}};
+  const Source source(path, variables);
+  Section section(read_yaml_file(path), "deployment", source);
+  Deployment deployment;
+  read_body(section, source, deployment);
+  deployment.run_dir = overrides.run_dir;
+  deployment.share = overrides.share;
+  deployment.seed = overrides.seed;
+  const int domain = section.whole("domain", 0, 0, max_domain);
+  ParameterSet parameters;
+  for (const std::string& file : section.texts("parameters")) {
+    parameters.add_file(Source(source.path(file), variables));
+  }
+  section.reject_unknown_keys();
+  for (const std::string& setting : overrides.set) parameters.add_setting(setting);
+  check_whole(deployment);
+  merge_parameters(parameters, source, deployment);
+  for (const std::string& process : overrides.without) leave_out(process, deployment);
+  assign_domains(overrides.domain.value_or(domain), deployment);
+  return deployment;
+}
+
+const Host* find_host(const Deployment& deployment, const std::string& name) {
+  for (const Host& host : deployment.hosts) {
+    if (host.name == name) return &host;
+  }
+  return nullptr;
+}
+
+const Container* find_container(const Host& host, const std::string& name) {
+  for (const Container& container : host.containers) {
+    if (container.name == name) return &container;
+  }
+  return nullptr;
+}
+
+}  // namespace tocsin::deployment

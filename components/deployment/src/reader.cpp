@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reader.hpp"
+
+#include <arpa/inet.h>
+
+#include <algorithm>
+
+#include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
+#include "foundation/yaml_file.hpp"
+
+namespace tocsin::deployment {
+namespace {
+
+bool is_address(const std::string& text) {
+  in_addr address{};
+  return inet_pton(AF_INET, text.c_str(), &address) == 1;
+}
+
+void check_address(const std::string& text, const std::string& key, const Section& section) {
+  if (!is_address(text)) section.fail(key, "'" + text + "' is not an IPv4 address");
+}
+
+bool is_ros_namespace(const std::string& text) {
+  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '/'; };
+  return text.empty() ||
+         (std::isalpha(static_cast<unsigned char>(text[0])) != 0 && text.back() != '/' &&
+          text.find("//") == std::string::npos && std::all_of(text.begin(), text.end(), allowed));
+}
+
+ComponentInstance read_instance(const YAML::Node& node, const std::string& owner,
+                                const Source& source) {
+  ComponentInstance instance;
+  YAML::Node parameters(YAML::NodeType::Map);
+  if (node.IsScalar()) {
+    instance.component = instance.name = source.expand(node.Scalar(), node);
+    check_name(instance.name, owner, node, source);
+  } else {
+    Section section(node, owner, source);
+    instance.component = section.required_name("component");
+    instance.name = section.text("name", instance.component);
+    check_name(instance.name, owner + ".name", node, source);
+    const YAML::Node given = section.find("parameters");
+    if (given.IsDefined() && !given.IsNull()) {
+      const Section keys(given, instance.name, source);
+      for (const auto& entry : given) {
+        instance.origins[entry.first.Scalar()] = source.place(entry.first);
+      }
+      parameters = given;
+    }
+    section.reject_unknown_keys();
+  }
+  instance.parameters = std::make_shared<const YAML::Node>(parameters);
+  return instance;
+}
+
+Program read_program(const YAML::Node& node, const std::string& owner, const Source& source) {
+  Section section(node, owner, source);
+  Program program{section.required_name("name"), section.texts("command")};
+  if (program.command.empty()) section.fail("command", "must be a list with at least a program");
+  for (std::string& word : program.command) {
+    if (word.rfind("./", 0) == 0 || word.rfind("../", 0) == 0) word = source.path(word);
+  }
+  section.reject_unknown_keys();
+  return program;
+}
+
+Container read_container(const YAML::Node& node, const std::string& owner, const Source& source) {
+  Section section(node, owner, source);
+  Container container;
+  container.name = section.required_name("name");
+  container.terminal = section.flag("terminal", false);
+  for (const YAML::Node& item : section.items("components")) {
+    container.components.push_back(read_instance(item, owner + ".components", source));
+  }
+  if (container.components.empty()) section.fail("components", "must name at least one component");
+  section.reject_unknown_keys();
+  return container;
+}
+
+Host read_host(const std::string& name, const YAML::Node& node, const Source& source) {
+  check_name(name, "hosts", node, source);
+  const std::string owner = "hosts." + name;
+  Section section(node, owner, source);
+  Host host;
+  host.name = name;
+  host.role = section.required_text("role");
+  if (host.role != "uxv" && host.role != "gcs") {
+    section.fail("role", "'" + host.role + "' is not one of: uxv, gcs");
+  }
+  host.address = section.required_text("address");
+  check_address(host.address, "address", section);
+  host.peers = section.texts("peers");
+  for (const std::string& peer : host.peers) check_address(peer, "peers", section);
+  for (const YAML::Node& item : section.items("programs")) {
+    host.programs.push_back(read_program(item, owner + ".programs", source));
+  }
+  for (const YAML::Node& item : section.items("containers")) {
+    host.containers.push_back(read_container(item, owner + ".containers", source));
+  }
+  section.reject_unknown_keys();
+  return host;
+}
+
+RestartPolicy read_restart(const YAML::Node& node, const Source& source) {
+  const auto policy = load_parameters<RestartPolicy>(node, "restart", source.file());
+  if (policy.max_backoff_s < policy.backoff_s) {
+    throw ConfigError("restart.max_backoff_s: must not be less than restart.backoff_s" +
+                      yaml_place(source.file(), node));
+  }
+  return policy;
+}
+
+std::optional<Radio> read_radio(const YAML::Node& node, const Source& source) {
+  if (!node.IsDefined() || node.IsNull()) return std::nullopt;
+  Section section(node, "radio", source);
+  Radio radio{section.file("channel"), section.file("walls")};
+  if (radio.channel.empty()) section.fail("channel", "is missing");
+  if (radio.walls.empty()) section.fail("walls", "is missing");
+  section.reject_unknown_keys();
+  return radio;
+}
+
+}  // namespace
+
+void read_body(Section& section, const Source& source, Deployment& deployment) {
+  deployment.file = source.file();
+  deployment.qos = section.file("qos");
+  deployment.traffic = section.file("traffic");
+  deployment.ros_namespace = section.text("namespace", "");
+  if (!is_ros_namespace(deployment.ros_namespace)) {
+    section.fail("namespace", "'" + deployment.ros_namespace +
+                                  "' is not words of letters, digits and '_' joined by '/'");
+  }
+  deployment.stop_when_exits = section.text("stop_when_exits", "");
+  deployment.restart = read_restart(section.find("restart"), source);
+  deployment.radio = read_radio(section.find("radio"), source);
+  const YAML::Node hosts = section.find("hosts");
+  if (!hosts.IsDefined()) section.fail("hosts", "is missing");
+  const Section names(hosts, "hosts", source);
+  for (const auto& entry : hosts) {
+    deployment.hosts.push_back(read_host(entry.first.Scalar(), entry.second, source));
+  }
+}
+
+}  // namespace tocsin::deployment

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <yaml-cpp/yaml.h>
+
+#include <fstream>
+
+#include "deployment/deployment.hpp"
+#include "foundation/error.hpp"
+#include "foundation/yaml_file.hpp"
+#include "reader.hpp"
+
+namespace tocsin::deployment {
+namespace {
+
+using YAML::BeginMap;
+using YAML::BeginSeq;
+using YAML::EndMap;
+using YAML::EndSeq;
+
+template <class Value>
+void pair(YAML::Emitter& out, const char* key, const Value& value) {
+  out << YAML::Key << key << YAML::Value << value;
+}
+
+/// Texts are quoted, so that one like `true` or `12` stays a text.
+void text(YAML::Emitter& out, const char* key, const std::string& value) {
+  out << YAML::Key << key << YAML::Value << YAML::DoubleQuoted << value;
+}
+
+void texts(YAML::Emitter& out, const char* key, const std::vector<std::string>& values) {
+  out << YAML::Key << key << YAML::Value << YAML::Flow << BeginSeq;
+  for (const std::string& value : values) out << YAML::DoubleQuoted << value;
+  out << EndSeq;
+}
+
+void write(YAML::Emitter& out, const ComponentInstance& instance) {
+  out << BeginMap;
+  pair(out, "component", instance.component);
+  pair(out, "name", instance.name);
+  out << YAML::Key << "parameters" << YAML::Value << BeginMap;
+  for (const auto& entry : *instance.parameters) {
+    YAML::Node value(entry.second);
+    if (!value.IsScalar()) value.SetStyle(YAML::EmitterStyle::Flow);
+    pair(out, entry.first.Scalar().c_str(), value);
+    const auto origin = instance.origins.find(entry.first.Scalar());
+    if (origin != instance.origins.end()) out << YAML::Comment(origin->second);
+  }
+  out << EndMap << EndMap;
+}
+
+void write(YAML::Emitter& out, const Program& program) {
+  out << BeginMap;
+  pair(out, "name", program.name);
+  texts(out, "command", program.command);
+  out << EndMap;
+}
+
+void write(YAML::Emitter& out, const Container& container) {
+  out << BeginMap;
+  pair(out, "name", container.name);
+  pair(out, "terminal", container.terminal);
+  out << YAML::Key << "components" << YAML::Value << BeginSeq;
+  for (const ComponentInstance& instance : container.components) write(out, instance);
+  out << EndSeq << EndMap;
+}
+
+void write(YAML::Emitter& out, const Host& host) {
+  out << YAML::Key << host.name << YAML::Value << BeginMap;
+  pair(out, "role", host.role);
+  text(out, "address", host.address);
+  texts(out, "peers", host.peers);
+  out << YAML::Key << "programs" << YAML::Value << BeginSeq;
+  for (const Program& program : host.programs) write(out, program);
+  out << EndSeq << YAML::Key << "containers" << YAML::Value << BeginSeq;
+  for (const Container& container : host.containers) write(out, container);
+  out << EndSeq << EndMap;
+}
+
+void write(YAML::Emitter& out, const RestartPolicy& policy) {
+  out << YAML::Key << "restart" << YAML::Value << BeginMap;
+  pair(out, "backoff_s", policy.backoff_s);
+  pair(out, "max_backoff_s", policy.max_backoff_s);
+  pair(out, "limit", policy.limit);
+  out << EndMap;
+}
+
+void write(YAML::Emitter& out, const Radio& radio) {
+  out << YAML::Key << "radio" << YAML::Value << BeginMap;
+  text(out, "channel", radio.channel);
+  text(out, "walls", radio.walls);
+  out << EndMap;
+}
+
+void write(YAML::Emitter& out, const Deployment& deployment) {
+  out << BeginMap;
+  text(out, "run_dir", deployment.run_dir);
+  text(out, "share", deployment.share);
+  pair(out, "seed", deployment.seed);
+  text(out, "qos", deployment.qos);
+  text(out, "traffic", deployment.traffic);
+  pair(out, "domain", deployment.link_domain - 2);
+  text(out, "namespace", deployment.ros_namespace);
+  text(out, "stop_when_exits", deployment.stop_when_exits);
+  write(out, deployment.restart);
+  if (deployment.radio) write(out, *deployment.radio);
+  out << YAML::Key << "hosts" << YAML::Value << BeginMap;
+  for (const Host& host : deployment.hosts) write(out, host);
+  out << EndMap << EndMap;
+}
+
+}  // namespace
+
+void write_resolved(const Deployment& deployment, const std::string& path) {
+  YAML::Emitter out;
+  out.SetDoublePrecision(10);
+  write(out, deployment);
+  std::ofstream file(path);
+  file << "# Written by tocsin launch from " << deployment.file << "\n" << out.c_str() << "\n";
+  file.close();
+  if (!file) throw ConfigError(path + ": cannot be written");
+}
+
+Deployment load_resolved(const std::string& path) {
+  const Source source(path, {});
+  Section section(read_yaml_file(path), "deployment", source);
+  Deployment deployment;
+  read_body(section, source, deployment);
+  deployment.run_dir = section.text("run_dir", "");
+  deployment.share = section.text("share", "");
+  deployment.seed = section.whole("seed", 1, 0, 1'000'000'000);
+  const int domain = section.whole("domain", 0, 0, 229);
+  section.reject_unknown_keys();
+  check_whole(deployment);
+  assign_domains(domain, deployment);
+  return deployment;
+}
+
+}  // namespace tocsin::deployment
