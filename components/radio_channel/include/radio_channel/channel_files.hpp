@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "radio_channel/channel_params.hpp"
+
+namespace tocsin::radio {
+
+/// Reads a channel file: a YAML map of ChannelParams under the key `radio_channel`. Throws
+/// ConfigError with file, key and range.
+[[nodiscard]] ChannelParams load_channel(const std::string& path);
+
+/// Reads a walls file: `walls: [[x1, y1, x2, y2, loss_db], ...]` in metres in the map frame, losses
+/// 0 to 100 dB. Other keys are ignored. Throws ConfigError with file and line.
+[[nodiscard]] std::vector<Wall> load_walls(const std::string& path);
+
+}  // namespace tocsin::radio

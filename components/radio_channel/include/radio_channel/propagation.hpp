@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "foundation/time.hpp"
+#include "radio_channel/channel_params.hpp"
+#include "radio_channel/fading.hpp"
+#include "radio_channel/shadowing.hpp"
+
+namespace tocsin::radio {
+
+/// Received power over position and time: log distance, walls, shadowing, fading. The same in both
+/// directions (reciprocal channel, equal transmit powers).
+class Propagation {
+ public:
+  /// `start` is time zero of the fading.
+  Propagation(const ChannelParams& params, std::vector<Wall> walls, std::uint64_t seed, Time start);
+
+  /// Moves the station, in metres in the map frame. A position that is not finite is ignored.
+  void set_position(double x_m, double y_m);
+
+  /// Loss of path and walls, without shadowing.
+  [[nodiscard]] double path_loss_db() const { return path_loss_db_; }
+  /// Mean over fading.
+  [[nodiscard]] double mean_rssi_dbm() const { return mean_rssi_dbm_; }
+  [[nodiscard]] double mean_snr_db() const { return mean_rssi_dbm_ - params_.noise_dbm; }
+  /// At `now`. Fading is held for 2 ms, far below its coherence time.
+  [[nodiscard]] double rssi_dbm(Time now);
+  [[nodiscard]] double x_m() const { return x_m_; }
+  [[nodiscard]] double y_m() const { return y_m_; }
+
+ private:
+  [[nodiscard]] double wall_loss_db() const;
+
+  ChannelParams params_;
+  std::vector<Wall> walls_;
+  ShadowingField shadowing_;
+  RicianFading fading_;
+  Time start_;
+  double x_m_ = 0;
+  double y_m_ = 0;
+  double path_loss_db_ = 0;
+  double mean_rssi_dbm_ = 0;
+  double k_db_ = 0;
+  double rssi_dbm_ = 0;
+  std::int64_t faded_step_ = -1;  // -1: rssi_dbm_ is not valid
+};
+
+/// Whether the open segments a-b and the wall cross. Touching ends do not count.
+[[nodiscard]] bool crosses(const Wall& wall, double ax_m, double ay_m, double bx_m, double by_m);
+
+}  // namespace tocsin::radio

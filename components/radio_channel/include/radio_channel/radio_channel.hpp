@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "foundation/time.hpp"
+#include "radio_channel/channel_params.hpp"
+#include "radio_channel/medium.hpp"
+#include "radio_channel/outages.hpp"
+#include "radio_channel/packet_loss.hpp"
+#include "radio_channel/propagation.hpp"
+
+namespace tocsin::radio {
+
+/// uplink: from the vehicle over the air to the access point, then the wire to the ground station.
+enum class Direction : std::uint8_t { uplink, downlink };
+
+enum class Fate : std::uint8_t { delivered, lost_in_queue, lost_on_air };
+
+/// How a pushed packet ended. Each packet has exactly one.
+struct Outcome {
+  FrameId id;
+  Direction direction;
+  Fate fate;
+  int bytes;
+  Time at;  ///< when it arrives at the other end, or when it is given up
+};
+
+/// Totals of one direction. pushed = delivered + queue_drops + losses + what is still under way.
+struct DirectionReport {
+  std::uint64_t pushed = 0;
+  std::uint64_t delivered = 0;
+  std::uint64_t queue_drops = 0;
+  std::uint64_t losses = 0;
+  std::uint64_t bytes_pushed = 0;
+  std::uint64_t bytes_delivered = 0;
+  AirCounters air;
+  std::size_t queued = 0;
+};
+
+/// What a Wi-Fi driver would tell about the link, and what only the model knows.
+struct LinkReport {
+  bool associated;       ///< a beacon or frame was heard within 0.72 s (seven beacons)
+  double rssi_dbm;       ///< of the last frame heard; NaN before the first
+  double rssi_mean_dbm;  ///< mean with weight 1/8; NaN before the first
+  double noise_dbm;
+  int quality;         ///< 0..70 as the kernel counts: clamp(rssi, -110, -40) + 110
+  double busy_share;   ///< [0,1] of the time since the last report: ours and the background's
+  double mean_snr_db;  ///< at the position, mean over fading
+  double x_m;
+  double y_m;
+  DirectionReport uplink;
+  DirectionReport downlink;
+};
+
+/// One Wi-Fi link between a moving station and a ground station behind an access point.
+///
+/// Pure and seeded: the same calls give the same outcomes. Driven by events:
+/// push packets, call advance(now) at or after next_event(), then take() outcomes until empty.
+/// `now` must not decrease over all calls. One thread, not copyable.
+class RadioChannel {
+ public:
+  /// Throws ConfigError for rules across parameters (outages_s). `start` is time zero of fading,
+  /// beacons and scripted outages.
+  RadioChannel(const ChannelParams& params, std::vector<Wall> walls, std::uint64_t seed,
+               Time start);
+  RadioChannel(const RadioChannel&) = delete;
+  RadioChannel& operator=(const RadioChannel&) = delete;
+
+  /// Moves the station, in metres in the map frame. A position that is not finite is ignored.
+  void set_position(double x_m, double y_m) { propagation_.set_position(x_m, y_m); }
+
+  /// Sends an IP packet of `bytes` (at least 1). Group-addressed packets from the access point are
+  /// not acknowledged and go once at 6 Mbit/s; from the station they are unicast to the access
+  /// point.
+  FrameId push(Direction direction, int bytes, bool group_addressed, Time now);
+
+  /// The next instant at which advance() has work; `never` when the link is at rest.
+  [[nodiscard]] Time next_event() const;
+  /// Does everything due up to and including `now`.
+  void advance(Time now);
+  /// The next outcome in order of time, empty when none is known yet.
+  [[nodiscard]] std::optional<Outcome> take();
+
+  /// Nothing is received for `length` from `now` on.
+  void begin_outage(Time now, Duration length) { outages_.begin(now, length); }
+  /// Replaces the parameters; packets under way stay. Scripted outages are not replaced.
+  void configure(const ChannelParams& params);
+  [[nodiscard]] const ChannelParams& params() const { return params_; }
+
+  /// The state of the link; busy_share covers the time since the last call.
+  [[nodiscard]] LinkReport report(Time now);
+  [[nodiscard]] const Propagation& propagation() const { return propagation_; }
+
+ private:
+  struct Arrival {
+    Time at;
+    AirFrame frame;
+  };
+
+  [[nodiscard]] DirectionReport& totals(Direction direction);
+  void push_radio(Direction direction, const AirFrame& frame, Time now);
+  void push_without_mac(Direction direction, const AirFrame& frame, Time now);
+  void enqueue(Direction direction, const AirFrame& frame, Time now);
+  void step_medium();
+  void deliver_at(Time at, Outcome outcome);
+  void end(const Outcome& outcome);
+  [[nodiscard]] DirectionReport direction_report(Direction direction) const;
+  [[nodiscard]] double busy_share(Time now);
+
+  ChannelParams params_;
+  std::vector<Wall> walls_;
+  std::uint64_t seed_;
+  Time start_;
+  Propagation propagation_;
+  Outages outages_;
+  Medium medium_;
+  PacketLoss packet_loss_;
+  FrameId next_id_ = 1;
+  std::deque<Arrival> wire_to_access_point_;
+  std::deque<Outcome> deliveries_;
+  std::deque<Outcome> outcomes_;
+  std::vector<AirResult> air_results_;
+  std::array<DirectionReport, 2> totals_;
+  Time reported_at_;
+  Duration reported_airtime_{0};
+};
+
+/// The kernel's link quality of a signal (wext-compat.c): 0 to 70; 0 for NaN.
+[[nodiscard]] int link_quality(double rssi_dbm);
+
+}  // namespace tocsin::radio

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "radio_channel/propagation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tocsin::radio {
+namespace {
+
+constexpr Duration fading_hold{2'000'000};
+
+double log_distance_db(const ChannelParams& p, double distance_m) {
+  const double d = std::max(distance_m, 1.0);
+  const double near = std::min(d, p.breakpoint_m);
+  return p.loss_at_1m_db + 10 * p.exponent_near * std::log10(near) +
+         10 * p.exponent_far * std::log10(d / near);
+}
+
+/// Twice the signed area of the triangle: which side of a-b the point c lies on.
+double side(double ax, double ay, double bx, double by, double cx, double cy) {
+  return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+}
+
+}  // namespace
+
+bool crosses(const Wall& w, double ax_m, double ay_m, double bx_m, double by_m) {
+  const double a = side(w.x1_m, w.y1_m, w.x2_m, w.y2_m, ax_m, ay_m);
+  const double b = side(w.x1_m, w.y1_m, w.x2_m, w.y2_m, bx_m, by_m);
+  if (a * b >= 0) return false;
+  return side(ax_m, ay_m, bx_m, by_m, w.x1_m, w.y1_m) *
+             side(ax_m, ay_m, bx_m, by_m, w.x2_m, w.y2_m) <
+         0;
+}
+
+Propagation::Propagation(const ChannelParams& params, std::vector<Wall> walls, std::uint64_t seed,
+                         Time start)
+    : params_(params),
+      walls_(std::move(walls)),
+      shadowing_(params.shadowing_sigma_db, params.shadowing_distance_m, seed),
+      fading_(299.792458 / params.frequency_mhz, params.environment_doppler_hz, seed),
+      start_(start) {
+  set_position(0, 0);
+}
+
+double Propagation::wall_loss_db() const {
+  double sum = 0;
+  for (const Wall& wall : walls_) {
+    if (crosses(wall, params_.access_point_x_m, params_.access_point_y_m, x_m_, y_m_)) {
+      sum += wall.loss_db;
+    }
+  }
+  return sum;
+}
+
+void Propagation::set_position(double x_m, double y_m) {
+  if (!std::isfinite(x_m) || !std::isfinite(y_m)) return;
+  x_m_ = x_m;
+  y_m_ = y_m;
+  const double walls_db = wall_loss_db();
+  path_loss_db_ = walls_db + log_distance_db(params_, std::hypot(x_m - params_.access_point_x_m,
+                                                                 y_m - params_.access_point_y_m));
+  mean_rssi_dbm_ = params_.tx_dbm - path_loss_db_ + shadowing_.at(x_m, y_m);
+  k_db_ = walls_db > 0 ? params_.rician_k_walled_db : params_.rician_k_clear_db;
+  faded_step_ = -1;
+}
+
+double Propagation::rssi_dbm(Time now) {
+  const std::int64_t step = (now - start_) / fading_hold;
+  if (step != faded_step_) {
+    const double t_s = to_seconds(step * fading_hold);
+    rssi_dbm_ = mean_rssi_dbm_ + fading_.gain_db(k_db_, x_m_, y_m_, t_s);
+    faded_step_ = step;
+  }
+  return rssi_dbm_;
+}
+
+}  // namespace tocsin::radio

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "radio_channel/radio_channel.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace tocsin::radio {
+namespace {
+
+constexpr Duration association_lost_after{720'000'000};
+
+int station_of(Direction direction) { return direction == Direction::uplink ? 0 : 1; }
+
+}  // namespace
+
+int link_quality(double rssi_dbm) {
+  if (std::isnan(rssi_dbm)) return 0;
+  return static_cast<int>(std::lround(std::clamp(rssi_dbm, -110.0, -40.0))) + 110;
+}
+
+RadioChannel::RadioChannel(const ChannelParams& params, std::vector<Wall> walls, std::uint64_t seed,
+                           Time start)
+    : params_(params),
+      walls_(std::move(walls)),
+      seed_(seed),
+      start_(start),
+      propagation_(params, walls_, seed, start),
+      outages_(params.outages_s, start),
+      medium_(params, propagation_, outages_, seed, start),
+      packet_loss_(params, seed, start),
+      reported_at_(start) {}
+
+void RadioChannel::configure(const ChannelParams& params) {
+  const double x_m = propagation_.x_m();
+  const double y_m = propagation_.y_m();
+  params_ = params;
+  propagation_ = Propagation(params, walls_, seed_, start_);
+  propagation_.set_position(x_m, y_m);
+  medium_.configure(params);
+  packet_loss_ = PacketLoss(params, seed_, start_);
+}
+
+DirectionReport& RadioChannel::totals(Direction direction) {
+  return totals_[static_cast<std::size_t>(station_of(direction))];
+}
+
+FrameId RadioChannel::push(Direction direction, int bytes, bool group_addressed, Time now) {
+  assert(bytes > 0);
+  advance(now);
+  ++totals(direction).pushed;
+  totals(direction).bytes_pushed += static_cast<std::uint64_t>(bytes);
+  const bool acknowledged = direction == Direction::uplink || !group_addressed;
+  const AirFrame frame{next_id_++, bytes, acknowledged};
+  if (params_.mode == "radio") {
+    push_radio(direction, frame, now);
+  } else {
+    push_without_mac(direction, frame, now);
+  }
+  return frame.id;
+}
+
+void RadioChannel::push_radio(Direction direction, const AirFrame& frame, Time now) {
+  if (direction == Direction::uplink) {
+    enqueue(direction, frame, now);
+    return;
+  }
+  Time at = now + seconds(params_.wire_delay_s);
+  if (!wire_to_access_point_.empty()) at = std::max(at, wire_to_access_point_.back().at);
+  wire_to_access_point_.push_back({at, frame});
+}
+
+void RadioChannel::push_without_mac(Direction direction, const AirFrame& frame, Time now) {
+  const bool lost = packet_loss_.lost(now) || outages_.active(now);
+  const Fate fate = lost ? Fate::lost_on_air : Fate::delivered;
+  const Outcome outcome{frame.id, direction, fate, frame.bytes, now};
+  if (lost) {
+    end(outcome);
+  } else {
+    deliver_at(now + seconds(params_.delay_s), outcome);
+  }
+}
+
+void RadioChannel::enqueue(Direction direction, const AirFrame& frame, Time now) {
+  if (medium_.enqueue(station_of(direction), frame, now)) return;
+  end({frame.id, direction, Fate::lost_in_queue, frame.bytes, now});
+}
+
+void RadioChannel::deliver_at(Time at, Outcome outcome) {
+  outcome.at = deliveries_.empty() ? at : std::max(at, deliveries_.back().at);
+  deliveries_.push_back(outcome);
+}
+
+void RadioChannel::end(const Outcome& outcome) {
+  DirectionReport& total = totals(outcome.direction);
+  if (outcome.fate == Fate::delivered) {
+    ++total.delivered;
+    total.bytes_delivered += static_cast<std::uint64_t>(outcome.bytes);
+  } else {
+    ++(outcome.fate == Fate::lost_in_queue ? total.queue_drops : total.losses);
+  }
+  outcomes_.push_back(outcome);
+}
+
+Time RadioChannel::next_event() const {
+  Time next = medium_.next_event();
+  if (!wire_to_access_point_.empty()) next = std::min(next, wire_to_access_point_.front().at);
+  if (!deliveries_.empty()) next = std::min(next, deliveries_.front().at);
+  return next;
+}
+
+void RadioChannel::advance(Time now) {
+  for (Time next = next_event(); next <= now && next != never; next = next_event()) {
+    if (!deliveries_.empty() && deliveries_.front().at == next) {
+      end(deliveries_.front());
+      deliveries_.pop_front();
+    } else if (!wire_to_access_point_.empty() && wire_to_access_point_.front().at == next) {
+      enqueue(Direction::downlink, wire_to_access_point_.front().frame, next);
+      wire_to_access_point_.pop_front();
+    } else {
+      step_medium();
+    }
+  }
+}
+
+void RadioChannel::step_medium() {
+  air_results_.clear();
+  medium_.step(air_results_);
+  for (const AirResult& result : air_results_) {
+    const bool up = result.station == 0;
+    const Fate fate = result.received ? Fate::delivered : Fate::lost_on_air;
+    const Outcome outcome{result.id, up ? Direction::uplink : Direction::downlink, fate,
+                          result.bytes, result.at};
+    if (up && result.received) {
+      deliver_at(result.at + seconds(params_.wire_delay_s), outcome);
+    } else {
+      end(outcome);
+    }
+  }
+}
+
+std::optional<Outcome> RadioChannel::take() {
+  if (outcomes_.empty()) return std::nullopt;
+  const Outcome outcome = outcomes_.front();
+  outcomes_.pop_front();
+  return outcome;
+}
+
+DirectionReport RadioChannel::direction_report(Direction direction) const {
+  const int station = station_of(direction);
+  DirectionReport report = totals_[static_cast<std::size_t>(station)];
+  report.air = medium_.counters(station);
+  report.queued = medium_.queued(station);
+  return report;
+}
+
+double RadioChannel::busy_share(Time now) {
+  const Duration airtime = medium_.counters(0).airtime + medium_.counters(1).airtime;
+  const double own_s = to_seconds(airtime - reported_airtime_);
+  const double elapsed_s = to_seconds(now - reported_at_);
+  reported_airtime_ = airtime;
+  reported_at_ = now;
+  const double own = elapsed_s > 0 ? own_s / elapsed_s : 0;
+  return std::min(1.0, own + params_.background_load);
+}
+
+LinkReport RadioChannel::report(Time now) {
+  advance(now);
+  medium_.hear_beacons(now);
+  const SignalTracker& signal = medium_.signal();
+  const bool associated =
+      !std::isnan(signal.last_dbm()) && medium_.silence(now) <= association_lost_after;
+  return {associated,
+          signal.last_dbm(),
+          signal.mean_dbm(),
+          params_.noise_dbm,
+          associated ? link_quality(signal.last_dbm()) : 0,
+          busy_share(now),
+          propagation_.mean_snr_db(),
+          propagation_.x_m(),
+          propagation_.y_m(),
+          direction_report(Direction::uplink),
+          direction_report(Direction::downlink)};
+}
+
+}  // namespace tocsin::radio

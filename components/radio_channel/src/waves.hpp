@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace tocsin::radio {
+
+/// cos(2 pi x), |x| < 2^51, error below 1e-7. Without branches and calls, so that loops over many
+/// waves vectorise; std::cos would dominate the cost of the channel.
+[[nodiscard]] inline double cos_turns(double x) {
+  constexpr double round = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
+  const double turn = x - ((x + round) - round);
+  const double z = turn * turn;  // |turn| <= 0.5; Chebyshev fit of cos(2 pi turn) in turn^2
+  return 1.0 +
+         z * (-19.739208802178716 +
+              z * (64.93939402266829 +
+                   z * (-85.45681720669373 +
+                        z * (60.24464137187666 +
+                             z * (-26.42625678337438 +
+                                  z * (7.903536371318467 +
+                                       z * (-1.714390711088672 +
+                                            z * (0.28200596845579 + z * -0.0363828411425456))))))));
+}
+
+}  // namespace tocsin::radio
