@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "network_monitor/nl80211.hpp"
+#include "network_monitor/wireless.hpp"
+
+namespace tocsin::network {
+
+/// Reads one interface: from nl80211 when it knows the interface, else from a file in the format
+/// of /proc/net/wireless. Never throws; what cannot be read is absent, with the reason.
+class WirelessReader {
+ public:
+  /// An empty `interface` means that the vehicle has no radio: every reading is absent.
+  WirelessReader(std::string interface, std::string proc_path);
+
+  [[nodiscard]] WirelessReading read();
+
+ private:
+  [[nodiscard]] WirelessReading read_file() const;
+
+  std::string interface_;
+  std::string path_;
+  Nl80211Reader nl80211_;
+};
+
+}  // namespace tocsin::network
