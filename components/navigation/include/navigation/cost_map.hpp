@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "navigation/occupancy_map.hpp"
+
+namespace tocsin::navigation {
+
+/// How far a planned path keeps from walls.
+struct InflationParams {
+  double robot_radius_m = 0.18;  // TurtleBot 2: 0.351 m diameter
+  double margin_m = 0.07;
+  double soft_radius_m = 0.6;
+  double soft_weight = 3.0;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("robot_radius_m", robot_radius_m, {0.05, 1}, "[m] radius of the robot");
+    v("margin_m", margin_m, {0, 1}, "[m] kept between the robot and a wall");
+    v("soft_radius_m", soft_radius_m, {0, 3}, "[m] nearer to a wall costs more");
+    v("soft_weight", soft_weight, {0, 50}, "[1] extra cost of a cell at a wall");
+  }
+};
+
+/// What it costs to cross each cell: walls and what lies within the robot's radius and margin of
+/// one are blocked, then the cost falls with the square of the distance to `soft_radius_m`.
+/// Unknown cells are blocked, too.
+class CostMap {
+ public:
+  /// Cost of a cell far from walls; 0 is blocked.
+  static constexpr std::uint16_t plain = 100;
+
+  CostMap(const OccupancyMap& map, const InflationParams& params);
+
+  [[nodiscard]] const Grid& grid() const { return grid_; }
+  [[nodiscard]] std::uint16_t cost(std::size_t offset) const { return costs_[offset]; }
+  [[nodiscard]] bool blocked(CellIndex c) const {
+    return !grid_.contains(c) || costs_[grid_.offset(c)] == 0;
+  }
+  [[nodiscard]] bool blocked(const Point2& p) const;
+
+ private:
+  Grid grid_;
+  std::vector<std::uint16_t> costs_;
+};
+
+}  // namespace tocsin::navigation

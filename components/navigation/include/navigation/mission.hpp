@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "navigation/geometry.hpp"
+#include "navigation/occupancy_map.hpp"
+
+namespace tocsin::navigation {
+
+/// Places to visit one after the other.
+struct Mission {
+  std::string name;
+  std::string frame = "map";
+  std::vector<Pose2> waypoints;
+  std::string file;  // where it was read, for error texts
+};
+
+/// Reads a mission: our YAML (`name`, `frame`, `waypoints: [{x, y, yaw}, ...]`) or, from a file
+/// named *.jsonl, the JSON lines of the thesis (one waypoint a line: posx, posy and the quaternion
+/// orx, ory, orz, orw; latency and ts are ignored).
+/// Throws ConfigError naming file, waypoint or line, and reason. A mission has 1 to 4095 waypoints.
+[[nodiscard]] Mission load_mission(const std::string& path);
+
+/// Throws ConfigError naming waypoint, position and file when a robot of this radius cannot stand
+/// on a waypoint: in a wall, nearer to one than `radius_m`, or on an unknown cell.
+void require_free(const Mission& mission, const OccupancyMap& map, double radius_m);
+
+}  // namespace tocsin::navigation

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "navigation/geometry.hpp"
+
+namespace tocsin::navigation {
+
+enum class Cell : std::uint8_t { free, occupied, unknown };
+
+/// Column and row of a cell; (0, 0) is the cell at the map's origin, rows grow with y.
+struct CellIndex {
+  int column = 0;
+  int row = 0;
+};
+
+/// Size and place of a grid: `origin` is the lower left corner of cell (0, 0).
+struct Grid {
+  int width = 0;
+  int height = 0;
+  double resolution_m = 0.05;
+  Point2 origin;
+
+  [[nodiscard]] bool contains(CellIndex c) const {
+    return c.column >= 0 && c.row >= 0 && c.column < width && c.row < height;
+  }
+  [[nodiscard]] std::size_t offset(CellIndex c) const {
+    return static_cast<std::size_t>(c.row) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(c.column);
+  }
+  [[nodiscard]] std::size_t size() const { return offset({0, height}); }
+  /// The cell that holds `p`, empty outside the grid or when `p` is not finite.
+  [[nodiscard]] std::optional<CellIndex> cell_of(const Point2& p) const;
+  [[nodiscard]] Point2 centre(CellIndex c) const;
+};
+
+/// What is known of a floor, cell by cell. Immutable, so any thread may read it.
+class OccupancyMap {
+ public:
+  /// `cells` row by row from the origin up. Asserts that there are width x height of them.
+  OccupancyMap(const Grid& grid, std::vector<Cell> cells);
+
+  [[nodiscard]] const Grid& grid() const { return grid_; }
+  [[nodiscard]] Cell at(CellIndex c) const { return cells_[grid_.offset(c)]; }
+  /// Outside the map everything is unknown.
+  [[nodiscard]] Cell at(const Point2& p) const;
+
+  /// Distance to the first occupied cell [m], seen from `from` in direction `bearing_rad`.
+  /// Empty when there is none within `range_m`; unknown cells do not stop the ray.
+  [[nodiscard]] std::optional<double> raycast(const Point2& from, double bearing_rad,
+                                              double range_m) const;
+
+  /// Whether a disc of radius `radius_m` at (x, y) touches an occupied cell.
+  [[nodiscard]] bool collides(double x, double y, double radius_m) const;
+
+ private:
+  Grid grid_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace tocsin::navigation

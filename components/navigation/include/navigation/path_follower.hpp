@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "foundation/time.hpp"
+#include "navigation/geometry.hpp"
+
+namespace tocsin::navigation {
+
+/// How a path is driven. The defaults suit a Kobuki base (at most 0.7 m/s and 110 deg/s).
+struct FollowerParams {
+  double speed_mps = 0.5;
+  double turn_rate_radps = 1.2;
+  double acceleration_mps2 = 0.5;
+  double turn_acceleration_radps2 = 3.0;
+  double creep_mps = 0.06;
+  double lookahead_m = 0.4;
+  double turn_in_place_rad = 0.9;
+  double turn_done_rad = 0.25;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("speed_mps", speed_mps, {0.05, 0.7}, "[m/s] top speed");
+    v("turn_rate_radps", turn_rate_radps, {0.1, 3}, "[rad/s] top turn rate");
+    v("acceleration_mps2", acceleration_mps2, {0.05, 3}, "[m/s^2] limit, also for braking");
+    v("turn_acceleration_radps2", turn_acceleration_radps2, {0.1, 20}, "[rad/s^2] limit");
+    v("creep_mps", creep_mps, {0.01, 0.2}, "[m/s] lowest speed on the last centimetres");
+    v("lookahead_m", lookahead_m, {0.1, 2}, "[m] distance of the point that is steered to");
+    v("turn_in_place_rad", turn_in_place_rad, {0.3, 3}, "[rad] larger heading error: turn first");
+    v("turn_done_rad", turn_done_rad, {0.05, 1}, "[rad] smaller heading error: drive again");
+  }
+};
+
+/// Drives a path by pure pursuit: steers on an arc to the point `lookahead_m` ahead on the path
+/// (Coulter 1992, CMU-RI-TR-92-01), slows before the end and in turns, turns in place when the
+/// heading is far off.
+///
+/// Pure. It remembers the path, how far along it the robot is, and the last velocity, so that no
+/// command jumps by more than the acceleration limits.
+class PathFollower {
+ public:
+  /// Throws ConfigError when `turn_done_rad` is not below `turn_in_place_rad`.
+  explicit PathFollower(const FollowerParams& params);
+
+  /// Replaces the path; the velocity goes on from where it is. The path must not be empty.
+  void start(Path path);
+
+  /// The velocity for the next instant, `dt` after the last one. Asserts that there is a path.
+  [[nodiscard]] Velocity follow(const Pose2& pose, Duration dt);
+  /// Turns on the spot towards the heading `yaw_rad`.
+  [[nodiscard]] Velocity turn_to(const Pose2& pose, double yaw_rad, Duration dt);
+  /// Brakes within the limits.
+  [[nodiscard]] Velocity brake(Duration dt);
+  /// Backs up slowly and straight.
+  [[nodiscard]] Velocity back_up(Duration dt);
+  /// Stands at once, limits ignored: for emergencies.
+  [[nodiscard]] Velocity halt();
+
+  [[nodiscard]] const Path& path() const { return path_; }
+  [[nodiscard]] Velocity velocity() const { return velocity_; }
+  /// How far there is to go along the path [m], and how far the robot is beside it [m].
+  /// Both as of the last `follow`.
+  [[nodiscard]] double remaining_m() const { return remaining_m_; }
+  [[nodiscard]] double deviation_m() const { return deviation_m_; }
+
+ private:
+  void advance(const Point2& p);
+  [[nodiscard]] Point2 point_ahead(double ahead_m) const;
+  [[nodiscard]] Velocity pursue(const Pose2& pose);
+  [[nodiscard]] Velocity turn(double error_rad) const;
+  Velocity limited(const Velocity& wanted, Duration dt);
+
+  FollowerParams params_;
+  Path path_;
+  std::size_t segment_ = 0;  // the robot is beside path_[segment_] .. path_[segment_ + 1]
+  double share_ = 0;         // of that segment that lies behind the robot
+  double remaining_m_ = 0;
+  double deviation_m_ = 0;
+  bool turning_ = false;
+  Velocity velocity_;
+};
+
+}  // namespace tocsin::navigation

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "navigation/cost_map.hpp"
+
+namespace tocsin::navigation {
+
+/// The cheapest path over the cost map: A* over eight neighbours with the octile distance, then
+/// straightened wherever the straight line costs no more. The same request gives the same path.
+///
+/// A start that is blocked (the robot stands too near to a wall) is first left for the nearest
+/// free cell within 0.5 m; a goal, within 0.15 m. The path begins at `start` itself.
+/// Empty when there is no path, or a point is outside the map or not finite.
+[[nodiscard]] std::optional<Path> plan(const CostMap& map, const Point2& start, const Point2& goal);
+
+/// Length of a path [m].
+[[nodiscard]] double length_m(const Path& path);
+
+}  // namespace tocsin::navigation

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigation/occupancy_map.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tocsin::navigation {
+namespace {
+
+/// One axis of a walk from cell to cell along a ray (Amanatides and Woo 1987).
+struct Axis {
+  int step;
+  double next;   // ray length at the next cell border [m]
+  double delta;  // ray length across one cell [m]
+};
+
+Axis axis_of(double position_in_cells, double direction, double resolution_m) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (direction == 0) return {0, infinity, infinity};
+  const double floor = std::floor(position_in_cells);
+  const double to_border =
+      direction > 0 ? floor + 1 - position_in_cells : position_in_cells - floor;
+  const double delta = resolution_m / std::abs(direction);
+  return {direction > 0 ? 1 : -1, to_border * delta, delta};
+}
+
+double distance_to_interval(double value, double low, double high) {
+  return std::max({low - value, 0.0, value - high});
+}
+
+}  // namespace
+
+std::optional<CellIndex> Grid::cell_of(const Point2& p) const {
+  const double column = std::floor((p.x - origin.x) / resolution_m);
+  const double row = std::floor((p.y - origin.y) / resolution_m);
+  if (!(column >= 0 && row >= 0 && column < width && row < height)) return std::nullopt;
+  return CellIndex{static_cast<int>(column), static_cast<int>(row)};
+}
+
+Point2 Grid::centre(CellIndex c) const {
+  return {origin.x + (c.column + 0.5) * resolution_m, origin.y + (c.row + 0.5) * resolution_m};
+}
+
+OccupancyMap::OccupancyMap(const Grid& grid, std::vector<Cell> cells)
+    : grid_(grid), cells_(std::move(cells)) {
+  assert(grid_.width > 0 && grid_.height > 0 && grid_.resolution_m > 0);
+  assert(cells_.size() == grid_.size());
+}
+
+Cell OccupancyMap::at(const Point2& p) const {
+  const auto cell = grid_.cell_of(p);
+  return cell ? at(*cell) : Cell::unknown;
+}
+
+std::optional<double> OccupancyMap::raycast(const Point2& from, double bearing_rad,
+                                            double range_m) const {
+  auto start = grid_.cell_of(from);
+  if (!start || !std::isfinite(bearing_rad)) return std::nullopt;
+  CellIndex cell = *start;
+  Axis x = axis_of((from.x - grid_.origin.x) / grid_.resolution_m, std::cos(bearing_rad),
+                   grid_.resolution_m);
+  Axis y = axis_of((from.y - grid_.origin.y) / grid_.resolution_m, std::sin(bearing_rad),
+                   grid_.resolution_m);
+  double length_m = 0;
+  while (grid_.contains(cell) && length_m <= range_m) {
+    if (at(cell) == Cell::occupied) return length_m;
+    Axis& nearer = x.next < y.next ? x : y;
+    (x.next < y.next ? cell.column : cell.row) += nearer.step;
+    length_m = nearer.next;
+    nearer.next += nearer.delta;
+  }
+  return std::nullopt;
+}
+
+bool OccupancyMap::collides(double x, double y, double radius_m) const {
+  if (!is_finite(Point2{x, y})) return false;
+  const double r = grid_.resolution_m;
+  const double column = std::floor((x - grid_.origin.x) / r);
+  const double row = std::floor((y - grid_.origin.y) / r);
+  const double reach = std::ceil(radius_m / r);
+  const auto clamp = [](double cell, int size) {
+    return static_cast<int>(std::clamp(cell, -1.0, static_cast<double>(size)));
+  };
+  const int last_row = std::min(clamp(row + reach, grid_.height), grid_.height - 1);
+  const int last_column = std::min(clamp(column + reach, grid_.width), grid_.width - 1);
+  for (int i = std::max(0, clamp(row - reach, grid_.height)); i <= last_row; ++i) {
+    const double dy = distance_to_interval(y - grid_.origin.y, i * r, (i + 1) * r);
+    for (int j = std::max(0, clamp(column - reach, grid_.width)); j <= last_column; ++j) {
+      const double dx = distance_to_interval(x - grid_.origin.x, j * r, (j + 1) * r);
+      if (at(CellIndex{j, i}) == Cell::occupied && std::hypot(dx, dy) <= radius_m) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace tocsin::navigation

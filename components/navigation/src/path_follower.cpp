@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigation/path_follower.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::navigation {
+namespace {
+
+/// The robot is looked for this far ahead on the path, so that it does not skip to a later
+/// stretch that passes nearby.
+constexpr double search_m = 1.0;
+constexpr double turn_gain_per_s = 2.0;
+
+double nearest_share(const Point2& a, const Point2& b, const Point2& p) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double square = dx * dx + dy * dy;
+  if (square == 0) return 1;
+  return std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
+}
+
+double step_towards(double from, double to, double most) {
+  return from + std::clamp(to - from, -most, most);
+}
+
+}  // namespace
+
+PathFollower::PathFollower(const FollowerParams& params) : params_(params) {
+  if (params.turn_done_rad >= params.turn_in_place_rad) {
+    throw ConfigError("turn_done_rad: " + std::to_string(params.turn_done_rad) +
+                      " is not below turn_in_place_rad (" +
+                      std::to_string(params.turn_in_place_rad) + ")");
+  }
+}
+
+void PathFollower::start(Path path) {
+  assert(!path.empty());
+  path_ = std::move(path);
+  if (path_.size() == 1) path_.push_back(path_.front());
+  segment_ = 0;
+  share_ = 0;
+  turning_ = false;
+}
+
+Velocity PathFollower::follow(const Pose2& pose, Duration dt) {
+  assert(!path_.empty());
+  advance(position(pose));
+  return limited(pursue(pose), dt);
+}
+
+Velocity PathFollower::turn_to(const Pose2& pose, double yaw_rad, Duration dt) {
+  return limited(turn(wrap_angle(yaw_rad - pose.yaw)), dt);
+}
+
+Velocity PathFollower::brake(Duration dt) { return limited({0, 0}, dt); }
+
+Velocity PathFollower::back_up(Duration dt) { return limited({-0.1, 0}, dt); }
+
+Velocity PathFollower::halt() { return velocity_ = {0, 0}; }
+
+void PathFollower::advance(const Point2& p) {
+  deviation_m_ = std::numeric_limits<double>::infinity();
+  double ahead_m = -share_ * distance(path_[segment_], path_[segment_ + 1]);
+  for (std::size_t i = segment_; i + 1 < path_.size() && ahead_m < search_m; ++i) {
+    const double share = nearest_share(path_[i], path_[i + 1], p);
+    const double away_m = distance(p, between(path_[i], path_[i + 1], share));
+    if (away_m < deviation_m_) {
+      deviation_m_ = away_m;
+      segment_ = i;
+      share_ = share;
+    }
+    ahead_m += distance(path_[i], path_[i + 1]);
+  }
+  remaining_m_ = (1 - share_) * distance(path_[segment_], path_[segment_ + 1]);
+  for (std::size_t i = segment_ + 1; i + 1 < path_.size(); ++i) {
+    remaining_m_ += distance(path_[i], path_[i + 1]);
+  }
+}
+
+Point2 PathFollower::point_ahead(double ahead_m) const {
+  double share = share_;
+  for (std::size_t i = segment_; i + 1 < path_.size(); ++i) {
+    const double length = distance(path_[i], path_[i + 1]);
+    const double rest = (1 - share) * length;
+    if (rest >= ahead_m && length > 0)
+      return between(path_[i], path_[i + 1], share + ahead_m / length);
+    ahead_m -= rest;
+    share = 0;
+  }
+  return path_.back();
+}
+
+Velocity PathFollower::pursue(const Pose2& pose) {
+  const Point2 target = point_ahead(params_.lookahead_m);
+  const double error = wrap_angle(bearing(position(pose), target) - pose.yaw);
+  turning_ = std::abs(error) > (turning_ ? params_.turn_done_rad : params_.turn_in_place_rad);
+  if (turning_) return turn(error);
+  const double target_m = std::max(distance(position(pose), target), 0.05);
+  const double curvature = 2 * std::sin(error) / target_m;
+  const double braking_mps = std::sqrt(2 * params_.acceleration_mps2 * remaining_m_);
+  double v = std::min(params_.speed_mps, std::max(params_.creep_mps, 0.9 * braking_mps));
+  v = std::min(v * std::cos(error), params_.turn_rate_radps / std::max(std::abs(curvature), 1e-9));
+  return {v, v * curvature};
+}
+
+Velocity PathFollower::turn(double error_rad) const {
+  // Braking from the turn rate within the error keeps the heading from overshooting.
+  const double rate = std::min({params_.turn_rate_radps, turn_gain_per_s * std::abs(error_rad),
+                                std::sqrt(params_.turn_acceleration_radps2 * std::abs(error_rad))});
+  return {0, std::copysign(rate, error_rad)};
+}
+
+Velocity PathFollower::limited(const Velocity& wanted, Duration dt) {
+  const double dt_s = std::clamp(to_seconds(dt), 0.0, 0.2);
+  velocity_.v_mps = step_towards(velocity_.v_mps, wanted.v_mps, params_.acceleration_mps2 * dt_s);
+  velocity_.w_radps =
+      step_towards(velocity_.w_radps, wanted.w_radps, params_.turn_acceleration_radps2 * dt_s);
+  return velocity_;
+}
+
+}  // namespace tocsin::navigation
