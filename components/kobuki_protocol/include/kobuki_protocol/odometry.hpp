@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "kobuki_protocol/feedback.hpp"
+#include "kobuki_protocol/geometry.hpp"
+
+namespace tocsin::kobuki {
+
+struct OdometryParams {
+  bool use_gyro_heading = true;
+  double wheel_separation_m = kobuki::wheel_separation_m;
+  double left_wheel_scale = 1.0;
+  double right_wheel_scale = 1.0;
+  double gyro_scale = 1.0;
+  double gyro_bias_rad_s = 0.0;
+  double max_wheel_speed_mps = 1.5;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("use_gyro_heading", use_gyro_heading, "heading from the gyro, else from the encoders");
+    v("wheel_separation_m", wheel_separation_m, {0.15, 0.35},
+      "[m] between the wheels; some bases fit 0.246 better");
+    v("left_wheel_scale", left_wheel_scale, {0.8, 1.2}, "[1] true over nominal distance, left");
+    v("right_wheel_scale", right_wheel_scale, {0.8, 1.2}, "[1] true over nominal distance, right");
+    v("gyro_scale", gyro_scale, {0.8, 1.2}, "[1] true over reported turn");
+    v("gyro_bias_rad_s", gyro_bias_rad_s, {-0.1, 0.1}, "[rad/s] reported while standing still");
+    v("max_wheel_speed_mps", max_wheel_speed_mps, {0.7, 5},
+      "[m/s] a faster jump of an encoder is a restarted base, not motion");
+  }
+};
+
+/// Planar pose in the odometry frame; heading counter-clockwise, -pi to pi.
+struct Pose {
+  double x_m = 0;
+  double y_m = 0;
+  double heading_rad = 0;
+};
+
+struct WheelState {
+  double angle_rad = 0;
+  double rate_rad_s = 0;
+};
+
+/// All that a restarted driver needs in order to continue the same odometry.
+struct OdometrySnapshot {
+  Pose pose;
+  WheelState left;
+  WheelState right;
+  CoreSensors core;
+  std::optional<double> gyro_rad;
+};
+
+/// `angle` wrapped to (-pi, pi].
+[[nodiscard]] double wrap_angle(double angle_rad);
+
+/// Pose from encoder ticks, with the heading of the encoders or of the gyro.
+///
+/// Pure, one instance per base, no shared state. The first sample only initialises. Encoders and
+/// the millisecond stamp are differences modulo 65536. A jump that no wheel can do (the base was
+/// restarted) initialises again and keeps the pose.
+class Odometry {
+ public:
+  explicit Odometry(const OdometryParams& params);
+  /// Takes one frame. `inertia` may be absent: the heading then comes from the encoders.
+  void update(const CoreSensors& core, const std::optional<Inertia>& inertia);
+  /// The next sample only initialises; the pose stays. For a silence in which encoders may have
+  /// wrapped.
+  void reinitialise();
+  /// Makes the present place the origin.
+  void reset();
+
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+  /// Rates of the body; 0 until the second sample.
+  [[nodiscard]] double linear_mps() const { return linear_mps_; }
+  [[nodiscard]] double angular_rad_s() const { return angular_rad_s_; }
+  [[nodiscard]] const WheelState& left() const { return left_; }
+  [[nodiscard]] const WheelState& right() const { return right_; }
+  /// Jumps that were not taken as motion.
+  [[nodiscard]] std::uint64_t rejected_jumps() const { return rejected_jumps_; }
+
+  /// Empty until the first sample.
+  [[nodiscard]] std::optional<OdometrySnapshot> snapshot() const;
+  void restore(const OdometrySnapshot& snapshot);
+
+ private:
+  struct Step {
+    double left_m = 0;
+    double right_m = 0;
+    double dt_s = 0;
+    double turn_rad = 0;
+  };
+  [[nodiscard]] Step measure(const CoreSensors& core) const;
+  [[nodiscard]] bool plausible(const Step& step) const;
+  void apply(const Step& step, const std::optional<Inertia>& inertia);
+  void apply_rates(const Step& step, const std::optional<Inertia>& inertia);
+  [[nodiscard]] double turn(const Step& step, const std::optional<Inertia>& inertia) const;
+  void remember(const CoreSensors& core, const std::optional<Inertia>& inertia);
+
+  OdometryParams params_;
+  Pose pose_;
+  double linear_mps_ = 0;
+  double angular_rad_s_ = 0;
+  WheelState left_;
+  WheelState right_;
+  std::optional<CoreSensors> last_;
+  std::optional<double> last_gyro_rad_;
+  std::uint64_t rejected_jumps_ = 0;
+};
+
+}  // namespace tocsin::kobuki

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_protocol/odometry.hpp"
+
+#include <cmath>
+
+namespace tocsin::kobuki {
+namespace {
+
+/// Signed distance between two 16-bit counters.
+double tick_difference(std::uint16_t now, std::uint16_t last) {
+  return static_cast<std::int16_t>(static_cast<std::uint16_t>(now - last));
+}
+
+double gyro_angle(const Inertia& inertia) { return inertia.angle_cdeg * centidegree_rad; }
+
+}  // namespace
+
+double wrap_angle(double angle_rad) {
+  const double wrapped = std::remainder(angle_rad, 2.0 * pi);
+  return wrapped <= -pi ? wrapped + 2.0 * pi : wrapped;
+}
+
+Odometry::Odometry(const OdometryParams& params) : params_(params) {}
+
+void Odometry::update(const CoreSensors& core, const std::optional<Inertia>& inertia) {
+  if (!last_) {
+    remember(core, inertia);
+    return;
+  }
+  const Step step = measure(core);
+  if (plausible(step)) {
+    apply(step, inertia);
+  } else {
+    ++rejected_jumps_;
+    reinitialise();
+  }
+  remember(core, inertia);
+}
+
+Odometry::Step Odometry::measure(const CoreSensors& core) const {
+  Step step;
+  step.left_m =
+      tick_difference(core.left_encoder, last_->left_encoder) * tick_m * params_.left_wheel_scale;
+  step.right_m = tick_difference(core.right_encoder, last_->right_encoder) * tick_m *
+                 params_.right_wheel_scale;
+  step.turn_rad = (step.right_m - step.left_m) / params_.wheel_separation_m;
+  step.dt_s = static_cast<std::uint16_t>(core.timestamp_ms - last_->timestamp_ms) / 1000.0;
+  return step;
+}
+
+bool Odometry::plausible(const Step& step) const {
+  constexpr double slack_m = 0.01;  // a repeated stamp or one lost frame is no jump
+  const double limit_m = params_.max_wheel_speed_mps * step.dt_s + slack_m;
+  return std::abs(step.left_m) <= limit_m && std::abs(step.right_m) <= limit_m;
+}
+
+double Odometry::turn(const Step& step, const std::optional<Inertia>& inertia) const {
+  if (!params_.use_gyro_heading || !inertia || !last_gyro_rad_) return step.turn_rad;
+  const double reported = wrap_angle(gyro_angle(*inertia) - *last_gyro_rad_);
+  return params_.gyro_scale * (reported - params_.gyro_bias_rad_s * step.dt_s);
+}
+
+void Odometry::apply(const Step& step, const std::optional<Inertia>& inertia) {
+  const double forward_m = (step.left_m + step.right_m) / 2.0;
+  pose_.x_m += forward_m * std::cos(pose_.heading_rad);
+  pose_.y_m += forward_m * std::sin(pose_.heading_rad);
+  pose_.heading_rad = wrap_angle(pose_.heading_rad + turn(step, inertia));
+  left_.angle_rad += step.left_m / wheel_radius_m;
+  right_.angle_rad += step.right_m / wheel_radius_m;
+  apply_rates(step, inertia);
+}
+
+void Odometry::apply_rates(const Step& step, const std::optional<Inertia>& inertia) {
+  if (step.dt_s <= 0) return;  // the stamp did not move: the old rates are the better guess
+  linear_mps_ = (step.left_m + step.right_m) / 2.0 / step.dt_s;
+  angular_rad_s_ = step.turn_rad / step.dt_s;
+  left_.rate_rad_s = step.left_m / wheel_radius_m / step.dt_s;
+  right_.rate_rad_s = step.right_m / wheel_radius_m / step.dt_s;
+  if (params_.use_gyro_heading && inertia) {
+    const double reported = inertia->angle_rate_cdps * centidegree_rad;
+    angular_rad_s_ = params_.gyro_scale * (reported - params_.gyro_bias_rad_s);
+  }
+}
+
+void Odometry::remember(const CoreSensors& core, const std::optional<Inertia>& inertia) {
+  last_ = core;
+  last_gyro_rad_.reset();
+  if (inertia) last_gyro_rad_ = gyro_angle(*inertia);
+}
+
+void Odometry::reinitialise() {
+  last_.reset();
+  last_gyro_rad_.reset();
+  linear_mps_ = angular_rad_s_ = 0;
+  left_.rate_rad_s = right_.rate_rad_s = 0;
+}
+
+void Odometry::reset() {
+  pose_ = Pose{};
+  left_ = right_ = WheelState{};
+}
+
+std::optional<OdometrySnapshot> Odometry::snapshot() const {
+  if (!last_) return std::nullopt;
+  return OdometrySnapshot{pose_, left_, right_, *last_, last_gyro_rad_};
+}
+
+void Odometry::restore(const OdometrySnapshot& snapshot) {
+  pose_ = snapshot.pose;
+  left_ = snapshot.left;
+  right_ = snapshot.right;
+  last_ = snapshot.core;
+  last_gyro_rad_ = snapshot.gyro_rad;
+}
+
+}  // namespace tocsin::kobuki

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_protocol/odometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tocsin::kobuki {
+namespace {
+
+CoreSensors core(int t_ms, int left, int right) {
+  CoreSensors sensors;
+  sensors.timestamp_ms = static_cast<std::uint16_t>(t_ms);
+  sensors.left_encoder = static_cast<std::uint16_t>(left);
+  sensors.right_encoder = static_cast<std::uint16_t>(right);
+  return sensors;
+}
+
+Inertia inertia(int angle_cdeg, int rate = 0) {
+  return {static_cast<std::int16_t>(angle_cdeg), static_cast<std::int16_t>(rate)};
+}
+
+OdometryParams by_encoder() {
+  OdometryParams params;
+  params.use_gyro_heading = false;
+  return params;
+}
+
+TEST(Odometry, HasTheConstantsOfTheBase) {
+  EXPECT_NEAR(tick_rad, 0.002436916871363930, 1e-15);
+  EXPECT_NEAR(tick_m, 8.5292090497737e-5, 1e-15);
+}
+
+TEST(Odometry, OnlyInitialisesOnTheFirstSample) {
+  Odometry sut{by_encoder()};
+  sut.update(core(65000, 65500, 65400), {});
+  EXPECT_EQ(sut.pose().x_m, 0);
+  EXPECT_EQ(sut.linear_mps(), 0);
+}
+
+// Rows of the reference: encoders and stamp wrap on the way.
+TEST(Odometry, FollowsTheReferenceAcrossWraps) {
+  Odometry sut{by_encoder()};
+  sut.update(core(65000, 65500, 65400), {});
+  sut.update(core(65020, 65540, 65460), {});
+  EXPECT_NEAR(sut.pose().x_m, 0.004264604, 1e-8);
+  EXPECT_NEAR(sut.pose().heading_rad, 0.007416703, 1e-8);
+  EXPECT_NEAR(sut.linear_mps(), 0.213230, 1e-5);
+  EXPECT_NEAR(sut.angular_rad_s(), 0.370835, 1e-5);
+  EXPECT_NEAR(sut.left().angle_rad, 0.097477, 1e-5);
+  EXPECT_NEAR(sut.right().rate_rad_s, 7.310750, 1e-5);
+  for (int i = 2; i <= 54; ++i)
+    sut.update(core(65000 + 20 * i, 65500 + 40 * i, 65400 + 60 * i), {});
+  EXPECT_NEAR(sut.pose().x_m, 0.224349084, 1e-7);
+  EXPECT_NEAR(sut.pose().y_m, 0.044670844, 1e-7);
+  EXPECT_NEAR(sut.pose().heading_rad, 0.400501980, 1e-7);
+}
+
+TEST(Odometry, RunsBackwards) {
+  Odometry sut{by_encoder()};
+  sut.update(core(0, 10, 10), {});
+  sut.update(core(20, 65536 - 30, 65536 - 30), {});
+  EXPECT_NEAR(sut.pose().x_m, -40 * tick_m, 1e-12);
+}
+
+TEST(Odometry, KeepsTheRateWhenTheStampStands) {
+  Odometry sut{by_encoder()};
+  sut.update(core(0, 0, 0), {});
+  sut.update(core(20, 40, 40), {});
+  const double rate = sut.linear_mps();
+  sut.update(core(20, 40, 40), {});
+  EXPECT_EQ(sut.linear_mps(), rate);
+}
+
+TEST(Odometry, TakesTheHeadingFromTheGyroAcrossItsWrap) {
+  Odometry sut{OdometryParams{}};
+  sut.update(core(0, 0, 0), inertia(17900));
+  sut.update(core(20, 0, 0), inertia(-17900, 500));
+  EXPECT_NEAR(sut.pose().heading_rad, 2 * degree_rad, 1e-9);
+  EXPECT_NEAR(sut.angular_rad_s(), 5 * degree_rad, 1e-9);
+}
+
+TEST(Odometry, StartsAtHeadingZeroWhateverTheGyroSays) {
+  Odometry sut{OdometryParams{}};
+  sut.update(core(0, 0, 0), inertia(-6245));
+  sut.update(core(20, 50, 50), inertia(-6245));
+  EXPECT_EQ(sut.pose().heading_rad, 0);
+  EXPECT_NEAR(sut.pose().x_m, 50 * tick_m, 1e-12);
+}
+
+TEST(Odometry, TurnsByEncodersWhenInertiaIsMissing) {
+  Odometry sut{OdometryParams{}};
+  sut.update(core(0, 0, 0), inertia(0));
+  sut.update(core(20, -20, 20), {});
+  const double turn = 40 * tick_m / wheel_separation_m;
+  EXPECT_NEAR(sut.pose().heading_rad, turn, 1e-12);
+  sut.update(core(40, -20, 20), inertia(5000));  // no difference to take yet
+  EXPECT_NEAR(sut.pose().heading_rad, turn, 1e-12);
+}
+
+TEST(Odometry, AppliesScales) {
+  OdometryParams params = by_encoder();
+  params.left_wheel_scale = 1.02;
+  params.right_wheel_scale = 0.98;
+  params.wheel_separation_m = 0.246;
+  Odometry sut{params};
+  sut.update(core(0, 0, 0), {});
+  sut.update(core(1000, 1000, 1000), {});
+  EXPECT_NEAR(sut.pose().x_m, 1000 * tick_m, 1e-12);
+  EXPECT_NEAR(sut.pose().heading_rad, -0.04 * 1000 * tick_m / 0.246, 1e-12);
+}
+
+TEST(Odometry, AppliesGyroScaleAndBias) {
+  OdometryParams params;
+  params.gyro_scale = 1.1;
+  params.gyro_bias_rad_s = 1 * degree_rad;
+  Odometry sut{params};
+  sut.update(core(0, 0, 0), inertia(0));
+  sut.update(core(1000, 0, 0), inertia(1100, 1100));
+  EXPECT_NEAR(sut.pose().heading_rad, 11 * degree_rad, 1e-9);
+  EXPECT_NEAR(sut.angular_rad_s(), 11 * degree_rad, 1e-9);
+}
+
+TEST(Odometry, DoesNotTakeARestartedBaseForMotion) {
+  Odometry sut{by_encoder()};
+  sut.update(core(60000, 100, 100), {});
+  sut.update(core(60020, 140, 140), {});
+  const double x_m = sut.pose().x_m;
+  sut.update(core(60040, 62447, 30000), {});  // the reference driver jumps by up to 2.8 m
+  EXPECT_EQ(sut.pose().x_m, x_m);
+  EXPECT_EQ(sut.rejected_jumps(), 1U);
+  sut.update(core(60060, 62487, 30040), {});
+  EXPECT_NEAR(sut.pose().x_m, x_m + 40 * tick_m, 1e-9);
+}
+
+TEST(Odometry, TakesMotionAcrossLostFrames) {
+  Odometry sut{by_encoder()};
+  sut.update(core(0, 0, 0), {});
+  sut.update(core(2000, 16400, 16400), {});  // 0.7 m/s for 2 s
+  EXPECT_NEAR(sut.pose().x_m, 1.399, 1e-3);
+  EXPECT_EQ(sut.rejected_jumps(), 0U);
+}
+
+TEST(Odometry, HasAJumpLimitOfMaxWheelSpeed) {
+  OdometryParams params = by_encoder();
+  params.max_wheel_speed_mps = 1.0;
+  const int limit_ticks = static_cast<int>((1.0 * 1.0 + 0.01) / tick_m);
+  Odometry at{params};
+  at.update(core(0, 0, 0), {});
+  at.update(core(1000, limit_ticks, limit_ticks), {});
+  EXPECT_EQ(at.rejected_jumps(), 0U);
+  Odometry beyond{params};
+  beyond.update(core(0, 0, 0), {});
+  beyond.update(core(1000, limit_ticks + 1, 0), {});
+  EXPECT_EQ(beyond.rejected_jumps(), 1U);
+}
+
+TEST(Odometry, KeepsThePoseWhenReinitialised) {
+  Odometry sut{by_encoder()};
+  sut.update(core(0, 0, 0), {});
+  sut.update(core(20, 40, 40), {});
+  sut.reinitialise();
+  EXPECT_EQ(sut.linear_mps(), 0);
+  sut.update(core(40, 5000, 9000), {});
+  EXPECT_NEAR(sut.pose().x_m, 40 * tick_m, 1e-12);
+}
+
+TEST(Odometry, GoesToTheOriginWhenReset) {
+  Odometry sut{by_encoder()};
+  sut.update(core(0, 0, 0), {});
+  sut.update(core(20, 40, 60), {});
+  sut.reset();
+  EXPECT_EQ(sut.pose().x_m, 0);
+  EXPECT_EQ(sut.pose().heading_rad, 0);
+  EXPECT_EQ(sut.left().angle_rad, 0);
+  sut.update(core(40, 80, 100), {});
+  EXPECT_NEAR(sut.pose().x_m, 40 * tick_m, 1e-12);
+}
+
+TEST(Odometry, KeepsInstancesApart) {
+  Odometry first{by_encoder()};
+  Odometry second{by_encoder()};
+  first.update(core(0, 0, 0), {});
+  second.update(core(0, 30000, 30000), {});  // statics of the reference would jump here
+  EXPECT_EQ(second.pose().x_m, 0);
+}
+
+TEST(Odometry, ContinuesFromASnapshotWithTheMotionInBetween) {
+  Odometry before{OdometryParams{}};
+  EXPECT_FALSE(before.snapshot());
+  before.update(core(0, 0, 0), inertia(0));
+  before.update(core(20, 40, 40), inertia(100));
+  Odometry after{OdometryParams{}};
+  after.restore(*before.snapshot());
+  before.update(core(1000, 800, 900), inertia(300));
+  after.update(core(1000, 800, 900), inertia(300));
+  EXPECT_EQ(after.pose().x_m, before.pose().x_m);
+  EXPECT_EQ(after.pose().heading_rad, before.pose().heading_rad);
+  EXPECT_EQ(after.right().angle_rad, before.right().angle_rad);
+}
+
+TEST(WrapAngle, KeepsTheHalfOpenRange) {
+  EXPECT_NEAR(wrap_angle(3 * pi), pi, 1e-12);
+  EXPECT_GT(wrap_angle(-pi), 0);
+  EXPECT_NEAR(wrap_angle(-3.5), 2 * pi - 3.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace tocsin::kobuki

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_protocol/version.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tocsin::kobuki {
+namespace {
+
+Version v(int major, int minor, int patch) {
+  return {static_cast<std::uint8_t>(major),
+          static_cast<std::uint8_t>(minor),
+          static_cast<std::uint8_t>(patch),
+          {}};
+}
+
+TEST(Version, ReadsOldCodes) {
+  EXPECT_EQ(to_text(hardware_from_old_code(104)), "1.0.4");
+  EXPECT_EQ(to_text(firmware_from_old_code(123)), "1.0.0");
+  EXPECT_EQ(to_text(firmware_from_old_code(110)), "1.1.0");
+  EXPECT_EQ(to_text(firmware_from_old_code(10100)), "1.1.0");
+  EXPECT_EQ(to_text(firmware_from_old_code(111)), "1.1.1");
+  EXPECT_EQ(to_text(firmware_from_old_code(10101)), "1.1.1");
+}
+
+TEST(Version, JudgesFirmware) {
+  EXPECT_EQ(judge_firmware(v(0, 9, 0)), FirmwareVerdict::refused);
+  EXPECT_EQ(judge_firmware(v(2, 0, 0)), FirmwareVerdict::refused);
+  EXPECT_EQ(judge_firmware(v(1, 1, 3)), FirmwareVerdict::replace);
+  EXPECT_EQ(judge_firmware(v(1, 1, 4)), FirmwareVerdict::recommended);
+  EXPECT_EQ(judge_firmware(v(1, 1, 5)), FirmwareVerdict::replace);
+  EXPECT_EQ(judge_firmware(v(1, 2, 0)), FirmwareVerdict::recommended);
+  EXPECT_EQ(judge_firmware(v(1, 2, 1)), FirmwareVerdict::software_behind);
+}
+
+TEST(Version, HasGainsFrom120) {
+  EXPECT_FALSE(has_gains(v(1, 1, 4)));
+  EXPECT_TRUE(has_gains(v(1, 2, 0)));
+}
+
+TEST(Version, HasFeaturesAfter100) {
+  EXPECT_EQ(feature_bits(v(1, 0, 0)), 0U);
+  EXPECT_EQ(feature_bits(v(1, 1, 0)), 3U);
+}
+
+TEST(Version, ComparesByNumber) {
+  EXPECT_TRUE(v(1, 1, 9) < v(1, 2, 0));
+  EXPECT_FALSE(v(1, 2, 0) < v(1, 2, 0));
+  EXPECT_TRUE(firmware_from_old_code(110) == v(1, 1, 0));
+}
+
+}  // namespace
+}  // namespace tocsin::kobuki
