@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <iostream>
+
+#include "emulator.hpp"
+#include "foundation/error.hpp"
+
+namespace {
+
+/// The parent owns the namespaces and the run: without it there is nothing to carry.
+void die_with_parent() {
+  const pid_t parent = ::getppid();
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) std::exit(0);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  die_with_parent();
+  try {
+    const auto options = tocsin::link::parse_options(argc, argv);
+    if (options) tocsin::link::Emulator(*options).run();
+    return 0;
+  } catch (const tocsin::ConfigError& error) {
+    std::cerr << error.what() << std::endl;
+    return 2;
+  } catch (const tocsin::EnvironmentError& error) {
+    std::cerr << error.what() << std::endl;
+    return 1;
+  }
+}

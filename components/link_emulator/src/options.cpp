@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options.hpp"
+
+#include <arpa/inet.h>
+#include <net/if.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::link {
+namespace {
+
+[[noreturn]] void bad_end(const std::string& text, const std::string& reason) {
+  throw ConfigError("link_emulator --end " + text + ": " + reason +
+                    "; wanted NAME:NETNS:ADDRESS/PREFIX, for example "
+                    "uxv:/run/netns/uxv:10.77.0.1/24");
+}
+
+int prefix_of(const std::string& text, const std::string& whole) {
+  const bool digits = !text.empty() && text.size() <= 2 &&
+                      text.find_first_not_of("0123456789") == std::string::npos;
+  const int prefix = digits ? std::stoi(text) : 0;
+  if (prefix < 1 || prefix > 30) bad_end(whole, "prefix '" + text + "' is outside [1, 30]");
+  return prefix;
+}
+
+void check(const Options& options) {
+  if (options.uxv.netns.empty() || options.gcs.netns.empty()) {
+    throw ConfigError("link_emulator --end: needs one for uxv and one for gcs");
+  }
+  if (options.interface.empty() || options.interface.size() >= IFNAMSIZ) {
+    throw ConfigError("link_emulator --interface: '" + options.interface +
+                      "' is not 1 to 15 characters");
+  }
+}
+
+}  // namespace
+
+void parse_end(const std::string& text, Options& options) {
+  const auto first = text.find(':');
+  const auto last = text.rfind(':');
+  if (first == std::string::npos || first == last) bad_end(text, "has not three parts");
+  const std::string name = text.substr(0, first);
+  if (name != "uxv" && name != "gcs") bad_end(text, "'" + name + "' is neither uxv nor gcs");
+  End& end = name == "uxv" ? options.uxv : options.gcs;
+  if (!end.netns.empty()) bad_end(text, name + " is given twice");
+  const std::string network = text.substr(last + 1);
+  const auto slash = network.find('/');
+  if (slash == std::string::npos) bad_end(text, "has no prefix");
+  end.netns = text.substr(first + 1, last - first - 1);
+  if (end.netns.empty()) bad_end(text, "names no namespace");
+  end.address = network.substr(0, slash);
+  in_addr address{};
+  if (inet_pton(AF_INET, end.address.c_str(), &address) != 1) {
+    bad_end(text, "'" + end.address + "' is not an IPv4 address");
+  }
+  end.prefix = prefix_of(network.substr(slash + 1), text);
+}
+
+std::optional<Options> parse_options(int argc, const char* const* argv) {
+  Options options;
+  std::vector<std::string> ends;
+  CLI::App app("Carries IP packets between two network namespaces over the modelled radio link.",
+               "link_emulator");
+  app.add_option("--channel", options.channel_file, "channel file (YAML)")->required();
+  app.add_option("--walls", options.walls_file, "walls file (YAML)");
+  app.add_option("--seed", options.seed, "seed of shadowing, fading and losses");
+  app.add_option("--end", ends, "NAME:NETNS:ADDRESS/PREFIX, once for uxv and once for gcs")
+      ->required();
+  app.add_option("--interface", options.interface, "name of the interface in both namespaces");
+  app.add_option("--control", options.control_path, "unix datagram socket to create");
+  app.add_option("--stats", options.stats_path, "JSON lines, one per second, appended");
+  app.add_option("--wireless", options.wireless_path, "file like /proc/net/wireless, replaced");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw ConfigError(std::string("link_emulator: ") + error.what());
+  }
+  for (const std::string& end : ends) parse_end(end, options);
+  check(options);
+  return options;
+}
+
+}  // namespace tocsin::link

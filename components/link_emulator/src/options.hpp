@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tocsin::link {
+
+/// One end of the link: where its interface goes and what it is called there.
+struct End {
+  std::string netns;    ///< path of a network namespace, for example /run/netns/uxv
+  std::string address;  ///< IPv4, dotted
+  int prefix = 24;
+};
+
+/// The command line.
+struct Options {
+  std::string channel_file;
+  std::string walls_file;  ///< empty: no walls
+  std::uint64_t seed = 1;
+  End uxv;
+  End gcs;
+  std::string interface = "wlan0";
+  std::string control_path;   ///< empty: no control socket
+  std::string stats_path;     ///< empty: none
+  std::string wireless_path;  ///< empty: none
+};
+
+/// `NAME:NETNS:ADDRESS/PREFIX` with NAME uxv or gcs; the netns may contain colons. Throws
+/// ConfigError.
+void parse_end(const std::string& text, Options& options);
+
+/// Empty when only help was asked for, and printed. Throws ConfigError on bad usage.
+[[nodiscard]] std::optional<Options> parse_options(int argc, const char* const* argv);
+
+}  // namespace tocsin::link
