@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "network_monitor/echo_port.hpp"
+#include "network_monitor/probe_window.hpp"
+#include "network_monitor/wireless_reader.hpp"
+#include "network_monitor/wireless_trend.hpp"
+#include "runtime/component.hpp"
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// Measures the radio link, and reports it once a second.
+class NetworkMonitorComponent final : public Component {
+ public:
+  struct Params {
+    std::string target;
+    int payload_bytes = 64;
+    std::string interface_name = "wlan0";
+    std::string wireless_file = "/proc/net/wireless";
+    network::ProbeParams probe;
+
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("target", target, "IPv4 address to probe: the access point, or the other side; required");
+      v("payload_bytes", payload_bytes, {8, 1400}, "[byte] payload of a probe, as of ping -s");
+      v("interface_name", interface_name, "wireless interface to read; empty: the radio is absent");
+      v("wireless_file", wireless_file, "second source, in the format of /proc/net/wireless");
+      probe.visit(v);
+    }
+  };
+
+  /// ConfigError when `target` is not an IPv4 address, EnvironmentError without ICMP sockets.
+  NetworkMonitorComponent(Context& context, const Params& params);
+  /// With another way to the target than a socket.
+  NetworkMonitorComponent(Context& context, const Params& params,
+                          std::unique_ptr<network::EchoPort> port);
+  void tick(Time now) override;
+
+ private:
+  void send_due(Time now);
+  void publish(const network::ProbeSample& sample, Time now);
+  void report_change(const network::WirelessReading& reading);
+
+  Output<topic::NetworkQuality> quality_{*this};
+  std::string interface_name_;
+  std::unique_ptr<network::EchoPort> port_;
+  network::ProbeWindow window_;
+  network::WirelessReader reader_;
+  network::WirelessTrend trend_;
+  std::string reported_;
+  int send_error_ = 0;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "network_monitor/network_monitor_component.hpp"
+
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "network_monitor/icmp_socket.hpp"
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+namespace {
+
+using Message = topic::NetworkQuality::Message;
+
+/// NaN is how the message says "not told".
+float or_nan(const std::optional<double>& value) {
+  return value ? static_cast<float>(*value) : std::numeric_limits<float>::quiet_NaN();
+}
+
+void put_probes(const network::ProbeSample& sample, Message& message) {
+  message.per_percent(static_cast<float>(sample.per_percent));
+  message.probes_sent(static_cast<std::uint32_t>(sample.sent));
+  message.probes_received(static_cast<std::uint32_t>(sample.received));
+  const auto rtt = [&sample](double network::RttSummary::*field) {
+    return or_nan(sample.rtt ? std::optional((*sample.rtt).*field) : std::nullopt);
+  };
+  message.rtt_min_ms(rtt(&network::RttSummary::min_ms));
+  message.rtt_mean_ms(rtt(&network::RttSummary::mean_ms));
+  message.rtt_max_ms(rtt(&network::RttSummary::max_ms));
+}
+
+void put_wireless(const network::WirelessReading& reading, const network::WirelessRates& rates,
+                  Message& message) {
+  message.signal_dbm(or_nan(reading.signal_dbm));
+  message.noise_dbm(or_nan(reading.noise_dbm));
+  message.quality_percent(or_nan(reading.quality));
+  if (reading.quality) {
+    message.quality_percent(
+        static_cast<float>(100.0 * *reading.quality / network::link_quality_max));
+  }
+  message.retry_percent(or_nan(rates.retry_percent));
+  message.busy_percent(or_nan(rates.busy_percent));
+  message.wireless_source(network::name(reading.source));
+}
+
+}  // namespace
+
+NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params& params)
+    : NetworkMonitorComponent(context, params,
+                              std::make_unique<network::IcmpSocket>(
+                                  params.target, static_cast<std::size_t>(params.payload_bytes))) {}
+
+NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params& params,
+                                                 std::unique_ptr<network::EchoPort> port)
+    : Component(context),
+      interface_name_(params.interface_name),
+      port_(std::move(port)),
+      window_(params.probe),
+      reader_(params.interface_name, params.wireless_file) {
+  wake_on(port_->fd());
+}
+
+void NetworkMonitorComponent::tick(Time now) {
+  while (const auto reply = port_->receive()) {
+    (void)window_.on_reply(reply->sequence, reply->received_at);
+  }
+  send_due(now);
+  if (const auto sample = window_.take_sample(now)) publish(*sample, now);
+  wake_at(window_.next_deadline());
+}
+
+void NetworkMonitorComponent::send_due(Time now) {
+  const auto sequence = window_.take_due(now);
+  if (!sequence) return;
+  const network::SendResult result = port_->send(*sequence);
+  if (result.error == 0) {
+    window_.on_sent(*sequence, result.at);
+  } else {
+    window_.on_send_error(*sequence);
+  }
+  if (result.error == send_error_) return;
+  send_error_ = result.error;
+  if (send_error_ == 0) {
+    log().info("probes leave again");
+  } else {
+    log().warn("probes do not leave: {}", std::strerror(send_error_));
+  }
+}
+
+void NetworkMonitorComponent::publish(const network::ProbeSample& sample, Time now) {
+  const network::WirelessReading reading = reader_.read();
+  report_change(reading);
+  Message message;
+  message.stamp(wall(now));
+  put_probes(sample, message);
+  put_wireless(reading, trend_.update(reading), message);
+  message.interface_name(interface_name_);
+  if (quality_.write(std::move(message)) == Status::failed) log().warn("a sample was not sent");
+}
+
+void NetworkMonitorComponent::report_change(const network::WirelessReading& reading) {
+  std::string text = std::string(network::name(reading.source)) +
+                     (reading.note.empty() ? "" : ": " + reading.note);
+  if (text == reported_) return;
+  log().info("wireless readings of {}: {}", interface_name_, text);
+  reported_ = std::move(text);
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::NetworkMonitorComponent)

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "network_monitor/network_monitor_component.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <deque>
+#include <fstream>
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "runtime/sim_bus.hpp"
+
+namespace tocsin {
+namespace {
+
+/// A target that answers at once while `alive`; the reply is read at the next tick.
+class ScriptedPort : public network::EchoPort {
+ public:
+  explicit ScriptedPort(const SimBus& bus) : bus_(bus) {}
+  network::SendResult send(std::uint16_t sequence) override {
+    if (error != 0) return {bus_.now(), error};
+    if (alive) replies_.push_back({sequence, bus_.now() + seconds(0.004)});
+    return {bus_.now(), 0};
+  }
+  std::optional<network::EchoReply> receive() override {
+    if (replies_.empty()) return std::nullopt;
+    const auto reply = replies_.front();
+    replies_.pop_front();
+    return reply;
+  }
+  int fd() const override { return -1; }
+
+  bool alive = true;
+  int error = 0;
+
+ private:
+  const SimBus& bus_;
+  std::deque<network::EchoReply> replies_;
+};
+
+class NetworkMonitorTest : public ::testing::Test {
+ protected:
+  NetworkMonitorTest() : file_("monitor_test_" + std::to_string(getpid())) {
+    auto port = std::make_unique<ScriptedPort>(bus_);
+    port_ = port.get();
+    NetworkMonitorComponent::Params params;
+    params.interface_name = "emulated0";
+    params.wireless_file = file_;
+    sut_ = std::make_unique<NetworkMonitorComponent>(context_, params, std::move(port));
+  }
+  ~NetworkMonitorTest() override { std::remove(file_.c_str()); }
+
+  void write_wireless(const std::string& columns) const {
+    std::ofstream(file_) << " emulated0: 0000 " << columns << "\n";
+  }
+  std::vector<topic::NetworkQuality::Message> run(double s) {
+    if (!std::exchange(running_, true)) bus_.add(*sut_);
+    bus_.run_for(seconds(s));
+    return samples_.take();
+  }
+
+  SimBus bus_;
+  Context context_{bus_, "network_monitor", "uxv", ""};
+  SimReader<topic::NetworkQuality> samples_{bus_};
+  std::string file_;
+  ScriptedPort* port_ = nullptr;
+  bool running_ = false;
+  std::unique_ptr<NetworkMonitorComponent> sut_;
+};
+
+TEST_F(NetworkMonitorTest, PublishesOneSampleASecond) {
+  EXPECT_EQ(run(1.9).size(), 0U);
+  EXPECT_EQ(run(10).size(), 10U);
+}
+
+TEST_F(NetworkMonitorTest, ReportsALivingLink) {
+  const auto samples = run(10);
+  ASSERT_FALSE(samples.empty());
+  EXPECT_EQ(samples.back().per_percent(), 0.0F);
+  EXPECT_EQ(samples.back().probes_sent(), 20U);
+  EXPECT_EQ(samples.back().probes_received(), 20U);
+  EXPECT_FLOAT_EQ(samples.back().rtt_mean_ms(), 4.0F);
+  EXPECT_EQ(samples.back().stamp().sec(), 1'767'225'610);
+}
+
+TEST_F(NetworkMonitorTest, ReportsADeadLinkAsHundredPercentLost) {
+  port_->alive = false;
+  const auto samples = run(10);
+  ASSERT_FALSE(samples.empty());
+  for (const auto& sample : samples) {
+    EXPECT_EQ(sample.per_percent(), 100.0F);
+    EXPECT_TRUE(std::isnan(sample.rtt_mean_ms()));
+  }
+}
+
+TEST_F(NetworkMonitorTest, GoesOnReportingWhenTheNetworkIsGone) {
+  (void)run(5);
+  port_->error = ENETUNREACH;
+  const auto samples = run(10);
+  ASSERT_EQ(samples.size(), 10U);
+  EXPECT_EQ(samples.back().per_percent(), 100.0F);
+  port_->error = 0;
+  EXPECT_EQ(run(10).back().per_percent(), 0.0F);
+}
+
+TEST_F(NetworkMonitorTest, ReportsTheWirelessFile) {
+  write_wireless("35. -75. -94. 0 0 0 0 0 0");
+  const auto sample = run(3).back();
+  EXPECT_EQ(sample.signal_dbm(), -75.0F);
+  EXPECT_EQ(sample.noise_dbm(), -94.0F);
+  EXPECT_EQ(sample.quality_percent(), 50.0F);
+  EXPECT_TRUE(std::isnan(sample.retry_percent()));
+  EXPECT_EQ(sample.wireless_source(), "proc");
+  EXPECT_EQ(sample.interface_name(), "emulated0");
+}
+
+TEST_F(NetworkMonitorTest, SaysThatTheHardwareIsAbsent) {
+  const auto sample = run(3).back();
+  EXPECT_EQ(sample.wireless_source(), "absent");
+  EXPECT_TRUE(std::isnan(sample.signal_dbm()));
+  EXPECT_TRUE(std::isnan(sample.noise_dbm()));
+  EXPECT_TRUE(std::isnan(sample.quality_percent()));
+  EXPECT_TRUE(std::isnan(sample.busy_percent()));
+}
+
+TEST_F(NetworkMonitorTest, InventsNoSignalWhileUnassociated) {
+  write_wireless("0 0 0 0 0 0 0 0 0");
+  const auto sample = run(3).back();
+  EXPECT_EQ(sample.wireless_source(), "proc");
+  EXPECT_TRUE(std::isnan(sample.signal_dbm()));
+  EXPECT_TRUE(std::isnan(sample.quality_percent()));
+}
+
+TEST(NetworkMonitor, RefusesATargetThatIsNoAddress) {
+  SimBus bus;
+  Context context{bus, "network_monitor", "uxv", ""};
+  NetworkMonitorComponent::Params params;
+  EXPECT_THROW(NetworkMonitorComponent(context, params), ConfigError);
+}
+
+}  // namespace
+}  // namespace tocsin
