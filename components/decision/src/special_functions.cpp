@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "special_functions.hpp"
+
+#include <boost/math/special_functions/bessel.hpp>
+#include <boost/math/special_functions/gamma.hpp>
+
+namespace tocsin::decision {
+
+double log_normal_cdf(double z) {
+  if (z > -35) return std::log(normal_cdf(z));
+  const double i = 1 / (z * z);  // Abramowitz & Stegun 26.2.12
+  return -z * z / 2 - std::log(-z * std::sqrt(2 * M_PI)) + std::log1p(-i + 3 * i * i);
+}
+
+double log_gamma_half_step(double x) { return -std::log(boost::math::tgamma_delta_ratio(x, 0.5)); }
+
+double log_bessel_i0_scaled(double z) {
+  if (z < 600) return std::log(boost::math::cyl_bessel_i(0, z)) - z;
+  const double i = 1 / (8 * z);  // Abramowitz & Stegun 9.7.1
+  return -std::log(2 * M_PI * z) / 2 + std::log1p(i * (1 + 4.5 * i * (1 + 25 * i / 3)));
+}
+
+}  // namespace tocsin::decision
