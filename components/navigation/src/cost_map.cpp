@@ -19,7 +19,8 @@ std::uint16_t cost_at(double distance_m, const InflationParams& params) {
   if (distance_m <= blocked_m) return 0;
   if (distance_m >= params.soft_radius_m) return CostMap::plain;
   const double share = (params.soft_radius_m - distance_m) / (params.soft_radius_m - blocked_m);
-  return static_cast<std::uint16_t>(CostMap::plain * (1 + params.soft_weight * share * share));
+  return static_cast<std::uint16_t>(
+      std::lround(CostMap::plain * (1 + std::min(params.soft_weight, 50.0) * share * share)));
 }
 
 std::vector<DiscCell> disc_of(double resolution_m, const InflationParams& params) {
@@ -44,6 +45,10 @@ bool is_rim(const OccupancyMap& map, CellIndex c) {
   return differs(1, 0) || differs(-1, 0) || differs(0, 1) || differs(0, -1);
 }
 
+bool is_outermost(const Grid& grid, CellIndex c) {
+  return c.column == 0 || c.row == 0 || c.column == grid.width - 1 || c.row == grid.height - 1;
+}
+
 }  // namespace
 
 CostMap::CostMap(const OccupancyMap& map, const InflationParams& params)
@@ -53,7 +58,7 @@ CostMap::CostMap(const OccupancyMap& map, const InflationParams& params)
   for (int row = 0; row < grid_.height; ++row) {
     for (int column = 0; column < grid_.width; ++column) {
       const CellIndex c{column, row};
-      if (map.at(c) == Cell::free) costs_[grid_.offset(c)] = plain;
+      if (map.at(c) == Cell::free && !is_outermost(grid_, c)) costs_[grid_.offset(c)] = plain;
       if (map.at(c) == Cell::occupied && is_rim(map, c)) rim.push_back(c);
     }
   }

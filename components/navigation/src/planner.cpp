@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <queue>
 #include <vector>
 
 namespace tocsin::navigation {
@@ -24,15 +24,38 @@ constexpr std::array<CellIndex, 8> steps{
 
 CellIndex add(CellIndex a, CellIndex b) { return {a.column + b.column, a.row + b.row}; }
 
-/// A cell to expand. Ties go to the one nearer to the goal, then to the lower offset.
-struct Open {
-  std::uint32_t estimate;
-  std::uint32_t rest;
-  std::uint32_t offset;
-  bool operator<(const Open& o) const {  // std::priority_queue pops the greatest
-    if (estimate != o.estimate) return estimate > o.estimate;
-    return rest != o.rest ? rest > o.rest : offset > o.offset;
+/// The open cells, cheapest estimate first, among equals the last one put in. A ring of buckets,
+/// one per estimate: with a consistent heuristic an estimate never lies below the one taken last,
+/// nor above it by more than one step, so neither a heap nor a comparison is needed.
+class OpenCells {
+ public:
+  explicit OpenCells(std::uint32_t first) : buckets_(ring_size), current_(first) {}
+
+  void put(std::uint32_t estimate, CellIndex cell) {
+    assert(estimate - current_ < ring_size);
+    buckets_[estimate % ring_size].push_back(cell);
+    ++count_;
   }
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] std::uint32_t estimate() const { return current_; }
+
+  /// Asserts that it is not empty.
+  CellIndex take() {
+    assert(!empty());
+    while (buckets_[current_ % ring_size].empty()) ++current_;
+    auto& bucket = buckets_[current_ % ring_size];
+    const CellIndex cell = bucket.back();
+    bucket.pop_back();
+    --count_;
+    return cell;
+  }
+
+ private:
+  static constexpr std::uint32_t ring_size = 8192;
+  static_assert(diagonal * (CostMap::dearest + CostMap::plain) < ring_size);
+  std::vector<std::vector<CellIndex>> buckets_;
+  std::uint32_t current_;
+  std::size_t count_ = 0;
 };
 
 class Search {
@@ -43,29 +66,23 @@ class Search {
         start_(start),
         goal_(goal),
         cost_(grid_.size(), unreached),
-        came_by_(grid_.size(), no_step) {}
+        came_by_(grid_.size(), no_step),
+        open_(rest(start)) {}
 
   /// Cells from start to goal, empty when the goal cannot be reached.
   std::vector<CellIndex> run() {
     open(start_, 0, no_step);
     while (!open_.empty()) {
-      const Open best = open_.top();
-      open_.pop();
-      const CellIndex cell = cell_at(best.offset);
-      const std::uint32_t cost = cost_[best.offset];
-      if (best.estimate != cost + best.rest) continue;  // reached cheaper meanwhile
+      const CellIndex cell = open_.take();
+      const std::size_t offset = grid_.offset(cell);
+      if (open_.estimate() != cost_[offset] + rest(cell)) continue;  // reached cheaper meanwhile
       if (cell.column == goal_.column && cell.row == goal_.row) return trace();
-      expand(cell, cost);
+      expand(cell, cost_[offset]);
     }
     return {};
   }
 
  private:
-  CellIndex cell_at(std::uint32_t offset) const {
-    const int i = static_cast<int>(offset);
-    return {i % grid_.width, i / grid_.width};
-  }
-
   std::uint32_t rest(CellIndex c) const {
     const auto dx = static_cast<std::uint32_t>(std::abs(c.column - goal_.column));
     const auto dy = static_cast<std::uint32_t>(std::abs(c.row - goal_.row));
@@ -76,26 +93,29 @@ class Search {
 
   void open(CellIndex c, std::uint32_t cost, std::uint8_t step) {
     const std::size_t offset = grid_.offset(c);
-    if (cost >= cost_[offset]) return;
     cost_[offset] = cost;
     came_by_[offset] = step;
-    const std::uint32_t h = rest(c);
-    open_.push({cost + h, h, static_cast<std::uint32_t>(offset)});
+    open_.put(cost + rest(c), c);
   }
 
+  /// The rim of the map is blocked, so a cell that is open has all eight neighbours.
   void expand(CellIndex from, std::uint32_t cost) {
-    const std::uint32_t here = map_.cost(grid_.offset(from));
+    const std::size_t at = grid_.offset(from);
+    const std::uint32_t here = map_.cost(at);
     for (std::uint8_t i = 0; i < steps.size(); ++i) {
       const CellIndex to = add(from, steps[i]);
-      if (map_.blocked(to) || cuts_corner(from, steps[i])) continue;
+      const std::size_t offset = grid_.offset(to);
+      const std::uint32_t there = map_.cost(offset);
       const std::uint32_t length = i < 4 ? straight : diagonal;
-      open(to, cost + length * (here + map_.cost(grid_.offset(to))) / 2, i);
+      const std::uint32_t sum = cost + length * (here + there) / 2;
+      if (there == 0 || sum >= cost_[offset] || (i >= 4 && cuts_corner(from, to))) continue;
+      open(to, sum, i);
     }
   }
 
-  bool cuts_corner(CellIndex from, CellIndex step) const {
-    return map_.blocked(CellIndex{from.column + step.column, from.row}) ||
-           map_.blocked(CellIndex{from.column, from.row + step.row});
+  bool cuts_corner(CellIndex from, CellIndex to) const {
+    return map_.cost(grid_.offset({to.column, from.row})) == 0 ||
+           map_.cost(grid_.offset({from.column, to.row})) == 0;
   }
 
   std::vector<CellIndex> trace() const {
@@ -114,7 +134,7 @@ class Search {
   CellIndex goal_;
   std::vector<std::uint32_t> cost_;
   std::vector<std::uint8_t> came_by_;
-  std::priority_queue<Open> open_;
+  OpenCells open_;
 };
 
 std::optional<CellIndex> nearest_free(const CostMap& map, const Point2& p, double reach_m) {
@@ -158,15 +178,16 @@ std::vector<double> running_costs(const CostMap& map, const Path& path) {
   return sums;
 }
 
-/// The farthest point that a straight line from `from` reaches at no more than 1 % extra cost.
-/// Looks on behind a failure, because the steps of a grid path make the comparison uneven.
+/// A far point that a straight line from `from` reaches at no more than 1 % extra cost. Looks ahead
+/// in strides that double after a success and halve after a failure.
 std::size_t farthest(const CostMap& map, const Path& path, const std::vector<double>& sums,
                      std::size_t from) {
-  constexpr std::size_t patience = 30;
   std::size_t best = from + 1;
-  for (std::size_t to = from + 2; to < path.size() && to <= best + patience; ++to) {
-    const double limit = 1.01 * (sums[to] - sums[from]);
-    if (line_cost(map, path[from], path[to]) <= limit) best = to;
+  for (std::size_t stride = 32; stride > 0 && best + 1 < path.size();) {
+    const std::size_t to = std::min(best + stride, path.size() - 1);
+    const bool is_cheap = line_cost(map, path[from], path[to]) <= 1.01 * (sums[to] - sums[from]);
+    if (is_cheap) best = to;
+    stride = is_cheap ? stride * 2 : stride / 2;
   }
   return best;
 }

@@ -1,1 +1,135 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "drawn_map.hpp"
+#include "foundation/error.hpp"
+#include "navigation/mission.hpp"
+
+namespace tocsin::navigation {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+std::string error_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+class LoadMission : public ::testing::Test {
+ protected:
+  LoadMission() { std::filesystem::create_directories(folder_); }
+  ~LoadMission() override { std::filesystem::remove_all(folder_); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+  Mission load(const std::string& name, const std::string& text) const {
+    return load_mission(write(name, text));
+  }
+  std::string error_with(const std::string& name, const std::string& text) const {
+    return error_of([&] { (void)load(name, text); });
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("tocsin_mission_" + std::to_string(::getpid()));
+  const std::string line_ =
+      R"({"latency": "1559811064897", "orz": 0.5, "orx": 0.0, "ory": 0.0, "orw": 0.866025, )"
+      R"("ts": "2019-06-06 11:51:04", "posx": -0.5, "posy": 1.25})";
+};
+
+TEST_F(LoadMission, ReadsOurYaml) {
+  const Mission sut = load("m.yaml",
+                           "name: patrol\nframe: map\nwaypoints:\n"
+                           "  - {x: 1.5, y: -2, yaw: 0.3}\n  - {x: 0, y: 4}\n");
+  EXPECT_EQ(sut.name, "patrol");
+  ASSERT_EQ(sut.waypoints.size(), 2u);
+  EXPECT_DOUBLE_EQ(sut.waypoints[0].y, -2);
+  EXPECT_DOUBLE_EQ(sut.waypoints[0].yaw, 0.3);
+  EXPECT_DOUBLE_EQ(sut.waypoints[1].yaw, 0);
+}
+
+TEST_F(LoadMission, IsNamedAfterItsFileWhenItHasNoName) {
+  EXPECT_EQ(load("patrol.yaml", "waypoints: [{x: 0, y: 4}]\n").name, "patrol");
+}
+
+TEST_F(LoadMission, ReadsTheThesisJsonLines) {
+  const Mission sut = load("mission_a.jsonl", line_ + "\n\n" + line_ + "\r\n");
+  EXPECT_EQ(sut.name, "mission_a");
+  ASSERT_EQ(sut.waypoints.size(), 2u);
+  EXPECT_DOUBLE_EQ(sut.waypoints[1].x, -0.5);
+  EXPECT_DOUBLE_EQ(sut.waypoints[1].y, 1.25);
+  EXPECT_NEAR(sut.waypoints[1].yaw, pi / 3, 1e-5);
+}
+
+TEST_F(LoadMission, NamesLineAndKeyOfABadJsonLine) {
+  EXPECT_THAT(error_with("m.jsonl", line_ + "\nnonsense\n"), HasSubstr("m.jsonl:2: not a JSON"));
+  EXPECT_THAT(error_with("m.jsonl", "[]\n"), HasSubstr("m.jsonl:1: not a JSON object"));
+  EXPECT_THAT(error_with("m.jsonl", R"({"posx": 1})"), HasSubstr("posy is missing"));
+  EXPECT_THAT(error_with("m.jsonl", R"({"posx": "1", "posy": 2})"), HasSubstr("posx"));
+  EXPECT_THAT(error_with("m.jsonl", R"({"posx":1e9,"posy":2,"orx":0,"ory":0,"orz":0,"orw":1})"),
+              HasSubstr("100 km"));
+}
+
+TEST_F(LoadMission, NamesTheWaypointOfABadValue) {
+  EXPECT_THAT(error_with("m.yaml", "waypoints:\n  - {x: 0, y: 0}\n  - {x: .nan, y: 1}\n"),
+              AllOf(HasSubstr("waypoint 2.x"), HasSubstr("m.yaml:3")));
+  EXPECT_THAT(error_with("m.yaml", "waypoints:\n  - {x: 0}\n"), HasSubstr("waypoint 1.y: missing"));
+  EXPECT_THAT(error_with("m.yaml", "waypoints: [3]\n"), HasSubstr("waypoint 1"));
+  EXPECT_THAT(error_with("m.yaml", "waypoints: [null]\n"), HasSubstr("waypoint 1"));
+}
+
+TEST_F(LoadMission, NamesUnknownKeys) {
+  EXPECT_THAT(error_with("m.yaml", "wayponts: []\n"), HasSubstr("wayponts: unknown key"));
+  EXPECT_THAT(error_with("m.yaml", "waypoints: [{x: 1, y: 1, z: 1}]\n"), HasSubstr("z"));
+}
+
+TEST_F(LoadMission, RefusesAMissionWithoutWaypoints) {
+  EXPECT_THAT(error_with("m.yaml", "name: a\n"), HasSubstr("mission.waypoints"));
+  EXPECT_THAT(error_with("m.yaml", "waypoints: []\n"), HasSubstr("[1, 4095]"));
+  EXPECT_THAT(error_with("m.yaml", "- 1\n"), HasSubstr("a mission is a map"));
+  EXPECT_THAT(error_with("m.jsonl", "\n"), HasSubstr("[1, 4095]"));
+}
+
+TEST_F(LoadMission, NamesAMissingFile) {
+  EXPECT_THAT(error_of([] { (void)load_mission("/nowhere/m.jsonl"); }), HasSubstr("/nowhere"));
+  EXPECT_THAT(error_of([] { (void)load_mission("/nowhere/m.yaml"); }), HasSubstr("/nowhere"));
+}
+
+class RequireFree : public ::testing::Test {
+ protected:
+  static std::string error_at(double x, double y) {
+    const auto map = drawn_map({"#####", "#...#", "#.?.#", "#...#", "#####"});
+    const Mission mission{"m", "map", {{1.5, 1.5, 0}, {x, y, 0}}, "m.yaml"};
+    return error_of([&] { require_free(mission, map, 0.4); });
+  }
+};
+
+TEST_F(RequireFree, AcceptsWaypointsOnTheFloor) { EXPECT_EQ(error_at(3.5, 3.5), "no error"); }
+
+TEST_F(RequireFree, NamesWaypointPositionAndFileOfOneInAWall) {
+  EXPECT_EQ(error_at(4.5, 2.25), "waypoint 2 at (4.5, 2.25) is inside a wall (m.yaml)");
+}
+
+TEST_F(RequireFree, RefusesAWaypointNearerThanTheRadius) {
+  EXPECT_EQ(error_at(3.59, 3.5), "no error");
+  EXPECT_THAT(error_at(3.61, 3.5), HasSubstr("nearer to a wall"));
+}
+
+TEST_F(RequireFree, RefusesUnknownGroundAndTheOutside) {
+  EXPECT_THAT(error_at(2.5, 2.5), HasSubstr("off the known floor"));
+  EXPECT_THAT(error_at(50, 2.5), HasSubstr("off the known floor"));
+}
+
+}  // namespace
+}  // namespace tocsin::navigation

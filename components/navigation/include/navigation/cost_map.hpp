@@ -25,11 +25,13 @@ struct InflationParams {
 
 /// What it costs to cross each cell: walls and what lies within the robot's radius and margin of
 /// one are blocked, then the cost falls with the square of the distance to `soft_radius_m`.
-/// Unknown cells are blocked, too.
+/// Unknown cells and the outermost cells of the map are blocked, too.
 class CostMap {
  public:
   /// Cost of a cell far from walls; 0 is blocked.
-  static constexpr std::uint16_t plain = 100;
+  static constexpr std::uint16_t plain = 10;
+  /// No cell that is not blocked costs more.
+  static constexpr std::uint16_t dearest = 51 * plain;
 
   CostMap(const OccupancyMap& map, const InflationParams& params);
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "navigation/occupancy_map.hpp"
+
+namespace tocsin::navigation {
+
+/// A map drawn in text, the top row first: '#' occupied, '.' free, '?' unknown; origin (0, 0).
+inline OccupancyMap drawn_map(const std::vector<std::string>& rows, double resolution_m = 1.0) {
+  const Grid grid{
+      static_cast<int>(rows.front().size()), static_cast<int>(rows.size()), resolution_m, {0, 0}};
+  std::vector<Cell> cells;
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+    for (const char c : *row) {
+      cells.push_back(c == '#' ? Cell::occupied : c == '.' ? Cell::free : Cell::unknown);
+    }
+  }
+  return {grid, cells};
+}
+
+/// A free rectangle of this many cells of 0.05 m.
+inline OccupancyMap open_floor(int width, int height) {
+  const Grid grid{width, height, 0.05, {0, 0}};
+  return {grid, std::vector<Cell>(grid.size(), Cell::free)};
+}
+
+}  // namespace tocsin::navigation
