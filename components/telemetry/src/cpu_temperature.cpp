@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "telemetry/cpu_temperature.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+
+#include "telemetry/text_file.hpp"
+
+namespace tocsin::telemetry {
+namespace {
+
+/// Names that kernel drivers give to CPU sensors, best first: Intel package, Intel and AMD hwmon,
+/// ARM SoCs (Raspberry Pi: cpu-thermal), ACPI last, which is often the board.
+constexpr std::array names{"x86_pkg_temp", "coretemp",    "k10temp",      "zenpower",
+                           "cpu-thermal",  "cpu_thermal", "cpu0-thermal", "soc-thermal",
+                           "soc_thermal",  "CPU-therm",   "acpitz"};
+
+std::string trimmed(std::string text) {
+  constexpr auto blank = " \t\r\n";
+  text.erase(text.find_last_not_of(blank) + 1);
+  text.erase(0, text.find_first_not_of(blank));
+  return text;
+}
+
+/// One thermometer per sub-folder that has both files.
+void list_folder(const std::string& folder, const std::string& name_file,
+                 const std::string& value_file, std::vector<Thermometer>& found) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const auto name = read_text(entry.path() / name_file);
+    const auto value = entry.path() / value_file;
+    if (name && std::filesystem::exists(value, error)) {
+      found.push_back({trimmed(*name), value.string()});
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<double> parse_temperature(const std::string& text) {
+  const std::string word = trimmed(text);
+  long long millidegrees = 0;
+  const char* last = word.data() + word.size();
+  const auto [end, error] = std::from_chars(word.data(), last, millidegrees);
+  if (error != std::errc{} || end != last) return std::nullopt;
+  if (millidegrees < -60'000 || millidegrees > 200'000) return std::nullopt;
+  return static_cast<double>(millidegrees) / 1000.0;
+}
+
+std::optional<Thermometer> choose_cpu_thermometer(const std::vector<Thermometer>& thermometers) {
+  for (const char* name : names) {
+    const auto found = std::find_if(thermometers.begin(), thermometers.end(),
+                                    [name](const Thermometer& t) { return t.name == name; });
+    if (found != thermometers.end()) return *found;
+  }
+  return std::nullopt;
+}
+
+std::vector<Thermometer> list_thermometers(const std::string& thermal_dir,
+                                           const std::string& hwmon_dir) {
+  std::vector<Thermometer> found;
+  list_folder(thermal_dir, "type", "temp", found);
+  list_folder(hwmon_dir, "name", "temp1_input", found);
+  // The order of a folder's entries is the file system's; ours is not.
+  std::sort(found.begin(), found.end(),
+            [](const Thermometer& a, const Thermometer& b) { return a.file < b.file; });
+  return found;
+}
+
+}  // namespace tocsin::telemetry
