@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <random>
+
+#include "foundation/time.hpp"
+#include "kobuki_model/body.hpp"
+#include "kobuki_model/drive.hpp"
+#include "kobuki_model/model_params.hpp"
+#include "kobuki_model/power.hpp"
+#include "kobuki_protocol/command.hpp"
+#include "kobuki_protocol/reassembler.hpp"
+
+namespace tocsin::kobuki {
+
+/// What a hand or the room does to the base.
+struct BaseInputs {
+  std::uint8_t buttons = 0;
+  std::uint8_t bumper = 0;  ///< in addition to what the walls press
+  std::uint8_t cliff = 0;
+  std::uint8_t wheel_drop = 0;
+  std::uint8_t over_current = 0;
+  std::uint16_t digital = 0;
+  DockInfrared dock;
+};
+
+/// What the computer has set or asked for.
+struct BaseOutputs {
+  OutputRegister outputs;
+  std::optional<Tune> last_tune;
+  std::optional<Tone> last_tone;
+  std::uint64_t sounds = 0;
+  ControllerGains gains;
+};
+
+/// What survives when the simulator restarts but the base, seen from outside, did not.
+struct BaseMemory {
+  Pose pose;
+  double left_ticks = 0;
+  double right_ticks = 0;
+  double gyro_rad = 0;
+  double clock_s = 0;  ///< since power-on
+  double charge = 1;
+};
+
+/// A Kobuki base, stepped in time: takes command bytes, gives a feedback frame every 20 ms.
+///
+/// Pure and seeded: the same calls give the same bytes. Usable behind a pseudo-terminal and in
+/// simulated time. Physics runs in steps of at most 5 ms. `now` must not decrease.
+class BaseModel {
+ public:
+  using FrameSink = std::function<void(Time sent, ByteView frame)>;
+
+  /// Powered on at `now` at `start`. Throws ConfigError when a version text is not like "1.2.0".
+  BaseModel(const ModelParams& params, Surroundings surroundings, const Pose& start,
+            std::uint64_t seed, Time now);
+
+  /// Takes what the computer sent until `now`, cut anywhere.
+  void receive(ByteView bytes, Time now);
+  /// Moves the world to `now` and hands over each frame that became due, oldest first.
+  void step(Time now, const FrameSink& sink);
+  /// When the next frame is due.
+  [[nodiscard]] Time next_frame() const { return next_frame_; }
+  /// Cuts the power for a moment: encoders start anywhere, clock and gyro at 0, outputs at default.
+  void power_cycle(Time now);
+
+  [[nodiscard]] BaseInputs& inputs() { return inputs_; }
+  [[nodiscard]] Power& power() { return power_; }
+  [[nodiscard]] const BaseOutputs& outputs() const { return outputs_; }
+  /// The true pose in the map frame.
+  [[nodiscard]] const Pose& pose() const { return body_.pose(); }
+  void place(const Pose& pose) { body_.place(pose); }
+  /// True velocity of the last physics step.
+  [[nodiscard]] const BodyVelocity& velocity() const { return velocity_; }
+  [[nodiscard]] std::uint8_t bumper() const;
+  [[nodiscard]] const DecodeCounts& command_counts() const { return command_counts_; }
+  [[nodiscard]] const Reassembler::Counts& frame_counts() const { return reassembler_.counts(); }
+
+  [[nodiscard]] BaseMemory memory(Time now) const;
+  void recall(const BaseMemory& memory, Time now);
+
+ private:
+  struct Answers {
+    bool hardware = false;
+    bool firmware = false;
+    bool unique_id = false;
+    bool gains = false;
+  };
+  void obey(const Command& command, Time now);
+  void request(const RequestExtra& request);
+  void physics(Time now, double dt_s);
+  void turn_gyro(double dt_s);
+  [[nodiscard]] double noise(double sigma);
+  [[nodiscard]] double motor_current_a(double speed_mps, double target_mps) const;
+
+  [[nodiscard]] Feedback sense(Time now);
+  [[nodiscard]] CoreSensors core_sensors(Time now) const;
+  [[nodiscard]] Inertia inertia();
+  [[nodiscard]] RawGyro raw_gyro();
+  [[nodiscard]] GeneralInput general_input() const;
+  [[nodiscard]] CliffAdc cliff_adc() const;
+  void answer(Feedback& feedback);
+
+  ModelParams params_;
+  Version hardware_;
+  Version firmware_;
+  UniqueId unique_id_{};
+  std::mt19937_64 random_;
+  Drive drive_;
+  Body body_;
+  Power power_;
+  Reassembler reassembler_;
+  DecodeCounts command_counts_;
+  BaseInputs inputs_;
+  BaseOutputs outputs_;
+  Answers asked_;
+  BodyVelocity velocity_;
+  double left_ticks_ = 0;
+  double right_ticks_ = 0;
+  double left_slip_ = 0;
+  double right_slip_ = 0;
+  double gyro_rad_ = 0;
+  std::uint8_t gyro_frame_id_ = 0;
+  Time powered_on_;
+  Time last_;
+  Time next_frame_;
+};
+
+}  // namespace tocsin::kobuki

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "kobuki_model/walls.hpp"
+#include "kobuki_protocol/odometry.hpp"
+#include "kobuki_protocol/velocity.hpp"
+
+namespace tocsin::kobuki {
+
+/// The round body among obstacles: where it is, what it touches, and what stops it.
+/// Pure; the pose is the truth in the map frame.
+class Body {
+ public:
+  Body(Surroundings surroundings, const Pose& start);
+  /// Moves for `dt` with the velocity, unless that goes into an obstacle: then it only turns.
+  /// Returns the velocity it really had.
+  BodyVelocity move(const BodyVelocity& wanted, double dt_s);
+  void place(const Pose& pose) { pose_ = pose; }
+
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+  /// Bumper bits of core sensors: contacts within 90 degrees ahead, in sectors of 60 degrees.
+  [[nodiscard]] std::uint8_t bumper() const;
+  /// Whether the last move was stopped by an obstacle.
+  [[nodiscard]] bool blocked() const { return blocked_; }
+
+ private:
+  [[nodiscard]] bool goes_into(double x_m, double y_m, double direction_rad) const;
+  Surroundings surroundings_;
+  Pose pose_;
+  bool blocked_ = false;
+};
+
+/// The bumper bit of a contact at `bearing` from straight ahead, counter-clockwise positive; 0
+/// behind.
+[[nodiscard]] std::uint8_t bumper_bit(double bearing_rad);
+
+}  // namespace tocsin::kobuki

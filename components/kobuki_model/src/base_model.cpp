@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_model/base_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::kobuki {
+namespace {
+
+constexpr auto frame_period = std::chrono::milliseconds(20);
+constexpr auto physics_period = std::chrono::milliseconds(5);
+
+Version parse_version(const char* name, const std::string& text, bool old_form) {
+  unsigned major = 0;
+  unsigned minor = 0;
+  unsigned patch = 0;
+  char rest = 0;
+  const int read = std::sscanf(text.c_str(), "%3u.%3u.%3u%c", &major, &minor, &patch, &rest);
+  if (read != 3 || major > 9 || minor > 99 || patch > 99) {
+    throw ConfigError(std::string(name) + ": '" + text + "' is not a version like 1.2.0");
+  }
+  Version version{static_cast<std::uint8_t>(major), static_cast<std::uint8_t>(minor),
+                  static_cast<std::uint8_t>(patch), std::nullopt};
+  if (old_form) version.old_code = static_cast<std::uint16_t>(major * 100 + minor * 10 + patch);
+  return version;
+}
+
+/// Factory firmware 1.0.0 says 123 in the old form.
+Version parse_firmware(const std::string& text, bool old_form) {
+  Version version = parse_version("firmware", text, old_form);
+  if (version.old_code == 100) version.old_code = 123;
+  return version;
+}
+
+}  // namespace
+
+BaseModel::BaseModel(const ModelParams& params, Surroundings surroundings, const Pose& start,
+                     std::uint64_t seed, Time now)
+    : params_(params),
+      hardware_(parse_version("hardware", params.hardware, params.old_versions)),
+      firmware_(parse_firmware(params.firmware, params.old_versions)),
+      random_(seed),
+      drive_(params),
+      body_(std::move(surroundings), start),
+      power_(params),
+      powered_on_(now),
+      last_(now),
+      next_frame_(now + frame_period) {
+  for (std::uint32_t& word : unique_id_) word = static_cast<std::uint32_t>(random_());
+  power_cycle(now);
+}
+
+void BaseModel::power_cycle(Time now) {
+  drive_.reset();
+  reassembler_.clear();
+  outputs_ = BaseOutputs{};
+  asked_ = Answers{};
+  velocity_ = {};
+  left_ticks_ = static_cast<double>(random_() % 65536U);
+  right_ticks_ = static_cast<double>(random_() % 65536U);
+  gyro_rad_ = 0;
+  powered_on_ = last_ = now;
+  next_frame_ = now + frame_period;
+}
+
+double BaseModel::noise(double sigma) {
+  return sigma <= 0 ? 0 : std::normal_distribution<double>(0, sigma)(random_);
+}
+
+void BaseModel::receive(ByteView bytes, Time now) {
+  reassembler_.feed(bytes, [&](ByteView payload) {
+    decode_commands(payload, command_counts_, [&](const Command& command) { obey(command, now); });
+  });
+}
+
+void BaseModel::obey(const Command& command, Time now) {
+  if (const auto* control = std::get_if<BaseControl>(&command)) drive_.command(*control, now);
+  if (const auto* extra = std::get_if<RequestExtra>(&command)) request(*extra);
+  if (const auto* outputs = std::get_if<OutputRegister>(&command)) outputs_.outputs = *outputs;
+  if (const auto* tune = std::get_if<Tune>(&command)) {
+    outputs_.last_tune = *tune;
+    ++outputs_.sounds;
+  }
+  if (const auto* tone = std::get_if<Tone>(&command)) {
+    outputs_.last_tone = *tone;
+    ++outputs_.sounds;
+  }
+  if (!has_gains(firmware_)) return;
+  if (const auto* set = std::get_if<SetGains>(&command)) outputs_.gains = set->gains;
+  if (std::holds_alternative<GetGains>(command)) asked_.gains = true;
+}
+
+void BaseModel::request(const RequestExtra& request) {
+  asked_.hardware |= (request.flags & RequestExtra::hardware) != 0;
+  asked_.firmware |= (request.flags & RequestExtra::firmware) != 0;
+  asked_.unique_id |= (request.flags & RequestExtra::unique_id) != 0;
+}
+
+void BaseModel::step(Time now, const FrameSink& sink) {
+  while (last_ < now) {
+    const Time to = std::min({now, next_frame_, last_ + physics_period});
+    physics(to, to_seconds(to - last_));
+    last_ = to;
+    if (to < next_frame_) continue;
+    const Frame frame = encode_feedback(sense(to));
+    sink(to, frame.bytes());
+    next_frame_ += frame_period;
+    left_slip_ = noise(params_.slip_sigma);
+    right_slip_ = noise(params_.slip_sigma);
+  }
+}
+
+void BaseModel::physics(Time now, double dt_s) {
+  drive_.step(now, dt_s);
+  const WheelSpeeds rolling = drive_.speeds();
+  const WheelSpeeds true_speeds{
+      rolling.left_mps * params_.left_wheel_scale * (1.0 - left_slip_),
+      rolling.right_mps * params_.right_wheel_scale * (1.0 - right_slip_)};
+  velocity_ = body_.move(body_velocity(true_speeds), dt_s);
+  if (body_.blocked()) drive_.force(wheel_speeds({0, body_velocity(rolling).angular_rad_s}));
+  left_ticks_ += drive_.speeds().left_mps * dt_s / tick_m;
+  right_ticks_ += drive_.speeds().right_mps * dt_s / tick_m;
+  turn_gyro(dt_s);
+  const WheelSpeeds target = drive_.target();
+  power_.step(dt_s, motor_current_a(drive_.speeds().left_mps, target.left_mps) +
+                        motor_current_a(drive_.speeds().right_mps, target.right_mps));
+}
+
+void BaseModel::turn_gyro(double dt_s) {
+  const double drift_deg = noise(params_.gyro_drift_deg_per_sqrt_s) * std::sqrt(dt_s);
+  const double bias_deg = params_.gyro_bias_dps * dt_s;
+  gyro_rad_ = wrap_angle(gyro_rad_ + params_.gyro_scale * velocity_.angular_rad_s * dt_s +
+                         (drift_deg + bias_deg) * degree_rad);
+}
+
+double BaseModel::motor_current_a(double speed_mps, double target_mps) const {
+  constexpr double running_a_per_mps = 0.8;
+  constexpr double stalled_a_per_mps = 2.0;
+  return running_a_per_mps * std::abs(speed_mps) +
+         stalled_a_per_mps * std::abs(target_mps - speed_mps);
+}
+
+std::uint8_t BaseModel::bumper() const {
+  return static_cast<std::uint8_t>(body_.bumper() | inputs_.bumper);
+}
+
+BaseMemory BaseModel::memory(Time now) const {
+  return {pose(),         left_ticks_, right_ticks_, gyro_rad_, to_seconds(now - powered_on_),
+          power_.charge()};
+}
+
+void BaseModel::recall(const BaseMemory& memory, Time now) {
+  body_.place(memory.pose);
+  left_ticks_ = memory.left_ticks;
+  right_ticks_ = memory.right_ticks;
+  gyro_rad_ = memory.gyro_rad;
+  powered_on_ = now - seconds(memory.clock_s);
+  power_.set_charge(memory.charge);
+}
+
+}  // namespace tocsin::kobuki

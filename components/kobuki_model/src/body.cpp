@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_model/body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tocsin::kobuki {
+namespace {
+
+// More than one step at full speed (0.7 m/s * 5 ms), so that a stopped body always presses.
+constexpr double bumper_travel_m = 0.005;
+
+}  // namespace
+
+Body::Body(Surroundings surroundings, const Pose& start)
+    : surroundings_(std::move(surroundings)), pose_(start) {}
+
+bool Body::goes_into(double x_m, double y_m, double direction_rad) const {
+  const auto contacts = surroundings_(x_m, y_m, body_radius_m);
+  return std::any_of(contacts.begin(), contacts.end(), [&](double bearing_rad) {
+    return std::cos(bearing_rad - direction_rad) > 0;  // leaving an obstacle is always possible
+  });
+}
+
+BodyVelocity Body::move(const BodyVelocity& wanted, double dt_s) {
+  BodyVelocity real = wanted;
+  const double heading = pose_.heading_rad + wanted.angular_rad_s * dt_s / 2.0;
+  const double x_m = pose_.x_m + wanted.linear_mps * dt_s * std::cos(heading);
+  const double y_m = pose_.y_m + wanted.linear_mps * dt_s * std::sin(heading);
+  const double direction = wanted.linear_mps >= 0 ? heading : heading + pi;
+  blocked_ = wanted.linear_mps != 0 && goes_into(x_m, y_m, direction);
+  if (blocked_) {
+    real.linear_mps = 0;
+  } else {
+    pose_.x_m = x_m;
+    pose_.y_m = y_m;
+  }
+  pose_.heading_rad = wrap_angle(pose_.heading_rad + wanted.angular_rad_s * dt_s);
+  return real;
+}
+
+std::uint8_t Body::bumper() const {
+  unsigned bits = 0;
+  for (const double bearing :
+       surroundings_(pose_.x_m, pose_.y_m, body_radius_m + bumper_travel_m)) {
+    bits |= bumper_bit(wrap_angle(bearing - pose_.heading_rad));
+  }
+  return static_cast<std::uint8_t>(bits);
+}
+
+std::uint8_t bumper_bit(double bearing_rad) {
+  const double bearing_deg = bearing_rad / degree_rad;
+  if (std::abs(bearing_deg) > 90) return 0;
+  if (std::abs(bearing_deg) <= 30) return centre_bit;
+  return bearing_deg > 0 ? left_bit : right_bit;
+}
+
+}  // namespace tocsin::kobuki

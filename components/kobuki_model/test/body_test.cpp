@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_model/body.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tocsin::kobuki {
+namespace {
+
+/// Drives for `duration_s` in steps of 5 ms; the velocity of the last step.
+BodyVelocity drive(Body& sut, const BodyVelocity& velocity, double duration_s) {
+  BodyVelocity real;
+  for (int i = 0; i < std::lround(duration_s / 0.005); ++i) real = sut.move(velocity, 0.005);
+  return real;
+}
+
+Body facing_wall(double wall_x_m) { return Body(walled({{wall_x_m, -5, wall_x_m, 5, 0}}), {}); }
+
+TEST(Body, MovesFreelyOnAnOpenFloor) {
+  Body sut{open_floor(), {1, 2, pi / 2}};
+  drive(sut, {0.5, 0}, 2);
+  EXPECT_NEAR(sut.pose().x_m, 1, 1e-9);
+  EXPECT_NEAR(sut.pose().y_m, 3, 1e-9);
+  EXPECT_FALSE(sut.blocked());
+}
+
+TEST(Body, DrivesACircleBackToItsStart) {
+  Body sut{open_floor(), {}};
+  drive(sut, {0.2, 2 * pi / 10}, 10);
+  EXPECT_NEAR(sut.pose().x_m, 0, 1e-6);
+  EXPECT_NEAR(sut.pose().y_m, 0, 1e-6);
+}
+
+TEST(Body, StopsAtAWallAndPressesItsBumper) {
+  Body sut = facing_wall(1);
+  const BodyVelocity real = drive(sut, {0.5, 0}, 4);
+  EXPECT_EQ(real.linear_mps, 0);
+  EXPECT_TRUE(sut.blocked());
+  EXPECT_LE(sut.pose().x_m, 1 - body_radius_m + 1e-9);
+  EXPECT_GT(sut.pose().x_m, 1 - body_radius_m - 0.005);
+  EXPECT_EQ(sut.bumper(), centre_bit);
+}
+
+TEST(Body, LeavesAWallBackwards) {
+  Body sut = facing_wall(1);
+  drive(sut, {0.5, 0}, 4);
+  drive(sut, {-0.1, 0}, 1);
+  EXPECT_FALSE(sut.blocked());
+  EXPECT_EQ(sut.bumper(), 0);
+}
+
+TEST(Body, TurnsWhileBlocked) {
+  Body sut = facing_wall(1);
+  drive(sut, {0.5, 0}, 4);
+  const BodyVelocity real = drive(sut, {0.5, 0.2}, 1);
+  EXPECT_EQ(real.linear_mps, 0);
+  EXPECT_NEAR(sut.pose().heading_rad, 0.2, 1e-9);
+}
+
+TEST(Body, IsStoppedBackwardsWithoutABumper) {
+  Body sut{walled({{-1, -5, -1, 5, 0}}), {}};
+  drive(sut, {-0.5, 0}, 4);
+  EXPECT_TRUE(sut.blocked());
+  EXPECT_EQ(sut.bumper(), 0);
+}
+
+TEST(Body, PressesTheSectorTowardsTheObstacle) {
+  EXPECT_EQ(bumper_bit(0), centre_bit);
+  EXPECT_EQ(bumper_bit(29.9 * degree_rad), centre_bit);
+  EXPECT_EQ(bumper_bit(30.1 * degree_rad), left_bit);
+  EXPECT_EQ(bumper_bit(89.9 * degree_rad), left_bit);
+  EXPECT_EQ(bumper_bit(90.1 * degree_rad), 0);
+  EXPECT_EQ(bumper_bit(-30.1 * degree_rad), right_bit);
+  EXPECT_EQ(bumper_bit(-90.1 * degree_rad), 0);
+  EXPECT_EQ(bumper_bit(pi), 0);
+}
+
+TEST(Body, PressesTwoSectorsInACorner) {
+  Body sut{walled({{1, -5, 1, 5, 0}, {-5, 1, 5, 1, 0}}), {0.5, 0.5, pi / 4}};
+  drive(sut, {0.3, 0}, 4);
+  EXPECT_EQ(sut.bumper(), left_bit | right_bit);
+}
+
+TEST(Body, CanBePlaced) {
+  Body sut = facing_wall(1);
+  sut.place({3, 4, 1});
+  EXPECT_EQ(sut.pose().y_m, 4);
+}
+
+}  // namespace
+}  // namespace tocsin::kobuki

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_model/serial_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "kobuki_model/base_model.hpp"
+
+namespace tocsin::kobuki {
+namespace {
+
+const Time t0 = Time{} + seconds(100);
+using Bytes = std::vector<std::uint8_t>;
+
+LineParams latency(int ms) {
+  LineParams params;
+  params.usb_latency_ms = ms;
+  return params;
+}
+
+/// All packets until `end`, calling exactly when the line asks for it.
+std::vector<Bytes> packets(SerialLine& sut, Time end) {
+  std::vector<Bytes> result;
+  while (sut.next_delivery() <= end) {
+    sut.deliver(sut.next_delivery(), [&](ByteView p) { result.emplace_back(p.begin(), p.end()); });
+  }
+  return result;
+}
+
+TEST(SerialLine, HasNothingToDeliverAtFirst) {
+  SerialLine sut{latency(1), 1, t0};
+  EXPECT_EQ(sut.next_delivery(), never);
+}
+
+TEST(SerialLine, TakesTheTimeOf115200Baud) {
+  SerialLine sut{latency(16), 1, t0};
+  const Bytes frame(81, 7);
+  sut.send({frame.data(), frame.size()}, t0);
+  EXPECT_NEAR(to_seconds(sut.next_delivery() - t0), 62 * 86.806e-6, 1e-9);  // the packet is full
+  EXPECT_EQ(packets(sut, t0 + seconds(0.005)).size(), 0U);
+  const auto got = packets(sut, t0 + seconds(1));
+  ASSERT_EQ(got.size(), 2U);
+  EXPECT_EQ(got[0].size(), 62U);
+  EXPECT_EQ(got[1].size(), 19U);
+}
+
+TEST(SerialLine, HandsOverAtTheLatencyTimer) {
+  SerialLine sut{latency(2), 1, t0};
+  const Bytes bytes(100, 7);
+  sut.send({bytes.data(), bytes.size()}, t0);
+  EXPECT_EQ(sut.next_delivery(), t0 + std::chrono::milliseconds(2));
+  const auto got = packets(sut, t0 + seconds(1));
+  EXPECT_EQ(got.size(), 5U);  // 8.7 ms of line time
+  EXPECT_EQ(got[0].size(), 23U);
+}
+
+/// 300 frames of a base through the line and a reassembler.
+std::uint64_t received_frames(const LineParams& params, std::uint64_t seed) {
+  BaseModel model(ModelParams{}, open_floor(), {}, seed, t0);
+  SerialLine line(params, seed, t0);
+  Reassembler reassembler;
+  for (int ms = 1; ms <= 6100; ++ms) {
+    const Time now = t0 + std::chrono::milliseconds(ms);
+    if (ms <= 6000) model.step(now, [&](Time at, ByteView frame) { line.send(frame, at); });
+    line.deliver(now, [&](ByteView p) { reassembler.feed(p, [](ByteView) {}); });
+  }
+  return reassembler.counts().frames;
+}
+
+TEST(SerialLine, LosesNoFrameAtAnyLatency) {
+  for (int ms = 1; ms <= 16; ++ms) EXPECT_EQ(received_frames(latency(ms), 1), 300U) << ms;
+}
+
+TEST(SerialLine, LosesNoFrameAtAnyPacketSize) {
+  for (int size = 1; size <= 62; ++size) {
+    LineParams params = latency(16);
+    params.usb_packet_bytes = size;
+    EXPECT_EQ(received_frames(params, 1), 300U) << size;
+  }
+}
+
+TEST(SerialLine, LosesAtMostOneFramePerLostByte) {
+  LineParams params = latency(1);
+  params.loss_probability = 0.001;  // about 24 of 24300 bytes
+  const std::uint64_t frames = received_frames(params, 3);
+  EXPECT_LT(frames, 300U);
+  EXPECT_GT(frames, 255U);
+}
+
+TEST(SerialLine, FlipsAndAddsBytes) {
+  LineParams params = latency(1);
+  params.flip_probability = 0.001;
+  EXPECT_LT(received_frames(params, 4), 300U);
+  params = latency(1);
+  params.noise_probability = 0.001;
+  EXPECT_LT(received_frames(params, 4), 300U);
+  EXPECT_GT(received_frames(params, 4), 255U);
+}
+
+TEST(SerialLine, TakesASmallerPacketWhileOneIsWaiting) {
+  SerialLine sut{latency(16), 1, t0};
+  const Bytes bytes(40, 7);
+  sut.send({bytes.data(), bytes.size()}, t0);
+  sut.deliver(t0 + std::chrono::milliseconds(3), [](ByteView) {});
+  LineParams smaller = latency(16);
+  smaller.usb_packet_bytes = 8;
+  sut.configure(smaller);
+  std::size_t received = 0;
+  for (const Bytes& packet : packets(sut, t0 + seconds(1))) received += packet.size();
+  EXPECT_EQ(received, 40U);
+}
+
+TEST(SerialLine, LosesWhatIsOnTheWayWhenCleared) {
+  SerialLine sut{latency(1), 1, t0};
+  const Bytes bytes(40, 7);
+  sut.send({bytes.data(), bytes.size()}, t0);
+  sut.clear();
+  EXPECT_EQ(sut.next_delivery(), never);
+}
+
+}  // namespace
+}  // namespace tocsin::kobuki
