@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cdr_topic_type.hpp"
+
+namespace tocsin {
+
+CdrTopicType::CdrTopicType(const TypeInfo& type) : type_(type) {
+  setName(type.name);
+  m_typeSize = 256;  // only a first guess: payloads are allocated by their real size
+  m_isGetKeyDefined = false;
+  auto_fill_type_object(false);
+  auto_fill_type_information(false);
+}
+
+bool CdrTopicType::serialize(void* data, Payload* payload) {
+  const std::size_t written = type_.serialize(data, payload->data, payload->max_size);
+  payload->length = static_cast<std::uint32_t>(written);
+  payload->encapsulation = CDR_LE;
+  return written > 0;
+}
+
+bool CdrTopicType::deserialize(Payload* payload, void* data) {
+  auto& incoming = *static_cast<IncomingSample*>(data);
+  incoming.message = type_.create();
+  incoming.bytes = payload->length;
+  incoming.valid = type_.deserialize(payload->data, payload->length, incoming.message.get());
+  return true;  // a sample that cannot be decoded is taken and dropped, not offered again
+}
+
+std::function<std::uint32_t()> CdrTopicType::getSerializedSizeProvider(void* data) {
+  return [this, data] { return static_cast<std::uint32_t>(type_.serialized_size(data)); };
+}
+
+}  // namespace tocsin

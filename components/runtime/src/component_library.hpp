@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+
+/// The entry of the component library lib<name>.so, searched beside the running program: in
+/// ../lib/tocsin (one install folder for all) and in ../../<name>/lib/tocsin (one per package).
+/// The library stays loaded for the life of the process. Throws ConfigError naming the component
+/// when there is none, or when it is not a component.
+[[nodiscard]] const ComponentEntry& load_component(const std::string& name);
+
+}  // namespace tocsin

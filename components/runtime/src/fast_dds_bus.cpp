@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/fast_dds_bus.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "topic_channel.hpp"
+
+namespace tocsin {
+namespace {
+
+const char* const loopback = "127.0.0.1";
+
+class FastDdsBus : public Bus {
+ public:
+  explicit FastDdsBus(const BusOptions& options)
+      : options_(options),
+        profiles_(options.qos_file),
+        rules_(options.traffic_file, options.role),
+        host_({options.name,
+               options.host_domain,
+               loopback,
+               {loopback},
+               options.processes + 2,
+               false}) {
+    if (options.link_address.empty()) return;
+    link_ = std::make_unique<FastDdsParticipant>(
+        ParticipantOptions{options.name + "_link", options.link_domain, options.link_address,
+                           options.link_peers, options.processes + 2, true});
+  }
+
+  std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
+  std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
+  [[nodiscard]] Time now() const override { return std::chrono::steady_clock::now(); }
+  [[nodiscard]] std::int64_t wall_ns(Time t) const override;
+  void set_gate(bool open) override;
+  [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override;
+
+ private:
+  TopicChannel& channel(const Endpoint& endpoint);
+  [[nodiscard]] std::unique_ptr<TopicChannel> make_channel(const Endpoint& endpoint);
+
+  const BusOptions options_;
+  const QosProfiles profiles_;
+  const TrafficRules rules_;
+  FastDdsParticipant host_;
+  std::unique_ptr<FastDdsParticipant> link_;
+  mutable std::mutex mutex_;
+  bool gate_open_ = true;
+  std::map<std::string, std::unique_ptr<TopicChannel>> channels_;
+};
+
+/// Removes the receiver when it is destroyed.
+class ChannelSubscription : public Subscription {
+ public:
+  ChannelSubscription(TopicChannel& channel, Receiver& receiver)
+      : channel_(channel), receiver_(receiver) {
+    channel_.attach(receiver_);
+  }
+  ~ChannelSubscription() override { channel_.detach(receiver_); }
+
+ private:
+  TopicChannel& channel_;
+  Receiver& receiver_;
+};
+
+class ChannelPublication : public Publication {
+ public:
+  ChannelPublication(const FastDdsBus& bus, TopicChannel& channel) : bus_(bus), channel_(channel) {}
+
+  Status write(const std::shared_ptr<const void>& message) override {
+    Sample sample;
+    sample.message = message;
+    sample.received = bus_.now();
+    sample.sent_wall_ns = sample.received_wall_ns = bus_.wall_ns(sample.received);
+    sample.sequence = ++written_;
+    return channel_.write(sample);
+  }
+
+ private:
+  const FastDdsBus& bus_;
+  TopicChannel& channel_;
+  std::atomic<std::uint64_t> written_{0};
+};
+
+std::unique_ptr<TopicChannel> FastDdsBus::make_channel(const Endpoint& endpoint) {
+  const std::string name = endpoint.topic.name;
+  const bool crosses = endpoint.topic.scope == Scope::link && link_;
+  const std::string prefix =
+      options_.ros_namespace.empty() ? "rt/" : "rt/" + options_.ros_namespace + "/";
+  ChannelOptions options{endpoint, prefix + name, profiles_.of(endpoint.topic.qos, name)};
+  return std::make_unique<TopicChannel>(std::move(options), host_, crosses ? link_.get() : nullptr);
+}
+
+TopicChannel& FastDdsBus::channel(const Endpoint& endpoint) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  auto& found = channels_[endpoint.topic.name];
+  if (!found) found = make_channel(endpoint);
+  if (found->type() != endpoint.type) {
+    throw ConfigError(std::string("topic ") + endpoint.topic.name + ": type " +
+                      endpoint.type->name + " clashes with " + found->type()->name);
+  }
+  return *found;
+}
+
+std::unique_ptr<Subscription> FastDdsBus::subscribe(const Endpoint& endpoint, Receiver& receiver) {
+  return std::make_unique<ChannelSubscription>(channel(endpoint), receiver);
+}
+
+std::unique_ptr<Publication> FastDdsBus::advertise(const Endpoint& endpoint) {
+  TopicChannel& topic = channel(endpoint);
+  const bool crosses = endpoint.topic.scope == Scope::link;
+  const TrafficRule rule = crosses ? rules_.of(endpoint.topic.name) : TrafficRule{};
+  const std::lock_guard<std::mutex> lock(mutex_);
+  topic.advertise(rule, gate_open_);
+  return std::make_unique<ChannelPublication>(*this, topic);
+}
+
+std::int64_t FastDdsBus::wall_ns(Time t) const {
+  const Duration ago = now() - t;
+  return std::chrono::duration_cast<Duration>(
+             (std::chrono::system_clock::now() - ago).time_since_epoch())
+      .count();
+}
+
+void FastDdsBus::set_gate(bool open) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  gate_open_ = open;
+  for (const auto& entry : channels_) {
+    if (GatedWriter* writer = entry.second->gated_writer()) writer->set_open(open);
+  }
+}
+
+std::vector<TopicTraffic> FastDdsBus::link_traffic() const {
+  std::vector<TopicTraffic> all;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& entry : channels_) {
+    if (const GatedWriter* writer = entry.second->gated_writer()) all.push_back(writer->traffic());
+  }
+  return all;
+}
+
+}  // namespace
+
+std::unique_ptr<Bus> make_fast_dds_bus(const BusOptions& options) {
+  return std::make_unique<FastDdsBus>(options);
+}
+
+}  // namespace tocsin

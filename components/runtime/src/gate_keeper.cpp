@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gate_keeper.hpp"
+
+namespace tocsin {
+
+void GateKeeper::on_state(bool active, Time now) {
+  active_ = active;
+  heard_ = now;
+}
+
+bool GateKeeper::open(Time now) const { return active_ || now - heard_ > silence_limit_; }
+
+Time GateKeeper::deadline(Time now) const {
+  return open(now) ? never : heard_ + silence_limit_ + Duration{1};
+}
+
+}  // namespace tocsin

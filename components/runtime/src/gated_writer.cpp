@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gated_writer.hpp"
+
+#include <utility>
+
+namespace tocsin {
+
+GatedWriter::GatedWriter(std::string topic, const TypeInfo& type, const TrafficRule& rule,
+                         std::unique_ptr<LinkWriter> writer)
+    : type_(type), while_poor_(rule.while_poor), writer_(std::move(writer)) {
+  traffic_.topic = std::move(topic);
+  traffic_.traffic_class = rule.traffic_class;
+}
+
+Status GatedWriter::write(const std::shared_ptr<const void>& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++traffic_.written;
+  return open_ ? send(message.get()) : keep(message);
+}
+
+Status GatedWriter::send(const void* message) {
+  if (!writer_->send(message)) return Status::failed;
+  ++traffic_.sent;
+  traffic_.sent_bytes += type_.serialized_size(message);
+  return Status::ok;
+}
+
+Status GatedWriter::keep(const std::shared_ptr<const void>& message) {
+  if (while_poor_ == WhilePoor::drop) {
+    ++traffic_.dropped;
+  } else {
+    if (kept_) ++traffic_.held;
+    kept_ = message;
+  }
+  return Status::paused;
+}
+
+void GatedWriter::set_open(bool open) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (while_poor_ == WhilePoor::send || open == open_) return;
+  open_ = open;
+  if (!open) {
+    writer_->silence();
+  } else if (const auto message = std::exchange(kept_, nullptr)) {
+    (void)send(message.get());  // a refusal shows in `written` against `sent`
+  }
+}
+
+TopicTraffic GatedWriter::traffic() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  TopicTraffic now = traffic_;
+  now.paused = !open_;
+  return now;
+}
+
+}  // namespace tocsin

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "idl_support/type_info.hpp"
+#include "runtime/bus.hpp"
+#include "traffic_rules.hpp"
+
+namespace tocsin {
+
+/// What the gate needs of a middleware writer.
+class LinkWriter {
+ public:
+  virtual ~LinkWriter() = default;
+  /// False when the middleware refused the sample.
+  virtual bool send(const void* message) = 0;
+  /// Forgets every sample, so that nothing more is sent for them, no heartbeat either.
+  virtual void silence() = 0;
+};
+
+/// The gate in front of one link writer. Thread-safe: write and set_open exclude each other, so
+/// that nothing slips out after set_open(false) has returned.
+class GatedWriter {
+ public:
+  GatedWriter(std::string topic, const TypeInfo& type, const TrafficRule& rule,
+              std::unique_ptr<LinkWriter> writer);
+
+  Status write(const std::shared_ptr<const void>& message);
+  /// Topics that are always active ignore it. Opening sends what `latest` has kept.
+  void set_open(bool open);
+  [[nodiscard]] TopicTraffic traffic() const;
+
+ private:
+  Status send(const void* message);
+  Status keep(const std::shared_ptr<const void>& message);
+
+  const TypeInfo& type_;
+  const WhilePoor while_poor_;
+  const std::unique_ptr<LinkWriter> writer_;
+  mutable std::mutex mutex_;
+  bool open_ = true;
+  std::shared_ptr<const void> kept_;
+  TopicTraffic traffic_;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+// Real Fast DDS over real UDP on loopback. Each test has DDS domains of its own.
+#include "runtime/fast_dds_bus.hpp"
+
+#include <fastrtps/attributes/LibrarySettingsAttributes.h>
+#include <fastrtps/xmlparser/XMLProfileManager.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <mutex>
+
+#include "foundation/error.hpp"
+#include "rtps_capture.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+namespace {
+
+constexpr auto patience = std::chrono::seconds(5);
+
+/// Collects samples and waits for them.
+class Collector : public Receiver {
+ public:
+  void receive(const Sample& sample) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    samples_.push_back(sample);
+    changed_.notify_all();
+  }
+  bool wait_for(std::size_t wanted) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    return changed_.wait_for(lock, patience, [&] { return samples_.size() >= wanted; });
+  }
+  std::vector<Sample> samples() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return samples_;
+  }
+  void clear() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    samples_.clear();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Sample> samples_;
+};
+
+template <class Topic>
+Endpoint endpoint() {
+  return {Topic::info, &type_info<typename Topic::Message>()};
+}
+
+class FastDdsBusTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {  // packets, not calls, between the participants of this process
+    eprosima::fastrtps::LibrarySettingsAttributes settings;
+    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+  }
+
+  /// Three domains of this test's own, apart from those of other processes running now.
+  static int domain() {
+    static int next = 100;
+    return next += 3;
+  }
+  static std::unique_ptr<Bus> make(const std::string& role, int first_domain, int side) {
+    const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config/";
+    return make_fast_dds_bus({role,
+                              role,
+                              "",
+                              config + "qos.yaml",
+                              config + "traffic.yaml",
+                              first_domain + side,
+                              first_domain + 2,
+                              "127.0.0.1",
+                              {"127.0.0.1"},
+                              60});
+  }
+
+  /// Writes until `collector` has heard the writer: discovery is over then.
+  template <class Topic>
+  static void write_until_heard(Publication& publication, Collector& collector) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (collector.samples().empty() && std::chrono::steady_clock::now() < end) {
+      (void)publication.write(std::make_shared<const typename Topic::Message>());
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ASSERT_FALSE(collector.samples().empty()) << "not discovered";
+  }
+  static std::shared_ptr<const tocsin_msgs::msg::Goal> goal(std::uint64_t id) {
+    auto message = std::make_shared<tocsin_msgs::msg::Goal>();
+    message->id(id);
+    return message;
+  }
+};
+
+TEST_F(FastDdsBusTest, LinkTopicReachesTheOtherSide) {
+  const int first = domain();
+  const auto uxv = make("uxv", first, 0);
+  const auto gcs = make("gcs", first, 1);
+  Collector collector;
+  const auto reader = gcs->subscribe(endpoint<topic::Location>(), collector);
+  const auto writer = uxv->advertise(endpoint<topic::Location>());
+  write_until_heard<topic::Location>(*writer, collector);
+  const Sample sample = collector.samples().front();
+  EXPECT_GT(sample.sequence, 0U);
+  EXPECT_GT(sample.bytes, 300U);
+  EXPECT_LE(sample.sent_wall_ns, sample.received_wall_ns);
+}
+
+TEST_F(FastDdsBusTest, HostTopicReachesAnotherProcessOfTheHostButNotTheOtherSide) {
+  const int first = domain();
+  const auto writer_bus = make("uxv", first, 0);
+  const auto reader_bus = make("uxv", first, 0);
+  const auto gcs = make("gcs", first, 1);
+  Collector near;
+  Collector far;
+  const auto near_reader = reader_bus->subscribe(endpoint<topic::CmdVel>(), near);
+  const auto far_reader = gcs->subscribe(endpoint<topic::CmdVel>(), far);
+  const auto writer = writer_bus->advertise(endpoint<topic::CmdVel>());
+  write_until_heard<topic::CmdVel>(*writer, near);
+  EXPECT_TRUE(far.samples().empty());
+}
+
+TEST_F(FastDdsBusTest, ReadersInTheProcessGetTheVeryObjectOnce) {
+  const auto bus = make("uxv", domain(), 0);
+  Collector collector;
+  const auto reader = bus->subscribe(endpoint<topic::Goal>(), collector);
+  const auto gcs_rules = make("gcs", domain(), 1);
+  Collector own;
+  const auto own_reader = gcs_rules->subscribe(endpoint<topic::Goal>(), own);
+  const auto writer = gcs_rules->advertise(endpoint<topic::Goal>());
+  const auto message = goal(1);
+  ASSERT_EQ(writer->write(message), Status::ok);
+  ASSERT_EQ(writer->write(goal(2)), Status::ok);
+  ASSERT_TRUE(own.wait_for(2));
+  EXPECT_EQ(own.samples().size(), 2U);
+  EXPECT_EQ(own.samples()[0].message, message);
+}
+
+TEST_F(FastDdsBusTest, LateReaderOfAStateTopicGetsTheLastSampleAcrossTheLink) {
+  const int first = domain();
+  const auto uxv = make("uxv", first, 0);
+  const auto writer = uxv->advertise(endpoint<topic::TransmissionState>());
+  auto message = std::make_shared<tocsin_msgs::msg::TransmissionState>();
+  message->decision(42);
+  ASSERT_EQ(writer->write(message), Status::ok);
+  const auto gcs = make("gcs", first, 1);
+  Collector collector;
+  const auto reader = gcs->subscribe(endpoint<topic::TransmissionState>(), collector);
+  ASSERT_TRUE(collector.wait_for(1));
+  EXPECT_EQ(std::static_pointer_cast<const tocsin_msgs::msg::TransmissionState>(
+                collector.samples()[0].message)
+                ->decision(),
+            42U);
+}
+
+TEST_F(FastDdsBusTest, MissingProfileIsAConfigErrorNamingTheTopic) {
+  const auto bus = make("uxv", domain(), 0);
+  Endpoint wrong = endpoint<topic::Goal>();
+  wrong.topic.qos = "nonsense";
+  Collector collector;
+  EXPECT_THROW((void)bus->subscribe(wrong, collector), ConfigError);
+}
+
+TEST_F(FastDdsBusTest, GateDropsTheLowClassAndDeliversTheNewestGoalOnResume) {
+  const int first = domain();
+  const auto uxv = make("uxv", first, 0);
+  const auto gcs = make("gcs", first, 1);
+  Collector goals;
+  const auto reader = uxv->subscribe(endpoint<topic::Goal>(), goals);
+  const auto writer = gcs->advertise(endpoint<topic::Goal>());
+  write_until_heard<topic::Goal>(*writer, goals);
+  gcs->set_gate(false);
+  goals.clear();
+  EXPECT_EQ(writer->write(goal(7)), Status::paused);
+  EXPECT_EQ(writer->write(goal(8)), Status::paused);
+  gcs->set_gate(true);
+  ASSERT_TRUE(goals.wait_for(1));
+  const auto last = goals.samples().back();
+  EXPECT_EQ(std::static_pointer_cast<const tocsin_msgs::msg::Goal>(last.message)->id(), 8U);
+}
+
+/// Submessages that a user's writer sent.
+std::vector<CapturedSubmessage> of_user_writers(const std::vector<CapturedSubmessage>& all,
+                                                std::uint16_t link_port_base) {
+  std::vector<CapturedSubmessage> some;
+  for (const CapturedSubmessage& one : all) {
+    const bool from_writer = one.kind == 0x15 || one.kind == 0x16 || one.kind == 0x07;
+    const bool on_link = one.port >= link_port_base && one.port < link_port_base + 250;
+    if (from_writer && on_link && !one.builtin()) some.push_back(one);
+  }
+  return some;
+}
+
+std::size_t endpoint_discoveries(const std::vector<CapturedSubmessage>& all, std::uint16_t base) {
+  std::size_t count = 0;
+  for (const CapturedSubmessage& one : all) {
+    const bool sedp = one.writer == 0x000003c2 || one.writer == 0x000004c2;
+    const bool on_link = one.port >= base && one.port < base + 250;
+    if (one.kind == 0x15 && sedp && on_link) ++count;
+  }
+  return count;
+}
+
+TEST_F(FastDdsBusTest, APausedWriterIsSilentOnTheWireForFiveSecondsAndResumesWithoutDiscovery) {
+  RtpsCapture capture;
+  if (!capture.ok()) GTEST_SKIP() << "no packet socket: needs CAP_NET_RAW";
+  const int first = domain();
+  const auto link_ports = static_cast<std::uint16_t>(7400 + 250 * (first + 2));
+  const auto uxv = make("uxv", first, 0);
+  const auto gcs = make("gcs", first, 1);
+  Collector goals;
+  Collector images;
+  const auto goal_reader = uxv->subscribe(endpoint<topic::Goal>(), goals);
+  const auto image_reader = gcs->subscribe(endpoint<topic::CameraImage>(), images);
+  const auto goal_writer = gcs->advertise(endpoint<topic::Goal>());
+  const auto image_writer = uxv->advertise(endpoint<topic::CameraImage>());
+  write_until_heard<topic::Goal>(*goal_writer, goals);
+  write_until_heard<topic::CameraImage>(*image_writer, images);
+  auto large = std::make_shared<sensor_msgs::msg::CompressedImage>();
+  large->data().resize(40'000);
+  (void)goal_writer->write(goal(1));
+  (void)image_writer->write(large);
+  gcs->set_gate(false);
+  uxv->set_gate(false);
+  EXPECT_FALSE(of_user_writers(capture.take(), link_ports).empty()) << "the capture sees nothing";
+
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+  while (std::chrono::steady_clock::now() < end) {
+    EXPECT_EQ(goal_writer->write(goal(2)), Status::paused);
+    EXPECT_EQ(image_writer->write(large), Status::paused);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  EXPECT_EQ(of_user_writers(capture.take(), link_ports).size(), 0U);
+  goals.clear();
+  gcs->set_gate(true);
+  uxv->set_gate(true);
+  ASSERT_TRUE(goals.wait_for(1));
+  const auto after = capture.take();
+  EXPECT_FALSE(of_user_writers(after, link_ports).empty());
+  EXPECT_EQ(endpoint_discoveries(after, link_ports), 0U);
+}
+
+TEST_F(FastDdsBusTest, LinkMessagesFitOneUnfragmentedPacket) {
+  RtpsCapture capture;
+  if (!capture.ok()) GTEST_SKIP() << "no packet socket: needs CAP_NET_RAW";
+  const int first = domain();
+  const auto link_ports = static_cast<std::uint16_t>(7400 + 250 * (first + 2));
+  const auto uxv = make("uxv", first, 0);
+  const auto gcs = make("gcs", first, 1);
+  Collector images;
+  const auto reader = gcs->subscribe(endpoint<topic::CameraImage>(), images);
+  const auto writer = uxv->advertise(endpoint<topic::CameraImage>());
+  write_until_heard<topic::CameraImage>(*writer, images);
+  images.clear();
+  auto large = std::make_shared<sensor_msgs::msg::CompressedImage>();
+  large->data().resize(40'000);
+  ASSERT_EQ(writer->write(large), Status::ok);
+  ASSERT_TRUE(images.wait_for(1));
+  std::size_t fragments = 0;
+  for (const CapturedSubmessage& one : of_user_writers(capture.take(), link_ports)) {
+    EXPECT_LE(one.packet_bytes, 1400U + 28U);
+    fragments += one.kind == 0x16 ? 1 : 0;
+  }
+  EXPECT_GE(fragments, 29U);
+}
+
+}  // namespace
+}  // namespace tocsin
