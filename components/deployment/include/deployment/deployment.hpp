@@ -60,7 +60,7 @@ struct Radio {
 struct RestartPolicy {
   double backoff_s = 0.2;      ///< [0.01, 60] wait before the first restart, doubled each time
   double max_backoff_s = 5.0;  ///< [0.01, 600] longest wait, at least backoff_s
-  int limit = 20;              ///< [0, 1000] restarts of one process within 60 s
+  int limit = 10;              ///< [0, 1000] restarts of one process within 60 s
   template <class Visitor>
   void visit(Visitor& v) {
     v("backoff_s", backoff_s, {0.01, 60}, "[s] wait before the first restart, doubled each time");

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "journal.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "line_splitter.hpp"
+
+namespace tocsin::cli {
+
+Journal::Journal(const std::filesystem::path& folder, bool show, bool colours)
+    : folder_(folder), show_(show), colours_(colours) {
+  std::filesystem::create_directories(folder_);
+}
+
+Journal::Log& Journal::log_of(const std::string& name) {
+  const auto found = logs_.find(name);
+  if (found != logs_.end()) return found->second;
+  std::string file = name;
+  std::replace(file.begin(), file.end(), '/', '.');
+  Log log{std::ofstream(folder_ / (file + ".log"), std::ios::app), static_cast<int>(logs_.size())};
+  return logs_.emplace(name, std::move(log)).first->second;
+}
+
+void Journal::process_line(const std::string& name, const std::string& text) {
+  Log& log = log_of(name);
+  log.file << text << std::endl;
+  if (!show_) return;
+  std::printf("%s\n", prefixed(name, text, colours_ ? log.colour : -1).c_str());
+  std::fflush(stdout);
+}
+
+void Journal::say(const std::string& text) {
+  log_of("launch").file << text << std::endl;
+  std::fprintf(stderr, "tocsin launch: %s\n", text.c_str());
+}
+
+}  // namespace tocsin::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "deployment/deployment.hpp"
+#include "programs.hpp"
+
+namespace tocsin::cli {
+
+/// One process to start and keep.
+struct ProcessSpec {
+  std::string name;                  ///< "host/process", or "radio"
+  std::vector<std::string> command;  ///< the program's path and its arguments
+  int host = -1;                     ///< index of its host; -1 runs outside of all hosts
+  bool terminal = false;             ///< its stdout is the launcher's
+};
+
+/// The programs and containers of all hosts in starting order.
+/// Throws ConfigError when a program is in none of `folders`.
+[[nodiscard]] std::vector<ProcessSpec> plan_processes(const deployment::Deployment& deployment,
+                                                      const std::string& resolved_file,
+                                                      const Folders& folders);
+
+/// The emulator that joins the two hosts, whose namespaces are open as `descriptors` in the
+/// order of the hosts. The deployment must have a radio. Throws like plan_processes.
+[[nodiscard]] ProcessSpec plan_radio(const deployment::Deployment& deployment,
+                                     const std::vector<int>& descriptors, const Folders& folders);
+
+}  // namespace tocsin::cli

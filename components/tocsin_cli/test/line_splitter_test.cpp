@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "line_splitter.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tocsin::cli {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+TEST(LineSplitter, CutsAtLineEnds) {
+  LineSplitter sut;
+  EXPECT_THAT(sut.feed("one\ntwo\n"), ElementsAre("one", "two"));
+  EXPECT_EQ(sut.rest(), "");
+}
+
+TEST(LineSplitter, JoinsPiecesOfALine) {
+  LineSplitter sut;
+  EXPECT_THAT(sut.feed("on"), IsEmpty());
+  EXPECT_THAT(sut.feed("e\ntw"), ElementsAre("one"));
+  EXPECT_THAT(sut.feed("o\n"), ElementsAre("two"));
+}
+
+TEST(LineSplitter, KeepsEmptyLines) {
+  LineSplitter sut;
+  EXPECT_THAT(sut.feed("\n\na\n"), ElementsAre("", "", "a"));
+}
+
+TEST(LineSplitter, DropsCarriageReturnsAtLineEnds) {
+  LineSplitter sut;
+  EXPECT_THAT(sut.feed("a\r\nb\rc\r\n"), ElementsAre("a", "b\rc"));
+}
+
+TEST(LineSplitter, HandsOutTheUnfinishedLineOnce) {
+  LineSplitter sut;
+  (void)sut.feed("a\nlast words");
+  EXPECT_EQ(sut.rest(), "last words");
+  EXPECT_EQ(sut.rest(), "");
+}
+
+TEST(LineSplitter, CutsLinesOfMoreThan8192Bytes) {
+  LineSplitter sut;
+  EXPECT_THAT(sut.feed(std::string(8191, 'x')), IsEmpty());
+  EXPECT_THAT(sut.feed("x"), ElementsAre(std::string(8192, 'x')));
+  EXPECT_THAT(sut.feed("y\n"), ElementsAre("y"));
+}
+
+TEST(Prefix, NamesTheProcess) {
+  EXPECT_EQ(prefixed("uxv/drive", "hello", -1), "[uxv/drive] hello");
+}
+
+TEST(Prefix, ColoursTheNameOnly) {
+  EXPECT_EQ(prefixed("a/b", "hello", 0), "\033[31m[a/b]\033[0m hello");
+  EXPECT_EQ(prefixed("a/b", "hello", 6), prefixed("a/b", "hello", 0));
+}
+
+}  // namespace
+}  // namespace tocsin::cli

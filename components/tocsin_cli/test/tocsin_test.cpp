@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "toy_folder.hpp"
+
+namespace tocsin::cli {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Runs `tocsin` with two toy verbs in $PATH.
+class TocsinTest : public ::testing::Test {
+ protected:
+  TocsinTest() {
+    folder_.write_program("bin/tocsin-wave", "echo 'Wave a flag'; echo \"args $*\"");
+    folder_.write_program("bin/tocsin-fail", "exit 7");
+  }
+  int run(const std::string& arguments) const {
+    const std::string command = "PATH=" + folder_.path("bin") + ":$PATH " TOCSIN_PROGRAM " " +
+                                arguments + " >" + folder_.path("out") + " 2>&1";
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+  [[nodiscard]] std::string output() const { return folder_.read("out"); }
+  ToyFolder folder_;
+};
+
+TEST_F(TocsinTest, RunsTheProgramOfTheVerb) {
+  EXPECT_EQ(run("wave --left 'two words'"), 0);
+  EXPECT_THAT(output(), HasSubstr("args --left two words\n"));
+}
+
+TEST_F(TocsinTest, ReturnsTheExitCodeOfTheVerb) { EXPECT_EQ(run("fail"), 7); }
+
+TEST_F(TocsinTest, ListsVerbsWithTheirDescriptions) {
+  EXPECT_EQ(run("--help"), 0);
+  EXPECT_THAT(output(), HasSubstr("  wave         Wave a flag\n"));
+  EXPECT_THAT(output(), HasSubstr("  launch       Start the processes of a bringup file"));
+}
+
+TEST_F(TocsinTest, SuggestsAVerbForAnUnknownOne) {
+  EXPECT_EQ(run("wafe"), 2);
+  EXPECT_EQ(output(), "tocsin: 'wafe' is not a verb; did you mean: wave?\n");
+}
+
+TEST_F(TocsinTest, ListsTheVerbsWhenNoneIsNear) {
+  EXPECT_EQ(run("xyzzyxyzzy"), 2);
+  EXPECT_THAT(output(), HasSubstr("is not a verb; the verbs are: fail, launch"));
+}
+
+TEST_F(TocsinTest, AsksForAVerb) {
+  EXPECT_EQ(run(""), 2);
+  EXPECT_THAT(output(), HasSubstr("a verb is missing"));
+}
+
+}  // namespace
+}  // namespace tocsin::cli
