@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "camera/renderer.hpp"
+#include "runtime/component.hpp"
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// A simulated camera: pictures of the map from where the vehicle reports to be.
+class CameraComponent final : public Component {
+ public:
+  struct Params {
+    std::string walls_file;
+    double rate_hz = 8;
+    int quality = 65;
+    double pose_timeout_s = 2;
+    camera::CameraParams camera;
+
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("walls_file", walls_file, "wall segments of the building, map frame; required");
+      v("rate_hz", rate_hz, {0.1, 30}, "[1/s] pictures");
+      v("quality", quality, {1, 100}, "[1] of the JPEG; sets the size of a picture");
+      v("pose_timeout_s", pose_timeout_s, {0.1, 60}, "[s] no picture from an older location");
+      camera.visit(v);
+    }
+  };
+
+  /// ConfigError when the walls file cannot be used.
+  CameraComponent(Context& context, const Params& params);
+  void tick(Time now) override;
+
+ private:
+  void take_location(Time now);
+  void publish(Time now);
+
+  Input<topic::Location> location_{*this};
+  Output<topic::CameraImage> image_{*this};
+  Duration period_;
+  Duration pose_timeout_;
+  int quality_;
+  camera::Renderer renderer_;
+  std::optional<camera::View> view_;
+  Time view_time_{};
+  Time next_picture_ = Time::min();
+  std::uint32_t frame_ = 0;
+};
+
+}  // namespace tocsin

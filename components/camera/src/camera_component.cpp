@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "camera/camera_component.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "camera/jpeg.hpp"
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+namespace {
+
+/// The view of a pose on the floor; empty when a part of it is not finite.
+std::optional<camera::View> to_view(const topic::Location::Message& message) {
+  const auto& position = message.pose().pose().position();
+  const auto& q = message.pose().pose().orientation();
+  const double yaw =
+      std::atan2(2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
+  const camera::View view{position.x(), position.y(), yaw};
+  const bool finite = std::isfinite(view.x_m) && std::isfinite(view.y_m) && std::isfinite(yaw);
+  return finite ? std::optional(view) : std::nullopt;
+}
+
+}  // namespace
+
+CameraComponent::CameraComponent(Context& context, const Params& params)
+    : Component(context),
+      period_(seconds(1 / params.rate_hz)),
+      pose_timeout_(seconds(params.pose_timeout_s)),
+      quality_(params.quality),
+      renderer_(params.camera, camera::load_walls(params.walls_file)) {}
+
+void CameraComponent::tick(Time now) {
+  take_location(now);
+  const bool fresh = view_ && now - view_time_ <= pose_timeout_;
+  if (!fresh) return;  // the next location wakes
+  if (now >= next_picture_) {
+    next_picture_ = next_picture_ + period_ > now ? next_picture_ + period_ : now + period_;
+    publish(now);
+  }
+  wake_at(next_picture_);
+}
+
+void CameraComponent::take_location(Time now) {
+  const auto message = location_.take_latest();
+  const auto view = message ? to_view(*message) : std::nullopt;
+  if (!view) return;
+  view_ = view;
+  view_time_ = now;
+}
+
+void CameraComponent::publish(Time now) {
+  topic::CameraImage::Message message;
+  message.header().stamp(wall(now));
+  message.header().frame_id("camera");
+  message.format("jpeg");
+  message.data(camera::encode_jpeg(renderer_.render(*view_, frame_++), quality_));
+  if (image_.write(std::move(message)) == Status::failed) log().warn("a picture was not sent");
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::CameraComponent)

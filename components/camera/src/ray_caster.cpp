@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "camera/ray_caster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace tocsin::camera {
+namespace {
+
+constexpr double nearest_m = 0.05;
+
+/// Solves start + depth * d = first end + share * e.
+std::optional<Hit> meet(const Ray& ray, const Wall& wall) {
+  const double ex = wall.x2_m - wall.x1_m, ey = wall.y2_m - wall.y1_m;
+  const double cross = ray.dx * ey - ray.dy * ex;
+  const double length_m = std::hypot(ex, ey);
+  if (length_m == 0 || std::abs(cross) < 1e-12 * length_m) return std::nullopt;
+  const double fx = wall.x1_m - ray.x_m, fy = wall.y1_m - ray.y_m;
+  const double depth_m = (fx * ey - fy * ex) / cross;
+  const double share = (fx * ray.dy - fy * ray.dx) / cross;
+  if (depth_m < nearest_m || share < 0 || share > 1) return std::nullopt;
+  const double facing = std::abs(cross) / length_m / std::hypot(ray.dx, ray.dy);
+  return Hit{depth_m, share * length_m, facing, wall.is_furniture};
+}
+
+}  // namespace
+
+Ray ray_through(const View& view, double sideways) {
+  const double c = std::cos(view.yaw_rad), s = std::sin(view.yaw_rad);
+  return {view.x_m, view.y_m, c + sideways * s, s - sideways * c};
+}
+
+void cast(const Ray& ray, const std::vector<Wall>& walls, std::vector<Hit>& hits) {
+  hits.clear();
+  for (const Wall& wall : walls) {
+    if (const auto hit = meet(ray, wall)) hits.push_back(*hit);
+  }
+  std::sort(hits.begin(), hits.end(),
+            [](const Hit& a, const Hit& b) { return a.depth_m < b.depth_m; });
+  const auto wall =
+      std::find_if(hits.begin(), hits.end(), [](const Hit& hit) { return !hit.is_furniture; });
+  if (wall != hits.end()) hits.erase(wall + 1, hits.end());
+  std::reverse(hits.begin(), hits.end());
+}
+
+}  // namespace tocsin::camera

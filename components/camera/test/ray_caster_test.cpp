@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "camera/ray_caster.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tocsin::camera {
+namespace {
+
+constexpr double tiny = 1e-9;
+
+Wall wall(double x1, double y1, double x2, double y2) { return {x1, y1, x2, y2, false}; }
+Wall furniture(double x1, double y1, double x2, double y2) { return {x1, y1, x2, y2, true}; }
+
+std::vector<Hit> hits_of(const View& view, const std::vector<Wall>& walls, double sideways = 0) {
+  std::vector<Hit> hits;
+  cast(ray_through(view, sideways), walls, hits);
+  return hits;
+}
+
+TEST(Ray, GoesAlongTheViewInTheMiddle) {
+  const Ray sut = ray_through({1, 2, std::atan2(4, 3)}, 0);
+  EXPECT_EQ(sut.x_m, 1);
+  EXPECT_EQ(sut.y_m, 2);
+  EXPECT_NEAR(sut.dx, 0.6, tiny);
+  EXPECT_NEAR(sut.dy, 0.8, tiny);
+}
+
+TEST(Ray, GoesToTheRightForPositiveSideways) {
+  const Ray sut = ray_through({0, 0, 0}, 0.5);  // looking along x: y is to the left
+  EXPECT_NEAR(sut.dx, 1, tiny);
+  EXPECT_NEAR(sut.dy, -0.5, tiny);
+}
+
+TEST(Cast, TellsHowFarAWallIs) {
+  const auto sut = hits_of({1, 0, 0}, {wall(5, -1, 5, 1)});
+  ASSERT_EQ(sut.size(), 1U);
+  EXPECT_NEAR(sut[0].depth_m, 4, tiny);
+  EXPECT_NEAR(sut[0].along_m, 1, tiny);
+  EXPECT_NEAR(sut[0].facing, 1, tiny);
+}
+
+TEST(Cast, MeasuresDepthFromThePicturesPlane) {
+  // A flat wall must look flat: the same depth in the middle and at the edge.
+  const std::vector<Wall> walls{wall(5, -9, 5, 9)};
+  EXPECT_NEAR(hits_of({0, 0, 0}, walls, 0.577).at(0).depth_m, 5, tiny);
+  EXPECT_NEAR(hits_of({0, 0, 0}, walls, -0.577).at(0).depth_m, 5, tiny);
+}
+
+TEST(Cast, SeesOnlyTheNearestWall) {
+  const auto sut = hits_of({0, 0, 0}, {wall(7, -1, 7, 1), wall(3, -1, 3, 1), wall(5, -1, 5, 1)});
+  ASSERT_EQ(sut.size(), 1U);
+  EXPECT_NEAR(sut[0].depth_m, 3, tiny);
+}
+
+TEST(Cast, SeesTheWallBehindFurnitureAndDrawsItFirst) {
+  const auto sut = hits_of({0, 0, 0}, {furniture(3, -1, 3, 1), wall(5, -1, 5, 1),
+                                       furniture(4, -1, 4, 1), furniture(6, -1, 6, 1)});
+  ASSERT_EQ(sut.size(), 3U);
+  EXPECT_NEAR(sut[0].depth_m, 5, tiny);
+  EXPECT_FALSE(sut[0].is_furniture);
+  EXPECT_NEAR(sut[1].depth_m, 4, tiny);
+  EXPECT_NEAR(sut[2].depth_m, 3, tiny);
+  EXPECT_TRUE(sut[2].is_furniture);
+}
+
+TEST(Cast, SeesNothingBehindTheCamera) {
+  EXPECT_TRUE(hits_of({0, 0, 0}, {wall(-5, -1, -5, 1)}).empty());
+}
+
+TEST(Cast, EndsWithTheWallsEnds) {
+  const std::vector<Wall> walls{wall(5, 0.001, 5, 1)};
+  EXPECT_TRUE(hits_of({0, 0, 0}, walls).empty());
+  EXPECT_EQ(hits_of({0, 0.0011, 0}, walls).size(), 1U);
+}
+
+TEST(Cast, PassesOverWallsThatHaveNoSide) {
+  EXPECT_TRUE(hits_of({0, 0, 0}, {wall(5, 0, 9, 0)}).empty());  // seen edge-on
+  EXPECT_TRUE(hits_of({0, 0, 0}, {wall(5, 0, 5, 0)}).empty());  // a point
+}
+
+TEST(Cast, PassesOverWhatTouchesTheLens) {
+  EXPECT_TRUE(hits_of({0, 0, 0}, {wall(0.049, -1, 0.049, 1)}).empty());
+  EXPECT_EQ(hits_of({0, 0, 0}, {wall(0.051, -1, 0.051, 1)}).size(), 1U);
+}
+
+TEST(Cast, TellsASideLookFromASquareOne) {
+  const auto sut = hits_of({0, 0, 0}, {wall(4, -1, 6, 1)});
+  ASSERT_EQ(sut.size(), 1U);
+  EXPECT_NEAR(sut[0].facing, std::sqrt(0.5), tiny);
+}
+
+}  // namespace
+}  // namespace tocsin::camera
