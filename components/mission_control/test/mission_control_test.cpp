@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mission_control/mission_control.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "foundation/error.hpp"
+
+namespace tocsin {
+namespace {
+
+using navigation::Mission;
+using navigation::Pose2;
+
+constexpr Time t0{std::chrono::hours(1)};
+constexpr std::uint64_t wall0_ms = 1'780'000'000'000;
+
+const Mission two_waypoints{"two", "map", {{1, 0, 0}, {5, 0, 1.5}}, "two.yaml"};
+
+/// A mission control with a clock, and a vehicle that can be heard.
+class MissionControlTest : public ::testing::Test {
+ protected:
+  std::optional<MissionControl::Goal> at(double s) {
+    now_ = t0 + seconds(s);
+    return sut.update(now_, wall0_ms + static_cast<std::uint64_t>(std::llround(s * 1000)));
+  }
+  void hear(double x) { sut.on_location({x, 0, 0}, now_); }
+  void hear(std::uint64_t goal_id, const char* state) { sut.on_status(goal_id, state, now_); }
+  /// Runs to the first goal, at 2 s.
+  MissionControl::Goal first_goal() {
+    (void)at(0);
+    hear(-5);
+    return at(2).value();
+  }
+  MissionControl::Progress progress() { return sut.progress(now_); }
+
+  MissionControl sut{{}, two_waypoints};
+  Time now_ = t0;
+};
+
+TEST(GoalId, ComesBackFromItsPackedForm) {
+  const GoalId id = GoalId::unpack(GoalId{wall0_ms, 1023, 4095}.packed());
+  EXPECT_EQ(id.issued_ms, wall0_ms);
+  EXPECT_EQ(id.mission, 1023U);
+  EXPECT_EQ(id.waypoint, 4095U);
+}
+
+TEST(GoalId, GrowsWithTimeWhateverTheWaypoint) {
+  EXPECT_LT((GoalId{wall0_ms, 1023, 4095}.packed()), (GoalId{wall0_ms + 1, 0, 0}.packed()));
+}
+
+TEST_F(MissionControlTest, SendsNothingBeforeTheVehicleIsHeard) {
+  EXPECT_FALSE(at(0));
+  EXPECT_FALSE(at(1000));
+  EXPECT_EQ(progress().state, MissionControl::State::waiting);
+}
+
+TEST_F(MissionControlTest, StartsWhenTheVehicleWasHeardForTheResumeWait) {
+  (void)at(0);
+  hear(-5);
+  EXPECT_FALSE(at(1.999));
+  const auto goal = at(2);
+  ASSERT_TRUE(goal);
+  EXPECT_EQ(goal->waypoint, 0U);
+  EXPECT_EQ(goal->pose.x, 1);
+  EXPECT_EQ(goal->tolerance_m, 0.15);
+  EXPECT_EQ(goal->lifetime_s, 60);
+  EXPECT_EQ(progress().state, MissionControl::State::running);
+}
+
+TEST_F(MissionControlTest, StartsAfterAStatusWithoutGoalToo) {
+  (void)at(0);
+  hear(0, "idle");
+  EXPECT_FALSE(at(1.999));
+  EXPECT_TRUE(at(2));
+}
+
+TEST_F(MissionControlTest, IgnoresALocationThatIsNotFinite) {
+  (void)at(0);
+  hear(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(at(10));
+}
+
+TEST_F(MissionControlTest, RepeatsAnUnansweredGoalWithTheSameId) {
+  const auto first = first_goal();
+  EXPECT_FALSE(at(4.999));
+  const auto second = at(5);
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->id, first.id);
+  EXPECT_EQ(progress().goals_sent, 2U);
+}
+
+TEST_F(MissionControlTest, RenewsAnAnsweredGoalAfterHalfItsLifetime) {
+  const auto first = first_goal();
+  hear(first.id, "driving");
+  EXPECT_FALSE(at(31.999));
+  const auto renewal = at(32);
+  ASSERT_TRUE(renewal);
+  EXPECT_EQ(renewal->id, first.id);
+}
+
+TEST_F(MissionControlTest, RepeatsAGoalThatTheVehicleOnlyHolds) {
+  const auto first = first_goal();
+  hear(first.id, "held");
+  EXPECT_TRUE(at(5));
+}
+
+TEST_F(MissionControlTest, RepeatsWhenANavigatorThatWasRestartedForgotTheGoal) {
+  hear(first_goal().id, "driving");
+  (void)at(20);
+  hear(0, "idle");
+  EXPECT_TRUE(at(20.1));
+}
+
+TEST_F(MissionControlTest, ArrivesByALocationAtTheLimitButNotBeyond) {
+  (void)first_goal();
+  hear(0.79);
+  EXPECT_FALSE(at(3));
+  hear(0.81);
+  const auto next = at(3.1);
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->waypoint, 1U);
+}
+
+TEST_F(MissionControlTest, ArrivesByTheNavigatorsStatus) {
+  const auto first = first_goal();
+  hear(first.id, "reached");
+  const auto next = at(3);
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->waypoint, 1U);
+  EXPECT_GT(next->id, first.id);
+}
+
+TEST_F(MissionControlTest, DoesNotArriveByAStatusOfAnotherGoal) {
+  hear(first_goal().id - 1, "reached");
+  (void)at(3);
+  EXPECT_EQ(progress().waypoint, 0U);
+}
+
+TEST_F(MissionControlTest, DoesNotArriveTwiceByOneStatus) {
+  const auto first = first_goal();
+  hear(first.id, "reached");
+  (void)at(3);
+  hear(first.id, "reached");
+  (void)at(4);
+  EXPECT_EQ(progress().waypoint, 1U);
+  EXPECT_EQ(progress().state, MissionControl::State::running);
+}
+
+TEST_F(MissionControlTest, SendsAGoalForAWaypointWhereTheVehicleStandsAlready) {
+  (void)at(0);
+  hear(1);
+  EXPECT_EQ(at(2).value().waypoint, 0U);
+  EXPECT_EQ(at(2.1).value().waypoint, 1U);
+}
+
+TEST_F(MissionControlTest, IsDoneAfterTheLastWaypointAndSendsNoMore) {
+  (void)first_goal();
+  hear(1);
+  (void)at(10);
+  hear(5);
+  EXPECT_FALSE(at(30));
+  EXPECT_EQ(progress().state, MissionControl::State::done);
+  EXPECT_FALSE(at(1000));
+  EXPECT_DOUBLE_EQ(progress().elapsed_s, 28);
+}
+
+TEST_F(MissionControlTest, TellsHowItArrived) {
+  (void)first_goal();
+  (void)at(5);
+  hear(0.9);
+  const auto second = at(6);
+  hear(4);
+  hear(second.value().id, "reached");
+  (void)at(9);
+  ASSERT_EQ(sut.arrivals().size(), 2U);
+  EXPECT_TRUE(sut.arrivals()[0].by_location);
+  EXPECT_NEAR(sut.arrivals()[0].distance_m, 0.1, 1e-9);
+  EXPECT_DOUBLE_EQ(sut.arrivals()[0].after_s, 4);
+  EXPECT_EQ(sut.arrivals()[0].goals, 2U);
+  EXPECT_FALSE(sut.arrivals()[1].by_location);
+  EXPECT_DOUBLE_EQ(sut.arrivals()[1].after_s, 3);
+}
+
+TEST_F(MissionControlTest, AbortsWhenBlockedForLongerThanTheLimit) {
+  const auto first = first_goal();
+  hear(first.id, "blocked");
+  for (double s = 3; s <= 62; s += 1) {
+    (void)at(s);
+    hear(first.id, "blocked");
+  }
+  EXPECT_EQ(progress().state, MissionControl::State::running);
+  (void)at(62.001);
+  EXPECT_EQ(progress().state, MissionControl::State::aborted);
+  EXPECT_EQ(progress().reason, "waypoint 1 is blocked");
+  EXPECT_FALSE(at(100));
+}
+
+TEST_F(MissionControlTest, ForgivesABlockThatPasses) {
+  const auto first = first_goal();
+  hear(first.id, "blocked");
+  (void)at(40);
+  hear(first.id, "driving");
+  (void)at(45);
+  hear(first.id, "blocked");
+  (void)at(90);
+  EXPECT_EQ(progress().state, MissionControl::State::running);
+}
+
+TEST_F(MissionControlTest, AbortsAWaypointThatTakesTooLong) {
+  hear(first_goal().id, "driving");
+  (void)at(902);
+  EXPECT_EQ(progress().state, MissionControl::State::running);
+  (void)at(902.001);
+  EXPECT_EQ(progress().state, MissionControl::State::aborted);
+  EXPECT_THAT(progress().reason, ::testing::HasSubstr("not reached in time"));
+}
+
+TEST_F(MissionControlTest, SurvivesALongSilence) {
+  hear(first_goal().id, "driving");
+  for (double s = 3; s < 800; s += 1) (void)at(s);
+  EXPECT_EQ(progress().state, MissionControl::State::running);
+  hear(1);
+  EXPECT_EQ(at(801).value().waypoint, 1U);
+}
+
+TEST_F(MissionControlTest, GoesOnWhereAnEarlierOneWas) {
+  (void)first_goal();
+  hear(1);
+  const auto second = at(10).value();
+
+  MissionControl anew({}, two_waypoints);
+  anew.on_status(second.id, "driving", now_);
+  const auto renewed = anew.update(now_, wall0_ms + 11'000);
+  ASSERT_TRUE(renewed);
+  EXPECT_EQ(renewed->waypoint, 1U);
+  EXPECT_EQ(renewed->id, second.id);
+}
+
+TEST_F(MissionControlTest, GoesOnBehindAWaypointThatWasReachedMeanwhile) {
+  const auto first = first_goal();
+  MissionControl anew({}, two_waypoints);
+  anew.on_status(first.id, "reached", now_);
+  EXPECT_EQ(anew.update(now_, wall0_ms).value().waypoint, 1U);
+}
+
+TEST_F(MissionControlTest, StartsOverWhenTheVehicleDrivesForAnotherMission) {
+  const auto first = first_goal();
+  MissionControl other({}, {"other", "map", {{9, 9, 0}, {8, 8, 0}}, ""});
+  other.on_status(GoalId::unpack(first.id).packed() + 1, "driving", now_);
+  const auto goal = other.update(now_, wall0_ms).value();
+  EXPECT_EQ(goal.waypoint, 0U);
+  EXPECT_GT(goal.id, first.id);
+}
+
+TEST_F(MissionControlTest, StartsOverWhenItIsToldNotToResume) {
+  (void)first_goal();
+  hear(1);
+  const auto second = at(10).value();
+  MissionControl::Params params;
+  params.resume = false;
+  MissionControl anew(params, two_waypoints);
+  anew.on_status(second.id, "driving", now_);
+  const auto goal = anew.update(now_, wall0_ms).value();
+  EXPECT_EQ(goal.waypoint, 0U);
+  EXPECT_GT(goal.id, second.id);
+}
+
+TEST_F(MissionControlTest, IdsGrowEvenWhenTheWallClockIsSetBack) {
+  const auto first = first_goal();
+  hear(1);
+  const auto second = sut.update(t0 + seconds(3), wall0_ms - 3'600'000);
+  ASSERT_TRUE(second);
+  EXPECT_GT(second->id, first.id);
+}
+
+TEST_F(MissionControlTest, SupersedesAGoalOfSomebodyElse) {
+  const auto first = first_goal();
+  hear(first.id + (1U << 30U), "driving");
+  const auto again = at(5);
+  ASSERT_TRUE(again);
+  EXPECT_GT(again->id, first.id + (1U << 30U));
+  EXPECT_EQ(again->waypoint, 0U);
+}
+
+TEST(MissionControl, RefusesAMissionWithoutWaypoints) {
+  EXPECT_THROW(MissionControl({}, Mission{}), ConfigError);
+}
+
+TEST(MissionControl, RefusesALifetimeThatIsTooShortForTheRepetition) {
+  MissionControl::Params params;
+  params.repeat_after_s = 5;
+  params.goal_lifetime_s = 10;
+  EXPECT_THROW(MissionControl(params, two_waypoints), ConfigError);
+  params.goal_lifetime_s = 10.001;
+  EXPECT_NO_THROW(MissionControl(params, two_waypoints));
+}
+
+}  // namespace
+}  // namespace tocsin

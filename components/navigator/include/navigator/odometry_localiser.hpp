@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "foundation/time.hpp"
+#include "navigation/geometry.hpp"
+
+namespace tocsin {
+
+/// Where the vehicle is on the map, from odometry and a known start.
+///
+/// Odometry that jumps farther than the vehicle can drive comes from a driver that was started
+/// anew: the vehicle is then still where it was last, and odometry counts from there.
+class OdometryLocaliser {
+ public:
+  /// All that must be kept to go on after a restart of this process.
+  struct Memory {
+    navigation::Pose2 map_from_odom;
+    navigation::Pose2 odom;  // the last pose in the odometry's own frame
+  };
+
+  /// `start` is the pose on the map [m, rad] at which odometry began to count.
+  explicit OdometryLocaliser(const navigation::Pose2& start) : memory_{start, {}} {}
+  /// Goes on from what an earlier process remembered.
+  explicit OdometryLocaliser(const Memory& memory) : memory_(memory), has_odom_(true) {}
+
+  /// The pose on the map [m, rad]; empty when `odom` is not finite.
+  [[nodiscard]] std::optional<navigation::Pose2> update(const navigation::Pose2& odom, Time now);
+  [[nodiscard]] const Memory& memory() const { return memory_; }
+
+ private:
+  [[nodiscard]] bool has_restarted(const navigation::Pose2& odom, Time now) const;
+
+  Memory memory_;
+  bool has_odom_ = false;
+  std::optional<Time> last_;  // empty: nobody knows how long ago the last pose was
+};
+
+}  // namespace tocsin

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigator/navigator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace tocsin {
+
+using navigation::Pose2;
+using navigation::Velocity;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double home_tolerance_m = 0.2;
+constexpr double moved_m = 0.05;  // more is progress
+constexpr double turned_rad = 0.1;
+constexpr Duration back_up_time = std::chrono::milliseconds(1500);
+
+Pose2 ahead(const Pose2& pose, double metres) {
+  return {pose.x + metres * std::cos(pose.yaw), pose.y + metres * std::sin(pose.yaw), pose.yaw};
+}
+
+bool is_valid(const Navigator::Goal& goal) {
+  return goal.id != 0 && is_finite(goal.pose) && goal.tolerance_m >= 0.05 && goal.tolerance_m <= 5;
+}
+
+}  // namespace
+
+Navigator::Navigator(const Params& params, navigation::OccupancyMap map)
+    : params_(params),
+      map_(std::move(map)),
+      costs_(map_, params.inflation),
+      follower_(params.follower) {}
+
+Navigator::GoalAnswer Navigator::on_goal(const Goal& goal, Time now) {
+  if (!is_valid(goal)) return GoalAnswer::invalid;
+  if (goal.expires <= now) return GoalAnswer::expired;
+  if (goal_ && goal.id < goal_->id) return GoalAnswer::superseded;
+  heard_ = now;
+  if (goal_ && goal.id == goal_->id) {
+    goal_->expires = std::max(goal_->expires, goal.expires);
+    return GoalAnswer::renewed;
+  }
+  goal_ = goal;
+  return GoalAnswer::accepted;
+}
+
+void Navigator::on_pose(const Pose2& pose, Time now) {
+  if (!is_finite(pose)) return;
+  pose_ = pose;
+  pose_time_ = now;
+  if (!home_) home_ = pose;
+}
+
+Navigator::Output Navigator::update(Time now) {
+  const Duration dt = last_update_ ? now - *last_update_ : Duration{0};
+  last_update_ = now;
+  if (const char* reason = reason_to_halt(now)) return stand(State::held, follower_.halt(), reason);
+  if (!goal_) return stand(State::idle, follower_.brake(dt), "no_goal");
+  if (is_link_lost(now) && params_.on_link_lost == "return") return go_home(now, dt);
+  if (const char* reason = reason_to_hold(now)) {
+    return stand(State::held, follower_.brake(dt), reason);
+  }
+  return drive({goal_->id, goal_->pose, goal_->tolerance_m}, now, dt);
+}
+
+const char* Navigator::reason_to_halt(Time now) const {
+  if (emergency_stop_) return "emergency_stop";
+  if (!home_ || now - pose_time_ > seconds(params_.pose_timeout_s)) return "no_pose";
+  return nullptr;
+}
+
+const char* Navigator::reason_to_hold(Time now) const {
+  if (reached_ && target_key_ == goal_->id) return nullptr;  // it stands there already
+  if (now >= goal_->expires) return "goal_expired";
+  if (is_link_lost(now) && params_.on_link_lost == "hold") return "link_lost";
+  return nullptr;
+}
+
+bool Navigator::is_link_lost(Time now) const {
+  return heard_ && now - *heard_ > seconds(params_.link_lost_after_s);
+}
+
+Navigator::Output Navigator::stand(State state, const Velocity& velocity, const char* reason) {
+  progress_pose_ = pose_;
+  progress_time_ = *last_update_;
+  return {velocity, {goal_ ? goal_->id : 0, state, nan, reason}};
+}
+
+Navigator::Output Navigator::go_home(Time now, Duration dt) {
+  Output output = drive({0, *home_, home_tolerance_m}, now, dt);
+  output.status.state = State::held;  // the goal is not driven to
+  output.status.reason = "link_lost";
+  output.status.distance_m = nan;
+  return output;
+}
+
+Navigator::Output Navigator::drive(const Target& target, Time now, Duration dt) {
+  if (target_key_ != target.key) take_up(target);
+  if (reached_) return {follower_.brake(dt), {goal_->id, State::reached, 0, ""}};
+  arrived_ = arrived_ || distance(position(pose_), position(target.pose)) <= target.tolerance_m;
+  if (arrived_) return align(target, dt);
+  if (blocked_since_ && now - *blocked_since_ < seconds(params_.retry_after_s)) {
+    return wait_blocked(now, dt);
+  }
+  return drive_path(target, now, dt);
+}
+
+void Navigator::take_up(const Target& target) {
+  target_key_ = target.key;
+  has_path_ = false;
+  arrived_ = false;
+  reached_ = false;
+  blocked_since_.reset();
+  progress_pose_ = pose_;
+  progress_time_ = *last_update_;
+}
+
+Navigator::Output Navigator::align(const Target& target, Duration dt) {
+  const bool is_aligned =
+      std::abs(navigation::wrap_angle(target.pose.yaw - pose_.yaw)) <= params_.yaw_tolerance_rad;
+  reached_ = is_aligned || !params_.align_yaw;
+  if (reached_) return {follower_.brake(dt), {goal_->id, State::reached, 0, ""}};
+  return {
+      follower_.turn_to(pose_, target.pose.yaw, dt),
+      {goal_->id, State::driving, distance(position(pose_), position(target.pose)), "aligning"}};
+}
+
+Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration dt) {
+  if (!has_path_) {
+    auto path = plan(costs_, position(pose_), position(target.pose));
+    if (!path) return block(now, "no_path");
+    follower_.start(std::move(*path));
+    has_path_ = true;
+    blocked_since_.reset();
+  }
+  if (is_stuck(now)) return block(now, "stuck");
+  const Velocity velocity = would_hit() ? follower_.brake(dt) : follower_.follow(pose_, dt);
+  // The next update plans from where the vehicle is then.
+  if (follower_.deviation_m() > params_.replan_beside_m) has_path_ = false;
+  return {velocity, {goal_->id, State::driving, follower_.remaining_m(), ""}};
+}
+
+Navigator::Output Navigator::block(Time now, const char* reason) {
+  has_path_ = false;
+  blocked_since_ = now;
+  blocked_reason_ = reason;
+  return stand(State::blocked, follower_.halt(), reason);
+}
+
+Navigator::Output Navigator::wait_blocked(Time now, Duration dt) {
+  const bool backs_up = blocked_reason_ == std::string_view("stuck") &&
+                        now - *blocked_since_ < back_up_time && is_free_behind();
+  return stand(State::blocked, backs_up ? follower_.back_up(dt) : follower_.brake(dt),
+               blocked_reason_);
+}
+
+bool Navigator::would_hit() const {
+  const Velocity v = follower_.velocity();
+  const double radius_m = params_.inflation.robot_radius_m;
+  if (v.v_mps <= 0 || map_.collides(pose_.x, pose_.y, radius_m)) return false;
+  const double braking_m = v.v_mps * v.v_mps / (2 * params_.follower.acceleration_mps2);
+  Pose2 pose = pose_;
+  constexpr int samples = 4;
+  for (int i = 0; i < samples; ++i) {
+    pose = ahead(pose, braking_m / samples);
+    pose.yaw += v.w_radps / v.v_mps * braking_m / samples;
+    if (map_.collides(pose.x, pose.y, radius_m)) return true;
+  }
+  return false;
+}
+
+bool Navigator::is_free_behind() const {
+  const Pose2 behind = ahead(pose_, -0.2);
+  return !map_.collides(behind.x, behind.y, params_.inflation.robot_radius_m);
+}
+
+bool Navigator::is_stuck(Time now) {
+  const bool has_moved =
+      distance(position(pose_), position(progress_pose_)) > moved_m ||
+      std::abs(navigation::wrap_angle(pose_.yaw - progress_pose_.yaw)) > turned_rad;
+  if (has_moved) {
+    progress_pose_ = pose_;
+    progress_time_ = now;
+  }
+  return now - progress_time_ > seconds(params_.stuck_after_s);
+}
+
+const char* to_string(Navigator::State state) {
+  switch (state) {
+    case Navigator::State::idle:
+      return "idle";
+    case Navigator::State::driving:
+      return "driving";
+    case Navigator::State::reached:
+      return "reached";
+    case Navigator::State::blocked:
+      return "blocked";
+    case Navigator::State::held:
+      return "held";
+  }
+  return "";
+}
+
+const char* to_string(Navigator::GoalAnswer answer) {
+  switch (answer) {
+    case Navigator::GoalAnswer::accepted:
+      return "accepted";
+    case Navigator::GoalAnswer::renewed:
+      return "renewed";
+    case Navigator::GoalAnswer::superseded:
+      return "superseded";
+    case Navigator::GoalAnswer::expired:
+      return "expired";
+    case Navigator::GoalAnswer::invalid:
+      return "invalid";
+  }
+  return "";
+}
+
+}  // namespace tocsin

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigator/navigator_component.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "navigation/map_loader.hpp"
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+
+using navigation::Pose2;
+
+namespace {
+
+navigation::OccupancyMap load_required_map(const std::string& name, const std::string& path) {
+  if (path.empty()) throw ConfigError(name + ".map_file: is required");
+  return navigation::load_map(path);
+}
+
+Pose2 pose_of(const geometry_msgs::msg::Pose& message) {
+  const auto& q = message.orientation();
+  return {message.position().x(), message.position().y(),
+          navigation::yaw_of({q.x(), q.y(), q.z(), q.w()})};
+}
+
+geometry_msgs::msg::Pose to_msg(const Pose2& pose) {
+  geometry_msgs::msg::Pose message;
+  message.position().x(pose.x);
+  message.position().y(pose.y);
+  const auto q = navigation::quaternion_from_yaw(pose.yaw);
+  message.orientation().z(q.z);
+  message.orientation().w(q.w);
+  return message;
+}
+
+Duration since_epoch(const builtin_interfaces::msg::Time& stamp) {
+  return std::chrono::seconds(stamp.sec()) + std::chrono::nanoseconds(stamp.nanosec());
+}
+
+OdometryLocaliser make_localiser(const LocaliserFile& file, const Pose2& start) {
+  const auto memory = file.load();
+  return memory ? OdometryLocaliser(*memory) : OdometryLocaliser(start);
+}
+
+std::string memory_path(const Context& context) {
+  return context.run_dir.empty() ? "" : context.run_dir + "/" + context.name + ".pose";
+}
+
+}  // namespace
+
+NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
+    : Component(context),
+      params_(params),
+      navigator_(params.navigator, load_required_map(context.name, params.map_file)),
+      file_(memory_path(context)),
+      localiser_(
+          make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})) {
+  wake_every(seconds(1 / params.rate_hz));
+}
+
+void NavigatorComponent::tick(Time now) {
+  take_inputs(now);
+  const Navigator::Output output = navigator_.update(now);
+  drive(output.velocity);
+  report_location(now);
+  report_status(output.status, now);
+  remember(now);
+}
+
+void NavigatorComponent::take_inputs(Time now) {
+  while (const auto odom = odom_.take()) {
+    pose_ = localiser_.update(pose_of(odom->pose().pose()), now);
+    if (pose_) navigator_.on_pose(*pose_, now);
+  }
+  while (const auto stop = emergency_stop_.take()) navigator_.on_emergency_stop(stop->data());
+  while (const auto heartbeat = heartbeat_.take()) {
+    if (heartbeat->role() == "gcs") navigator_.on_ground_station(now);
+  }
+  while (const auto goal = goal_.take()) take_goal(*goal, now);
+}
+
+void NavigatorComponent::take_goal(const topic::Goal::Message& message, Time now) {
+  // A stamp of the future is a clock that differs, and must not make a goal live longer.
+  const Duration age = std::max(Duration{0}, since_epoch(wall(now)) - since_epoch(message.stamp()));
+  const Navigator::Goal goal{message.id(),
+                             {message.x(), message.y(), message.yaw()},
+                             message.tolerance_m(),
+                             now - age + seconds(std::clamp(message.lifetime_s(), 0.0, 3600.0))};
+  const auto answer = navigator_.on_goal(goal, now);
+  if (answer == Navigator::GoalAnswer::renewed) return;
+  log().info("goal {} to waypoint {} at ({:.2f}, {:.2f}): {}", message.id(), message.waypoint(),
+             message.x(), message.y(), to_string(answer));
+}
+
+void NavigatorComponent::drive(const navigation::Velocity& velocity) {
+  const bool stands = velocity.v_mps == 0 && velocity.w_radps == 0;
+  if (stands && is_standing_) return;
+  topic::CmdVel::Message message;
+  message.linear().x(velocity.v_mps);
+  message.angular().z(velocity.w_radps);
+  is_standing_ = cmd_vel_.write(std::move(message)) == Status::ok && stands;
+}
+
+void NavigatorComponent::report_location(Time now) {
+  if (!pose_ || now < next_location_) return;
+  next_location_ = now + seconds(1 / params_.location_hz);
+  topic::Location::Message message;
+  message.header().stamp(wall(now));
+  message.header().frame_id("map");
+  message.pose().pose(to_msg(*pose_));
+  if (location_.write(std::move(message)) == Status::failed) log().warn("a location was not sent");
+}
+
+void NavigatorComponent::report_status(const Navigator::Status& status, Time now) {
+  const bool has_changed = status.state != reported_.state || status.goal_id != reported_.goal_id;
+  if (!has_changed && now < next_status_) return;
+  topic::NavigationStatus::Message message;
+  message.stamp(wall(now));
+  message.goal_id(status.goal_id);
+  message.state(to_string(status.state));
+  message.distance_m(status.distance_m);
+  if (status_.write(std::move(message)) == Status::failed) return;
+  if (has_changed) log_change(status);
+  reported_ = status;
+  next_status_ = now + seconds(params_.status_period_s);
+}
+
+void NavigatorComponent::log_change(const Navigator::Status& status) {
+  log().info("goal {}: {} {}", status.goal_id, to_string(status.state), status.reason);
+}
+
+void NavigatorComponent::remember(Time now) {
+  if (!pose_ || now < next_save_) return;
+  next_save_ = now + std::chrono::seconds(1);
+  if (!file_.save(localiser_.memory())) log().warn("the pose could not be saved for a restart");
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::NavigatorComponent)

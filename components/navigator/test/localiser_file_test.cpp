@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigator/localiser_file.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+
+namespace tocsin {
+namespace {
+
+class LocaliserFileTest : public ::testing::Test {
+ protected:
+  ~LocaliserFileTest() override { std::remove(path_.c_str()); }
+  void write(const std::string& text) const { std::ofstream(path_) << text; }
+
+  const std::string path_ = "localiser_file_test_" + std::to_string(::getpid());
+  const LocaliserFile sut_{path_};
+};
+
+TEST_F(LocaliserFileTest, GivesBackWhatItSaved) {
+  ASSERT_TRUE(sut_.save({{0.1, -2, 3}, {4, 5, -0.6}}));
+  const auto memory = sut_.load();
+  ASSERT_TRUE(memory);
+  EXPECT_EQ(memory->map_from_odom.x, 0.1);
+  EXPECT_EQ(memory->map_from_odom.yaw, 3);
+  EXPECT_EQ(memory->odom.yaw, -0.6);
+}
+
+TEST_F(LocaliserFileTest, IsEmptyWithoutAFile) { EXPECT_FALSE(sut_.load()); }
+
+TEST_F(LocaliserFileTest, IsEmptyWhenTheFileIsDamaged) {
+  const std::string parent = std::to_string(::getppid());
+  write(parent + " 1 2 3 4 5 6\n");
+  EXPECT_TRUE(sut_.load());
+  write(parent + " 1 2 3 4 5\n");
+  EXPECT_FALSE(sut_.load());
+  write(parent + " 1 2 x 4 5 6\n");
+  EXPECT_FALSE(sut_.load());
+  write("");
+  EXPECT_FALSE(sut_.load());
+}
+
+TEST_F(LocaliserFileTest, IsEmptyWhenTheFileIsOfAnotherLaunch) {
+  write(std::to_string(::getppid() + 1) + " 1 2 3 4 5 6\n");
+  EXPECT_FALSE(sut_.load());
+}
+
+TEST_F(LocaliserFileTest, TellsWhenItCannotSave) {
+  EXPECT_FALSE(LocaliserFile("/nowhere/at/all").save({}));
+}
+
+TEST_F(LocaliserFileTest, KeepsNothingWithoutAPath) {
+  EXPECT_TRUE(LocaliserFile("").save({}));
+  EXPECT_FALSE(LocaliserFile("").load());
+}
+
+}  // namespace
+}  // namespace tocsin

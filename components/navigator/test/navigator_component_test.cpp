@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigator/navigator_component.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
+#include "runtime/sim_bus.hpp"
+
+namespace tocsin {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A navigator on a bare floor of 10 m x 10 m around (0, 0), and a base that drives as told.
+class NavigatorComponentTest : public ::testing::Test {
+ protected:
+  NavigatorComponentTest() {
+    std::filesystem::create_directories(folder_);
+    std::ofstream(folder_ / "m.yaml") << "image: m.pgm\nresolution: 0.1\norigin: [-5, -5, 0]\n";
+    std::ofstream(folder_ / "m.pgm") << "P5 100 100 255\n" << std::string(10000, '\xfe');
+    params_.map_file = (folder_ / "m.yaml").string();
+    params_.start_x_m = -1;
+    start();
+  }
+  ~NavigatorComponentTest() override { std::filesystem::remove_all(folder_); }
+
+  void start() { sut_ = std::make_unique<NavigatorComponent>(context_, params_); }
+
+  /// Runs with odometry at 20 Hz.
+  void run(double s) {
+    for (int i = 0; i < std::lround(s * 20); ++i) {
+      if (has_odometry_) bus_.publish<topic::Odom>(odometry());
+      sut_->tick(bus_.now());
+      bus_.run_for(seconds(0.05));
+      for (const auto& command : commands_.take()) command_ = command;
+      odom_ = compose(odom_, {command_.linear().x() * 0.05, 0, command_.angular().z() * 0.05});
+      for (const auto& status : statuses_.take()) status_ = status;
+    }
+  }
+  topic::Odom::Message odometry() const {
+    topic::Odom::Message message;
+    message.pose().pose().position().x(odom_.x);
+    message.pose().pose().position().y(odom_.y);
+    message.pose().pose().orientation().z(std::sin(odom_.yaw / 2));
+    message.pose().pose().orientation().w(std::cos(odom_.yaw / 2));
+    return message;
+  }
+  void send_goal(std::uint64_t id, double x, double age_s = 0, double lifetime_s = 60) {
+    const std::int64_t stamp_ns = bus_.wall_ns(bus_.now()) - static_cast<std::int64_t>(age_s * 1e9);
+    topic::Goal::Message goal;
+    goal.stamp().sec(static_cast<std::int32_t>(stamp_ns / 1'000'000'000));
+    goal.stamp().nanosec(static_cast<std::uint32_t>(stamp_ns % 1'000'000'000));
+    goal.id(id);
+    goal.x(x);
+    goal.tolerance_m(0.15);
+    goal.lifetime_s(lifetime_s);
+    bus_.publish<topic::Goal>(goal);
+  }
+  void press_emergency_stop(bool is_pressed) {
+    topic::EmergencyStop::Message message;
+    message.data(is_pressed);
+    bus_.publish<topic::EmergencyStop>(message);
+  }
+  void send_heartbeat(const char* role) {
+    topic::Heartbeat::Message message;
+    message.role(role);
+    bus_.publish<topic::Heartbeat>(message);
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("tocsin_navigator_" + std::to_string(::getpid()));
+  SimBus bus_;
+  Context context_{bus_, "navigator", "uxv", ""};
+  NavigatorComponent::Params params_;
+  std::unique_ptr<NavigatorComponent> sut_;
+  SimReader<topic::CmdVel> commands_{bus_};
+  SimReader<topic::Location> locations_{bus_};
+  SimReader<topic::NavigationStatus> statuses_{bus_};
+  navigation::Pose2 odom_;
+  bool has_odometry_ = true;
+  topic::CmdVel::Message command_;
+  topic::NavigationStatus::Message status_;
+};
+
+TEST_F(NavigatorComponentTest, DrivesToAGoal) {
+  run(0.2);
+  send_goal(5, 2);
+  run(1);
+  EXPECT_EQ(status_.state(), "driving");
+  EXPECT_NEAR(status_.distance_m(), 3, 0.2);
+  run(12);
+  EXPECT_EQ(status_.state(), "reached");
+  EXPECT_EQ(status_.goal_id(), 5U);
+  EXPECT_NEAR(odom_.x, 3, 0.2);
+}
+
+TEST_F(NavigatorComponentTest, StaysSilentToTheBaseWhileItStands) {
+  run(1);
+  commands_.take();
+  sut_->tick(bus_.now());
+  EXPECT_TRUE(commands_.take().empty());
+}
+
+TEST_F(NavigatorComponentTest, CommandsTheBaseToStandAtStart) {
+  sut_->tick(bus_.now());
+  const auto commands = commands_.take();
+  ASSERT_EQ(commands.size(), 1U);
+  EXPECT_EQ(commands[0].linear().x(), 0);
+}
+
+TEST_F(NavigatorComponentTest, ReportsItsLocationOnTheMapFiveTimesASecond) {
+  odom_ = {0.5, 0, 0};
+  run(2);
+  const auto locations = locations_.take();
+  EXPECT_NEAR(static_cast<double>(locations.size()), 10, 1);
+  EXPECT_EQ(locations.back().header().frame_id(), "map");
+  EXPECT_NEAR(locations.back().pose().pose().position().x(), -0.5, 1e-9);
+}
+
+TEST_F(NavigatorComponentTest, ReportsNoLocationBeforeOdometry) {
+  has_odometry_ = false;
+  run(1);
+  EXPECT_TRUE(locations_.take().empty());
+}
+
+TEST_F(NavigatorComponentTest, ReportsAChangeAtOnceAndElseOnceASecond) {
+  run(0.5);
+  statuses_.take();
+  send_goal(5, 2);
+  sut_->tick(bus_.now());
+  const auto statuses = statuses_.take();
+  ASSERT_EQ(statuses.size(), 1U);
+  EXPECT_EQ(statuses[0].goal_id(), 5U);
+  for (int i = 0; i < 15; ++i) {
+    bus_.publish<topic::Odom>(odometry());
+    bus_.run_for(seconds(0.06));
+    sut_->tick(bus_.now());
+  }
+  EXPECT_TRUE(statuses_.take().empty());
+  bus_.run_for(seconds(0.11));
+  sut_->tick(bus_.now());
+  EXPECT_EQ(statuses_.take().size(), 1U);
+}
+
+TEST_F(NavigatorComponentTest, StandsWhenOdometryStops) {
+  run(0.2);
+  send_goal(5, 2);
+  run(2);
+  ASSERT_GT(command_.linear().x(), 0.3);
+  has_odometry_ = false;
+  run(0.6);
+  EXPECT_EQ(command_.linear().x(), 0);
+  EXPECT_EQ(status_.state(), "held");
+}
+
+TEST_F(NavigatorComponentTest, StandsOnEmergencyStopUntilItIsReleased) {
+  run(0.2);
+  send_goal(5, 2);
+  run(2);
+  press_emergency_stop(true);
+  run(0.05);
+  EXPECT_EQ(command_.linear().x(), 0);
+  run(5);
+  EXPECT_EQ(command_.linear().x(), 0);
+  press_emergency_stop(false);
+  run(1);
+  EXPECT_GT(command_.linear().x(), 0.2);
+}
+
+TEST_F(NavigatorComponentTest, RefusesAGoalThatExpiredOnTheWay) {
+  run(0.2);
+  send_goal(5, 2, 60.1, 60);
+  run(1);
+  EXPECT_EQ(status_.state(), "idle");
+  send_goal(5, 2, 59, 60);
+  run(0.5);
+  EXPECT_EQ(status_.state(), "driving");
+  run(1);
+  EXPECT_EQ(status_.state(), "held");
+}
+
+TEST_F(NavigatorComponentTest, AStampOfTheFutureDoesNotLengthenALife) {
+  run(0.2);
+  send_goal(5, 4.5, -1000, 2);
+  run(1.5);
+  EXPECT_EQ(status_.state(), "driving");
+  run(1);
+  EXPECT_EQ(status_.state(), "held");
+}
+
+TEST_F(NavigatorComponentTest, RefusesAGoalWithNan) {
+  run(0.2);
+  send_goal(5, std::numeric_limits<double>::quiet_NaN());
+  send_goal(6, 2, 0, std::numeric_limits<double>::quiet_NaN());
+  run(1);
+  EXPECT_EQ(status_.state(), "idle");
+}
+
+TEST_F(NavigatorComponentTest, HearsOnlyTheGroundStationsHeartbeat) {
+  params_.navigator.on_link_lost = "hold";
+  params_.navigator.link_lost_after_s = 1;
+  start();
+  run(0.2);
+  send_goal(5, 4.5);
+  for (int i = 0; i < 4; ++i) {
+    run(0.5);
+    send_heartbeat("gcs");
+  }
+  run(0.5);
+  EXPECT_EQ(status_.state(), "driving");
+  for (int i = 0; i < 4; ++i) {
+    run(0.5);
+    send_heartbeat("uxv");
+  }
+  EXPECT_EQ(status_.state(), "held");
+}
+
+TEST_F(NavigatorComponentTest, KnowsWhereItIsAfterARestart) {
+  context_.run_dir = folder_.string();
+  start();
+  odom_ = {2, 0, 0};
+  run(2);
+  odom_ = {0, 0, 0};  // the driver died as well
+  start();
+  run(0.2);
+  EXPECT_NEAR(locations_.take().back().pose().pose().position().x(), 1, 1e-9);
+}
+
+TEST_F(NavigatorComponentTest, RefusesToStartWithoutAMap) {
+  params_.map_file = "";
+  EXPECT_THROW(start(), ConfigError);
+  params_.map_file = "/nowhere/m.yaml";
+  EXPECT_THROW(start(), ConfigError);
+}
+
+TEST_F(NavigatorComponentTest, ParametersPrintAsYaml) {
+  EXPECT_THAT(default_yaml<NavigatorComponent::Params>(), HasSubstr("on_link_lost: continue"));
+}
+
+}  // namespace
+}  // namespace tocsin
