@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "radio_channel/radio_channel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "foundation/error.hpp"
+#include "link_simulation.hpp"
+
+namespace tocsin::radio {
+namespace {
+
+const ChannelParams good = place(40, 60);
+
+ChannelParams without_mac(double loss) {
+  ChannelParams params = good;
+  params.mode = "bernoulli";
+  params.loss = loss;
+  return params;
+}
+
+/// Pushes bursts of random packets both ways for 20 s while the station moves.
+void play_random_traffic(LinkSimulation& link, std::uint64_t seed) {
+  RandomStream random(seed, 99);
+  for (double t_s = 0; t_s < 20; t_s += random.exponential(0.005)) {
+    link.channel.set_position(10 + t_s, 3);
+    const Direction direction = random.chance(0.5) ? Direction::uplink : Direction::downlink;
+    for (int burst = random.below(8); burst > 0; --burst) {
+      link.push(direction, 40 + random.below(1460), t_s, random.chance(0.1));
+    }
+  }
+  link.finish();
+}
+
+ChannelParams rough(const std::string& mode) {
+  ChannelParams params;
+  params.mode = mode;
+  params.tx_dbm = -15;
+  params.background_load = 0.3;
+  params.loss = 0.2;
+  params.outages_s = {5, 1};
+  return params;
+}
+
+TEST(RadioChannel, EndsEveryPacketExactlyOnceInEveryMode) {
+  for (const char* mode : {"radio", "bernoulli", "gilbert_elliott"}) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      LinkSimulation link(rough(mode), seed);
+      play_random_traffic(link, seed);
+      const LinkReport report = link.channel.report(Time{} + seconds(60));
+      EXPECT_EQ(link.repeated, 0);
+      EXPECT_EQ(link.outcomes.size(), report.uplink.pushed + report.downlink.pushed) << mode;
+      for (const DirectionReport& d : {report.uplink, report.downlink}) {
+        EXPECT_EQ(d.pushed, d.delivered + d.queue_drops + d.losses);
+        EXPECT_GT(d.delivered, 0u);
+        EXPECT_GT(d.losses, 0u);
+      }
+    }
+  }
+}
+
+TEST(RadioChannel, GivesTheSameOutcomesForTheSameSeedAndOthersForAnother) {
+  const auto story = [](std::uint64_t seed) {
+    LinkSimulation link(rough("radio"), seed);
+    play_random_traffic(link, 1);
+    std::vector<std::tuple<FrameId, Fate, Time>> result;
+    for (const auto& [id, o] : link.outcomes) result.emplace_back(id, o.fate, o.at);
+    return result;
+  };
+  EXPECT_EQ(story(1), story(1));
+  EXPECT_NE(story(1), story(2));
+}
+
+TEST(RadioChannel, DoesNotDependOnHowOftenItIsAdvanced) {
+  LinkSimulation coarse(rough("radio"));
+  LinkSimulation fine(rough("radio"));
+  for (int i = 0; i < 200; ++i) {
+    coarse.push(Direction::uplink, 1400, 0.002 * i);
+    fine.push(Direction::uplink, 1400, 0.002 * i);
+    for (int k = 1; k < 20; ++k) fine.run_until(0.002 * i + 0.0001 * k);
+  }
+  coarse.finish();
+  fine.finish();
+  for (const auto& [id, outcome] : coarse.outcomes) EXPECT_EQ(fine.outcomes.at(id).at, outcome.at);
+}
+
+TEST(RadioChannel, DropsTheTailOfAQueueOfOneHundred) {
+  LinkSimulation link(good);
+  for (int i = 0; i < 130; ++i) link.push(Direction::uplink, 1000, 0);
+  EXPECT_EQ(link.count(Fate::lost_in_queue), 30);
+  EXPECT_EQ(link.outcomes.begin()->first, 101u);  // the tail, not the head
+  link.finish();
+  EXPECT_EQ(link.count(Fate::delivered), 100);
+}
+
+TEST(RadioChannel, HasAQueueForEachDirection) {
+  LinkSimulation link(good);
+  for (int i = 0; i < 100; ++i) link.push(Direction::uplink, 1000, 0);
+  for (int i = 0; i < 100; ++i) link.push(Direction::downlink, 1000, 0);
+  link.finish();
+  EXPECT_EQ(link.count(Fate::lost_in_queue), 0);
+}
+
+TEST(RadioChannel, DeliversInOrderOfEachDirection) {
+  LinkSimulation link(rough("radio"), 4);
+  play_random_traffic(link, 4);
+  Time last[2] = {};
+  for (const auto& [id, outcome] : link.outcomes) {
+    if (outcome.fate != Fate::delivered) continue;
+    Time& before = last[outcome.direction == Direction::uplink ? 0 : 1];
+    EXPECT_GE(outcome.at, before);
+    before = outcome.at;
+  }
+}
+
+TEST(RadioChannel, AddsTheWireOnceInEachDirection) {
+  ChannelParams slow = good;
+  slow.wire_delay_s = 0.1;
+  for (const Direction direction : {Direction::uplink, Direction::downlink}) {
+    LinkSimulation link(slow);
+    const FrameId id = link.push(direction, 100, 1.0);
+    link.finish();
+    EXPECT_NEAR(to_seconds(link.outcomes.at(id).at), 1.1, 0.001);
+  }
+}
+
+TEST(RadioChannel, IsAtRestWithoutPackets) {
+  const LinkSimulation link(good);
+  EXPECT_EQ(link.channel.next_event(), never);
+}
+
+TEST(RadioChannel, WithoutMacDelaysByAConstantAndNeverQueues) {
+  LinkSimulation link(without_mac(0));
+  for (int i = 0; i < 1000; ++i) link.push(Direction::uplink, 1500, 2.0);
+  link.finish();
+  EXPECT_EQ(link.count(Fate::delivered), 1000);
+  for (const auto& [id, outcome] : link.outcomes) EXPECT_EQ(outcome.at, Time{} + seconds(2.001));
+}
+
+TEST(RadioChannel, ReceivesNothingInAScriptedOutage) {
+  for (const char* mode : {"radio", "bernoulli"}) {
+    ChannelParams params = without_mac(0);
+    params.mode = mode;
+    params.outages_s = {10, 5, 20, 1};
+    LinkSimulation link(params);
+    const auto arrives = [&link](double at_s) {
+      const FrameId id = link.push(Direction::uplink, 100, at_s);
+      link.finish();
+      return link.outcomes.at(id).fate == Fate::delivered;
+    };
+    EXPECT_TRUE(arrives(9.9));
+    EXPECT_FALSE(arrives(10.0));
+    EXPECT_FALSE(arrives(14.9));
+    EXPECT_TRUE(arrives(15.0));
+    EXPECT_FALSE(arrives(20.5));
+    EXPECT_TRUE(arrives(21.0));
+  }
+}
+
+TEST(RadioChannel, LosesAssociationInAnOutageAndFindsItAgain) {
+  LinkSimulation link(good);
+  const auto associated = [&link](double at_s) {
+    return link.channel.report(Time{} + seconds(at_s)).associated;
+  };
+  EXPECT_TRUE(associated(1.0));
+  link.channel.begin_outage(Time{} + seconds(1.0), seconds(20));
+  EXPECT_TRUE(associated(1.5));
+  EXPECT_FALSE(associated(2.0));
+  EXPECT_FALSE(associated(20.9));
+  EXPECT_TRUE(associated(21.2));
+}
+
+TEST(RadioChannel, RejectsOutagesThatAreNotPairsInOrder) {
+  ChannelParams params = good;
+  params.outages_s = {1};
+  EXPECT_THROW(RadioChannel(params, {}, 1, Time{}), ConfigError);
+  params.outages_s = {1, 2, 2.9, 1};
+  EXPECT_THROW(RadioChannel(params, {}, 1, Time{}), ConfigError);
+  params.outages_s = {1, 2, 3, 1};
+  EXPECT_NO_THROW(RadioChannel(params, {}, 1, Time{}));
+}
+
+TEST(RadioChannel, ReportsSignalAndQualityAsTheKernelWould) {
+  ChannelParams params = good;
+  params.tx_dbm = -25;  // received with -65 dBm
+  LinkSimulation link(params);
+  const LinkReport report = link.channel.report(Time{} + seconds(1));
+  EXPECT_NEAR(report.rssi_dbm, -65, 0.05);
+  EXPECT_EQ(report.quality, 45);
+  EXPECT_EQ(report.noise_dbm, params.noise_dbm);
+}
+
+TEST(LinkQuality, IsClampedSignalPlus110) {
+  const std::pair<double, int> known[] = {{-35, 70}, {-40, 70},  {-45, 65}, {-60, 50}, {-75, 35},
+                                          {-90, 20}, {-100, 10}, {-110, 0}, {-120, 0}};
+  for (const auto& [rssi_dbm, quality] : known) EXPECT_EQ(link_quality(rssi_dbm), quality);
+  EXPECT_EQ(link_quality(std::nan("")), 0);
+}
+
+TEST(RadioChannel, ReportsTheBusyShareSinceTheLastReport) {
+  ChannelParams params = good;
+  params.background_load = 0.2;
+  LinkSimulation link(params);
+  for (int i = 0; i < 1000; ++i) link.push(Direction::uplink, 1500, 0.001 * i);
+  const double own = 0.302;  // 258 + 10 + 34 us in every millisecond
+  EXPECT_NEAR(link.channel.report(Time{} + seconds(1)).busy_share, 0.2 + own, 0.05);
+  EXPECT_NEAR(link.channel.report(Time{} + seconds(2)).busy_share, 0.2, 0.01);
+}
+
+TEST(RadioChannel, ConfiguresWhatIsSentFromNowOn) {
+  LinkSimulation link(good);
+  link.channel.set_position(0.5, 0.5);
+  link.push(Direction::uplink, 100, 1);  // still on the air when the mode changes
+  ChannelParams params = without_mac(1);
+  link.channel.configure(params);
+  const FrameId second = link.push(Direction::uplink, 100, 2);
+  link.finish();
+  EXPECT_EQ(link.outcomes.at(1).fate, Fate::delivered);
+  EXPECT_EQ(link.outcomes.at(second).fate, Fate::lost_on_air);
+  EXPECT_EQ(link.channel.propagation().x_m(), 0.5);
+}
+
+TEST(RadioChannel, MeetsTheSameRadioWhateverTheTraffic) {
+  LinkSimulation silent(rough("radio"), 3);
+  LinkSimulation busy(rough("radio"), 3);
+  play_random_traffic(busy, 3);
+  silent.channel.set_position(12, 3);
+  busy.channel.set_position(12, 3);
+  EXPECT_EQ(silent.channel.propagation().mean_rssi_dbm(),
+            busy.channel.propagation().mean_rssi_dbm());
+}
+
+}  // namespace
+}  // namespace tocsin::radio
