@@ -104,4 +104,13 @@ struct TrafficReport {
   static constexpr TopicInfo info{"traffic_report", "telemetry", Scope::link};
 };
 
+/// Topics of a list, for those who handle all of them alike.
+template <class... Topics>
+struct List {};
+
+using AllLinkTopics =
+    List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage, CpuLoad,
+         CpuTemperature, CameraImage, Goal, MissionStatus, EmergencyStop, Heartbeat,
+         TransmissionState, TrafficReport>;
+
 }  // namespace tocsin::topic

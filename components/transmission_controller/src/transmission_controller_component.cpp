@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transmission_controller/transmission_controller_component.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+namespace {
+
+std::optional<double> measured(float value) {
+  return std::isnan(value) ? std::nullopt : std::optional<double>(value);
+}
+
+decision::QniInput to_input(const tocsin_msgs::msg::NetworkQuality& quality) {
+  constexpr double link_quality_max = 70;  // the scale of /proc/net/wireless
+  decision::QniInput input;
+  input.per_percent = measured(quality.per_percent());
+  input.signal_dbm = measured(quality.signal_dbm());
+  if (const auto percent = measured(quality.quality_percent())) {
+    input.quality = *percent / 100 * link_quality_max;
+  }
+  return input;
+}
+
+float remaining_s(const std::optional<Time>& deadline, Time now) {
+  return deadline ? static_cast<float>(to_seconds(*deadline - now))
+                  : std::numeric_limits<float>::quiet_NaN();
+}
+
+}  // namespace
+
+TransmissionControllerComponent::TransmissionControllerComponent(Context& context,
+                                                                 const Params& params)
+    : Component(context),
+      controller_(params.controller),
+      heartbeat_period_(seconds(params.heartbeat_period_s)) {}
+
+void TransmissionControllerComponent::tick(Time now) {
+  while (const auto quality = quality_.take()) {
+    publish(controller_.on_quality(to_input(*quality), now), now);
+  }
+  if (const auto decision = controller_.on_time(now)) publish(*decision, now);
+  if (now >= next_beat_) beat(now);
+  wake_at(std::min(controller_.deadline(), next_beat_));
+}
+
+void TransmissionControllerComponent::publish(const TransmissionDecision& decision, Time now) {
+  const decision::Evidence& evidence = decision.evidence;
+  tocsin_msgs::msg::TransmissionState message;
+  message.stamp(wall(now));
+  message.role(context().role);
+  message.active(evidence.state == decision::State::active);
+  message.policy(controller_.policy_name());
+  message.reason(decision::to_string(evidence.reason));
+  message.decision(decision.changes);
+  message.qni(static_cast<float>(evidence.sample));
+  message.statistic(static_cast<float>(evidence.statistic));
+  message.threshold(static_cast<float>(evidence.threshold));
+  message.pause_samples(static_cast<std::uint32_t>(evidence.age));
+  message.deadline_s(remaining_s(evidence.deadline, now));
+  message.quality_age_s(static_cast<float>(decision.quality_age_s));
+  if (evidence.changed) {
+    log().info("{}: {} (QNI {:.1f})", message.active() ? "active" : "passive", message.reason(),
+               evidence.sample);
+  }
+  if (state_.write(std::move(message)) == Status::failed) log().warn("a decision was not sent");
+}
+
+void TransmissionControllerComponent::beat(Time now) {
+  next_beat_ = now + heartbeat_period_;
+  tocsin_msgs::msg::Heartbeat message;
+  message.stamp(wall(now));
+  message.role(context().role);
+  message.count(++beats_);
+  if (heartbeat_.write(std::move(message)) == Status::failed) log().warn("no heartbeat was sent");
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::TransmissionControllerComponent)

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transmission_controller/transmission_controller_component.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "runtime/sim_bus.hpp"
+
+namespace tocsin {
+namespace {
+
+tocsin_msgs::msg::NetworkQuality quality(float per_percent, float signal_dbm, float percent) {
+  tocsin_msgs::msg::NetworkQuality message;
+  message.per_percent(per_percent);
+  message.signal_dbm(signal_dbm);
+  message.quality_percent(percent);
+  return message;
+}
+
+class TransmissionControllerComponentTest : public ::testing::Test {
+ protected:
+  TransmissionControllerComponentTest() { bus_.add(sut_); }
+  SimBus bus_;
+  Context context_{bus_, "transmission_controller", "uxv", ""};
+  TransmissionControllerComponent sut_{context_, {}};
+  SimReader<topic::TransmissionState> states_{bus_};
+  SimReader<topic::Heartbeat> beats_{bus_};
+};
+
+TEST_F(TransmissionControllerComponentTest, PublishesEvidenceForEverySample) {
+  bus_.publish<topic::NetworkQuality>(quality(0, -45, 100));
+  bus_.run_for(seconds(1));
+  const auto states = states_.take();
+  ASSERT_EQ(states.size(), 1U);
+  EXPECT_TRUE(states[0].active());
+  EXPECT_EQ(states[0].role(), "uxv");
+  EXPECT_EQ(states[0].policy(), "tocp_dsp");
+  EXPECT_FLOAT_EQ(states[0].qni(), 100.0F);
+  EXPECT_TRUE(std::isnan(states[0].deadline_s()));
+}
+
+TEST_F(TransmissionControllerComponentTest, AnAlarmCarriesReasonStatisticAndDeadline) {
+  bus_.publish<topic::NetworkQuality>(quality(100, -99, 0));
+  bus_.run_for(Duration::zero());
+  const auto states = states_.take();
+  ASSERT_EQ(states.size(), 1U);
+  EXPECT_FALSE(states[0].active());
+  EXPECT_EQ(states[0].reason(), "cusum_alarm");
+  EXPECT_GE(states[0].statistic(), states[0].threshold());
+  EXPECT_FLOAT_EQ(states[0].deadline_s(), 180.0F);
+  EXPECT_EQ(states[0].decision(), 1U);
+}
+
+TEST_F(TransmissionControllerComponentTest, HardwareThatTellsNothingLeavesPerAlone) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  bus_.publish<topic::NetworkQuality>(quality(25, nan, nan));
+  bus_.run_for(Duration::zero());
+  EXPECT_FLOAT_EQ(states_.take().at(0).qni(), 75.0F);
+}
+
+TEST_F(TransmissionControllerComponentTest, BeatsOnceASecondEvenWithoutMeasurements) {
+  beats_.take();
+  bus_.run_for(seconds(10));
+  const auto beats = beats_.take();
+  ASSERT_EQ(beats.size(), 10U);
+  EXPECT_EQ(beats[9].count() - beats[0].count(), 9U);
+  EXPECT_EQ(beats[0].role(), "uxv");
+}
+
+}  // namespace
+}  // namespace tocsin
