@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "control.hpp"
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+namespace tocsin::kobuki {
+namespace {
+
+/// What `set` may change, copied so that it is taken as a whole or not at all.
+struct Settings {
+  BaseInputs inputs;
+  LineParams line;
+  ChargingSource source = ChargingSource::none;
+  double charge = 0;
+};
+
+std::optional<double> number(const std::string& text, double min, double max) {
+  std::istringstream in(text);
+  double value = NAN;
+  if (!(in >> value) || !in.eof() || !(value >= min && value <= max)) return std::nullopt;
+  return value;
+}
+
+template <class Integer>
+bool set_mask(Integer& to, const std::string& text, double max) {
+  const auto value = number(text, 0, max);
+  if (!value || *value != std::floor(*value)) return false;
+  to = static_cast<Integer>(*value);
+  return true;
+}
+
+bool set_share(double& to, const std::string& text) {
+  const auto value = number(text, 0, 1);
+  if (value) to = *value;
+  return value.has_value();
+}
+
+bool set_charger(ChargingSource& to, const std::string& text) {
+  static const std::map<std::string, ChargingSource> sources{{"none", ChargingSource::none},
+                                                             {"adapter", ChargingSource::adapter},
+                                                             {"dock", ChargingSource::dock}};
+  const auto found = sources.find(text);
+  if (found == sources.end()) return false;
+  to = found->second;
+  return true;
+}
+
+std::uint8_t* input_byte(BaseInputs& inputs, const std::string& key) {
+  const std::map<std::string, std::uint8_t*> bytes{{"buttons", &inputs.buttons},
+                                                   {"bumper", &inputs.bumper},
+                                                   {"cliff", &inputs.cliff},
+                                                   {"wheel_drop", &inputs.wheel_drop},
+                                                   {"over_current", &inputs.over_current},
+                                                   {"dock_right", &inputs.dock.right},
+                                                   {"dock_centre", &inputs.dock.centre},
+                                                   {"dock_left", &inputs.dock.left}};
+  const auto found = bytes.find(key);
+  return found == bytes.end() ? nullptr : found->second;
+}
+
+bool set_line_count(int& to, const std::string& text, int max) {
+  return !text.empty() && text != "0" && set_mask(to, text, max) && to >= 1;
+}
+
+bool set_one(Settings& settings, const std::string& key, const std::string& value) {
+  if (std::uint8_t* byte = input_byte(settings.inputs, key)) return set_mask(*byte, value, 255);
+  if (key == "digital") return set_mask(settings.inputs.digital, value, 65535);
+  if (key == "charger") return set_charger(settings.source, value);
+  if (key == "charge") return set_share(settings.charge, value);
+  if (key == "flip") return set_share(settings.line.flip_probability, value);
+  if (key == "loss") return set_share(settings.line.loss_probability, value);
+  if (key == "noise") return set_share(settings.line.noise_probability, value);
+  if (key == "usb_latency_ms") return set_line_count(settings.line.usb_latency_ms, value, 16);
+  if (key == "usb_packet_bytes") return set_line_count(settings.line.usb_packet_bytes, value, 62);
+  return false;
+}
+
+std::string set(SimulatedBase& base, std::istringstream& words) {
+  Power& power = base.model().power();
+  Settings settings{base.model().inputs(), base.line().params(), power.source(), power.charge()};
+  for (std::string word; words >> word;) {
+    const std::size_t equals = word.find('=');
+    const bool known = equals != std::string::npos &&
+                       set_one(settings, word.substr(0, equals), word.substr(equals + 1));
+    if (!known) return "error: cannot set '" + word + "'";
+  }
+  base.model().inputs() = settings.inputs;
+  base.line().configure(settings.line);
+  power.plug(settings.source);
+  power.set_charge(settings.charge);
+  return "ok";
+}
+
+std::string place(SimulatedBase& base, std::istringstream& words) {
+  Pose pose;
+  if (!(words >> pose.x_m >> pose.y_m >> pose.heading_rad)) return "error: place X Y YAW";
+  base.model().place(pose);
+  return "ok";
+}
+
+/// The seconds that follow, or `absent` when nothing does; empty when they are no duration.
+std::optional<Duration> duration(std::istringstream& words, std::optional<Duration> absent) {
+  std::string text;
+  if (!(words >> text)) return absent;
+  const auto value = number(text, 0, 1e6);
+  return value ? std::optional<Duration>(seconds(*value)) : std::nullopt;
+}
+
+nlohmann::json sensors(BaseModel& model) {
+  const BaseInputs& inputs = model.inputs();
+  return {{"buttons", inputs.buttons},
+          {"bumper", model.bumper()},
+          {"cliff", inputs.cliff},
+          {"wheel_drop", inputs.wheel_drop},
+          {"charger", model.power().charger()},
+          {"battery_dv", model.power().battery_dv()},
+          {"charge", model.power().charge()}};
+}
+
+std::string get(SimulatedBase& base, Time now) {
+  BaseModel& model = base.model();
+  const BaseOutputs& outputs = model.outputs();
+  nlohmann::json state = sensors(model);
+  state["x"] = model.pose().x_m;
+  state["y"] = model.pose().y_m;
+  state["yaw"] = model.pose().heading_rad;
+  state["v"] = model.velocity().linear_mps;
+  state["w"] = model.velocity().angular_rad_s;
+  state["outputs"] = outputs.outputs.bits;
+  state["sounds"] = outputs.sounds;
+  state["kp"] = outputs.gains.kp_milli / 1000.0;
+  state["ki"] = outputs.gains.ki_milli / 1000.0;
+  state["kd"] = outputs.gains.kd_milli / 1000.0;
+  state["plugged"] = base.plugged(now);
+  state["commands"] = model.command_counts().known;
+  state["rejected"] = model.frame_counts().rejected;
+  return state.dump();
+}
+
+}  // namespace
+
+std::string obey_control(SimulatedBase& base, const std::string& line, Time now) {
+  std::istringstream words(line);
+  std::string verb;
+  words >> verb;
+  if (verb == "get") return get(base, now);
+  if (verb == "set") return set(base, words);
+  if (verb == "place") return place(base, words);
+  if (verb == "silence") {
+    const auto time = duration(words, std::nullopt);
+    if (time) base.silence(now, *time);
+    return time ? "ok" : "error: silence SECONDS";
+  }
+  if (verb == "unplug") {
+    const auto time = duration(words, Duration::max());
+    if (time) base.unplug(now, *time);
+    return time ? "ok" : "error: unplug [SECONDS]";
+  }
+  if (verb == "plug") base.plug();
+  if (verb == "reset") base.power_cycle(now);
+  if (verb == "plug" || verb == "reset") return "ok";
+  return "error: unknown command '" + verb + "'";
+}
+
+}  // namespace tocsin::kobuki

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "files.hpp"
+
+namespace tocsin::kobuki {
+
+/// The command line. Paths are empty when not given.
+struct Options {
+  std::string link;
+  std::string walls;
+  Pose start;
+  std::uint64_t seed = 1;
+  Settings settings;
+  std::string position;
+  std::string control;
+  std::string state;
+};
+
+/// Empty with an exit code in `exit_code` when the program shall end at once (help, bad usage).
+/// Throws ConfigError for bad files and values.
+[[nodiscard]] std::optional<Options> parse_options(int argc, const char* const* argv,
+                                                   int& exit_code);
+
+/// The base that the options describe, powered on at `now`, where an earlier run left it if there
+/// is a state file. Throws ConfigError, also when it would stand in a wall.
+[[nodiscard]] BaseModel make_model(const Options& options, Time now);
+
+}  // namespace tocsin::kobuki

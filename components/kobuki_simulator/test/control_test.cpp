@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "control.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace tocsin::kobuki {
+namespace {
+
+const Time t0 = Time{} + seconds(100);
+
+struct Control : ::testing::Test {
+  std::string say(const std::string& line) { return obey_control(sut, line, t0); }
+  nlohmann::json state() { return nlohmann::json::parse(say("get")); }
+  SimulatedBase sut{BaseModel(ModelParams{}, open_floor(), {1, 2, 0.5}, 1, t0),
+                    SerialLine(LineParams{}, 2, t0)};
+};
+
+TEST_F(Control, ShowsTheState) {
+  const auto got = state();
+  EXPECT_EQ(got["x"], 1.0);
+  EXPECT_EQ(got["yaw"], 0.5);
+  EXPECT_EQ(got["outputs"], 0xF0);
+  EXPECT_EQ(got["plugged"], true);
+  EXPECT_EQ(got["kp"], 100.0);
+}
+
+TEST_F(Control, SetsInputsAndPower) {
+  EXPECT_EQ(say("set bumper=5 cliff=1 wheel_drop=2 buttons=4 charger=adapter charge=0.5 digital=3"),
+            "ok");
+  EXPECT_EQ(state()["bumper"], 5);
+  EXPECT_EQ(state()["charger"], 22);
+  EXPECT_EQ(state()["charge"], 0.5);
+  EXPECT_EQ(sut.model().inputs().digital, 3);
+  EXPECT_EQ(say("set dock_centre=8 charger=none"), "ok");
+  EXPECT_EQ(sut.model().inputs().dock.centre, 8);
+}
+
+TEST_F(Control, SetsLineFaults) {
+  EXPECT_EQ(say("set usb_latency_ms=16 usb_packet_bytes=32 flip=0.1 loss=0.2 noise=0.3"), "ok");
+  EXPECT_EQ(sut.line().params().usb_latency_ms, 16);
+  EXPECT_EQ(sut.line().params().usb_packet_bytes, 32);
+  EXPECT_EQ(sut.line().params().loss_probability, 0.2);
+}
+
+TEST_F(Control, ChangesNothingWhenOneEntryIsBad) {
+  for (const char* bad : {"bumper=256", "bumper=-1", "bumper=1.5", "bumper=x", "charge=1.1",
+                          "charger=sun", "loss=nan", "usb_latency_ms=0", "usb_latency_ms=17",
+                          "usb_packet_bytes=63", "unknown=1", "bumper"}) {
+    EXPECT_EQ(say(std::string("set cliff=1 ") + bad),
+              std::string("error: cannot set '") + bad + "'");
+    EXPECT_EQ(state()["cliff"], 0) << bad;
+  }
+}
+
+TEST_F(Control, PlacesTheBase) {
+  EXPECT_EQ(say("place 3 -4 1.5"), "ok");
+  EXPECT_EQ(state()["y"], -4.0);
+  EXPECT_EQ(say("place 3 -4"), "error: place X Y YAW");
+}
+
+TEST_F(Control, PullsAndPlugsTheCable) {
+  EXPECT_EQ(say("unplug"), "ok");
+  EXPECT_EQ(state()["plugged"], false);
+  EXPECT_EQ(say("plug"), "ok");
+  EXPECT_EQ(state()["plugged"], true);
+  EXPECT_EQ(say("unplug soon"), "error: unplug [SECONDS]");
+  EXPECT_EQ(say("unplug 1"), "ok");
+  EXPECT_TRUE(sut.plugged(t0 + seconds(1)));
+}
+
+TEST_F(Control, SilencesAndResets) {
+  EXPECT_EQ(say("silence 2"), "ok");
+  EXPECT_EQ(say("silence"), "error: silence SECONDS");
+  EXPECT_EQ(say("reset"), "ok");
+}
+
+TEST_F(Control, RefusesWhatItDoesNotKnow) {
+  EXPECT_EQ(say("dance"), "error: unknown command 'dance'");
+  EXPECT_EQ(say(""), "error: unknown command ''");
+}
+
+}  // namespace
+}  // namespace tocsin::kobuki

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "foundation/error.hpp"
+#include "options.hpp"
+
+namespace tocsin::kobuki {
+namespace {
+
+std::string write(const std::string& text) {
+  const std::string path = ::testing::TempDir() + "kobuki_files_test.yaml";
+  std::ofstream(path) << text;
+  return path;
+}
+
+template <class Function>
+std::string error_of(Function&& function) {
+  try {
+    function();
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Walls, AreReadFromYaml) {
+  const auto walls = load_walls(write("walls:\n  - [0, 1, 2, 3, 6.9]\n  - [4, 5, 6, 7, 0]\n"));
+  ASSERT_EQ(walls.size(), 2U);
+  EXPECT_EQ(walls[0].y2_m, 3);
+  EXPECT_EQ(walls[0].loss_db, 6.9);
+}
+
+TEST(Walls, AreRefusedWithTheirLine) {
+  const auto error = [](const std::string& text) {
+    return error_of([&] { (void)load_walls(write(text)); });
+  };
+  EXPECT_NE(error("walls:\n  - [0, 1, 2, 3]\n").find("yaml:2)"), std::string::npos);
+  EXPECT_NE(error("walls:\n  - [0, 1, 2, x, 1]\n").find("must be [x1"), std::string::npos);
+  EXPECT_NE(error("walls: 3").find("must be a list"), std::string::npos);
+  EXPECT_NE(error("[]").find("must be a list"), std::string::npos);
+}
+
+TEST(Settings, AreReadFromYaml) {
+  const Settings got =
+      load_settings(write("model: {slip_sigma: 0.2}\nline: {usb_latency_ms: 16}\n"));
+  EXPECT_EQ(got.model.slip_sigma, 0.2);
+  EXPECT_EQ(got.line.usb_latency_ms, 16);
+}
+
+TEST(Settings, AreRefusedWithKeyAndRange) {
+  const auto error = [](const std::string& text) {
+    return error_of([&] { (void)load_settings(write(text)); });
+  };
+  EXPECT_NE(error("line: {usb_latency_ms: 17}").find("17 is outside [1, 16]"), std::string::npos);
+  EXPECT_NE(error("modle: {}").find("modle: unknown key"), std::string::npos);
+  EXPECT_NE(error("model: {speed: 1}").find("unknown key"), std::string::npos);
+}
+
+TEST(ParsePose, TakesThreeNumbers) {
+  const Pose pose = parse_pose("1.5,-2,0.1");
+  EXPECT_EQ(pose.x_m, 1.5);
+  EXPECT_EQ(pose.y_m, -2);
+  EXPECT_EQ(pose.heading_rad, 0.1);
+  for (const char* bad : {"", "1,2", "1,2,3,4", "1,2,nan", "a,b,c"}) {
+    EXPECT_THROW((void)parse_pose(bad), ConfigError) << bad;
+  }
+}
+
+TEST(Memory, SurvivesAFile) {
+  const std::string path = ::testing::TempDir() + "kobuki_memory";
+  ASSERT_TRUE(save_memory(path, {{1.25, -2, 0.3}, 70000, -5.5, 0.1, 12.5, 0.75}));
+  const auto got = load_memory(path);
+  ASSERT_TRUE(got);
+  EXPECT_EQ(got->pose.x_m, 1.25);
+  EXPECT_EQ(got->right_ticks, -5.5);
+  EXPECT_EQ(got->charge, 0.75);
+  std::remove(path.c_str());
+  EXPECT_FALSE(load_memory(path));
+}
+
+TEST(Memory, IsRefusedWhenItIsNone) {
+  EXPECT_THROW((void)load_memory(write("1 2 three")), ConfigError);
+}
+
+TEST(Memory, CannotBeSavedIntoNothing) { EXPECT_FALSE(save_memory("/nonexistent/state", {})); }
+
+TEST(Options, ReadTheCommandLine) {
+  const char* argv[]{"kobuki_simulator", "--link", "/tmp/x", "--start", "1,2,3", "--seed", "9"};
+  int exit_code = -1;
+  const auto got = parse_options(7, argv, exit_code);
+  ASSERT_TRUE(got);
+  EXPECT_EQ(got->link, "/tmp/x");
+  EXPECT_EQ(got->start.heading_rad, 3);
+  EXPECT_EQ(got->seed, 9U);
+}
+
+TEST(Options, EndWithCode2WhenWrong) {
+  const char* argv[]{"kobuki_simulator", "--lnk", "/tmp/x"};
+  int exit_code = -1;
+  EXPECT_FALSE(parse_options(3, argv, exit_code));
+  EXPECT_EQ(exit_code, 2);
+}
+
+TEST(MakeModel, RefusesAStartInAWall) {
+  Options options;
+  options.walls = write("walls: [[0.1, -1, 0.1, 1, 3]]");
+  EXPECT_THROW((void)make_model(options, Time{}), ConfigError);
+  options.start.x_m = 1;
+  EXPECT_EQ(make_model(options, Time{}).pose().x_m, 1);
+}
+
+TEST(MakeModel, StartsWhereAnEarlierRunEnded) {
+  Options options;
+  options.state = ::testing::TempDir() + "kobuki_earlier";
+  ASSERT_TRUE(save_memory(options.state, {{7, 8, 0}, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(make_model(options, Time{}).pose().y_m, 8);
+}
+
+}  // namespace
+}  // namespace tocsin::kobuki
