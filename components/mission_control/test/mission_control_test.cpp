@@ -117,9 +117,9 @@ TEST_F(MissionControlTest, RepeatsWhenANavigatorThatWasRestartedForgotTheGoal) {
 
 TEST_F(MissionControlTest, ArrivesByALocationAtTheLimitButNotBeyond) {
   (void)first_goal();
-  hear(0.79);
+  hear(0.849);
   EXPECT_FALSE(at(3));
-  hear(0.81);
+  hear(0.851);
   const auto next = at(3.1);
   ASSERT_TRUE(next);
   EXPECT_EQ(next->waypoint, 1U);

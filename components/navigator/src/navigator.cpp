@@ -18,6 +18,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double home_tolerance_m = 0.2;
 constexpr double moved_m = 0.05;  // more is progress
 constexpr double turned_rad = 0.1;
+constexpr double slow_mps = 0.15;
 constexpr Duration back_up_time = std::chrono::milliseconds(1500);
 
 Pose2 ahead(const Pose2& pose, double metres) {
@@ -102,12 +103,19 @@ Navigator::Output Navigator::go_home(Time now, Duration dt) {
 Navigator::Output Navigator::drive(const Target& target, Time now, Duration dt) {
   if (target_key_ != target.key) take_up(target);
   if (reached_) return {follower_.brake(dt), {goal_->id, State::reached, 0, ""}};
-  arrived_ = arrived_ || distance(position(pose_), position(target.pose)) <= target.tolerance_m;
+  arrived_ = arrived_ || has_arrived(target);
   if (arrived_) return align(target, dt);
   if (blocked_since_ && now - *blocked_since_ < seconds(params_.retry_after_s)) {
     return wait_blocked(now, dt);
   }
   return drive_path(target, now, dt);
+}
+
+/// Near enough and slow, so that braking does not carry the vehicle out of the tolerance again.
+bool Navigator::has_arrived(const Target& target) const {
+  const double away_m = distance(position(pose_), position(target.pose));
+  const bool is_slow = std::abs(follower_.velocity().v_mps) <= slow_mps;
+  return away_m <= target.tolerance_m / 2 || (away_m <= target.tolerance_m && is_slow);
 }
 
 void Navigator::take_up(const Target& target) {

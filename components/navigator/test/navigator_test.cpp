@@ -33,7 +33,7 @@ OccupancyMap floor_with_wall(double wall_m) {
   return {grid, cells};
 }
 
-/// A navigator in a vehicle that does what it is told, unless `is_jammed`.
+/// A navigator in a vehicle that does what it is told, at once unless it lags, never when jammed.
 class Vehicle {
  public:
   explicit Vehicle(const Navigator::Params& params = {}, double wall_m = 2.0)
@@ -44,9 +44,9 @@ class Vehicle {
     now += period;
     if (has_localisation) sut.on_pose(pose, now);
     const auto output = sut.update(now);
-    if (!is_jammed) {
-      pose = compose(pose, {output.velocity.v_mps * 0.05, 0, output.velocity.w_radps * 0.05});
-    }
+    driven.v_mps += (1 - lag) * (output.velocity.v_mps - driven.v_mps);
+    driven.w_radps += (1 - lag) * (output.velocity.w_radps - driven.w_radps);
+    if (!is_jammed) pose = compose(pose, {driven.v_mps * 0.05, 0, driven.w_radps * 0.05});
     return output;
   }
   Navigator::Output run(double s) {
@@ -65,6 +65,8 @@ class Vehicle {
   Pose2 pose{1, 1, 0};
   bool has_localisation = true;
   bool is_jammed = false;
+  double lag = 0;  // share of the old velocity that is left after a period
+  navigation::Velocity driven;
 };
 
 Navigator::Params on_link_lost(const char* what) {
@@ -89,6 +91,18 @@ TEST(Navigator, ReachesAGoalWithinItsTolerance) {
   EXPECT_EQ(output.status.goal_id, 7U);
   EXPECT_LE(vehicle.distance_to({3, 3, 0}), 0.2);
   EXPECT_EQ(output.velocity.v_mps, 0);
+}
+
+TEST(Navigator, StopsWithinTheToleranceEvenWhenTheBaseLags) {
+  for (double direction = -3; direction < 3; direction += 0.5) {
+    Vehicle vehicle;
+    vehicle.lag = 0.8;
+    vehicle.pose = {1.5, 1.5, 0};
+    const Pose2 goal{1.5 + std::cos(direction), 1.5 + std::sin(direction), 0};
+    ASSERT_EQ(vehicle.send(1, goal), Answer::accepted);
+    EXPECT_EQ(vehicle.run(20).status.state, State::reached);
+    EXPECT_LE(vehicle.distance_to(goal), 0.15) << direction;
+  }
 }
 
 TEST(Navigator, TurnsToTheGoalsHeading) {

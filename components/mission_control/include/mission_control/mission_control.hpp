@@ -37,7 +37,7 @@ struct GoalId {
 class MissionControl {
  public:
   struct Params {
-    double arrival_m = 0.2;
+    double arrival_m = 0.15;
     double tolerance_m = 0.15;
     double repeat_after_s = 3;
     double goal_lifetime_s = 60;

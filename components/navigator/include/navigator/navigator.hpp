@@ -105,6 +105,7 @@ class Navigator {
   Output align(const Target& target, Duration dt);
   Output block(Time now, const char* reason);
   Output wait_blocked(Time now, Duration dt);
+  [[nodiscard]] bool has_arrived(const Target& target) const;
   void take_up(const Target& target);
   [[nodiscard]] bool would_hit() const;
   [[nodiscard]] bool is_free_behind() const;
