@@ -63,7 +63,7 @@ std::optional<Echo> decode_echo_reply(const std::uint8_t* data, std::size_t size
 std::optional<std::size_t> ipv4_header_size(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t smallest = 20;  // RFC 791
   if (size < smallest || (data[0] >> 4) != 4) return std::nullopt;
-  const std::size_t length = (data[0] & 0x0fU) * 4U;
+  const std::size_t length = std::size_t{4} * (data[0] & 0x0fU);
   if (length < smallest || length > size) return std::nullopt;
   return length;
 }
