@@ -19,6 +19,7 @@ constexpr double home_tolerance_m = 0.2;
 constexpr double moved_m = 0.05;  // more is progress
 constexpr double turned_rad = 0.1;
 constexpr double slow_mps = 0.15;
+constexpr double bumper_gap_m = 0.05;  // left between a wall and a vehicle that braked before it
 constexpr Duration back_up_time = std::chrono::milliseconds(1500);
 
 Pose2 ahead(const Pose2& pose, double metres) {
@@ -147,7 +148,7 @@ Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration
     blocked_since_.reset();
   }
   if (is_stuck(now)) return block(now, "stuck");
-  const Velocity velocity = would_hit() ? follower_.brake(dt) : follower_.follow(pose_, dt);
+  const Velocity velocity = follow_with_care(dt);
   // The next update plans from where the vehicle is then.
   if (follower_.deviation_m() > params_.replan_beside_m) has_path_ = false;
   return {velocity, {goal_->id, State::driving, follower_.remaining_m(), ""}};
@@ -167,11 +168,19 @@ Navigator::Output Navigator::wait_blocked(Time now, Duration dt) {
                blocked_reason_);
 }
 
+Velocity Navigator::follow_with_care(Duration dt) {
+  if (would_hit()) return follower_.brake(dt);
+  const bool stood = follower_.velocity().v_mps <= 0;
+  const Velocity velocity = follower_.follow(pose_, dt);
+  return stood && would_hit() ? follower_.halt() : velocity;
+}
+
 bool Navigator::would_hit() const {
   const Velocity v = follower_.velocity();
   const double radius_m = params_.inflation.robot_radius_m;
   if (v.v_mps <= 0 || map_.collides(pose_.x, pose_.y, radius_m)) return false;
-  const double braking_m = v.v_mps * v.v_mps / (2 * params_.follower.acceleration_mps2);
+  const double braking_m =
+      v.v_mps * v.v_mps / (2 * params_.follower.acceleration_mps2) + bumper_gap_m;
   Pose2 pose = pose_;
   constexpr int samples = 4;
   for (int i = 0; i < samples; ++i) {

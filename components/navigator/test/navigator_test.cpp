@@ -342,27 +342,36 @@ TEST(Navigator, IsNotStuckAfterALongHold) {
   EXPECT_EQ(vehicle.step().status.state, State::driving);
 }
 
-TEST(Navigator, PlansAgainWhenItIsPushedAside) {
-  Vehicle vehicle;
-  ASSERT_EQ(vehicle.send(1, {3.4, 1, 0}), Answer::accepted);
-  (void)vehicle.run(2);
-  vehicle.pose.y += 1.5;
-  EXPECT_EQ(vehicle.run(20).status.state, State::reached);
-  EXPECT_LE(vehicle.distance_to({3.4, 1, 0}), 0.2);
+/// Drives over the end of the wall and half down its other side, then is put back before it.
+void put_back_before_the_wall(Vehicle& vehicle) {
+  vehicle.pose = {3, 1, 0};
+  ASSERT_EQ(vehicle.send(1, {6, 1, 0}), Answer::accepted);
+  while (vehicle.pose.x < 4.8) (void)vehicle.step();
+  vehicle.pose = {3, 1.2, 0};
 }
 
-TEST(Navigator, StopsBeforeAWallWhenItIsPushedOffItsPath) {
+TEST(Navigator, PlansAgainWhenItIsFarBesideItsPath) {
+  Vehicle vehicle;
+  put_back_before_the_wall(vehicle);
+  for (int i = 0; i < 600; ++i) {
+    ASSERT_NE(vehicle.step().status.state, State::blocked);
+    ASSERT_FALSE(vehicle.map.collides(vehicle.pose.x, vehicle.pose.y, 0.18));
+  }
+  EXPECT_LE(vehicle.distance_to({6, 1, 0}), 0.2);
+}
+
+TEST(Navigator, StopsBeforeAWallThatIsInItsWayAndPlansAgain) {
   Navigator::Params params;
   params.replan_beside_m = 5;
   Vehicle vehicle(params);
-  vehicle.pose = {3.0, 2.6, 0};
-  ASSERT_EQ(vehicle.send(1, {6, 2.6, 0}), Answer::accepted);
-  (void)vehicle.run(1.0);
-  vehicle.pose = {3.55, 1.2, -0.3};
-  for (int i = 0; i < 40; ++i) {
-    (void)vehicle.step();
-    ASSERT_FALSE(vehicle.map.collides(vehicle.pose.x, vehicle.pose.y, 0.15));
+  put_back_before_the_wall(vehicle);
+  bool was_stuck = false;
+  for (int i = 0; i < 1000; ++i) {
+    was_stuck = vehicle.step().status.state == State::blocked || was_stuck;
+    ASSERT_FALSE(vehicle.map.collides(vehicle.pose.x, vehicle.pose.y, 0.17));
   }
+  EXPECT_TRUE(was_stuck);
+  EXPECT_LE(vehicle.distance_to({6, 1, 0}), 0.2);
 }
 
 TEST(Navigator, RefusesContradictingParameters) {

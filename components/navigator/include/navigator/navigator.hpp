@@ -102,6 +102,7 @@ class Navigator {
   Output go_home(Time now, Duration dt);
   Output drive(const Target& target, Time now, Duration dt);
   Output drive_path(const Target& target, Time now, Duration dt);
+  navigation::Velocity follow_with_care(Duration dt);
   Output align(const Target& target, Duration dt);
   Output block(Time now, const char* reason);
   Output wait_blocked(Time now, Duration dt);
