@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "camera/camera_component.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <yaml-cpp/yaml.h>
 
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
 
 #include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
 #include "runtime/sim_bus.hpp"
 
 namespace tocsin {
@@ -97,6 +101,37 @@ TEST_F(CameraTest, IgnoresALocationThatIsNotFinite) {
   EXPECT_TRUE(run(1).empty());
   bus_.publish<topic::Location>(location(std::numeric_limits<double>::infinity(), 0));
   EXPECT_TRUE(run(1).empty());
+}
+
+TEST_F(CameraTest, SpendsFewerBytesInLowerQuality) {
+  params_.quality = 5;
+  CameraComponent coarse(context_, params_);
+  bus_.publish<topic::Location>(location(0, 0));
+  const std::size_t fine_bytes = run(0).at(0).data().size();
+  bus_.add(coarse);
+  EXPECT_LT(run(0).at(0).data().size(), fine_bytes);
+}
+
+TEST_F(CameraTest, TakesTheNewestOfSeveralLocations) {
+  bus_.publish<topic::Location>(location(0, 0));
+  const auto first = run(0).at(0).data();
+  bus_.publish<topic::Location>(location(2, 0));
+  bus_.publish<topic::Location>(location(0, 0));
+  EXPECT_EQ(run(0.13).at(0).data(), first);  // without noise the same place is the same picture
+}
+
+TEST(CameraParams, KeepTheLensBelowTheTables) {
+  const auto load = [](const std::string& yaml) {
+    return load_parameters<CameraComponent::Params>(YAML::Load(yaml), "camera", "file");
+  };
+  EXPECT_EQ(load("camera_height_m: 0.7").camera.camera_height_m, 0.7);
+  EXPECT_THROW((void)load("camera_height_m: 0.71"), ConfigError);
+}
+
+TEST(CameraReadme, ShowsTheParameters) {
+  std::ifstream file(TOCSIN_SOURCE_DIR "/README.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(text, ::testing::HasSubstr(default_yaml<CameraComponent::Params>()));
 }
 
 TEST(Camera, NeedsAWallsFile) {

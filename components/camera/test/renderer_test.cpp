@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "camera/jpeg.hpp"
 
@@ -129,6 +130,57 @@ TEST(Renderer, ShowsTheLeftOnTheLeft) {
   const Mean left = mean_of(picture, 30, 60), right = mean_of(picture, 122, 60);
   EXPECT_GT(left[0], 1.8 * left[2]);
   EXPECT_LT(right[0], 1.5 * right[2]);
+}
+
+/// Share of the bytes that are the same.
+double likeness(const Picture& a, const Picture& b) {
+  int same = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) same += a.rgb[i] == b.rgb[i] ? 1 : 0;
+  return same / static_cast<double>(a.rgb.size());
+}
+
+TEST(Renderer, HoldsSurfacesStillWhileTheCameraMoves) {
+  // 8.4 m is three times the pattern of the wall, and seven times that of floor and ceiling.
+  Renderer sut(small(), {{3, -100, 3, 100, false}});
+  const Picture here = sut.render({0, 0, 0}, 0);
+  EXPECT_GT(likeness(here, sut.render({0, 8.4, 0}, 0)), 0.98);
+  EXPECT_LT(likeness(here, sut.render({0, 8.0, 0}, 0)), 0.5);
+}
+
+TEST(Renderer, ShowsAPictureInEachSizeThatIsAllowed) {
+  for (const auto& [width, height] :
+       {std::pair(64, 48), std::pair(320, 240), std::pair(65, 1080)}) {
+    CameraParams params;
+    params.width = width;
+    params.height = height;
+    Renderer sut(params, room());
+    const Picture& picture = sut.render({}, 0);
+    EXPECT_EQ(picture.width, width);
+    EXPECT_EQ(picture.height, height);
+    EXPECT_GT(picture.at(width / 2, height - 1)[0], 20) << "the floor is lit";
+  }
+}
+
+TEST(Renderer, SeesMoreWithAWiderLens) {
+  CameraParams params = small();
+  params.field_of_view_deg = 120;
+  Renderer wide(params, {{3, 3, 3, 5, true}, {9, -90, 9, 90, false}});
+  params.field_of_view_deg = 60;
+  Renderer narrow(params, {{3, 3, 3, 5, true}, {9, -90, 9, 90, false}});
+  const Mean seen = mean_of(wide.render({}, 0), 16, 60, 4);
+  EXPECT_GT(seen[0], 1.8 * seen[2]);
+  const Mean unseen = mean_of(narrow.render({}, 0), 0, 60, 4);
+  EXPECT_LT(unseen[0], 1.5 * unseen[2]);
+}
+
+TEST(Renderer, DrawsTheClassroomOfTheRepository) {
+  const auto walls = load_walls(TOCSIN_SOURCE_DIR "/../../config/maps/classroom.walls.yaml");
+  Renderer sut(small(), walls);
+  // From the start of the missions, looking along x, the teacher's desk is ahead on the left.
+  const Picture& picture = sut.render({}, 0);
+  const Mean desk = mean_of(picture, 20, 60), floor = mean_of(picture, 76, 110);
+  EXPECT_GT(desk[0], 1.8 * desk[2]);
+  EXPECT_LT(floor[0], 1.4 * floor[2]);
 }
 
 TEST(Renderer, SurvivesEveryPlaceAndDirection) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "network_monitor/network_monitor_component.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -9,9 +10,11 @@
 #include <cstdio>
 #include <deque>
 #include <fstream>
+#include <iterator>
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
 #include "runtime/sim_bus.hpp"
 
 namespace tocsin {
@@ -135,11 +138,42 @@ TEST_F(NetworkMonitorTest, InventsNoSignalWhileUnassociated) {
   EXPECT_TRUE(std::isnan(sample.quality_percent()));
 }
 
+TEST_F(NetworkMonitorTest, FollowsTheInterfaceThroughALostAssociation) {
+  write_wireless("35. -75. -256 0 0 0 0 0 0");
+  EXPECT_EQ(run(3).back().signal_dbm(), -75.0F);
+  write_wireless("0 0 0 0 0 0 0 0 0");
+  EXPECT_TRUE(std::isnan(run(1).back().signal_dbm()));
+  write_wireless("50. -60. -256 0 0 0 0 0 0");
+  EXPECT_EQ(run(1).back().signal_dbm(), -60.0F);
+}
+
+TEST_F(NetworkMonitorTest, ReportsAShortOutageAsItsShareOfTheWindow) {
+  (void)run(10);
+  port_->alive = false;
+  (void)run(1.5);  // five probes
+  port_->alive = true;
+  EXPECT_FLOAT_EQ(run(2.5).back().per_percent(), 25.0F);
+  EXPECT_EQ(run(8).back().per_percent(), 0.0F);
+}
+
+TEST_F(NetworkMonitorTest, SurvivesADamagedWirelessFile) {
+  write_wireless("garbage");
+  const auto sample = run(3).back();
+  EXPECT_EQ(sample.wireless_source(), "absent");
+  EXPECT_EQ(sample.per_percent(), 0.0F);
+}
+
 TEST(NetworkMonitor, RefusesATargetThatIsNoAddress) {
   SimBus bus;
   Context context{bus, "network_monitor", "uxv", ""};
   NetworkMonitorComponent::Params params;
   EXPECT_THROW(NetworkMonitorComponent(context, params), ConfigError);
+}
+
+TEST(NetworkMonitorReadme, ShowsTheParameters) {
+  std::ifstream file(TOCSIN_SOURCE_DIR "/README.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(text, ::testing::HasSubstr(default_yaml<NetworkMonitorComponent::Params>()));
 }
 
 }  // namespace

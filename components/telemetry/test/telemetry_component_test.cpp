@@ -8,7 +8,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
+#include "foundation/parameters.hpp"
 #include "runtime/sim_bus.hpp"
 
 namespace tocsin {
@@ -111,6 +113,18 @@ TEST_F(TelemetryTest, GoesOnWithoutAFile) {
   EXPECT_EQ(temperature_.take().size(), 3U);
 }
 
+TEST_F(TelemetryTest, ReportsAgainWhenAFileComesBack) {
+  std::filesystem::remove(root_ / "meminfo");
+  start();
+  bus_.run_for(seconds(1.5));
+  EXPECT_TRUE(memory_.take().empty());
+  write("meminfo", "MemTotal: 4000 kB\nMemAvailable: 4000 kB\n");
+  bus_.run_for(seconds(1));
+  const auto messages = memory_.take();
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(messages[0].used_percent(), 0.0F);
+}
+
 TEST(Telemetry, ReadsThisComputer) {
   SimBus bus;
   Context context{bus, "telemetry", "uxv", ""};
@@ -121,6 +135,12 @@ TEST(Telemetry, ReadsThisComputer) {
   const auto messages = memory.take();
   ASSERT_EQ(messages.size(), 1U);
   EXPECT_GT(messages[0].total_bytes(), 0U);
+}
+
+TEST(TelemetryReadme, ShowsTheParameters) {
+  std::ifstream file(TOCSIN_SOURCE_DIR "/README.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(text, ::testing::HasSubstr(default_yaml<TelemetryComponent::Params>()));
 }
 
 }  // namespace
