@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tocsin::link {
+
+/// Two network namespaces of this process; they vanish with it. With the environment variable
+/// TOCSIN_TEST_USERNS they lie in a user namespace of their own.
+class Namespaces {
+ public:
+  /// Why namespaces or TUN cannot be had here; empty when they can.
+  [[nodiscard]] static const std::string& missing();
+  /// Paths for `--end`, valid in children too.
+  [[nodiscard]] static std::string uxv();
+  [[nodiscard]] static std::string gcs();
+};
+
+/// A UDP socket inside a namespace, bound to address:port and connected to the peer.
+class UdpSocket {
+ public:
+  UdpSocket(const std::string& netns, const std::string& address, const std::string& peer);
+  ~UdpSocket();
+  UdpSocket(const UdpSocket&) = delete;
+  UdpSocket& operator=(const UdpSocket&) = delete;
+  /// Sends a numbered datagram of `bytes`.
+  void send(int number, std::size_t bytes);
+  /// The number of the next datagram; empty when none comes within `timeout_ms`.
+  [[nodiscard]] std::optional<int> receive(int timeout_ms);
+
+ private:
+  int fd_;
+};
+
+/// What the kernel says of wlan0 in a namespace.
+struct InterfaceState {
+  bool exists;
+  bool carrier;
+  std::string address;
+};
+[[nodiscard]] InterfaceState interface_state(const std::string& netns);
+/// Until wlan0 has no carrier (the kernel tells up to a second late); false after 5 s.
+[[nodiscard]] bool loses_carrier(const std::string& netns);
+
+/// The program under test, in a directory of its own.
+class Emulator {
+ public:
+  /// Starts it; `channel` is the text of the channel file. Does not wait.
+  explicit Emulator(const std::string& channel);
+  ~Emulator();
+  Emulator(const Emulator&) = delete;
+  Emulator& operator=(const Emulator&) = delete;
+
+  void start();
+  /// Until both interfaces carry and the files are there; false after 5 s.
+  [[nodiscard]] bool ready() const;
+  void command(const std::string& text) const;
+  void signal(int number) const;
+  /// The exit code, or minus the signal that killed it.
+  int wait();
+  /// The last line of statistics that was written after this call; null after 5 s.
+  [[nodiscard]] nlohmann::json next_stats() const;
+  [[nodiscard]] std::string file(const std::string& name) const;
+
+ private:
+  std::string directory_;
+  pid_t pid_ = -1;
+};
+
+/// What a program prints to stderr, and its exit code.
+struct ProgramEnd {
+  int code;
+  std::string text;
+};
+/// Runs the program to its end; without the capabilities to enter namespaces on demand.
+[[nodiscard]] ProgramEnd run_to_end(std::vector<std::string> arguments, bool without_privilege);
+
+}  // namespace tocsin::link
