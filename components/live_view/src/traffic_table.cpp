@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live_view/traffic_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace tocsin {
+namespace {
+
+/// Rank of a class in the table; unknown ones come last.
+std::size_t rank(const std::string& traffic_class) {
+  constexpr std::array<const char*, 3> order{"critical", "high", "low"};
+  const auto* found = std::find(order.begin(), order.end(), traffic_class);
+  return static_cast<std::size_t>(found - order.begin());
+}
+
+}  // namespace
+
+void TrafficTable::on_sample(const std::string& topic, Time now) {
+  Entry& entry = entries_[topic];
+  entry.recent.push_back(now);
+  entry.last = now;
+  entry.heard = true;
+  ++entry.received_total;
+}
+
+void TrafficTable::on_report(const tocsin_msgs::msg::TrafficReport& report) {
+  for (const auto& topic : report.topics()) {
+    Entry& entry = entries_[topic.topic()];
+    const bool restarted = topic.sent() < entry.sent_before;
+    if (!entry.reported || restarted) {
+      entry.sent_before = topic.sent();
+      entry.received_before = entry.received_total;
+    }
+    entry.reported = true;
+    entry.row.topic = topic.topic();
+    entry.row.traffic_class = topic.traffic_class();
+    entry.row.sent = topic.sent() - entry.sent_before;
+    entry.row.dropped = topic.dropped();
+    entry.row.paused = topic.paused();
+  }
+}
+
+std::vector<TrafficRow> TrafficTable::rows(Time now) {
+  std::vector<TrafficRow> all;
+  for (auto& [name, entry] : entries_) {
+    while (!entry.recent.empty() && now - entry.recent.front() > window) entry.recent.pop_front();
+    if (!entry.reported) continue;
+    TrafficRow row = entry.row;
+    row.rate_hz = static_cast<double>(entry.recent.size()) / to_seconds(window);
+    row.age_s =
+        entry.heard ? to_seconds(now - entry.last) : std::numeric_limits<double>::quiet_NaN();
+    row.received = entry.received_total - entry.received_before;
+    all.push_back(row);
+  }
+  std::stable_sort(all.begin(), all.end(), [](const TrafficRow& a, const TrafficRow& b) {
+    return rank(a.traffic_class) < rank(b.traffic_class);
+  });
+  return all;
+}
+
+}  // namespace tocsin

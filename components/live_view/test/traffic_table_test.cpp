@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live_view/traffic_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tocsin {
+namespace {
+
+const Time t0{std::chrono::hours(1)};
+
+tocsin_msgs::msg::TrafficReport report(const std::string& topic, const std::string& traffic_class,
+                                       std::uint64_t sent) {
+  tocsin_msgs::msg::TrafficReport message;
+  message.topics().resize(1);
+  message.topics()[0].topic(topic);
+  message.topics()[0].traffic_class(traffic_class);
+  message.topics()[0].sent(sent);
+  return message;
+}
+
+TEST(TrafficTable, CountsBothSidesFromTheFirstReportOn) {
+  TrafficTable sut;
+  sut.on_sample("camera", t0);
+  sut.on_report(report("camera", "low", 100));
+  sut.on_sample("camera", t0);
+  sut.on_sample("camera", t0);
+  sut.on_report(report("camera", "low", 104));
+  const auto rows = sut.rows(t0);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].sent, 4U);
+  EXPECT_EQ(rows[0].received, 2U);
+}
+
+TEST(TrafficTable, StartsAgainWhenTheWriterWasRestarted) {
+  TrafficTable sut;
+  sut.on_report(report("camera", "low", 100));
+  sut.on_sample("camera", t0);
+  sut.on_report(report("camera", "low", 3));
+  sut.on_sample("camera", t0);
+  sut.on_report(report("camera", "low", 5));
+  EXPECT_EQ(sut.rows(t0)[0].sent, 2U);
+  EXPECT_EQ(sut.rows(t0)[0].received, 1U);
+}
+
+TEST(TrafficTable, RateCountsTheLastFiveSeconds) {
+  TrafficTable sut;
+  sut.on_report(report("camera", "low", 0));
+  for (int i = 0; i < 10; ++i) sut.on_sample("camera", t0 + seconds(i));
+  EXPECT_DOUBLE_EQ(sut.rows(t0 + seconds(9))[0].rate_hz, 6.0 / 5.0);
+  EXPECT_DOUBLE_EQ(sut.rows(t0 + seconds(30))[0].rate_hz, 0.0);
+  EXPECT_DOUBLE_EQ(sut.rows(t0 + seconds(30))[0].age_s, 21.0);
+}
+
+TEST(TrafficTable, AgeIsUnknownBeforeTheFirstSample) {
+  TrafficTable sut;
+  sut.on_report(report("camera", "low", 0));
+  EXPECT_TRUE(std::isnan(sut.rows(t0)[0].age_s));
+}
+
+TEST(TrafficTable, OrdersByClass) {
+  TrafficTable sut;
+  sut.on_report(report("a", "low", 0));
+  sut.on_report(report("b", "other", 0));
+  sut.on_report(report("c", "critical", 0));
+  sut.on_report(report("d", "high", 0));
+  std::string order;
+  for (const TrafficRow& row : sut.rows(t0)) order += row.topic;
+  EXPECT_EQ(order, "cdab");
+}
+
+}  // namespace
+}  // namespace tocsin
