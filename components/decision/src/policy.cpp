@@ -48,6 +48,18 @@ const char* to_string(Reason reason) {
       return "threshold_high";
     case Reason::cusum_alarm:
       return "cusum_alarm";
+    case Reason::mild_alarm:
+      return "mild_alarm";
+    case Reason::belief_bad:
+      return "belief_bad";
+    case Reason::belief_good:
+      return "belief_good";
+    case Reason::legacy_drop:
+      return "legacy_drop";
+    case Reason::legacy_count:
+      return "legacy_count";
+    case Reason::foreseen:
+      return "foreseen";
     case Reason::reverse_alarm:
       return "reverse_alarm";
     case Reason::best_so_far:

@@ -5,6 +5,7 @@
 
 #include "decision/cusum.hpp"
 #include "foundation/error.hpp"
+#include "policy_model.hpp"
 
 namespace tocsin::decision {
 namespace {
@@ -31,13 +32,24 @@ void check_pause(const PolicyParams& p) {
   }
 }
 
+void check_belief(const PolicyParams& p) {
+  if (p.policy != "belief") return;
+  if (!(p.cost_silent_bad < p.cost_send_bad)) {
+    reject("cost_silent_bad", p.cost_silent_bad, "below cost_send_bad,", p.cost_send_bad);
+  }
+  if (p.th_max_samples > 1000) {
+    reject("th_max_samples", p.th_max_samples, "with policy belief at most", 1000);
+  }
+}
+
 }  // namespace
 
 void check(const PolicyParams& params) {
-  (void)NormalLlr({params.good_mean, params.good_sd}, {params.bad_mean, params.bad_sd},
-                  params.llr_clip);
+  (void)llr_of(params);
+  if (params.mild_alpha > 0) (void)mild_llr_of(params);
   check_threshold(params);
   check_pause(params);
+  check_belief(params);
 }
 
 }  // namespace tocsin::decision

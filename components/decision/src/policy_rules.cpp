@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "policy_rules.hpp"
 
-#include "decision/stopping.hpp"
-#include "foundation/error.hpp"
-
 namespace tocsin::decision {
 
 ThresholdRule::ThresholdRule(double pause_below, double resume_at, int in_a_row)
@@ -24,12 +21,23 @@ Verdict ThresholdRule::while_passive(double qni, int) {
 }
 
 Verdict TocpRule::while_active(double qni) {
-  const double w = cusum_.add(llr_(qni));
-  const bool alarm = cusum_.alarm(alpha_);
-  return {alarm, alarm ? Reason::cusum_alarm : Reason::steady, w, alpha_};
+  const double w = cusum_.add(forward_.llr(qni));
+  if (cusum_.alarm(forward_.alpha)) return {true, Reason::cusum_alarm, w, forward_.alpha};
+  if (forward_.mild_alpha > 0) {
+    const double mild = mild_cusum_.add(forward_.mild_llr(qni));
+    if (mild_cusum_.alarm(forward_.mild_alpha)) {
+      return {true, Reason::mild_alarm, mild, forward_.mild_alpha};
+    }
+  }
+  return {false, Reason::steady, w, forward_.alpha};
 }
 
-void TocpRule::entered(State) { cusum_.reset(); }
+void TocpRule::forget() {
+  cusum_.reset();
+  mild_cusum_.reset();
+}
+
+void TocpRule::entered(State) { TocpRule::forget(); }
 
 Verdict FixedPause::while_passive(double, int age) {
   const bool over = age >= samples_;
@@ -58,45 +66,6 @@ Verdict ReverseCusum::while_passive(double qni, int) {
 void ReverseCusum::entered(State state) {
   TocpRule::entered(state);
   reverse_.reset();
-}
-
-namespace {
-
-int r_star(const PolicyParams& p) {
-  const int n = p.th_max_samples;
-  const Discount discount = p.discount == "linear" ? linear_discount(p.discount_value, n)
-                                                   : geometric_discount(p.discount_value);
-  return discounted_secretary(n, discount).r_star;
-}
-
-template <class Kind, class... Args>
-std::unique_ptr<Policy> with_rule(const char* name, const PolicyParams& params, Args... args) {
-  return std::make_unique<Policy>(name, params.limits(), std::make_unique<Kind>(args...));
-}
-
-std::unique_ptr<Policy> make_tocp(const PolicyParams& p) {
-  const NormalLlr llr({p.good_mean, p.good_sd}, {p.bad_mean, p.bad_sd}, p.llr_clip);
-  if (p.policy == "tocp_dsp") return with_rule<BestSoFar>("tocp_dsp", p, llr, p.alpha, r_star(p));
-  if (p.policy == "tocp_reverse") {
-    return with_rule<ReverseCusum>("tocp_reverse", p, llr, p.alpha, p.reverse_alpha);
-  }
-  if (p.policy == "tocp") {
-    return with_rule<FixedPause>("tocp", p, llr, p.alpha, p.fixed_pause_samples);
-  }
-  throw ConfigError("policy.policy: '" + p.policy +
-                    "' is not one of: none, threshold, tocp, tocp_dsp, tocp_reverse");
-}
-
-}  // namespace
-
-std::unique_ptr<Policy> make_policy(const PolicyParams& params) {
-  check(params);
-  if (params.policy == "none") return with_rule<AlwaysActive>("none", params);
-  if (params.policy == "threshold") {
-    return with_rule<ThresholdRule>("threshold", params, params.pause_below_qni,
-                                    params.resume_at_qni, params.threshold_in_a_row);
-  }
-  return make_tocp(params);
 }
 
 }  // namespace tocsin::decision

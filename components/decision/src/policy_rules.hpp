@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "decision/cusum.hpp"
+#include "decision/llr.hpp"
 #include "decision/policy.hpp"
 
 namespace tocsin::decision {
@@ -33,28 +34,35 @@ class ThresholdRule final : public Rule {
   int agreeing_ = 0;
 };
 
+/// What the detector of a turn to bad needs.
+struct Forward {
+  Llr llr;
+  double alpha;
+  Llr mild_llr;
+  double mild_alpha;  ///< 0 is off
+};
+
 /// TOCP: pauses at the alarm of the log-likelihood CUSUM. Derived rules say when to resume.
 class TocpRule : public Rule {
  public:
-  TocpRule(const NormalLlr& llr, double alpha) : llr_(llr), alpha_(alpha) {}
+  explicit TocpRule(const Forward& forward) : forward_(forward) {}
   Verdict while_active(double qni) final;
   void entered(State state) override;
-  void forget() override { cusum_.reset(); }
+  void forget() override;
 
  protected:
-  [[nodiscard]] double llr(double qni) const { return llr_(qni); }
+  [[nodiscard]] double llr(double qni) const { return forward_.llr(qni); }
 
  private:
-  NormalLlr llr_;
-  double alpha_;
+  Forward forward_;
   Cusum cusum_;
+  Cusum mild_cusum_;
 };
 
 /// Resumes after a pause of fixed length.
 class FixedPause final : public TocpRule {
  public:
-  FixedPause(const NormalLlr& llr, double alpha, int samples)
-      : TocpRule(llr, alpha), samples_(samples) {}
+  FixedPause(const Forward& forward, int samples) : TocpRule(forward), samples_(samples) {}
   Verdict while_passive(double qni, int age) override;
 
  private:
@@ -64,8 +72,7 @@ class FixedPause final : public TocpRule {
 /// DSP: resumes on the first sample from candidate r* on that is the best of the pause.
 class BestSoFar final : public TocpRule {
  public:
-  BestSoFar(const NormalLlr& llr, double alpha, int r_star)
-      : TocpRule(llr, alpha), r_star_(r_star) {}
+  BestSoFar(const Forward& forward, int r_star) : TocpRule(forward), r_star_(r_star) {}
   Verdict while_passive(double qni, int age) override;
   void entered(State state) override;
 
@@ -77,8 +84,8 @@ class BestSoFar final : public TocpRule {
 /// Resumes when a CUSUM on -l says that the network has turned good.
 class ReverseCusum final : public TocpRule {
  public:
-  ReverseCusum(const NormalLlr& llr, double alpha, double reverse_alpha)
-      : TocpRule(llr, alpha), reverse_alpha_(reverse_alpha) {}
+  ReverseCusum(const Forward& forward, double reverse_alpha)
+      : TocpRule(forward), reverse_alpha_(reverse_alpha) {}
   Verdict while_passive(double qni, int age) override;
   void entered(State state) override;
 

@@ -13,6 +13,7 @@ namespace {
 struct Column {
   const char* policy;
   const char* name;
+  bool myopic = false;
 };
 
 void follow(const char* file, const Column& column) {
@@ -21,6 +22,7 @@ void follow(const char* file, const Column& column) {
   Table table = read_table(path);
   PolicyParams params;
   params.policy = column.policy;
+  params.belief_myopic = column.myopic;
   params.th_max_s = 86400;  // the traces know samples only
   const auto sut = make_policy(params);
   Deviations decisions;
@@ -40,9 +42,13 @@ class GoldenDecisions : public ::testing::TestWithParam<Column> {};
 TEST_P(GoldenDecisions, AreReproducedOnTrace1) { follow("trace1_iid.csv", GetParam()); }
 TEST_P(GoldenDecisions, AreReproducedOnTrace2) { follow("trace2_ar_ramp.csv", GetParam()); }
 
+// The thesis's source pauses for up to 32 samples; its column pays for a forced slot at 30, too.
 INSTANTIATE_TEST_SUITE_P(Policies, GoldenDecisions,
                          ::testing::Values(Column{"tocp", "tx_timer"}, Column{"tocp_dsp", "tx_dsp"},
-                                           Column{"tocp_reverse", "tx_rev"}));
+                                           Column{"tocp_reverse", "tx_rev"},
+                                           Column{"belief", "tx_bdp"},
+                                           Column{"belief", "tx_hmm", true},
+                                           Column{"legacy", "tx_legacy"}));
 
 }  // namespace
 }  // namespace tocsin::decision

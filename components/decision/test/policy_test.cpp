@@ -16,6 +16,8 @@ namespace {
 
 using std::chrono::seconds;
 const Time t0{seconds(1000)};
+const char* const all_policies[] = {"none",         "threshold", "tocp",  "tocp_dsp",
+                                    "tocp_reverse", "belief",    "legacy"};
 
 PolicyParams params_for(const std::string& policy) {
   PolicyParams params;
@@ -36,7 +38,7 @@ class Feed {
 };
 
 TEST(Policy, StartsActive) {
-  for (const char* name : {"none", "threshold", "tocp", "tocp_dsp", "tocp_reverse"}) {
+  for (const char* name : all_policies) {
     const auto sut = make_policy(params_for(name));
     EXPECT_EQ(sut->state(), State::active);
     EXPECT_STREQ(sut->name(), name);
@@ -149,7 +151,7 @@ TEST(Policy, IgnoresADeadlineWhileActive) {
 }
 
 TEST(Policy, DoesNotCountNanAsEvidence) {
-  for (const char* name : {"threshold", "tocp", "tocp_dsp", "tocp_reverse"}) {
+  for (const char* name : {"threshold", "tocp", "tocp_dsp", "tocp_reverse", "belief"}) {
     Feed sut(params_for(name));
     for (const double x : {double(NAN), double(INFINITY), double(-INFINITY)}) {
       const Evidence evidence = sut(x);
@@ -209,10 +211,80 @@ TEST(Policy, KeepsEvidenceAcrossAShorterGap) {
   EXPECT_EQ(sut(50).reason, Reason::cusum_alarm);
 }
 
+TEST(Policy, BeliefPausesAndResumesOnItsThresholds) {
+  Feed sut(params_for("belief"));
+  EXPECT_LT(sut(85).statistic, 0.01);
+  const Evidence paused = sut(30);
+  EXPECT_EQ(paused.reason, Reason::belief_bad);
+  EXPECT_NEAR(paused.threshold, 0.631, 0.01);
+  EXPECT_EQ(sut(85).reason, Reason::belief_good);
+}
+
+TEST(Policy, BeliefFallsBackToTheLongRunAfterAGap) {
+  Feed sut(params_for("belief"));
+  sut(85);
+  sut.now += seconds(100);
+  EXPECT_NEAR(sut(NAN).statistic, 20 / 140.0, 1e-9);
+}
+
+TEST(Policy, LegacyPausesOnOneSampleOfSmallRatio) {
+  Feed sut(params_for("legacy"));
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(sut(85).state, State::active);
+  EXPECT_EQ(sut(57.6).state, State::active);  // ln f0/f1 is 1 at 57.57
+  EXPECT_EQ(sut(57.5).reason, Reason::legacy_drop);
+}
+
+TEST(Policy, LegacyIsHeldToTheLimitOfSilence) {
+  PolicyParams params = params_for("legacy");
+  params.th_max_samples = 10;
+  Feed sut(params);
+  for (int i = 0; i < 6; ++i) sut(85);
+  sut(40);
+  for (int k = 1; k < 10; ++k) EXPECT_EQ(sut(90).state, State::passive);
+  EXPECT_EQ(sut(90).reason, Reason::forced_resume_samples);
+  EXPECT_EQ(sut(90).state, State::passive);  // its own count goes on
+}
+
+TEST(Policy, MildDegradationPausesOnlyWithItsOwnCusum) {
+  PolicyParams params = params_for("tocp_reverse");
+  Feed blind(params);
+  params.mild_alpha = 5.35;
+  Feed sut(params);
+  Evidence last;
+  for (int i = 0; i < 10 && !last.changed; ++i) {
+    EXPECT_FALSE(blind(60).changed);
+    last = sut(60);
+  }
+  EXPECT_EQ(last.reason, Reason::mild_alarm);
+  EXPECT_EQ(last.threshold, 5.35);
+}
+
+TEST(Policy, ComputesItsThresholdFromTheWantedRunLength) {
+  PolicyParams params = params_for("tocp_reverse");
+  params.false_alarm_samples = 1000;
+  params.false_resume_samples = 1000;
+  Feed sut(params);
+  EXPECT_NEAR(sut(85).threshold, 3.563, 1e-3);
+  sut(20);
+  EXPECT_NEAR(sut(20).threshold, 2.144, 1e-3);
+}
+
+TEST(Policy, TakesFittedLaws) {
+  PolicyParams params = params_for("tocp");
+  params.good_family = "beta";
+  params.good_parameters = {10.9, 2.66};
+  params.bad_family = "weibull";
+  params.bad_parameters = {39.4, 5.2};
+  params.false_alarm_samples = 3600;
+  Feed sut(params);
+  EXPECT_EQ(sut(100).state, State::active);
+  EXPECT_EQ(sut(30).reason, Reason::cusum_alarm);
+}
+
 /// Longest run of silence, in samples and in clock steps forward, on hostile input.
 TEST(Policy, IsNeverSilentBeyondItsLimits) {
   std::mt19937 random(20190621);  // NOLINT: a fixed seed is the point
-  for (const char* name : {"none", "threshold", "tocp", "tocp_dsp", "tocp_reverse"}) {
+  for (const char* name : all_policies) {
     PolicyParams params = params_for(name);
     params.th_max_samples = params.fixed_pause_samples = 12;
     params.th_max_s = 20;
@@ -263,6 +335,11 @@ TEST(PolicyParams, RejectContradictions) {
   EXPECT_THAT(error_of("{discount_value: 0}"), HasSubstr("discount_value: 0"));
   EXPECT_EQ(error_of("{discount_value: 0, discount: linear}"), "no error");
   EXPECT_THAT(error_of("{bad_mean: 90}"), HasSubstr("must be above that of the bad law"));
+  EXPECT_THAT(error_of("{good_family: cauchy}"), HasSubstr("'cauchy' is not one of: normal"));
+  EXPECT_THAT(error_of("{good_family: beta, good_parameters: [1]}"), HasSubstr("beta has a b"));
+  EXPECT_THAT(error_of("{false_alarm_samples: 100}"), HasSubstr("must be above 153"));
+  EXPECT_THAT(error_of("{policy: belief, cost_silent_bad: 1}"), HasSubstr("below cost_send_bad"));
+  EXPECT_THAT(error_of("{mild_alpha: 5, mild_mean: 90}"), HasSubstr("must be above that of"));
   EXPECT_THAT(error_of("{policy: magic}"), HasSubstr("'magic' is not one of"));
 }
 

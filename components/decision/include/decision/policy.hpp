@@ -4,7 +4,9 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "decision/costs.hpp"
 #include "decision/policy_params.hpp"
 #include "foundation/time.hpp"
 
@@ -21,9 +23,15 @@ enum class Reason {
   stale_sample,           ///< the sample is older than one taken before; used as no measurement
   threshold_low,          ///< quality fell below the lower bound
   threshold_high,         ///< quality rose to the upper bound
+  mild_alarm,             ///< the CUSUM for a mild degradation reached its threshold
   cusum_alarm,            ///< the CUSUM for "turned bad" reached its threshold
   reverse_alarm,          ///< the CUSUM for "turned good" reached its threshold
   best_so_far,            ///< the best sample of the pause came at or after candidate r*
+  belief_bad,             ///< the network is probably bad: silence pays
+  belief_good,            ///< the network is probably good again
+  legacy_drop,            ///< one sample looked bad to the thesis's source
+  legacy_count,           ///< the thesis's source had counted to 30
+  foreseen,               ///< the clairvoyant knew
   fixed_pause_over,       ///< the pause of fixed length ended
   forced_resume_samples,  ///< the pause reached th_max_samples
   forced_resume_time,     ///< the pause reached th_max_s
@@ -112,7 +120,15 @@ class Policy {
   Duration unheard_{};
 };
 
-/// The policy that `params` names. Throws ConfigError when a rule across fields is broken.
+/// The policy that `params` names; with a wanted run length or policy belief this takes some tenths
+/// of a second, because thresholds are computed. Throws ConfigError when a rule across fields is
+/// broken.
 [[nodiscard]] std::unique_ptr<Policy> make_policy(const PolicyParams& params);
+
+/// The clairvoyant for a known trace, offline only: slot n is the one in which sample n is taken,
+/// so that sample n decides slot n + 1 as for any policy; the first slot is spoken in. Never silent
+/// beyond th_max_samples; without th_max_s.
+[[nodiscard]] std::unique_ptr<Policy> make_oracle(const std::vector<Slot>& slots, double change,
+                                                  int th_max_samples);
 
 }  // namespace tocsin::decision

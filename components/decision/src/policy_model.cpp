@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "policy_model.hpp"
+
+#include <sstream>
+
+#include "decision/run_length.hpp"
+#include "foundation/error.hpp"
+
+namespace tocsin::decision {
+namespace {
+
+Density law(const char* which, const std::string& name, const std::vector<double>& values,
+            Normal normal) {
+  const auto family = family_from(name);
+  std::ostringstream text;
+  text << "policy." << which;
+  if (!family) {
+    text << "_family: '" << name << "' is not one of:";
+    for (const Family one : all_families()) text << ' ' << to_string(one);
+    throw ConfigError(text.str());
+  }
+  if (values.empty() && *family == Family::normal) {
+    return Density(*family, {normal.mean, normal.sd, 0});
+  }
+  if (values.size() != parameter_names(*family).size()) {
+    text << "_parameters: " << values.size() << " numbers, " << name << " has";
+    for (const char* parameter : parameter_names(*family)) text << ' ' << parameter;
+    throw ConfigError(text.str());
+  }
+  Density::Parameters parameters{};
+  std::copy(values.begin(), values.end(), parameters.begin());
+  return Density(*family, parameters);
+}
+
+bool both_normal(const Density& a, const Density& b) {
+  return a.family() == Family::normal && b.family() == Family::normal;
+}
+
+Normal normal_of(const Density& law) { return {law.parameters()[0], law.parameters()[1]}; }
+
+Llr ratio(const Density& good, const Density& bad, double clip) {
+  if (both_normal(good, bad)) return NormalLlr(normal_of(good), normal_of(bad), clip);
+  return DensityLlr(good, bad, clip);
+}
+
+}  // namespace
+
+Density good_law_of(const PolicyParams& p) {
+  return law("good", p.good_family, p.good_parameters, {p.good_mean, p.good_sd});
+}
+
+Density bad_law_of(const PolicyParams& p) {
+  return law("bad", p.bad_family, p.bad_parameters, {p.bad_mean, p.bad_sd});
+}
+
+Llr llr_of(const PolicyParams& p) { return ratio(good_law_of(p), bad_law_of(p), p.llr_clip); }
+
+Llr mild_llr_of(const PolicyParams& p) {
+  return NormalLlr({p.good_mean, p.good_sd}, {p.mild_mean, p.good_sd}, p.llr_clip);
+}
+
+double alpha_of(const PolicyParams& p) {
+  if (!(p.false_alarm_samples > 0)) return p.alpha;
+  const Density good = good_law_of(p);
+  const Density bad = bad_law_of(p);
+  const bool smooth = p.llr_clip == 0;
+  if (!both_normal(good, bad)) {
+    return alpha_for_run_length(step_law(llr_of(p), good), p.false_alarm_samples, smooth);
+  }
+  const NormalLlr llr(normal_of(good), normal_of(bad), p.llr_clip);
+  return alpha_for_run_length(step_law(llr, p.llr_clip, normal_of(good)), p.false_alarm_samples,
+                              smooth);
+}
+
+double reverse_alpha_of(const PolicyParams& p) {
+  if (!(p.false_resume_samples > 0)) return p.reverse_alpha;
+  const Density good = good_law_of(p);
+  const Density bad = bad_law_of(p);
+  const bool smooth = p.llr_clip == 0;
+  if (!both_normal(good, bad)) {
+    return alpha_for_run_length(reverse_step_law(llr_of(p), bad), p.false_resume_samples, smooth);
+  }
+  const NormalLlr llr(normal_of(good), normal_of(bad), p.llr_clip);
+  return alpha_for_run_length(reverse_step_law(llr, p.llr_clip, normal_of(bad)),
+                              p.false_resume_samples, smooth);
+}
+
+}  // namespace tocsin::decision

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "decision/llr.hpp"
+#include "decision/policy_params.hpp"
+
+namespace tocsin::decision {
+
+/// The laws that the parameters name. Each throws ConfigError for a law that is none.
+[[nodiscard]] Density good_law_of(const PolicyParams& params);
+[[nodiscard]] Density bad_law_of(const PolicyParams& params);
+
+/// The clipped log-likelihood ratio of both laws, and of the good law against a mild degradation.
+[[nodiscard]] Llr llr_of(const PolicyParams& params);
+[[nodiscard]] Llr mild_llr_of(const PolicyParams& params);
+
+/// The thresholds, as given or from the wanted run lengths.
+[[nodiscard]] double alpha_of(const PolicyParams& params);
+[[nodiscard]] double reverse_alpha_of(const PolicyParams& params);
+
+}  // namespace tocsin::decision
