@@ -9,16 +9,19 @@
 
 namespace tocsin::decision {
 
-QniModel::QniModel(const QniParams& params) : params_(params) {
-  const double sum = params.weight_per + params.weight_signal + params.weight_quality;
+void check_qni(double weight_sum, double worst_dbm, double best_dbm) {
   std::ostringstream text;
-  if (!(std::abs(sum - 1) <= 1e-6)) {
-    text << "qni: the weights sum to " << sum << ", must be 1";
-  } else if (!(params.signal_worst_dbm < params.signal_best_dbm)) {
-    text << "qni.signal_worst_dbm: " << params.signal_worst_dbm
-         << " must be below signal_best_dbm, " << params.signal_best_dbm;
+  if (!(std::abs(weight_sum - 1) <= 1e-6)) {
+    text << "qni: the weights sum to " << weight_sum << ", must be 1";
+  } else if (!(worst_dbm < best_dbm)) {
+    text << "qni.signal_worst_dbm: " << worst_dbm << " must be below signal_best_dbm, " << best_dbm;
   }
   if (!text.str().empty()) throw ConfigError(text.str());
+}
+
+QniModel::QniModel(const QniParams& params) : params_(params) {
+  check_qni(params.weight_per + params.weight_signal + params.weight_quality,
+            params.signal_worst_dbm, params.signal_best_dbm);
 }
 
 Qni QniModel::evaluate(const QniInput& input) const {

@@ -30,6 +30,9 @@ class WeightedTerms {
   double share_ = 0;
 };
 
+/// Throws ConfigError unless the weights sum to 1 and worst is below best.
+void check_qni(double weight_sum, double worst_dbm, double best_dbm);
+
 /// 0 at `worst`, 100 at `best`, straight between and beyond; absent stays absent.
 inline std::optional<double> on_scale(std::optional<double> x, double worst, double best) {
   if (!x) return std::nullopt;

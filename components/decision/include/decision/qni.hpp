@@ -50,7 +50,7 @@ struct Qni {
 /// A missing term is left out and the remaining weights are scaled up to sum to 1.
 ///
 /// On Linux the link quality of most drivers is signal + 110 on a scale of 70, so the thesis's
-/// weights count the signal twice.
+/// weights count the signal twice; see ChannelQniModel for an index that does not.
 class QniModel {
  public:
   /// Throws ConfigError when the weights do not sum to 1 or the signal range is empty.
