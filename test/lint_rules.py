@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""House rules that need no compiler; prints file:line: rule, exit code 1 when one is broken."""
+import pathlib
+import re
+import subprocess
+import sys
+
+LINE_LIMIT = 300
+# How package.xml calls what find_package or pkg-config finds; None is part of every system.
+NAMES = {"JPEG": "libjpeg-dev", "libnl-genl-3.0": "libnl-genl-3-dev", "PkgConfig": None,
+         "Python3": None, "Threads": None, "GTest": None}
+NUMBERS = r"(?:unsigned )?(?:short|long long|long)|octet|float|double|u?int(?:8|16|32|64)"
+FIELD = re.compile(rf"^\s*(?:sequence<)?\s*(?:{NUMBERS})\b[^;]*;(.*)$")
+broken = []
+
+
+def tracked(*patterns):
+    listed = subprocess.run(["git", "ls-files", *patterns], capture_output=True, text=True)
+    return [pathlib.Path(name) for name in listed.stdout.split() if pathlib.Path(name).exists()]
+
+
+def report(file, line, rule):
+    broken.append(f"{file}:{line}: {rule}")
+
+
+def check_licence():
+    for file in tracked("*.cpp", "*.hpp", "*.idl", "*.py", "*.cmake", "*CMakeLists.txt", "*.yaml",
+                        "bringup/*", "test/*", ".ci/*"):
+        if file.suffix in (".xml", ".md", ".txt", ".service") and file.name != "CMakeLists.txt":
+            continue
+        first = file.read_text(errors="replace").split("\n")[:2]
+        wanted = first[1] if first[0].startswith("#!") and len(first) > 1 else first[0]
+        if "SPDX-License-Identifier: Apache-2.0" not in wanted:
+            report(file, 1, "does not start with its SPDX line")
+
+
+def check_length():
+    for file in tracked("*.cpp", "*.hpp"):
+        lines = file.read_text().count("\n")
+        if lines > LINE_LIMIT:
+            report(file, lines, f"is longer than {LINE_LIMIT} lines; split it by idea")
+        if file.suffix == ".hpp" and "#pragma once" not in file.read_text():
+            report(file, 1, "has no #pragma once")
+
+
+def check_dependencies():
+    for cmake in tracked("idl/*/CMakeLists.txt", "components/*/CMakeLists.txt"):
+        text = cmake.read_text()
+        found = set(re.findall(r"^find_package\((\S+)", text, re.M))
+        found |= set(re.findall(r"pkg_check_modules\(\w+ REQUIRED(?: IMPORTED_TARGET)? ([^\s)]+)", text))
+        found = {NAMES.get(name, name) for name in found} - {None}
+        xml = cmake.with_name("package.xml")
+        stated = set(re.findall(r"<(?!test_)\w*depend>(\S+)</", xml.read_text()))
+        for name in sorted(found ^ stated):
+            where = "CMakeLists.txt" if name in found else "package.xml"
+            report(xml, 1, f"{name} is only in {where}")
+
+
+def check_units():
+    for file in tracked("idl/tocsin_idl/*.idl"):
+        for number, line in enumerate(file.read_text().split("\n"), 1):
+            field = FIELD.match(line)
+            if field and not re.search(r"//.*\[[^\]]+\]", field.group(1)):
+                report(file, number, "a number without its [unit]")
+
+
+check_licence()
+check_length()
+check_dependencies()
+check_units()
+print("\n".join(broken) or "house rules: kept")
+sys.exit(1 if broken else 0)
