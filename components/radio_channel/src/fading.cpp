@@ -22,29 +22,40 @@ RicianFading::RicianFading(double wavelength_m, double doppler_hz, std::uint64_t
   const double direction = random.uniform();
   direct_kx_ = cos_turns(direction) / wavelength_m;
   direct_ky_ = cos_turns(direction - 0.25) / wavelength_m;
+  move_to(0, 0, 0);
 }
 
-double RicianFading::gain_db(double k_db, double x_m, double y_m, double t_s) const {
-  Waves real;
-  Waves imaginary;
+void RicianFading::move_to(double x_m, double y_m, double k_db) {
   for (std::size_t i = 0; i < wave_count; ++i) {
-    const double turns = kx_[i] * x_m + ky_[i] * y_m + doppler_[i] * t_s + phase_[i];
-    real[i] = cos_turns(turns);
-    imaginary[i] = cos_turns(turns - 0.25);
-  }
-  double re = 0;
-  double im = 0;
-  for (std::size_t i = 0; i < wave_count; ++i) {
-    re += real[i];
-    im += imaginary[i];
+    turns_[i] = fraction_of_turn(kx_[i] * x_m + ky_[i] * y_m + phase_[i]);
   }
   const double k = std::pow(10, k_db / 10);
-  const double scattered = 1 / std::sqrt((k + 1) * wave_count);
+  scattered_ = 1 / std::sqrt((k + 1) * wave_count);
   const double direct = std::sqrt(k / (k + 1));
-  const double direct_turns = direct_kx_ * x_m + direct_ky_ * y_m;
-  re = re * scattered + direct * cos_turns(direct_turns);
-  im = im * scattered + direct * cos_turns(direct_turns - 0.25);
-  return 10 * std::log10(std::max(re * re + im * im, 1e-6));
+  const double turns = direct_kx_ * x_m + direct_ky_ * y_m;
+  direct_re_ = direct * cos_turns(turns);
+  direct_im_ = direct * cos_turns(turns - 0.25);
+}
+
+double RicianFading::gain_db(double t_s) const {
+  std::array<float, wave_count> turns;
+  for (std::size_t i = 0; i < wave_count; ++i) {
+    turns[i] = static_cast<float>(fraction_of_turn(turns_[i] + doppler_[i] * t_s));
+  }
+  // Four sums side by side, so that the compiler can keep them in one register.
+  constexpr std::size_t lanes = 4;
+  std::array<float, lanes> re{};
+  std::array<float, lanes> im{};
+  for (std::size_t i = 0; i < wave_count; i += lanes) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      re[lane] += fast_cos_turns(turns[i + lane]);
+      im[lane] += fast_sin_turns(turns[i + lane]);
+    }
+  }
+  const double real = direct_re_ + scattered_ * static_cast<double>(re[0] + re[1] + re[2] + re[3]);
+  const double imaginary =
+      direct_im_ + scattered_ * static_cast<double>(im[0] + im[1] + im[2] + im[3]);
+  return 10 * std::log10(std::max(real * real + imaginary * imaginary, 1e-6));
 }
 
 }  // namespace tocsin::radio

@@ -119,8 +119,9 @@ double FrameErrorTable::error(int rate, double snr_db, int bytes) const {
   const double place = (snr_db - table_from_db) * steps_per_db;
   const auto i = static_cast<std::size_t>(place);
   const double part = place - static_cast<double>(i);
-  const double log_success = table[i] + part * (table[i + 1] - table[i]);
-  return 1 - std::exp(8.0 * bytes * log_success);
+  const double log_success = 8.0 * bytes * (table[i] + part * (table[i + 1] - table[i]));
+  if (log_success > -1e-9) return -log_success;
+  return 1 - std::exp(log_success);
 }
 
 const FrameErrorTable& frame_errors() {

@@ -61,7 +61,7 @@ void Propagation::set_position(double x_m, double y_m) {
   path_loss_db_ = walls_db + log_distance_db(params_, std::hypot(x_m - params_.access_point_x_m,
                                                                  y_m - params_.access_point_y_m));
   mean_rssi_dbm_ = params_.tx_dbm - path_loss_db_ + shadowing_.at(x_m, y_m);
-  k_db_ = walls_db > 0 ? params_.rician_k_walled_db : params_.rician_k_clear_db;
+  fading_.move_to(x_m, y_m, walls_db > 0 ? params_.rician_k_walled_db : params_.rician_k_clear_db);
   faded_step_ = -1;
 }
 
@@ -69,7 +69,7 @@ double Propagation::rssi_dbm(Time now) {
   const std::int64_t step = (now - start_) / fading_hold;
   if (step != faded_step_) {
     const double t_s = to_seconds(step * fading_hold);
-    rssi_dbm_ = mean_rssi_dbm_ + fading_.gain_db(k_db_, x_m_, y_m_, t_s);
+    rssi_dbm_ = mean_rssi_dbm_ + fading_.gain_db(t_s);
     faded_step_ = step;
   }
   return rssi_dbm_;

@@ -43,7 +43,6 @@ class Propagation {
   double y_m_ = 0;
   double path_loss_db_ = 0;
   double mean_rssi_dbm_ = 0;
-  double k_db_ = 0;
   double rssi_dbm_ = 0;
   std::int64_t faded_step_ = -1;  // -1: rssi_dbm_ is not valid
 };

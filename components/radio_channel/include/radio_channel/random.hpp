@@ -45,9 +45,11 @@ class RandomStream {
 
   /// Counts of a Poisson law, `mean` at most a few dozen.
   [[nodiscard]] int poisson(double mean) {
+    double product = uniform();
+    if (product <= 1 - mean) return 0;  // exp(-mean) is not below that; saves the exponential
     const double limit = std::exp(-mean);
     int count = 0;
-    for (double product = uniform(); product > limit; product *= uniform()) ++count;
+    for (; product > limit; product *= uniform()) ++count;
     return count;
   }
 
