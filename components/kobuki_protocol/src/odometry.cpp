@@ -50,6 +50,9 @@ Odometry::Step Odometry::measure(const CoreSensors& core) const {
 
 bool Odometry::plausible(const Step& step) const {
   constexpr double slack_m = 0.01;  // a repeated stamp or one lost frame is no jump
+  // At 0.7 m/s an encoder wraps after 4 s. A stamp that went back looks like most of a minute.
+  constexpr double longest_gap_s = 3.5;
+  if (step.dt_s > longest_gap_s) return false;
   const double limit_m = params_.max_wheel_speed_mps * step.dt_s + slack_m;
   return std::abs(step.left_m) <= limit_m && std::abs(step.right_m) <= limit_m;
 }

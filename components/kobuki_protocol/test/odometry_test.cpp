@@ -141,6 +141,23 @@ TEST(Odometry, TakesMotionAcrossLostFrames) {
   EXPECT_EQ(sut.rejected_jumps(), 0U);
 }
 
+TEST(Odometry, DoesNotTakeAStampThatWentBackForALongDrive) {
+  Odometry sut{by_encoder()};
+  sut.update(core(2000, 0, 0), {});
+  sut.update(core(20, 3000, 3000), {});
+  EXPECT_EQ(sut.pose().x_m, 0);
+  EXPECT_EQ(sut.rejected_jumps(), 1U);
+}
+
+TEST(Odometry, TakesGapsOfUpToThreeAndAHalfSeconds) {
+  Odometry sut{by_encoder()};
+  sut.update(core(0, 0, 0), {});
+  sut.update(core(3500, 1000, 1000), {});
+  EXPECT_EQ(sut.rejected_jumps(), 0U);
+  sut.update(core(7001, 2000, 2000), {});
+  EXPECT_EQ(sut.rejected_jumps(), 1U);
+}
+
 TEST(Odometry, HasAJumpLimitOfMaxWheelSpeed) {
   OdometryParams params = by_encoder();
   params.max_wheel_speed_mps = 1.0;

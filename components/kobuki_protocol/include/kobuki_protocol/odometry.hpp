@@ -58,8 +58,9 @@ struct OdometrySnapshot {
 /// Pose from encoder ticks, with the heading of the encoders or of the gyro.
 ///
 /// Pure, one instance per base, no shared state. The first sample only initialises. Encoders and
-/// the millisecond stamp are differences modulo 65536. A jump that no wheel can do (the base was
-/// restarted) initialises again and keeps the pose.
+/// the millisecond stamp are differences modulo 65536. A jump that no wheel can do, or a stamp
+/// that went back or on by more than 3.5 s (the base was restarted), initialises again and keeps
+/// the pose.
 class Odometry {
  public:
   explicit Odometry(const OdometryParams& params);

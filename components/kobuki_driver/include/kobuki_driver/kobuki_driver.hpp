@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "kobuki_driver/inquiry.hpp"
+#include "kobuki_driver/velocity_hold.hpp"
+#include "kobuki_protocol/battery.hpp"
+#include "kobuki_protocol/events.hpp"
+#include "kobuki_protocol/odometry.hpp"
+#include "kobuki_protocol/reassembler.hpp"
+
+namespace tocsin::kobuki {
+
+/// What one frame with core sensors tells.
+struct Reading {
+  Feedback feedback;
+  Battery battery;
+  Pose pose;
+  double linear_mps = 0;
+  double angular_rad_s = 0;
+  WheelState left;
+  WheelState right;
+  Events events;
+};
+
+/// Whether the base can be driven.
+enum class BaseState {
+  no_port,  ///< the port is closed
+  silent,   ///< the port is open, no frame for `offline_after_s` or none ever
+  online,
+  refused  ///< its firmware speaks another protocol; it is kept standing
+};
+
+/// The driver without its port: bytes in, readings out, commands out at a fixed rate.
+///
+/// Nothing is sent before the first good frame, so that a wrong device gets no bytes. From then on
+/// a velocity goes out every 20 ms by our own clock, also while the base is silent (then zero).
+/// Going silent forgets the velocity: driving resumes only by a new command. Pure, one thread;
+/// `now` must not decrease.
+class KobukiDriver {
+ public:
+  struct Params {
+    double offline_after_s = 0.16;
+    VelocityParams velocity;
+    BatteryParams battery;
+    OdometryParams odometry;
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("offline_after_s", offline_after_s, {0.05, 2},
+        "[s] silence after which the base is offline");
+      velocity.visit(v);
+      battery.visit(v);
+      odometry.visit(v);
+    }
+  };
+  static constexpr Duration command_period = std::chrono::milliseconds(20);
+  using ReadingSink = std::function<void(const Reading& reading)>;
+  using ByteSink = std::function<void(ByteView bytes)>;
+
+  /// Throws ConfigError when battery limits are out of order.
+  explicit KobukiDriver(const Params& params);
+
+  void on_port_open();
+  void on_port_lost();
+  /// Takes what was read from the port, cut anywhere, and hands over a reading per frame.
+  void on_bytes(ByteView bytes, Time now, const ReadingSink& sink);
+  void on_velocity(const BodyVelocity& velocity, Time now);
+  /// Off keeps the base standing whatever is commanded.
+  void set_motor_power(bool on) { motor_power_ = on; }
+  /// LEDs, outputs and supplies; sent now and again after every reconnection.
+  void set_outputs(const OutputRegister& outputs);
+  [[nodiscard]] const OutputRegister& outputs() const { return outputs_; }
+  /// A sound or a gain command for the next period. Dropped and false when too many wait.
+  [[nodiscard]] bool send_once(const Command& command);
+  void reset_odometry() { odometry_.reset(); }
+
+  /// Sends what is due; call when `next_deadline` has passed, or more often.
+  void run(Time now, const ByteSink& sink);
+  /// When `run` has something to do; `never` without a port.
+  [[nodiscard]] Time next_deadline() const;
+  /// The last bytes before the end: zero velocity, three times in case one is damaged.
+  void farewell(const ByteSink& sink) const;
+
+  [[nodiscard]] BaseState state() const { return state_; }
+  [[nodiscard]] const Inquiry& inquiry() const { return inquiry_; }
+  [[nodiscard]] const Reassembler::Counts& frame_counts() const { return reassembler_.counts(); }
+  [[nodiscard]] const DecodeCounts& decode_counts() const { return decode_counts_; }
+  [[nodiscard]] Odometry& odometry() { return odometry_; }
+
+ private:
+  void on_frame(ByteView payload, Time now, const ReadingSink& sink);
+  void come_online(Time now);
+  void check_firmware(const Feedback& feedback);
+  [[nodiscard]] Reading read(const Feedback& feedback);
+  void watch(Time now);
+  void send_commands(Time now, const ByteSink& sink);
+  [[nodiscard]] BaseControl velocity_command(Time now) const;
+
+  static constexpr std::size_t max_waiting = 16;
+  Params params_;
+  VelocityHold velocity_;
+  BatteryReader battery_;
+  Odometry odometry_;
+  EventDetector events_;
+  Inquiry inquiry_;
+  Reassembler reassembler_;
+  DecodeCounts decode_counts_;
+  OutputRegister outputs_;
+  std::vector<Command> waiting_;
+  BaseState state_ = BaseState::no_port;
+  bool motor_power_ = true;
+  bool heard_ = false;  ///< since the port was opened
+  Time last_frame_ = Time::min();
+  Time next_command_ = Time::min();
+};
+
+}  // namespace tocsin::kobuki

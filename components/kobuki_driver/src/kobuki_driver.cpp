@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_driver/kobuki_driver.hpp"
+
+#include <algorithm>
+
+namespace tocsin::kobuki {
+namespace {
+
+// In a longer silence an encoder may wrap: 2.79 m at 0.7 m/s is 4 s.
+constexpr auto odometry_gap = std::chrono::seconds(3);
+
+}  // namespace
+
+KobukiDriver::KobukiDriver(const Params& params)
+    : params_(params),
+      velocity_(params.velocity),
+      battery_(params.battery),
+      odometry_(params.odometry),
+      events_(params.battery) {}
+
+void KobukiDriver::on_port_open() {
+  reassembler_.clear();
+  heard_ = false;
+  state_ = BaseState::silent;
+}
+
+void KobukiDriver::on_port_lost() {
+  velocity_.stop();
+  waiting_.clear();
+  state_ = BaseState::no_port;
+}
+
+void KobukiDriver::on_bytes(ByteView bytes, Time now, const ReadingSink& sink) {
+  reassembler_.feed(bytes, [&](ByteView payload) { on_frame(payload, now, sink); });
+}
+
+void KobukiDriver::on_frame(ByteView payload, Time now, const ReadingSink& sink) {
+  const Feedback feedback = decode_feedback(payload, decode_counts_);
+  if (!feedback.core) return;  // not a frame of a base
+  if (state_ == BaseState::silent) come_online(now);
+  last_frame_ = now;
+  inquiry_.on_feedback(feedback);
+  check_firmware(feedback);
+  sink(read(feedback));
+}
+
+void KobukiDriver::come_online(Time now) {
+  if (last_frame_ != Time::min() && now - last_frame_ > odometry_gap) odometry_.reinitialise();
+  state_ = BaseState::online;
+  inquiry_.begin(now);
+  if (!heard_) next_command_ = now;
+  heard_ = true;
+  // A base that was switched off and on has its start value again.
+  if (outputs_.bits != OutputRegister::start) waiting_.emplace_back(outputs_);
+}
+
+void KobukiDriver::check_firmware(const Feedback& feedback) {
+  if (!feedback.firmware) return;
+  const bool refused = judge_firmware(*feedback.firmware) == FirmwareVerdict::refused;
+  state_ = refused ? BaseState::refused : BaseState::online;
+}
+
+Reading KobukiDriver::read(const Feedback& feedback) {
+  const CoreSensors& core = *feedback.core;
+  odometry_.update(core, feedback.inertia);
+  Reading reading;
+  reading.feedback = feedback;
+  reading.battery = battery_.read(core.battery_dv, core.charger);
+  reading.pose = odometry_.pose();
+  reading.linear_mps = odometry_.linear_mps();
+  reading.angular_rad_s = odometry_.angular_rad_s();
+  reading.left = odometry_.left();
+  reading.right = odometry_.right();
+  reading.events = events_.update(feedback);
+  return reading;
+}
+
+void KobukiDriver::on_velocity(const BodyVelocity& velocity, Time now) {
+  if (state_ == BaseState::online) velocity_.on_command(velocity, now);
+}
+
+void KobukiDriver::set_outputs(const OutputRegister& outputs) {
+  outputs_ = outputs;
+  // One waiting register is enough: the newest holds everything.
+  waiting_.erase(
+      std::remove_if(waiting_.begin(), waiting_.end(),
+                     [](const Command& c) { return std::holds_alternative<OutputRegister>(c); }),
+      waiting_.end());
+  if (state_ == BaseState::online) waiting_.emplace_back(outputs_);
+}
+
+bool KobukiDriver::send_once(const Command& command) {
+  if (state_ != BaseState::online || waiting_.size() >= max_waiting) return false;
+  waiting_.push_back(command);
+  return true;
+}
+
+void KobukiDriver::watch(Time now) {
+  const bool heard_lately = now - last_frame_ <= seconds(params_.offline_after_s);
+  if (state_ == BaseState::silent || heard_lately) return;
+  state_ = BaseState::silent;
+  next_command_ = now;  // stop at once
+  velocity_.stop();
+  waiting_.clear();
+}
+
+void KobukiDriver::run(Time now, const ByteSink& sink) {
+  if (state_ == BaseState::no_port || !heard_) return;
+  watch(now);
+  if (now < next_command_) return;
+  next_command_ = std::max(next_command_ + command_period, now + command_period / 2);
+  send_commands(now, sink);
+}
+
+void KobukiDriver::send_commands(Time now, const ByteSink& sink) {
+  sink(encode_command(velocity_command(now)).bytes());
+  if (state_ != BaseState::online) return;
+  if (const auto request = inquiry_.due(now)) sink(encode_command(*request).bytes());
+  for (const Command& command : waiting_) sink(encode_command(command).bytes());
+  waiting_.clear();
+}
+
+BaseControl KobukiDriver::velocity_command(Time now) const {
+  if (state_ != BaseState::online || !motor_power_) return {};
+  BodyVelocity velocity = velocity_.velocity(now);
+  // The firmware computes wheel speeds with its nominal separation.
+  velocity.angular_rad_s *= params_.odometry.wheel_separation_m / wheel_separation_m;
+  return encode_velocity(velocity);
+}
+
+Time KobukiDriver::next_deadline() const {
+  if (state_ == BaseState::no_port || !heard_) return never;
+  if (state_ == BaseState::silent) return next_command_;
+  return std::min(next_command_, last_frame_ + seconds(params_.offline_after_s) + Duration{1});
+}
+
+void KobukiDriver::farewell(const ByteSink& sink) const {
+  if (state_ == BaseState::no_port || !heard_) return;
+  for (int i = 0; i < 3; ++i) sink(encode_command(BaseControl{}).bytes());
+}
+
+}  // namespace tocsin::kobuki

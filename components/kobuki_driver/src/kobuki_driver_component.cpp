@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_driver/kobuki_driver_component.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "kobuki_driver/serial_port.hpp"
+#include "messages.hpp"
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+
+using kobuki::BaseState;
+using kobuki::Opened;
+using kobuki::Reading;
+
+namespace {
+
+constexpr Duration save_period = std::chrono::milliseconds(200);
+
+const char* text_of(BaseState state) {
+  switch (state) {
+    case BaseState::no_port:
+      return "offline: the port is lost";
+    case BaseState::silent:
+      return "offline: it sends nothing";
+    case BaseState::online:
+      return "online";
+    case BaseState::refused:
+      break;
+  }
+  return "refused: its firmware is not of major version 1";
+}
+
+std::string memory_path(const Context& context) {
+  return context.run_dir.empty() ? "" : context.run_dir + "/" + context.name + ".odometry";
+}
+
+}  // namespace
+
+KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& params)
+    : KobukiDriverComponent(context, params, kobuki::open_serial_port) {}
+
+KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& params, Opener opener)
+    : Component(context),
+      params_(params),
+      opener_(std::move(opener)),
+      driver_(params.driver),
+      file_(memory_path(context)) {
+  if (const auto snapshot = file_.load()) driver_.odometry().restore(*snapshot);
+  open_at_start();
+}
+
+KobukiDriverComponent::~KobukiDriverComponent() {
+  if (port_) driver_.farewell([this](kobuki::ByteView bytes) { send(bytes); });
+}
+
+void KobukiDriverComponent::open_at_start() {
+  Opened opened = opener_(params_.port);
+  // Without a living holder it is a leftover of a killed process, which the retries outlast.
+  if (opened.result == Opened::Result::busy && opened.held) {
+    throw ConfigError(name() + ".port: " + opened.reason + "; stop it or set another port");
+  }
+  if (opened.port) return adopt(std::move(opened.port));
+  log().warn("waiting for the base: {}", opened.reason);
+}
+
+void KobukiDriverComponent::adopt(std::unique_ptr<kobuki::BytePort> port) {
+  port_ = std::move(port);
+  write_failed_ = false;
+  if (port_->descriptor() >= 0) wake_on(port_->descriptor());
+  driver_.on_port_open();
+}
+
+void KobukiDriverComponent::retry(Time now) {
+  if (now < next_retry_) return;
+  next_retry_ = now + seconds(params_.retry_s);
+  Opened opened = opener_(params_.port);
+  if (opened.port) adopt(std::move(opened.port));
+}
+
+void KobukiDriverComponent::close(const char* why) {
+  log().warn("{}: {}", params_.port, why);
+  if (port_->descriptor() >= 0) forget(port_->descriptor());
+  port_.reset();
+  driver_.on_port_lost();
+}
+
+void KobukiDriverComponent::tick(Time now) {
+  if (!port_) retry(now);
+  if (port_) read_port(now);
+  take_commands(now);
+  driver_.run(now, [this](kobuki::ByteView bytes) { send(bytes); });
+  if (port_ && write_failed_) close("cannot be written");
+  report_state();
+  remember(now);
+  wake_at(port_ ? driver_.next_deadline() : next_retry_);
+}
+
+void KobukiDriverComponent::take_commands(Time now) {
+  while (const auto command = cmd_vel_.take()) {
+    driver_.on_velocity({command->linear().x(), command->angular().z()}, now);
+  }
+}
+
+void KobukiDriverComponent::read_port(Time now) {
+  std::array<std::uint8_t, 1024> bytes{};
+  for (int reads = 0; reads < 16; ++reads) {  // bounded: commands must not wait for a flood
+    const auto count = port_->read(bytes.data(), bytes.size());
+    if (!count) return close("was lost");
+    if (*count == 0) return;
+    driver_.on_bytes({bytes.data(), *count}, now,
+                     [&](const Reading& reading) { publish(reading, now); });
+  }
+}
+
+void KobukiDriverComponent::send(kobuki::ByteView bytes) {
+  if (port_ && !port_->write(bytes)) write_failed_ = true;
+}
+
+void KobukiDriverComponent::publish(const Reading& reading, Time now) {
+  const kobuki::Labels labels{wall(now), params_.odom_frame, params_.base_frame};
+  const bool by_gyro = params_.driver.odometry.use_gyro_heading;
+  bool ok = odom_.write(kobuki::odom_message(reading, labels, by_gyro)) != Status::failed;
+  ok &= imu_.write(kobuki::imu_message(reading, labels)) != Status::failed;
+  ok &= joints_.write(kobuki::joint_message(reading, labels)) != Status::failed;
+  if (params_.publish_tf) {
+    ok &= tf_.write(kobuki::tf_message(reading, labels)) != Status::failed;
+  }
+  if (!ok) log().warn("a reading was not published");
+  if (now >= next_battery_) publish_battery(reading, now);
+}
+
+void KobukiDriverComponent::publish_battery(const Reading& reading, Time now) {
+  next_battery_ = now + seconds(params_.battery_period_s);
+  const kobuki::Labels labels{wall(now), params_.odom_frame, params_.base_frame};
+  if (battery_.write(kobuki::battery_message(reading, labels)) == Status::failed) {
+    log().warn("a battery state was not published");
+  }
+}
+
+void KobukiDriverComponent::report_state() {
+  if (driver_.state() == reported_) return;
+  reported_ = driver_.state();
+  if (reported_ == BaseState::online) {
+    log().info("the base on {} is online", params_.port);
+  } else {
+    log().warn("the base on {} is {}", params_.port, text_of(reported_));
+  }
+}
+
+void KobukiDriverComponent::remember(Time now) {
+  if (now < next_save_) return;
+  const auto snapshot = driver_.odometry().snapshot();
+  if (!snapshot) return;
+  next_save_ = now + save_period;
+  if (!file_.save(*snapshot)) log().warn("odometry could not be saved for a restart");
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::KobukiDriverComponent)

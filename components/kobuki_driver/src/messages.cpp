@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "messages.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace tocsin::kobuki {
+namespace {
+
+constexpr double unused = 1e10;
+constexpr double unused_imu = std::numeric_limits<double>::max();
+
+std_msgs::msg::Header header(const builtin_interfaces::msg::Time& stamp, const std::string& frame) {
+  std_msgs::msg::Header header;
+  header.stamp(stamp);
+  header.frame_id(frame);
+  return header;
+}
+
+geometry_msgs::msg::Quaternion quaternion(double heading_rad) {
+  geometry_msgs::msg::Quaternion q;
+  q.x(0);
+  q.y(0);
+  q.z(std::sin(heading_rad / 2));
+  q.w(std::cos(heading_rad / 2));
+  return q;
+}
+
+std::uint8_t status_of(ChargingState state) {
+  namespace constants = sensor_msgs::msg::BatteryState_Constants;
+  switch (state) {
+    case ChargingState::charged:
+      return constants::POWER_SUPPLY_STATUS_FULL;
+    case ChargingState::charging:
+      return constants::POWER_SUPPLY_STATUS_CHARGING;
+    case ChargingState::discharging:
+      break;
+  }
+  return constants::POWER_SUPPLY_STATUS_DISCHARGING;
+}
+
+}  // namespace
+
+topic::Odom::Message odom_message(const Reading& reading, const Labels& labels, bool gyro_heading) {
+  topic::Odom::Message message;
+  message.header(header(labels.stamp, labels.odom_frame));
+  message.child_frame_id(labels.base_frame);
+  auto& pose = message.pose().pose();
+  pose.position().x(reading.pose.x_m);
+  pose.position().y(reading.pose.y_m);
+  pose.orientation(quaternion(reading.pose.heading_rad));
+  message.twist().twist().linear().x(reading.linear_mps);
+  message.twist().twist().angular().z(reading.angular_rad_s);
+  auto& covariance = message.pose().covariance();
+  covariance.fill(0);
+  covariance[0] = covariance[7] = 0.1;
+  covariance[14] = covariance[21] = covariance[28] = unused;
+  covariance[35] = gyro_heading ? 0.05 : 0.2;
+  message.twist().covariance().fill(0);
+  return message;
+}
+
+topic::Tf::Message tf_message(const Reading& reading, const Labels& labels) {
+  geometry_msgs::msg::TransformStamped transform;
+  transform.header(header(labels.stamp, labels.odom_frame));
+  transform.child_frame_id(labels.base_frame);
+  transform.transform().translation().x(reading.pose.x_m);
+  transform.transform().translation().y(reading.pose.y_m);
+  transform.transform().rotation(quaternion(reading.pose.heading_rad));
+  topic::Tf::Message message;
+  message.transforms().push_back(transform);
+  return message;
+}
+
+topic::JointStates::Message joint_message(const Reading& reading, const Labels& labels) {
+  topic::JointStates::Message message;
+  message.header(header(labels.stamp, ""));
+  message.name({"wheel_left_joint", "wheel_right_joint"});
+  message.position({reading.left.angle_rad, reading.right.angle_rad});
+  message.velocity({reading.left.rate_rad_s, reading.right.rate_rad_s});
+  return message;
+}
+
+topic::Imu::Message imu_message(const Reading& reading, const Labels& labels) {
+  topic::Imu::Message message;
+  message.header(header(labels.stamp, "gyro_link"));
+  message.orientation(quaternion(reading.pose.heading_rad));
+  message.angular_velocity().z(reading.angular_rad_s);
+  for (auto* covariance :
+       {&message.orientation_covariance(), &message.angular_velocity_covariance()}) {
+    covariance->fill(0);
+    (*covariance)[0] = (*covariance)[4] = unused_imu;
+    (*covariance)[8] = 0.05;
+  }
+  message.linear_acceleration_covariance().fill(0);
+  message.linear_acceleration_covariance()[0] = -1;  // ROS: there is no such measurement
+  return message;
+}
+
+topic::BatteryState::Message battery_message(const Reading& reading, const Labels& labels) {
+  constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+  topic::BatteryState::Message message;
+  message.header(header(labels.stamp, labels.base_frame));
+  message.voltage(static_cast<float>(reading.battery.voltage_v));
+  message.percentage(static_cast<float>(reading.battery.percentage));
+  message.temperature(unknown);
+  message.current(unknown);
+  message.charge(unknown);
+  message.capacity(unknown);
+  message.design_capacity(unknown);
+  message.power_supply_status(status_of(reading.battery.state));
+  message.power_supply_health(sensor_msgs::msg::BatteryState_Constants::POWER_SUPPLY_HEALTH_GOOD);
+  message.power_supply_technology(
+      sensor_msgs::msg::BatteryState_Constants::POWER_SUPPLY_TECHNOLOGY_LION);
+  message.present(true);
+  message.location("base");
+  return message;
+}
+
+}  // namespace tocsin::kobuki

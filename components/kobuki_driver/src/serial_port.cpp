@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_driver/serial_port.hpp"
+
+#include <fcntl.h>
+#include <linux/serial.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "port_holder.hpp"
+
+namespace tocsin::kobuki {
+namespace {
+
+class SerialPort final : public BytePort {
+ public:
+  explicit SerialPort(int fd) : fd_(fd) {}
+  ~SerialPort() override {
+    ::ioctl(fd_, TIOCNXCL);
+    ::close(fd_);
+  }
+  SerialPort(const SerialPort&) = delete;
+  SerialPort& operator=(const SerialPort&) = delete;
+
+  int descriptor() const override { return fd_; }
+  std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override {
+    const auto count = ::read(fd_, to, size);
+    if (count > 0) return static_cast<std::size_t>(count);
+    if (count < 0 && (errno == EAGAIN || errno == EINTR)) return 0;
+    return std::nullopt;  // 0 is a hang-up: VMIN is 1
+  }
+  bool write(ByteView bytes) override {
+    const auto count = ::write(fd_, bytes.data, bytes.size);
+    return count >= 0 || errno == EAGAIN || errno == EINTR;
+  }
+
+ private:
+  int fd_;
+};
+
+bool lock(int fd) {
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  return ::flock(fd, LOCK_EX | LOCK_NB) == 0 && ::fcntl(fd, F_SETLK, &whole) == 0 &&
+         ::ioctl(fd, TIOCEXCL) == 0;
+}
+
+/// False when the device is no terminal.
+bool configure(int fd) {
+  termios settings{};
+  if (::tcgetattr(fd, &settings) != 0) return false;
+  ::cfmakeraw(&settings);
+  ::cfsetspeed(&settings, B115200);
+  settings.c_cflag |= CLOCAL | CREAD;
+  settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS | CSTOPB);
+  settings.c_cc[VMIN] = 1;
+  settings.c_cc[VTIME] = 0;
+  return ::tcsetattr(fd, TCSANOW, &settings) == 0 && ::tcflush(fd, TCIOFLUSH) == 0;
+}
+
+/// An FT232R's latency timer to 1 ms instead of 16; other devices refuse, which does no harm.
+void ask_for_low_latency(int fd) {
+  serial_struct settings{};
+  if (::ioctl(fd, TIOCGSERIAL, &settings) != 0) return;
+  settings.flags |= ASYNC_LOW_LATENCY;
+  ::ioctl(fd, TIOCSSERIAL, &settings);
+}
+
+Opened busy(const std::string& path) {
+  const auto holder = holder_of(path);
+  return {Opened::Result::busy, nullptr,
+          path + " is in use by " + holder.value_or("another process"), holder.has_value()};
+}
+
+Opened absent(const std::string& path, const std::string& why) {
+  return {Opened::Result::absent, nullptr, path + ": " + why, false};
+}
+
+}  // namespace
+
+Opened open_serial_port(const std::string& path) {
+  const int fd = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (fd < 0 && errno == EBUSY) return busy(path);
+  if (fd < 0) return absent(path, std::strerror(errno));
+  if (::isatty(fd) == 0) {
+    ::close(fd);
+    return absent(path, "is not a serial port");
+  }
+  if (!lock(fd)) {
+    ::close(fd);
+    return busy(path);
+  }
+  auto port = std::make_unique<SerialPort>(fd);
+  if (!configure(fd)) return absent(path, "cannot be set to 115200 baud");
+  ask_for_low_latency(fd);
+  return {Opened::Result::open, std::move(port), {}, false};
+}
+
+}  // namespace tocsin::kobuki

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_driver/kobuki_driver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "foundation/error.hpp"
+#include "model_rig.hpp"
+
+namespace tocsin::kobuki {
+namespace {
+
+BaseControl last_velocity(const ModelRig& rig) {
+  BaseControl last{-1, -1};
+  for (const Command& command : rig.commands) {
+    if (const auto* control = std::get_if<BaseControl>(&command)) last = *control;
+  }
+  return last;
+}
+
+TEST(KobukiDriver, SendsNothingBeforeTheFirstGoodFrame) {
+  ModelRig sut;
+  sut.silent = true;
+  sut.run(2, BodyVelocity{0.3, 0});
+  EXPECT_TRUE(sut.commands.empty());
+  EXPECT_EQ(sut.driver.next_deadline(), never);
+}
+
+TEST(KobukiDriver, CommandsFiftyTimesASecond) {
+  ModelRig sut;
+  sut.run(0.1);
+  sut.commands.clear();
+  sut.run(10);
+  EXPECT_NEAR(sut.count<BaseControl>(), 500, 2);
+}
+
+TEST(KobukiDriver, CommandsByItsOwnClockNotByFeedback) {
+  ModelRig sut;
+  sut.run(0.1, BodyVelocity{0.3, 0});
+  sut.silent = true;
+  sut.commands.clear();
+  sut.run(1);
+  EXPECT_NEAR(sut.count<BaseControl>(), 50, 2);
+}
+
+TEST(KobukiDriver, ReadsEveryFrameAtAnyLatency) {
+  for (const int ms : {1, 2, 4, 8, 16}) {
+    LineParams line;
+    line.usb_latency_ms = ms;
+    ModelRig sut({}, exact_model(), line);
+    sut.run(6.03);
+    EXPECT_GE(sut.readings, 300) << ms;
+    EXPECT_EQ(sut.driver.frame_counts().rejected, 0U) << ms;
+    EXPECT_EQ(sut.driver.state(), BaseState::online) << ms;
+  }
+}
+
+TEST(KobukiDriver, DrivesAndFollowsWithOdometry) {
+  ModelRig sut;
+  sut.run(20, BodyVelocity{0.3, 0.4});
+  EXPECT_NEAR(sut.last.pose.x_m, sut.model.pose().x_m, 0.02);
+  EXPECT_NEAR(sut.last.pose.y_m, sut.model.pose().y_m, 0.02);
+  EXPECT_NEAR(sut.last.linear_mps, 0.3, 0.01);
+  EXPECT_NEAR(sut.last.angular_rad_s, 0.4, 0.01);
+}
+
+TEST(KobukiDriver, StopsWhenVelocitiesGoStale) {
+  ModelRig sut;
+  sut.run(1, BodyVelocity{0.5, 0});
+  const double x_m = sut.model.pose().x_m;
+  sut.run(2);
+  EXPECT_EQ(sut.model.velocity().linear_mps, 0);
+  const double stopping_m = sut.model.pose().x_m - x_m;
+  EXPECT_LT(stopping_m, 0.5 * 0.65 + 0.02);
+  EXPECT_GT(stopping_m, 0.2);
+}
+
+TEST(KobukiDriver, IsOfflineWithin200MsOfSilence) {
+  ModelRig sut;
+  sut.run(1, BodyVelocity{0.3, 0});
+  sut.silent = true;
+  sut.run(0.13);
+  EXPECT_EQ(sut.driver.state(), BaseState::online);
+  sut.run(0.07);
+  EXPECT_EQ(sut.driver.state(), BaseState::silent);
+  EXPECT_EQ(last_velocity(sut).speed_mm_s, 0);
+}
+
+TEST(KobukiDriver, ResumesDrivingOnlyByANewCommand) {
+  ModelRig sut;
+  sut.run(1, BodyVelocity{0.3, 0});
+  sut.silent = true;
+  sut.run(0.25);
+  sut.silent = false;
+  sut.run(0.2);
+  EXPECT_EQ(sut.driver.state(), BaseState::online);
+  EXPECT_EQ(last_velocity(sut).speed_mm_s, 0);  // the reference drives on by itself
+  sut.run(0.2, BodyVelocity{0.3, 0});
+  EXPECT_EQ(last_velocity(sut).speed_mm_s, 300);
+}
+
+TEST(KobukiDriver, KeepsOdometryOverShortAndLongSilence) {
+  for (const double gap_s : {1.0, 8.0}) {
+    ModelRig sut;
+    sut.run(2, BodyVelocity{0.3, 0});
+    sut.silent = true;
+    sut.run(gap_s);
+    sut.silent = false;
+    sut.run(2, BodyVelocity{0.3, 0});
+    EXPECT_EQ(sut.driver.odometry().rejected_jumps(), 0U);
+    EXPECT_NEAR(sut.last.pose.x_m, sut.model.pose().x_m, 0.1) << gap_s;
+  }
+}
+
+TEST(KobukiDriver, LearnsVersionsAndGains) {
+  ModelRig sut;
+  sut.run(0.5);
+  ASSERT_TRUE(sut.driver.inquiry().firmware());
+  EXPECT_EQ(to_text(*sut.driver.inquiry().firmware()), "1.2.0");
+  EXPECT_TRUE(sut.driver.inquiry().unique_id());
+  EXPECT_EQ(sut.driver.inquiry().gains()->kp_milli, 100000U);
+  const int asked = sut.count<RequestExtra>() + sut.count<GetGains>();
+  sut.run(10);
+  EXPECT_EQ(sut.count<RequestExtra>() + sut.count<GetGains>(), asked);
+}
+
+TEST(KobukiDriver, KeepsABaseOfAnotherProtocolStanding) {
+  for (const char* firmware : {"0.9.0", "2.0.0"}) {
+    ModelParams base = exact_model();
+    base.firmware = firmware;
+    ModelRig sut({}, base);
+    sut.run(1, BodyVelocity{0.3, 0});
+    EXPECT_EQ(sut.driver.state(), BaseState::refused);
+    sut.commands.clear();
+    sut.run(1, BodyVelocity{0.3, 0});
+    EXPECT_EQ(last_velocity(sut).speed_mm_s, 0);
+    EXPECT_EQ(sut.model.velocity().linear_mps, 0);
+  }
+}
+
+TEST(KobukiDriver, SurvivesAPowerCycleOfTheBase) {
+  ModelRig sut;
+  sut.run(2, BodyVelocity{0.3, 0.2});
+  const Pose before = sut.last.pose;
+  sut.model.power_cycle(sut.now);
+  sut.run(0.5);
+  EXPECT_NEAR(sut.last.pose.x_m, before.x_m, 0.2);
+  EXPECT_NEAR(sut.last.pose.y_m, before.y_m, 0.2);
+}
+
+TEST(KobukiDriver, SendsTheOutputRegisterAgainAfterAReconnection) {
+  ModelRig sut;
+  sut.run(0.1);
+  OutputRegister outputs;
+  outputs.set_led(1, false, true);
+  sut.driver.set_outputs(outputs);
+  sut.run(0.1);
+  EXPECT_EQ(sut.model.outputs().outputs.bits, 0x02F0);
+  sut.model.power_cycle(sut.now);
+  EXPECT_EQ(sut.model.outputs().outputs.bits, 0x00F0);
+  sut.driver.on_port_lost();
+  sut.driver.on_port_open();
+  sut.run(0.2);
+  EXPECT_EQ(sut.model.outputs().outputs.bits, 0x02F0);
+}
+
+TEST(KobukiDriver, NeverCutsTheSuppliesByItself) {
+  ModelRig sut;
+  sut.run(5, BodyVelocity{0.1, 0});
+  EXPECT_EQ(sut.count<OutputRegister>(), 0);
+}
+
+TEST(KobukiDriver, SendsSoundsOnceAndBoundsTheQueue) {
+  ModelRig sut;
+  EXPECT_FALSE(sut.driver.send_once(Tune::on));  // nobody is there yet
+  sut.run(0.1);
+  EXPECT_TRUE(sut.driver.send_once(Tune::error));
+  sut.run(1);
+  EXPECT_EQ(sut.count<Tune>(), 1);
+  int taken = 0;
+  for (int i = 0; i < 1000; ++i) taken += sut.driver.send_once(Tone{826, 10});
+  EXPECT_EQ(taken, 16);
+}
+
+TEST(KobukiDriver, StandsWithoutMotorPower) {
+  ModelRig sut;
+  sut.driver.set_motor_power(false);
+  sut.run(1, BodyVelocity{0.3, 0});
+  EXPECT_EQ(sut.model.velocity().linear_mps, 0);
+  sut.driver.set_motor_power(true);
+  sut.run(1, BodyVelocity{0.3, 0});
+  EXPECT_GT(sut.model.velocity().linear_mps, 0.2);
+}
+
+TEST(KobukiDriver, SaysFarewellWithZeroVelocity) {
+  ModelRig sut;
+  sut.run(1, BodyVelocity{0.3, 0});
+  sut.commands.clear();
+  sut.driver.farewell([&](ByteView bytes) { sut.on_command_bytes(bytes); });
+  EXPECT_EQ(sut.count<BaseControl>(), 3);
+  EXPECT_EQ(last_velocity(sut).speed_mm_s, 0);
+  EXPECT_EQ(last_velocity(sut).radius_mm, 0);
+}
+
+TEST(KobukiDriver, SendsOneCommandAfterAFreezeNotMany) {
+  ModelRig sut;
+  sut.run(0.5);
+  sut.commands.clear();
+  sut.now += std::chrono::milliseconds(160);
+  sut.step();
+  EXPECT_EQ(sut.count<BaseControl>(), 1);
+  EXPECT_EQ(sut.driver.state(), BaseState::online);  // the bytes that waited are read first
+}
+
+TEST(KobukiDriver, TurnsByItsOwnWheelSeparation) {
+  KobukiDriver::Params params;
+  params.odometry.wheel_separation_m = 0.253;  // 10 % more than nominal
+  ModelRig sut(params);
+  sut.run(1, BodyVelocity{0, 1.0});
+  EXPECT_EQ(last_velocity(sut).radius_mm, 1);
+  EXPECT_NEAR(last_velocity(sut).speed_mm_s, 126.5, 0.6);
+}
+
+TEST(KobukiDriver, ReadsOnThroughNoise) {
+  LineParams line;
+  line.flip_probability = line.loss_probability = line.noise_probability = 0.0005;
+  ModelRig sut({}, exact_model(), line);
+  sut.run(60, BodyVelocity{0.2, 0.3});
+  EXPECT_GT(sut.readings, 2500);
+  EXPECT_GT(sut.driver.frame_counts().rejected, 0U);
+  EXPECT_NEAR(sut.last.pose.x_m, sut.model.pose().x_m, 0.05);
+}
+
+TEST(KobukiDriver, ForgetsTheVelocityWhenThePortIsLost) {
+  ModelRig sut;
+  sut.run(1, BodyVelocity{0.3, 0});
+  sut.driver.on_port_lost();
+  EXPECT_EQ(sut.driver.state(), BaseState::no_port);
+  EXPECT_EQ(sut.driver.next_deadline(), never);
+  sut.driver.on_port_open();
+  sut.commands.clear();
+  sut.run(0.3);
+  EXPECT_EQ(last_velocity(sut).speed_mm_s, 0);
+}
+
+TEST(KobukiDriver, RefusesBatteryLimitsOutOfOrder) {
+  KobukiDriver::Params params;
+  params.battery.low_v = 17;
+  EXPECT_THROW(KobukiDriver{params}, ConfigError);
+}
+
+// What the base does when nothing comes any more (driver killed): it drives on unless it has a
+// timeout of its own; the deployment sets one.
+TEST(StoppingDistance, AfterDriverDeathIsBoundedByTheTimeoutOfTheBase) {
+  ModelParams base;  // realistic: dead time 0.1 s, 1.5 m/s2
+  base.command_timeout_s = 0.5;
+  ModelRig sut({}, base);
+  sut.run(2, BodyVelocity{0.5, 0});
+  sut.connected = false;
+  const double x_m = sut.model.pose().x_m;
+  double stopped_s = 0;
+  while (sut.model.velocity().linear_mps > 0 && stopped_s < 5) {
+    sut.run(0.01, BodyVelocity{0.5, 0});
+    stopped_s += 0.01;
+  }
+  const double stopping_m = sut.model.pose().x_m - x_m;
+  RecordProperty("stopping_m", std::to_string(stopping_m));
+  RecordProperty("stopping_s", std::to_string(stopped_s));
+  std::printf("driver killed at 0.5 m/s: stops after %.2f s and %.3f m\n", stopped_s, stopping_m);
+  EXPECT_LT(stopped_s, 0.95);
+  EXPECT_LT(stopping_m, 0.36);
+}
+
+TEST(StoppingDistance, AfterDeathOfTheCommanderIsBoundedByTheStaleStop) {
+  ModelRig sut({}, ModelParams{});
+  sut.run(2, BodyVelocity{0.5, 0});
+  const double x_m = sut.model.pose().x_m;
+  double stopped_s = 0;
+  while (sut.model.velocity().linear_mps > 0 && stopped_s < 5) {
+    sut.run(0.01);
+    stopped_s += 0.01;
+  }
+  std::printf("commander dead at 0.5 m/s: stops after %.2f s and %.3f m\n", stopped_s,
+              sut.model.pose().x_m - x_m);
+  EXPECT_LT(stopped_s, 1.1);
+  EXPECT_LT(sut.model.pose().x_m - x_m, 0.46);
+}
+
+}  // namespace
+}  // namespace tocsin::kobuki
