@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sample path must not allocate: operator new is counted.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "decision/channel_qni.hpp"
+#include "decision/detectors.hpp"
+#include "decision/llr.hpp"
+#include "decision/policy.hpp"
+
+namespace {
+long allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace tocsin::decision {
+namespace {
+
+/// Qualities that visit every branch: good, bad, in between, none.
+double quality(int n) {
+  if (n % 97 == 0) return std::numeric_limits<double>::quiet_NaN();
+  return n % 50 < 30 ? 80 + n % 20 : 30 + n % 25;
+}
+
+TEST(Allocation, IsCountedByThisTest) {
+  const long before = allocations;
+  delete new int(1);
+  EXPECT_EQ(allocations - before, 1);
+}
+
+TEST(Allocation, DoesNotHappenInAnyPolicy) {
+  for (const char* name :
+       {"none", "threshold", "tocp", "tocp_dsp", "tocp_reverse", "belief", "legacy"}) {
+    PolicyParams params;
+    params.policy = name;
+    params.mild_alpha = 5;
+    const auto sut = make_policy(params);
+    const long before = allocations;
+    for (int n = 0; n < 5000; ++n) {
+      const Time now{std::chrono::seconds(n)};
+      (void)sut->on_sample({now, quality(n)}, now);
+      (void)sut->on_deadline(now);
+    }
+    EXPECT_EQ(allocations - before, 0) << name;
+  }
+}
+
+TEST(Allocation, DoesNotHappenInAnyDetector) {
+  const Llr llr{DensityLlr({Family::rician, {80, 9, 0}}, {Family::beta, {6, 10, 0}}, 4)};
+  Focus focus;
+  ShiryaevRoberts roberts;
+  MeanCusum mean(81, 5, 40);
+  Cusum cusum;
+  const long before = allocations;
+  for (int n = 0; n < 5000; ++n) {
+    const double x = n < 4000 ? quality(n) : 80 - 0.01 * (n - 4000);  // ends in a long ramp
+    focus.add(x);
+    roberts.add(llr(x));
+    mean.add(x);
+    cusum.add(llr(x));
+  }
+  EXPECT_EQ(allocations - before, 0);
+}
+
+TEST(Allocation, DoesNotHappenInEitherQualityIndex) {
+  const QniModel first{QniParams{}};
+  const ChannelQniModel second{ChannelQniParams{}};
+  const long before = allocations;
+  double sum = 0;
+  for (int n = 0; n < 1000; ++n) {
+    sum += first.evaluate({n % 100 * 1.0, -60, {}}).value;
+    sum += second.evaluate({n % 100 * 1.0, -60, 0.5, {}}).value;
+  }
+  EXPECT_GT(sum, 0);
+  EXPECT_EQ(allocations - before, 0);
+}
+
+}  // namespace
+}  // namespace tocsin::decision
