@@ -99,10 +99,20 @@ TEST(Navigator, StopsWithinTheToleranceEvenWhenTheBaseLags) {
     vehicle.lag = 0.8;
     vehicle.pose = {1.5, 1.5, 0};
     const Pose2 goal{1.5 + std::cos(direction), 1.5 + std::sin(direction), 0};
-    ASSERT_EQ(vehicle.send(1, goal), Answer::accepted);
+    const Time later = vehicle.now + seconds(60);
+    ASSERT_EQ(vehicle.sut.on_goal({1, goal, 0.1, later}, vehicle.now), Answer::accepted);
     EXPECT_EQ(vehicle.run(20).status.state, State::reached);
-    EXPECT_LE(vehicle.distance_to(goal), 0.15) << direction;
+    EXPECT_LE(vehicle.distance_to(goal), 0.1) << direction;
   }
+}
+
+TEST(Navigator, DoesNotCountAsArrivedWhileItIsFast) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(1, {3, 1, 0}), Answer::accepted);
+  while (vehicle.distance_to({3, 1, 0}) > 0.15) (void)vehicle.step();
+  const auto output = vehicle.step();
+  ASSERT_GT(vehicle.distance_to({3, 1, 0}), 0.075);
+  EXPECT_EQ(output.status.state, State::driving);
 }
 
 TEST(Navigator, TurnsToTheGoalsHeading) {
