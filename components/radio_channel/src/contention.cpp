@@ -38,21 +38,24 @@ Saturation saturation(int stations) {
 }
 
 BackgroundLoad::BackgroundLoad(double load, int stations, Duration frame)
-    : load_(load), stations_(stations), frame_(frame) {
+    : load_(load),
+      most_(stations),
+      arrivals_per_ns_(load / (1 - load) / static_cast<double>(frame.count())),
+      frame_(frame) {
   const double activity = std::min(1.0, load / saturated_share(stations, frame));
   collision_ = 1 - std::pow(1 - activity * saturation(stations + 1).attempt, stations);
 }
 
 Duration BackgroundLoad::until_idle(RandomStream& random) const {
   if (load_ == 0 || !random.chance(load_)) return Duration::zero();
-  return seconds(random.uniform() * to_seconds(frame_));
+  return Duration{
+      static_cast<std::int64_t>(random.uniform() * static_cast<double>(frame_.count()))};
 }
 
 Duration BackgroundLoad::interruptions(Duration elapsed, RandomStream& random) const {
   if (load_ == 0) return Duration::zero();
-  const double expected = load_ * to_seconds(elapsed) / to_seconds(frame_) / (1 - load_);
-  const double most = stations_;
-  return random.poisson(std::min(expected, most)) * (frame_ + difs);
+  const double expected = arrivals_per_ns_ * static_cast<double>(elapsed.count());
+  return random.poisson(std::min(expected, most_)) * (frame_ + difs);
 }
 
 }  // namespace tocsin::radio

@@ -8,7 +8,7 @@
 namespace tocsin::radio {
 namespace {
 
-constexpr Duration fading_hold{2'000'000};
+constexpr Duration fading_hold{4'000'000};
 
 double log_distance_db(const ChannelParams& p, double distance_m) {
   const double d = std::max(distance_m, 1.0);

@@ -75,13 +75,13 @@ TEST(Propagation, FadesMoreBehindAWall) {
   EXPECT_GT(deviation(2.5), 3);
 }
 
-TEST(Propagation, HoldsFadingForTwoMilliseconds) {
+TEST(Propagation, HoldsFadingForFourMilliseconds) {
   ChannelParams params;
   params.environment_doppler_hz = 20;
   Propagation sut(params, {}, 1, t0);
   const double here = sut.rssi_dbm(t0);
-  EXPECT_EQ(sut.rssi_dbm(t0 + Duration{1'999'999}), here);
-  EXPECT_NE(sut.rssi_dbm(t0 + Duration{2'000'000}), here);
+  EXPECT_EQ(sut.rssi_dbm(t0 + Duration{3'999'999}), here);
+  EXPECT_NE(sut.rssi_dbm(t0 + Duration{4'000'000}), here);
 }
 
 TEST(Propagation, IgnoresAPositionThatIsNotFinite) {

@@ -35,7 +35,8 @@ class BackgroundLoad {
 
  private:
   double load_;
-  int stations_;
+  double most_;             // frames of the others for one of ours
+  double arrivals_per_ns_;  // of their frames while the medium is not theirs
   Duration frame_;
   double collision_;
 };

@@ -26,7 +26,7 @@ class Propagation {
   /// Mean over fading.
   [[nodiscard]] double mean_rssi_dbm() const { return mean_rssi_dbm_; }
   [[nodiscard]] double mean_snr_db() const { return mean_rssi_dbm_ - params_.noise_dbm; }
-  /// At `now`. Fading is held for 2 ms, far below its coherence time.
+  /// At `now`. Fading is held for 4 ms, far below its coherence time.
   [[nodiscard]] double rssi_dbm(Time now);
   [[nodiscard]] double x_m() const { return x_m_; }
   [[nodiscard]] double y_m() const { return y_m_; }
