@@ -58,10 +58,10 @@ KobukiDriverComponent::~KobukiDriverComponent() {
 }
 
 void KobukiDriverComponent::open_at_start() {
-  Opened opened = opener_(params_.port);
+  Opened opened = opener_(params_.device_port);
   // Without a living holder it is a leftover of a killed process, which the retries outlast.
   if (opened.result == Opened::Result::busy && opened.held) {
-    throw ConfigError(name() + ".port: " + opened.reason + "; stop it or set another port");
+    throw ConfigError(name() + ".device_port: " + opened.reason + "; stop it or set another port");
   }
   if (opened.port) return adopt(std::move(opened.port));
   log().warn("waiting for the base: {}", opened.reason);
@@ -77,12 +77,12 @@ void KobukiDriverComponent::adopt(std::unique_ptr<kobuki::BytePort> port) {
 void KobukiDriverComponent::retry(Time now) {
   if (now < next_retry_) return;
   next_retry_ = now + seconds(params_.retry_s);
-  Opened opened = opener_(params_.port);
+  Opened opened = opener_(params_.device_port);
   if (opened.port) adopt(std::move(opened.port));
 }
 
 void KobukiDriverComponent::close(const char* why) {
-  log().warn("{}: {}", params_.port, why);
+  log().warn("{}: {}", params_.device_port, why);
   if (port_->descriptor() >= 0) forget(port_->descriptor());
   port_.reset();
   driver_.on_port_lost();
@@ -145,9 +145,9 @@ void KobukiDriverComponent::report_state() {
   if (driver_.state() == reported_) return;
   reported_ = driver_.state();
   if (reported_ == BaseState::online) {
-    log().info("the base on {} is online", params_.port);
+    log().info("the base on {} is online", params_.device_port);
   } else {
-    log().warn("the base on {} is {}", params_.port, text_of(reported_));
+    log().warn("the base on {} is {}", params_.device_port, text_of(reported_));
   }
 }
 

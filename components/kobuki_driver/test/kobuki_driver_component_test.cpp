@@ -197,7 +197,8 @@ TEST_F(KobukiDriverComponentTest, EndsWhenAnotherProcessHasThePort) {
     KobukiDriverComponent sut(context_, params_, busy);
     FAIL() << "no error";
   } catch (const ConfigError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("kobuki_driver.port: /dev/kobuki is in use by minicom"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("kobuki_driver.device_port: /dev/kobuki is in use by minicom"));
   }
 }
 

@@ -10,9 +10,10 @@ namespace tocsin::kobuki {
 
 BatteryReader::BatteryReader(const BatteryParams& params) : params_(params) {
   if (params.dangerous_v < params.low_v && params.low_v < params.capacity_v) return;
-  throw ConfigError("battery: must be dangerous_v < low_v < capacity_v, but is " +
-                    std::to_string(params.dangerous_v) + ", " + std::to_string(params.low_v) +
-                    ", " + std::to_string(params.capacity_v));
+  throw ConfigError(
+      "battery: must be battery_dangerous_v < battery_low_v < battery_capacity_v, but is " +
+      std::to_string(params.dangerous_v) + ", " + std::to_string(params.low_v) + ", " +
+      std::to_string(params.capacity_v));
 }
 
 ChargingState charging_state(std::uint8_t charger) {

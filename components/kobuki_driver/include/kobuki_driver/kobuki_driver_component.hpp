@@ -18,7 +18,7 @@ namespace tocsin {
 class KobukiDriverComponent final : public Component {
  public:
   struct Params {
-    std::string port = "/dev/kobuki";
+    std::string device_port = "/dev/kobuki";
     double retry_s = 0.5;
     double battery_period_s = 1.0;
     bool publish_tf = true;
@@ -27,7 +27,7 @@ class KobukiDriverComponent final : public Component {
     kobuki::KobukiDriver::Params driver;
     template <class Visitor>
     void visit(Visitor& v) {
-      v("port", port, "serial device of the base");
+      v("device_port", device_port, "serial device of the base");
       v("retry_s", retry_s, {0.05, 60}, "[s] between attempts to open an absent port");
       v("battery_period_s", battery_period_s, {0.02, 60}, "[s] between battery states");
       v("publish_tf", publish_tf, "publishes the transform from odom to base");

@@ -11,9 +11,9 @@ struct BatteryParams {
   double dangerous_v = 13.2;
   template <class Visitor>
   void visit(Visitor& v) {
-    v("capacity_v", capacity_v, {10, 20}, "[V] full battery");
-    v("low_v", low_v, {10, 20}, "[V] at or below: low");
-    v("dangerous_v", dangerous_v, {10, 20}, "[V] at or below: dangerous");
+    v("battery_capacity_v", capacity_v, {10, 20}, "[V] full battery");
+    v("battery_low_v", low_v, {10, 20}, "[V] at or below: low");
+    v("battery_dangerous_v", dangerous_v, {10, 20}, "[V] at or below: dangerous");
   }
 };
 
