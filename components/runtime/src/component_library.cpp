@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <set>
 #include <vector>
 
 #include "foundation/error.hpp"
@@ -11,22 +12,46 @@
 namespace tocsin {
 namespace {
 
-std::vector<std::filesystem::path> candidates(const std::string& name) {
-  const std::filesystem::path bin = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const std::filesystem::path file = "lib/tocsin/lib" + name + ".so";
+namespace fs = std::filesystem;
+
+fs::path bin_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+
+std::vector<fs::path> candidates(const std::string& name) {
+  const fs::path bin = bin_folder();
+  const fs::path file = "lib/tocsin/lib" + name + ".so";
   return {bin / ".." / file, bin / "../.." / name / file};
 }
 
-std::filesystem::path find(const std::string& name) {
+fs::path find(const std::string& name) {
   for (const auto& path : candidates(name)) {
-    if (std::filesystem::exists(path)) return path;
+    if (fs::exists(path)) return path;
   }
   throw ConfigError("component '" + name + "': no library lib" + name +
                     ".so is installed (searched " + candidates(name)[0].string() + " and " +
                     candidates(name)[1].string() + ")");
 }
 
+/// Adds the names of lib<name>.so in `folder`.
+void add_components(const fs::path& folder, std::set<std::string>& names) {
+  std::error_code absent;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder, absent)) {
+    const std::string stem = file.path().stem();
+    if (file.path().extension() == ".so" && stem.rfind("lib", 0) == 0) names.insert(stem.substr(3));
+  }
+}
+
 }  // namespace
+
+std::vector<std::string> installed_components() {
+  std::set<std::string> names;
+  add_components(bin_folder() / "../lib/tocsin", names);
+  std::error_code absent;
+  for (const fs::directory_entry& package :
+       fs::directory_iterator(bin_folder() / "../..", absent)) {
+    add_components(package.path() / "lib/tocsin", names);
+  }
+  return {names.begin(), names.end()};
+}
 
 const ComponentEntry& load_component(const std::string& name) {
   void* library = dlopen(find(name).c_str(), RTLD_NOW | RTLD_LOCAL);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "runtime/component_entry.hpp"
 
@@ -12,5 +13,8 @@ namespace tocsin {
 /// The library stays loaded for the life of the process. Throws ConfigError naming the component
 /// when there is none, or when it is not a component.
 [[nodiscard]] const ComponentEntry& load_component(const std::string& name);
+
+/// Names of the component libraries that load_component would find, sorted.
+[[nodiscard]] std::vector<std::string> installed_components();
 
 }  // namespace tocsin

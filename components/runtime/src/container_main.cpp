@@ -5,17 +5,14 @@
 
 #include <atomic>
 #include <cstdio>
-#include <exception>
 #include <string>
 
 #include "container.hpp"
 #include "foundation/error.hpp"
+#include "foundation/program.hpp"
 
 namespace tocsin {
 namespace {
-
-constexpr int exit_usage = 2;
-constexpr int exit_environment = 1;
 
 /// Blocks the signals that end the process, in this and all later threads.
 sigset_t block_end_signals() {
@@ -46,20 +43,16 @@ int run(const std::string& file, const std::string& host_name, const std::string
   return code;
 }
 
-int guarded_run(int argc, char** argv) {
-  try {
-    if (argc != 4) throw ConfigError("usage: tocsin-container FILE HOST CONTAINER");
-    return run(argv[1], argv[2], argv[3]);
-  } catch (const ConfigError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return exit_usage;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return exit_environment;
-  }
-}
-
 }  // namespace
 }  // namespace tocsin
 
-int main(int argc, char** argv) { return tocsin::guarded_run(argc, argv); }
+int main(int argc, char** argv) {
+  return tocsin::run_program("tocsin-container", [&] {
+    if (argc == 2 && std::string(argv[1]) == "--help") {
+      std::printf("Runs one container process of a resolved bringup file (for tocsin launch)\n");
+      return 0;
+    }
+    if (argc != 4) throw tocsin::ConfigError("usage: tocsin-container FILE HOST CONTAINER");
+    return tocsin::run(argv[1], argv[2], argv[3]);
+  });
+}

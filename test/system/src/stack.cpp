@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stack.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace tocsin {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The install folder is either one for all packages or has a folder for each.
+fs::path installed(const std::string& package, const std::string& file) {
+  const fs::path own = TOCSIN_INSTALL;
+  for (const fs::path& path : {own / file, own.parent_path() / package / file}) {
+    if (fs::exists(path)) return path;
+  }
+  throw std::runtime_error(package + "/" + file + " is not installed: build all packages first");
+}
+
+pid_t start(const std::vector<std::string>& words, const std::string& output) {
+  std::vector<char*> pointers;
+  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
+  pointers.push_back(nullptr);
+  const pid_t pid = fork();
+  if (pid != 0) return pid;
+  const int file = open(output.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+  dup2(file, STDOUT_FILENO);
+  dup2(file, STDERR_FILENO);
+  execv(pointers[0], pointers.data());
+  _exit(127);
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += c;
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+Stack::Stack(const std::vector<std::string>& arguments) {
+  std::string name = "/tmp/tocsin_stack_XXXXXX";
+  folder_ = mkdtemp(name.data());
+  std::vector<std::string> words{installed("tocsin_cli", "bin/tocsin"), "launch"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  words.insert(words.end(), {"--run-dir", folder_});
+  launcher_ = start(words, folder_ + "/launch.out");
+}
+
+Stack::~Stack() {
+  if (launcher_ > 0) {
+    kill(launcher_, SIGTERM);
+    if (exit_code(std::chrono::seconds(20)) == -1) kill(launcher_, SIGKILL);
+  }
+  if (!keep_) fs::remove_all(folder_);
+}
+
+std::string Stack::share(const std::string& name) {
+  return installed("bringup", "share/tocsin/" + name);
+}
+
+bool Stack::eventually(std::chrono::seconds limit, const std::function<bool()>& condition) {
+  const auto end = std::chrono::steady_clock::now() + limit;
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return true;
+}
+
+std::string Stack::read(const std::string& name) const {
+  std::ostringstream text;
+  text << std::ifstream(folder_ + "/" + name).rdbuf();
+  return text.str();
+}
+
+bool Stack::logged(const std::string& text) const {
+  return output().find(text) != std::string::npos;
+}
+
+std::vector<std::string> Stack::processes() const {
+  const auto all = nlohmann::json::parse(read("processes.json"), nullptr, false);
+  std::vector<std::string> names;
+  if (!all.is_object()) return names;
+  for (const auto& entry : all.items()) names.push_back(entry.key());
+  return names;
+}
+
+pid_t Stack::pid(const std::string& process) const {
+  const auto all = nlohmann::json::parse(read("processes.json"), nullptr, false);
+  return all.is_object() ? all.value(process, 0) : 0;
+}
+
+void Stack::control(const std::string& socket_name, const std::string& line) const {
+  const int fd = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_un to{};
+  to.sun_family = AF_UNIX;
+  const std::string path = folder_ + "/" + socket_name;
+  std::strncpy(to.sun_path, path.c_str(), sizeof to.sun_path - 1);
+  const auto* address = reinterpret_cast<const sockaddr*>(&to);
+  const bool sent = sendto(fd, line.data(), line.size(), 0, address, sizeof to) >= 0;
+  close(fd);
+  if (!sent) throw std::runtime_error(path + ": " + std::strerror(errno));
+}
+
+int Stack::exit_code(std::chrono::seconds limit) {
+  (void)eventually(limit, [this] {
+    int status = 0;
+    if (launcher_ > 0 && waitpid(launcher_, &status, WNOHANG) == launcher_) {
+      code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+      launcher_ = -1;
+    }
+    return launcher_ <= 0;
+  });
+  return code_;
+}
+
+std::vector<std::string> column(const std::string& csv, const std::string& name) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  const auto header = cells_of(line);
+  const auto index =
+      static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
+  std::vector<std::string> cells;
+  while (std::getline(lines, line)) {
+    const auto row = cells_of(line);
+    if (index < row.size()) cells.push_back(row[index]);
+  }
+  return cells;
+}
+
+}  // namespace tocsin

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tocsin {
+
+/// A running `tocsin launch` with a run folder of its own, which is removed in the end; the
+/// launcher is stopped when it still runs.
+class Stack {
+ public:
+  /// `arguments` follow `tocsin launch`. `--run-dir` is added.
+  explicit Stack(const std::vector<std::string>& arguments);
+  ~Stack();
+  Stack(const Stack&) = delete;
+  Stack& operator=(const Stack&) = delete;
+
+  /// Path of an installed file below share/tocsin.
+  [[nodiscard]] static std::string share(const std::string& name);
+  /// True as soon as `condition` holds; false when `limit` passes before.
+  static bool eventually(std::chrono::seconds limit, const std::function<bool()>& condition);
+
+  /// Whole text of a file in the run folder, empty when there is none.
+  [[nodiscard]] std::string read(const std::string& name) const;
+  [[nodiscard]] bool logged(const std::string& text) const;
+  /// Everything that the launcher printed.
+  [[nodiscard]] std::string output() const { return read("launch.out"); }
+  /// Names of the processes that run now, and the process id of one (0 when it does not run).
+  [[nodiscard]] std::vector<std::string> processes() const;
+  [[nodiscard]] pid_t pid(const std::string& process) const;
+  /// Sends a line to a control socket of the run folder, for example radio.sock.
+  void control(const std::string& socket, const std::string& line) const;
+  /// The launcher's exit code; -1 when it did not end within `limit`.
+  int exit_code(std::chrono::seconds limit);
+  [[nodiscard]] const std::string& folder() const { return folder_; }
+  /// Keeps the run folder, for a person to look at after a failure.
+  void keep() { keep_ = true; }
+
+ private:
+  std::string folder_;
+  pid_t launcher_ = -1;
+  int code_ = -1;
+  bool keep_ = false;
+};
+
+/// Rows of a CSV text as cells of the named column; quoted cells may hold commas.
+[[nodiscard]] std::vector<std::string> column(const std::string& csv, const std::string& name);
+
+}  // namespace tocsin

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each bad input: one line that names it, exit code 2, nothing left running.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "stack.hpp"
+
+namespace tocsin {
+namespace {
+
+using ::testing::HasSubstr;
+
+class BadInputTest : public ::testing::Test {
+ protected:
+  /// Launches the main job with more arguments and expects it to refuse.
+  static void expect_refused(const std::vector<std::string>& more, const std::string& reason) {
+    std::vector<std::string> arguments{"mission.yaml"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Stack sut(arguments);
+    EXPECT_EQ(sut.exit_code(std::chrono::seconds(30)), 2) << sut.output();
+    EXPECT_THAT(sut.output(), HasSubstr(reason));
+    EXPECT_TRUE(sut.processes().empty()) << "still running";
+  }
+  static std::string file(const std::string& name, const std::string& text) {
+    const std::string path = ::testing::TempDir() + "/" + name;
+    std::ofstream(path) << text;
+    return path;
+  }
+};
+
+TEST_F(BadInputTest, UnknownParameter) {
+  expect_refused({"--set", "navigator.speeed=1"}, "navigator.speeed: unknown key");
+}
+
+TEST_F(BadInputTest, ParameterOutOfRange) {
+  expect_refused({"--set", "transmission_controller.alpha=-1"},
+                 "transmission_controller.alpha: -1 is outside [0.001, 1000]");
+}
+
+TEST_F(BadInputTest, UnknownPolicy) {
+  expect_refused({"--set", "transmission_controller.policy=magic"}, "'magic' is not one of");
+}
+
+TEST_F(BadInputTest, UnreadableMap) {
+  expect_refused({"--set", "navigator.map_file=/nowhere/map.yaml"}, "/nowhere/map.yaml");
+}
+
+TEST_F(BadInputTest, WaypointInsideAWall) {
+  const std::string mission = file("in_wall.yaml",
+                                   "name: in_wall\nframe: map\nwaypoints:\n"
+                                   "  - {x: 100.0, y: 0.0, yaw: 0.0}\n");
+  expect_refused({"--set", "mission_control.mission_file=" + mission}, "waypoint");
+}
+
+TEST_F(BadInputTest, UnknownComponent) {
+  expect_refused({"--set", "naviigator.rate_hz=10"}, "naviigator");
+}
+
+TEST_F(BadInputTest, MissingQosProfile) {
+  std::ifstream shipped(Stack::share("bringup/mission.yaml"));
+  const std::string text((std::istreambuf_iterator<char>(shipped)), {});
+  const std::string qos = file("qos.yaml", "sensor: {}\ncommand: {}\n");
+  std::string changed = text;
+  changed.replace(changed.find("../config/qos.yaml"), 18, qos);
+  for (std::size_t at = 0; (at = changed.find("../config/", at)) != std::string::npos;) {
+    changed.replace(at, 10, Stack::share("config") + "/");
+  }
+  Stack sut({file("deployment.yaml", changed)});
+  EXPECT_EQ(sut.exit_code(std::chrono::seconds(30)), 2) << sut.output();
+  EXPECT_THAT(sut.output(), HasSubstr("QoS profile '"));
+  EXPECT_THAT(sut.output(), HasSubstr("is not in " + qos));
+}
+
+TEST_F(BadInputTest, OccupiedSerialPort) {
+  const int port = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_GE(port, 0);
+  ASSERT_EQ(grantpt(port), 0);
+  ASSERT_EQ(unlockpt(port), 0);
+  const int holder = open(ptsname(port), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_GE(holder, 0);
+  ASSERT_EQ(flock(holder, LOCK_EX | LOCK_NB), 0);
+  expect_refused({"--set", std::string("kobuki_driver.port=") + ptsname(port)},
+                 ptsname(port));
+  close(holder);
+  close(port);
+}
+
+}  // namespace
+}  // namespace tocsin
