@@ -85,7 +85,7 @@ TEST_F(BadInputTest, OccupiedSerialPort) {
   const int holder = open(ptsname(port), O_RDWR | O_NOCTTY | O_CLOEXEC);
   ASSERT_GE(holder, 0);
   ASSERT_EQ(flock(holder, LOCK_EX | LOCK_NB), 0);
-  expect_refused({"--set", std::string("kobuki_driver.port=") + ptsname(port)},
+  expect_refused({"--set", std::string("kobuki_driver.device_port=") + ptsname(port)},
                  ptsname(port));
   close(holder);
   close(port);
