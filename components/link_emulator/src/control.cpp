@@ -82,7 +82,7 @@ sockaddr_un address_of(const std::string& path) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   if (path.size() >= sizeof address.sun_path) {
-    throw ConfigError("link_emulator --control " + path + ": longer than 107 bytes");
+    throw ConfigError("--control " + path + ": longer than 107 bytes");
   }
   path.copy(address.sun_path, path.size());
   return address;
@@ -116,7 +116,7 @@ ControlSocket::ControlSocket(const std::string& path)
   const sockaddr_un address = address_of(path);
   remove_stale_socket(path);
   if (::bind(fd_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    throw ConfigError("link_emulator --control " + path + ": " + std::strerror(errno));
+    throw ConfigError("--control " + path + ": " + std::strerror(errno));
   }
 }
 

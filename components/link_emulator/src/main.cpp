@@ -3,10 +3,10 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <iostream>
+#include <cstdlib>
 
 #include "emulator.hpp"
-#include "foundation/error.hpp"
+#include "foundation/program.hpp"
 
 namespace {
 
@@ -21,15 +21,9 @@ void die_with_parent() {
 
 int main(int argc, char** argv) {
   die_with_parent();
-  try {
+  return tocsin::run_program("link_emulator", [&] {
     const auto options = tocsin::link::parse_options(argc, argv);
     if (options) tocsin::link::Emulator(*options).run();
     return 0;
-  } catch (const tocsin::ConfigError& error) {
-    std::cerr << error.what() << std::endl;
-    return 2;
-  } catch (const tocsin::EnvironmentError& error) {
-    std::cerr << error.what() << std::endl;
-    return 1;
-  }
+  });
 }

@@ -13,7 +13,7 @@ namespace tocsin::link {
 namespace {
 
 [[noreturn]] void bad_end(const std::string& text, const std::string& reason) {
-  throw ConfigError("link_emulator --end " + text + ": " + reason +
+  throw ConfigError("--end " + text + ": " + reason +
                     "; wanted NAME:NETNS:ADDRESS/PREFIX, for example "
                     "uxv:/run/netns/uxv:10.77.0.1/24");
 }
@@ -28,11 +28,10 @@ int prefix_of(const std::string& text, const std::string& whole) {
 
 void check(const Options& options) {
   if (options.uxv.netns.empty() || options.gcs.netns.empty()) {
-    throw ConfigError("link_emulator --end: needs one for uxv and one for gcs");
+    throw ConfigError("--end: needs one for uxv and one for gcs");
   }
   if (options.interface.empty() || options.interface.size() >= IFNAMSIZ) {
-    throw ConfigError("link_emulator --interface: '" + options.interface +
-                      "' is not 1 to 15 characters");
+    throw ConfigError("--interface: '" + options.interface + "' is not 1 to 15 characters");
   }
 }
 
@@ -79,7 +78,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     std::cout << app.help();
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
-    throw ConfigError(std::string("link_emulator: ") + error.what());
+    throw ConfigError(error.what());
   }
   for (const std::string& end : ends) parse_end(end, options);
   check(options);

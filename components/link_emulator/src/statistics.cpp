@@ -73,10 +73,13 @@ std::string wireless_text(const std::string& interface, const radio::LinkReport&
 }
 
 StatsFile::StatsFile(const std::string& path) : file_(path, std::ios::app) {
-  if (!file_) throw ConfigError("link_emulator --stats " + path + ": " + std::strerror(errno));
+  if (!file_) throw ConfigError("--stats " + path + ": " + std::strerror(errno));
 }
 
-void StatsFile::append(const std::string& line) { file_ << line << '\n' << std::flush; }
+void StatsFile::append(const std::string& line) {
+  file_.clear();  // a disk that was full may have room again
+  file_ << line << '\n' << std::flush;
+}
 
 void replace_file(const std::string& path, const std::string& text) {
   const std::string draft = path + ".new";
@@ -84,7 +87,7 @@ void replace_file(const std::string& path, const std::string& text) {
   file << text;
   file.close();
   if (!file || std::rename(draft.c_str(), path.c_str()) != 0) {
-    throw ConfigError("link_emulator --wireless " + path + ": " + std::strerror(errno));
+    throw ConfigError("--wireless " + path + ": " + std::strerror(errno));
   }
 }
 

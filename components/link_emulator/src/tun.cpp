@@ -22,7 +22,7 @@ std::string reason() { return std::strerror(errno); }
 
 FileDescriptor open_namespace(const std::string& path) {
   FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!fd.valid()) throw ConfigError("link_emulator: network namespace " + path + ": " + reason());
+  if (!fd.valid()) throw ConfigError("network namespace " + path + ": " + reason());
   return fd;
 }
 
@@ -33,9 +33,9 @@ class NamespaceVisit {
     const FileDescriptor target = open_namespace(path);
     if (::setns(target.get(), CLONE_NEWNET) == 0) return;
     if (errno == EINVAL) {
-      throw ConfigError("link_emulator: " + path + " is not a network namespace");
+      throw ConfigError(path + " is not a network namespace");
     }
-    throw EnvironmentError("link_emulator: needs CAP_SYS_ADMIN to enter " + path +
+    throw EnvironmentError("needs CAP_SYS_ADMIN to enter " + path +
                            " (run as root or inside a user namespace): " + reason());
   }
   ~NamespaceVisit() {
@@ -51,17 +51,17 @@ class NamespaceVisit {
 FileDescriptor attach(const std::string& interface) {
   FileDescriptor fd(::open("/dev/net/tun", O_RDWR | O_CLOEXEC | O_NONBLOCK));
   if (!fd.valid()) {
-    throw EnvironmentError("link_emulator: needs /dev/net/tun to carry packets: " + reason());
+    throw EnvironmentError("needs /dev/net/tun to carry packets: " + reason());
   }
   ifreq request{};
   interface.copy(request.ifr_name, IFNAMSIZ - 1);
   request.ifr_flags = IFF_TUN | IFF_NO_PI;
   if (::ioctl(fd.get(), TUNSETIFF, &request) != 0) {
-    throw EnvironmentError("link_emulator: needs CAP_NET_ADMIN to make the interface " + interface +
+    throw EnvironmentError("needs CAP_NET_ADMIN to make the interface " + interface +
                            ", and no other process on it: " + reason());
   }
   if (::ioctl(fd.get(), TUNSETPERSIST, 1) != 0) {
-    throw EnvironmentError("link_emulator: cannot make " + interface + " persistent: " + reason());
+    throw EnvironmentError("cannot make " + interface + " persistent: " + reason());
   }
   return fd;
 }
@@ -92,8 +92,8 @@ class InterfaceSetup {
  private:
   void apply(unsigned long request, const char* what) {
     if (::ioctl(socket_.get(), request, &request_) == 0) return;
-    throw EnvironmentError("link_emulator: cannot set the " + std::string(what) + " of " +
-                           interface_ + ": " + reason());
+    throw EnvironmentError("cannot set the " + std::string(what) + " of " + interface_ + ": " +
+                           reason());
   }
 
   std::string interface_;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -156,6 +157,18 @@ TEST_F(LinkEmulator, WritesTheWirelessFileOfTheKernel) {
   std::string line;
   for (int i = 0; i < 3; ++i) std::getline(file, line);
   EXPECT_THAT(line, HasSubstr(" wlan0: 0000   70.  "));
+}
+
+TEST_F(LinkEmulator, CarriesOnWhenTheWirelessFileCannotBeReplaced) {
+  Emulator sut(open_channel);
+  ASSERT_TRUE(sut.ready());
+  const std::string obstacle = sut.file("wireless.new");
+  ASSERT_EQ(::mkdir(obstacle.c_str(), 0700), 0);
+  (void)sut.next_stats();
+  EXPECT_GT(sut.next_stats()["write_errors"], 0);
+  Ends ends;
+  EXPECT_TRUE(passes(ends.uxv, ends.gcs));
+  ::rmdir(obstacle.c_str());
 }
 
 TEST_F(LinkEmulator, RemovesItsInterfacesAndSocketOnSigterm) {

@@ -17,20 +17,24 @@ double log_distance_db(const ChannelParams& p, double distance_m) {
          10 * p.exponent_far * std::log10(d / near);
 }
 
+struct Point {
+  double x;
+  double y;
+};
+
 /// Twice the signed area of the triangle: which side of a-b the point c lies on.
-double side(double ax, double ay, double bx, double by, double cx, double cy) {
-  return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+double side(Point a, Point b, Point c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 }  // namespace
 
-bool crosses(const Wall& w, double ax_m, double ay_m, double bx_m, double by_m) {
-  const double a = side(w.x1_m, w.y1_m, w.x2_m, w.y2_m, ax_m, ay_m);
-  const double b = side(w.x1_m, w.y1_m, w.x2_m, w.y2_m, bx_m, by_m);
-  if (a * b >= 0) return false;
-  return side(ax_m, ay_m, bx_m, by_m, w.x1_m, w.y1_m) *
-             side(ax_m, ay_m, bx_m, by_m, w.x2_m, w.y2_m) <
-         0;
+bool crosses(const Wall& wall, double ax_m, double ay_m, double bx_m, double by_m) {
+  const Point a{ax_m, ay_m};
+  const Point b{bx_m, by_m};
+  const Point from{wall.x1_m, wall.y1_m};
+  const Point to{wall.x2_m, wall.y2_m};
+  return side(from, to, a) * side(from, to, b) < 0 && side(a, b, from) * side(a, b, to) < 0;
 }
 
 Propagation::Propagation(const ChannelParams& params, std::vector<Wall> walls, std::uint64_t seed,

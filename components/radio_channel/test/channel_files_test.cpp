@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <sstream>
 
 #include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
 
 namespace tocsin::radio {
 namespace {
@@ -63,6 +65,12 @@ TEST(WallsFile, RejectsWhatIsNoWall) {
   EXPECT_THAT(error_of(load_walls, "walls: [[1, 2, 3, 4, -1]]"), HasSubstr("[0, 100]"));
   EXPECT_THAT(error_of(load_walls, "walls: 3"), HasSubstr("no list"));
   EXPECT_THAT(error_of(load_walls, "[1]"), HasSubstr("no list"));
+}
+
+TEST(Readme, ShowsTheParametersAsTheyAre) {
+  std::ostringstream readme;
+  readme << std::ifstream(TOCSIN_SOURCE_DIR "/README.md").rdbuf();
+  EXPECT_THAT(readme.str(), HasSubstr(default_yaml<ChannelParams>()));
 }
 
 TEST(ShippedFiles, AllLoad) {
