@@ -15,10 +15,12 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// `a - b` for a >= b, without overflow.
 Duration since(Time a, Time b) {
-  if (b.time_since_epoch().count() < 0 && a > Time::max() + b.time_since_epoch()) {
+  Duration::rep difference = 0;
+  if (__builtin_sub_overflow(a.time_since_epoch().count(), b.time_since_epoch().count(),
+                             &difference)) {
     return Duration::max();
   }
-  return a - b;
+  return Duration{difference};
 }
 
 /// `a + b` for positive values, without overflow.
@@ -90,9 +92,11 @@ Policy::Policy(const char* name, const PolicyLimits& limits, std::unique_ptr<Rul
   if (!text.str().empty()) throw ConfigError(text.str());
 }
 
+// The private steps are inline because position-independent code would otherwise call them.
+
 /// Only steps forward count, so a clock that is set back cannot move the end of a pause away.
 /// Returns true when the clock went back.
-bool Policy::advance(Time now) {
+inline bool Policy::advance(Time now) {
   const bool back = now_ && now < *now_;
   const Duration step = now_ && !back ? since(now, *now_) : Duration{};
   now_ = now;
@@ -102,17 +106,17 @@ bool Policy::advance(Time now) {
 }
 
 /// A stamp of the future is taken as `now`, lest it make all later samples look stale.
-bool Policy::is_stale(Time stamp, bool clock_went_back) {
+inline bool Policy::is_stale(Time stamp, bool clock_went_back) {
   const Time bounded = std::min(stamp, *now_);
   if (last_stamp_ && !clock_went_back && bounded < *last_stamp_) return true;
   last_stamp_ = bounded;
   return false;
 }
 
-bool Policy::pause_expired() const { return state_ == State::passive && silent_ >= th_max_; }
+inline bool Policy::pause_expired() const { return state_ == State::passive && silent_ >= th_max_; }
 
-Verdict Policy::limit_silence(Verdict verdict) {
-  if (state_ == State::active || verdict.change) return verdict;
+inline void Policy::limit_silence(Verdict& verdict) const {
+  if (state_ == State::active || verdict.change) return;
   if (age_ >= th_max_samples_) {
     verdict.change = true;
     verdict.reason = Reason::forced_resume_samples;
@@ -120,34 +124,9 @@ Verdict Policy::limit_silence(Verdict verdict) {
     verdict.change = true;
     verdict.reason = Reason::forced_resume_time;
   }
-  return verdict;
 }
 
-Evidence Policy::on_sample(const Sample& sample, Time now) {
-  const bool back = advance(now);
-  if (state_ == State::active && unheard_ > gap_) rule_->forget();
-  const bool stale = is_stale(sample.stamp, back);
-  const double qni = stale || !std::isfinite(sample.qni) ? nan : sample.qni;
-  if (!std::isnan(qni)) unheard_ = Duration{};
-  Verdict verdict;
-  if (state_ == State::active) {
-    verdict = rule_->while_active(qni);
-  } else {
-    verdict = rule_->while_passive(qni, ++age_);
-  }
-  if (!verdict.change && stale) verdict.reason = Reason::stale_sample;
-  if (!verdict.change && !stale && std::isnan(qni)) verdict.reason = Reason::no_measurement;
-  return conclude(limit_silence(verdict), qni);
-}
-
-Evidence Policy::on_deadline(Time now) {
-  advance(now);
-  Verdict verdict;
-  if (pause_expired()) verdict = {true, Reason::forced_resume_time, 0, 0};
-  return conclude(verdict, nan);
-}
-
-Evidence Policy::conclude(const Verdict& verdict, double qni) {
+inline Evidence Policy::conclude(const Verdict& verdict, double qni) {
   Evidence evidence;
   evidence.age = age_;
   if (verdict.change) {
@@ -164,6 +143,27 @@ Evidence Policy::conclude(const Verdict& verdict, double qni) {
   evidence.threshold = verdict.threshold;
   if (state_ == State::passive) evidence.deadline = saturating_sum(*now_, th_max_ - silent_);
   return evidence;
+}
+
+Evidence Policy::on_sample(const Sample& sample, Time now) {
+  const bool back = advance(now);
+  if (state_ == State::active && unheard_ > gap_) rule_->forget();
+  const bool stale = is_stale(sample.stamp, back);
+  const double qni = stale || !std::isfinite(sample.qni) ? nan : sample.qni;
+  if (!std::isnan(qni)) unheard_ = Duration{};
+  Verdict verdict =
+      state_ == State::active ? rule_->while_active(qni) : rule_->while_passive(qni, ++age_);
+  if (!verdict.change && stale) verdict.reason = Reason::stale_sample;
+  if (!verdict.change && !stale && std::isnan(qni)) verdict.reason = Reason::no_measurement;
+  limit_silence(verdict);
+  return conclude(verdict, qni);
+}
+
+Evidence Policy::on_deadline(Time now) {
+  advance(now);
+  Verdict verdict;
+  if (pause_expired()) verdict = {true, Reason::forced_resume_time, 0, 0};
+  return conclude(verdict, nan);
 }
 
 }  // namespace tocsin::decision

@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "policy_rules.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tocsin::decision {
 
 ThresholdRule::ThresholdRule(double pause_below, double resume_at, int in_a_row)
     : pause_below_(pause_below), resume_at_(resume_at), in_a_row_(in_a_row) {}
 
+void ThresholdRule::count(double qni) {
+  if (std::isnan(qni)) return;
+  low_ = qni < pause_below_ ? std::min(low_ + 1, in_a_row_) : 0;
+  high_ = qni >= resume_at_ ? std::min(high_ + 1, in_a_row_) : 0;
+}
+
 Verdict ThresholdRule::while_active(double qni) {
-  if (std::isnan(qni)) return {false, Reason::steady, qni, pause_below_};
-  agreeing_ = qni < pause_below_ ? agreeing_ + 1 : 0;
-  const bool pause = agreeing_ >= in_a_row_;
+  count(qni);
+  const bool pause = low_ == in_a_row_ && !std::isnan(qni);
   return {pause, pause ? Reason::threshold_low : Reason::steady, qni, pause_below_};
 }
 
 Verdict ThresholdRule::while_passive(double qni, int) {
-  if (std::isnan(qni)) return {false, Reason::steady, qni, resume_at_};
-  agreeing_ = qni >= resume_at_ ? agreeing_ + 1 : 0;
-  const bool resume = agreeing_ >= in_a_row_;
+  count(qni);
+  const bool resume = high_ == in_a_row_ && !std::isnan(qni);
   return {resume, resume ? Reason::threshold_high : Reason::steady, qni, resume_at_};
 }
 

@@ -18,20 +18,24 @@ class AlwaysActive final : public Rule {
   void forget() override {}
 };
 
-/// Two bounds with hysteresis; `in_a_row` samples beyond a bound must agree.
+/// Two bounds with hysteresis; the last `in_a_row` samples must all lie beyond a bound. They are
+/// counted in either state, so that a forced slot in a bad network stays a single one.
 class ThresholdRule final : public Rule {
  public:
   ThresholdRule(double pause_below, double resume_at, int in_a_row);
   Verdict while_active(double qni) override;
   Verdict while_passive(double qni, int age) override;
-  void entered(State) override { agreeing_ = 0; }
-  void forget() override { agreeing_ = 0; }
+  void entered(State) override {}
+  void forget() override { low_ = high_ = 0; }
 
  private:
+  void count(double qni);
+
   double pause_below_;
   double resume_at_;
   int in_a_row_;
-  int agreeing_ = 0;
+  int low_ = 0;
+  int high_ = 0;
 };
 
 /// What the detector of a turn to bad needs.

@@ -71,6 +71,18 @@ TEST(Policy, ThresholdWaitsForSamplesInARow) {
   EXPECT_TRUE(sut(30).changed);
 }
 
+TEST(Policy, ThresholdSpeaksInOneForcedSlotOnlyWhileTheNetworkStaysBad) {
+  PolicyParams params = params_for("threshold");
+  params.threshold_in_a_row = 2;
+  params.th_max_samples = 5;
+  Feed sut(params);
+  sut(30);
+  EXPECT_TRUE(sut(30).changed);
+  for (int k = 1; k < 5; ++k) sut(30);
+  EXPECT_EQ(sut(30).reason, Reason::forced_resume_samples);
+  EXPECT_EQ(sut(30).reason, Reason::threshold_low);
+}
+
 TEST(Policy, TocpPausesAtTheAlarmAndShowsItsEvidence) {
   Feed sut(params_for("tocp"));
   EXPECT_EQ(sut(85).statistic, 0);

@@ -103,8 +103,8 @@ class Policy {
  private:
   bool advance(Time now);
   bool is_stale(Time stamp, bool clock_went_back);
-  bool pause_expired() const;
-  Verdict limit_silence(Verdict verdict);
+  [[nodiscard]] bool pause_expired() const;
+  void limit_silence(Verdict& verdict) const;
   Evidence conclude(const Verdict& verdict, double qni);
 
   const char* name_;
