@@ -143,7 +143,9 @@ void KobukiDriverComponent::publish_battery(const Reading& reading, Time now) {
 
 void KobukiDriverComponent::report_state() {
   if (driver_.state() == reported_) return;
+  const bool just_opened = reported_ == BaseState::no_port && driver_.state() == BaseState::silent;
   reported_ = driver_.state();
+  if (just_opened) return;  // the first frame is on its way
   if (reported_ == BaseState::online) {
     log().info("the base on {} is online", params_.device_port);
   } else {

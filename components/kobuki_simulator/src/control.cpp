@@ -110,6 +110,20 @@ std::optional<Duration> duration(std::istringstream& words, std::optional<Durati
   return value ? std::optional<Duration>(seconds(*value)) : std::nullopt;
 }
 
+std::string silence(SimulatedBase& base, std::istringstream& words, Time now) {
+  const auto time = duration(words, std::nullopt);
+  if (!time) return "error: silence SECONDS";
+  base.silence(now, *time);
+  return "ok";
+}
+
+std::string unplug(SimulatedBase& base, std::istringstream& words, Time now) {
+  const auto time = duration(words, Duration::max());
+  if (!time) return "error: unplug [SECONDS]";
+  base.unplug(now, *time);
+  return "ok";
+}
+
 nlohmann::json sensors(BaseModel& model) {
   const BaseInputs& inputs = model.inputs();
   return {{"buttons", inputs.buttons},
@@ -150,16 +164,8 @@ std::string obey_control(SimulatedBase& base, const std::string& line, Time now)
   if (verb == "get") return get(base, now);
   if (verb == "set") return set(base, words);
   if (verb == "place") return place(base, words);
-  if (verb == "silence") {
-    const auto time = duration(words, std::nullopt);
-    if (time) base.silence(now, *time);
-    return time ? "ok" : "error: silence SECONDS";
-  }
-  if (verb == "unplug") {
-    const auto time = duration(words, Duration::max());
-    if (time) base.unplug(now, *time);
-    return time ? "ok" : "error: unplug [SECONDS]";
-  }
+  if (verb == "silence") return silence(base, words, now);
+  if (verb == "unplug") return unplug(base, words, now);
   if (verb == "plug") base.plug();
   if (verb == "reset") base.power_cycle(now);
   if (verb == "plug" || verb == "reset") return "ok";
