@@ -24,12 +24,6 @@ std::vector<std::string> process_names(const Deployment& deployment) {
   return names;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return "[" + text + "]";
-}
-
 [[noreturn]] void fail(const Deployment& deployment, const std::string& what) {
   throw ConfigError(what + " (" + deployment.file + ")");
 }
@@ -79,7 +73,8 @@ void check_radio(const Deployment& deployment) {
 void leave_out(const std::string& process, Deployment& deployment) {
   const auto names = process_names(deployment);
   if (std::find(names.begin(), names.end(), process) == names.end()) {
-    fail(deployment, "--without " + process + ": no such process; allowed: " + listed(names));
+    fail(deployment,
+         "--without " + process + ": no such process; allowed: " + "[" + joined(names) + "]");
   }
   if (deployment.stop_when_exits == process) deployment.stop_when_exits.clear();
   for (Host& host : deployment.hosts) {
@@ -129,7 +124,7 @@ void check_whole(const Deployment& deployment) {
   check_radio(deployment);
   const std::string& last = deployment.stop_when_exits;
   if (!last.empty() && std::find(names.begin(), names.end(), last) == names.end()) {
-    fail(deployment, "stop_when_exits: '" + last + "' is not one of: " + listed(names));
+    fail(deployment, "stop_when_exits: '" + last + "' is not one of: " + "[" + joined(names) + "]");
   }
 }
 

@@ -7,6 +7,22 @@
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::deployment {
+namespace {
+
+/// Host and name of every component.
+std::vector<std::pair<std::string, std::string>> instances_of(const Deployment& deployment) {
+  std::vector<std::pair<std::string, std::string>> instances;
+  for (const Host& host : deployment.hosts) {
+    for (const Container& container : host.containers) {
+      for (const ComponentInstance& instance : container.components) {
+        instances.emplace_back(host.name, instance.name);
+      }
+    }
+  }
+  return instances;
+}
+
+}  // namespace
 
 void ParameterSet::add_file(const Source& source) {
   const YAML::Node root = read_yaml_file(source.file());
@@ -66,22 +82,16 @@ void ParameterSet::apply(const std::string& host, ComponentInstance& instance) c
 }
 
 void ParameterSet::reject_unknown_components(const Deployment& deployment) const {
+  std::vector<std::string> names;
   std::set<std::string> known;
-  std::string listed;
-  for (const Host& host : deployment.hosts) {
-    for (const Container& container : host.containers) {
-      for (const ComponentInstance& instance : container.components) {
-        if (known.insert(instance.name).second) {
-          listed += (listed.empty() ? "" : ", ") + instance.name;
-        }
-        known.insert(host.name + "/" + instance.name);
-      }
-    }
+  for (const auto& [host, name] : instances_of(deployment)) {
+    if (known.insert(name).second) names.push_back(name);
+    known.insert(host + "/" + name);
   }
   for (const auto& [component, origin] : component_origins_) {
     if (known.count(component) != 0) continue;
     throw ConfigError(component + ": no such component in " + deployment.file + "; allowed: [" +
-                      listed + "] (" + origin + ")");
+                      joined(names) + "] (" + origin + ")");
   }
 }
 

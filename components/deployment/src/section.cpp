@@ -19,12 +19,6 @@ bool is_name(const std::string& text) {
          std::all_of(text.begin(), text.end(), allowed);
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 bool is_relative_path(const std::string& text) {
   return text.rfind("./", 0) == 0 || text.rfind("../", 0) == 0;
 }
@@ -173,6 +167,12 @@ void Section::reject_unknown_keys() const {
     throw ConfigError(owner_ + "." + key + ": unknown key; allowed: [" + joined(named_) + "]" +
                       yaml_place(source_.file(), entry.first));
   }
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
 }
 
 void check_name(const std::string& name, const std::string& what, const YAML::Node& node,

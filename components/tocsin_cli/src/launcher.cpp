@@ -130,10 +130,13 @@ void Launcher::on_exit(Process& process, const Ending& ending, Time now) {
   const std::string& name = process.spec().name;
   const std::string end = name + " ended with " + describe(ending);
   const std::string said = process.last_line().empty() ? "" : ": " + process.last_line();
+  if (name == deployment_.stop_when_exits && !ending.by_signal && ending.code <= 1) {
+    stop(ending.code, end + ", stopping" + (ending.code == 0 ? "" : said));
+    return;
+  }
   const Verdict verdict = process.judge(ending, now);
   switch (verdict.kind) {
     case Verdict::Kind::finished:
-      if (name == deployment_.stop_when_exits) stop(0, name + " is done, stopping");
       return;
     case Verdict::Kind::restart:
       journal_.say(end + ", restarting");

@@ -72,7 +72,13 @@ TEST_F(LaunchPairTest, EndsWithTheProcessThatTheFileNames) {
   launch_pair("exit 0", "stop_when_exits: a/x");
   EXPECT_EQ(exit_code(), 0);
   EXPECT_FALSE(sleeper_lives());
-  EXPECT_THAT(output(), HasSubstr("a/x is done, stopping"));
+  EXPECT_THAT(output(), HasSubstr("a/x ended with exit code 0, stopping"));
+}
+
+TEST_F(LaunchPairTest, EndsWithOneWhenTheNamedProcessGivesUp) {
+  launch_pair("sleep 5.1; echo mission aborted; exit 1", "stop_when_exits: a/x");
+  EXPECT_EQ(exit_code(), 1);
+  EXPECT_THAT(output(), HasSubstr("a/x ended with exit code 1, stopping: mission aborted"));
 }
 
 TEST_F(LaunchTest, StopsInReverseOrderOnCtrlC) {

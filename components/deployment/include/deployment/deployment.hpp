@@ -79,7 +79,7 @@ struct Deployment {
   std::string traffic;          ///< path; empty only without containers
   int link_domain = 2;          ///< DDS domain id of the topics that cross the radio
   std::string ros_namespace;    ///< of all topics; empty or words joined by '/'
-  std::string stop_when_exits;  ///< "host/process", or empty
+  std::string stop_when_exits;  ///< "host/process" whose exit with 0 or 1 ends the run; or empty
   RestartPolicy restart;
   std::optional<Radio> radio;
   std::vector<Host> hosts;  ///< one or two, in the file's order

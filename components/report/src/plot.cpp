@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plot.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <string>
+
+#include "foundation/error.hpp"
+#include "summary.hpp"
+
+namespace tocsin::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Colours that people with red-green blindness tell apart (Okabe and Ito).
+constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73",
+                                   "#cc79a7", "#e69f00", "#56b4e9"};
+
+void write_series(const Recording& recording, const fs::path& folder) {
+  std::ofstream qni(folder / "qni.dat");
+  for (const Decision& decision : recording.decisions) {
+    qni << decision.time_s - recording.begin_s << " " << decision.qni << "\n";
+  }
+  std::ofstream per(folder / "per.dat");
+  for (const Quality& quality : recording.qualities) {
+    per << quality.time_s - recording.begin_s << " " << quality.per_percent << "\n";
+  }
+}
+
+/// A block of two columns for each class, in the order of the map.
+void write_traffic(const Recording& recording, const fs::path& folder) {
+  std::ofstream traffic(folder / "traffic.dat");
+  for (const auto& [name, arrivals] : recording.arrivals) {
+    double second = 0.5;
+    for (const double rate : byte_rates(arrivals, recording.begin_s, recording.end_s)) {
+      traffic << second << " " << rate * 8e-3 << "\n";
+      second += 1;
+    }
+    traffic << "\n\n";
+  }
+}
+
+std::string pause_boxes(const Recording& recording) {
+  std::string text;
+  for (const Pause& pause : pauses_of(recording)) {
+    text += "set object rectangle from " + std::to_string(pause.begin_s - recording.begin_s) +
+            ", graph 0 to " + std::to_string(pause.end_s - recording.begin_s) +
+            ", graph 1 behind fillcolor rgb '#dddddd' fillstyle solid noborder\n";
+  }
+  return text;
+}
+
+std::string traffic_lines(const Recording& recording) {
+  std::string text = "plot ";
+  std::size_t index = 0;
+  for (const auto& [name, arrivals] : recording.arrivals) {
+    if (index > 0) text += ", ";
+    text += "'traffic.dat' index " + std::to_string(index) +
+            " with lines linewidth 1.5 linecolor rgb '" + colours[index % std::size(colours)] +
+            "' title '" + name + "'";
+    ++index;
+  }
+  return index > 0 ? text + "\n" : "";
+}
+
+std::string script(const Recording& recording) {
+  const std::string policy =
+      recording.decisions.empty() ? "" : ", policy " + recording.decisions.back().policy;
+  std::string panels =
+      "set multiplot layout 2,1 title 'Mission " + recording.mission.name + policy +
+      " (grey: paused)' noenhanced\n" + pause_boxes(recording) +
+      "set xrange [0:" + std::to_string(recording.end_s - recording.begin_s) +
+      "]\nset grid\nset lmargin 10\nset rmargin 22\nset key outside right\n"
+      "set yrange [0:100]\nset ylabel 'QNI, PER [%]'\n"
+      "plot 'qni.dat' with lines linewidth 1.5 linecolor rgb '#0072b2' title 'QNI', "
+      "'per.dat' with lines linewidth 1.5 linecolor rgb '#d55e00' title 'PER'\n"
+      "set ylabel 'received [kbit/s]'\nset xlabel 'time [s]'\n"
+      "set yrange [0.1:*]\nset logscale y\n" +
+      traffic_lines(recording) + "unset multiplot\nunset logscale y\nreset\n";
+  return "set terminal pngcairo size 1200,800\nset output '../plot.png'\n" + panels +
+         "set terminal svg size 1200,800 background '#ffffff'\nset output '../plot.svg'\n" + panels;
+}
+
+}  // namespace
+
+void draw_plot(const Recording& recording) {
+  const fs::path folder = fs::path(recording.folder) / "plot";
+  fs::create_directories(folder);
+  write_series(recording, folder);
+  write_traffic(recording, folder);
+  std::ofstream(folder / "plot.gnuplot") << script(recording);
+  const std::string command = "cd '" + folder.string() + "' && gnuplot plot.gnuplot 2>gnuplot.log";
+  if (std::system(command.c_str()) != 0) {
+    throw EnvironmentError("the plot could not be drawn; is gnuplot there? See " +
+                           (folder / "gnuplot.log").string());
+  }
+}
+
+}  // namespace tocsin::report

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recording.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <set>
+
+#include "csv_table.hpp"
+#include "deployment/deployment.hpp"
+#include "foundation/error.hpp"
+#include "foundation/yaml_file.hpp"
+
+namespace tocsin::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Topic -> class, of what one role sends.
+using Classes = std::map<std::string, std::string>;
+
+Classes classes_of(const YAML::Node& traffic, const std::string& role) {
+  Classes classes;
+  for (const auto& entry : traffic[role]) {
+    for (const auto& topic : entry.second["topics"]) {
+      classes[topic.Scalar()] = role + " " + entry.first.Scalar();
+    }
+  }
+  return classes;
+}
+
+std::string file_of(std::string topic) {
+  std::replace(topic.begin(), topic.end(), '/', '.');
+  return topic + ".csv";
+}
+
+/// Send times of the samples of a topic that the receiver's own side has written. Only topics that
+/// both sides write have a field `role`.
+std::set<std::string> own_samples(const std::string& folder, const std::string& topic,
+                                  const std::string& receiver) {
+  std::set<std::string> own;
+  const CsvTable table = CsvTable::read(folder + "/" + receiver + "/" + file_of(topic));
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.text(row, "role") == receiver) own.insert(table.text(row, "send_s"));
+  }
+  return own;
+}
+
+Arrival arrival_of(const CsvTable& table, std::size_t row) {
+  return {table.number(row, "send_s"),
+          table.number(row, "receive_s"),
+          table.text(row, "topic"),
+          table.text(row, "writer"),
+          std::strtoull(table.text(row, "sequence").c_str(), nullptr, 10),
+          table.number(row, "bytes")};
+}
+
+/// Adds what `receiver` got from the other side.
+void add_arrivals(const Classes& classes, const std::string& receiver, Recording& recording) {
+  const CsvTable table = CsvTable::read(recording.folder + "/" + receiver + "/messages.csv");
+  std::map<std::string, std::set<std::string>> own;
+  for (const auto& [topic, name] : classes) {
+    own[topic] = own_samples(recording.folder, topic, receiver);
+  }
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    Arrival arrival = arrival_of(table, row);
+    const auto found = classes.find(arrival.topic);
+    if (found == classes.end() || !std::isfinite(arrival.sent_s + arrival.received_s)) continue;
+    if (own[arrival.topic].count(table.text(row, "send_s")) != 0) continue;
+    recording.arrivals[found->second].push_back(std::move(arrival));
+  }
+}
+
+/// The table of a topic as the vehicle recorded it, else as the ground station did.
+CsvTable vehicle_table(const std::string& folder, const std::string& topic) {
+  CsvTable table = CsvTable::read(folder + "/uxv/" + topic + ".csv");
+  return table.rows() > 0 ? table : CsvTable::read(folder + "/gcs/" + topic + ".csv");
+}
+
+void add_decisions(Recording& recording) {
+  const CsvTable table = vehicle_table(recording.folder, "transmission_state");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.text(row, "role") != "uxv") continue;
+    const std::string& active = table.text(row, "active");
+    recording.decisions.push_back({table.number(row, "send_s"), active == "true" || active == "1",
+                                   table.text(row, "policy"), table.text(row, "reason"),
+                                   table.number(row, "qni")});
+  }
+}
+
+void add_qualities(Recording& recording) {
+  const CsvTable table = vehicle_table(recording.folder, "network_quality");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    recording.qualities.push_back({table.number(row, "send_s"), table.number(row, "per_percent"),
+                                   table.number(row, "signal_dbm")});
+  }
+}
+
+void add_mission(Recording& recording) {
+  const CsvTable table = CsvTable::read(recording.folder + "/gcs/mission_status.csv");
+  if (table.rows() == 0) return;
+  const std::size_t last = table.rows() - 1;
+  const auto whole = [&](const char* column) {
+    const double value = table.number(last, column);
+    return std::isfinite(value) ? static_cast<int>(value) : 0;
+  };
+  recording.mission = {table.text(last, "mission"), table.text(last, "state"),
+                       whole("waypoint"),           whole("waypoints"),
+                       whole("goals_sent"),         table.number(last, "elapsed_s")};
+}
+
+void find_limits(Recording& recording) {
+  double begin_s = std::numeric_limits<double>::infinity();
+  double end_s = -begin_s;
+  const auto widen = [&](double time_s) {
+    begin_s = std::min(begin_s, time_s);
+    end_s = std::max(end_s, time_s);
+  };
+  for (const auto& [name, arrivals] : recording.arrivals) {
+    for (const Arrival& arrival : arrivals) widen(arrival.received_s);
+  }
+  for (const Decision& decision : recording.decisions) widen(decision.time_s);
+  if (begin_s > end_s) {
+    throw ConfigError(recording.folder + ": holds no recording (uxv/ and gcs/ messages.csv)");
+  }
+  recording.begin_s = begin_s;
+  recording.end_s = end_s;
+}
+
+}  // namespace
+
+Recording load_recording(const std::string& folder) {
+  Recording recording;
+  recording.folder = folder;
+  const auto deployment = deployment::load_resolved(folder + "/deployment.yaml");
+  const YAML::Node traffic = read_yaml_file(deployment.traffic);
+  add_arrivals(classes_of(traffic, "uxv"), "gcs", recording);
+  add_arrivals(classes_of(traffic, "gcs"), "uxv", recording);
+  add_decisions(recording);
+  add_qualities(recording);
+  add_mission(recording);
+  find_limits(recording);
+  return recording;
+}
+
+}  // namespace tocsin::report

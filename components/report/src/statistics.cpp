@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace tocsin::report {
+
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return std::nan("");
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+  const std::size_t index = std::max<std::size_t>(rank, 1) - 1;
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(index),
+                   values.end());
+  return values[index];
+}
+
+Spread spread_of(const std::vector<double>& values) {
+  return {percentile(values, 0.5), percentile(values, 0.99)};
+}
+
+std::uint64_t lost(const std::vector<Arrival>& arrivals) {
+  struct Span {
+    std::uint64_t first = ~std::uint64_t{0};
+    std::uint64_t last = 0;
+    std::uint64_t count = 0;
+  };
+  std::map<std::pair<std::string, std::string>, Span> spans;
+  for (const Arrival& arrival : arrivals) {
+    Span& span = spans[{arrival.topic, arrival.writer}];
+    span.first = std::min(span.first, arrival.sequence);
+    span.last = std::max(span.last, arrival.sequence);
+    ++span.count;
+  }
+  std::uint64_t missing = 0;
+  for (const auto& [writer, span] : spans) {
+    const std::uint64_t written = span.last - span.first + 1;
+    missing += written > span.count ? written - span.count : 0;
+  }
+  return missing;
+}
+
+std::vector<double> ages(std::vector<Arrival> arrivals, double end_s, double step_s) {
+  std::vector<double> result;
+  if (arrivals.empty()) return result;
+  std::sort(arrivals.begin(), arrivals.end(),
+            [](const Arrival& a, const Arrival& b) { return a.received_s < b.received_s; });
+  const double begin_s = arrivals.front().received_s;
+  double newest_s = arrivals.front().sent_s;
+  auto next = arrivals.begin();
+  const auto steps = static_cast<long>((end_s - begin_s) / step_s + 1e-9);
+  for (long i = 0; i <= steps; ++i) {
+    const double now_s = begin_s + static_cast<double>(i) * step_s;
+    for (; next != arrivals.end() && next->received_s <= now_s; ++next) {
+      newest_s = std::max(newest_s, next->sent_s);
+    }
+    result.push_back(now_s - newest_s);
+  }
+  return result;
+}
+
+std::vector<double> byte_rates(const std::vector<Arrival>& arrivals, double begin_s, double end_s) {
+  if (!(end_s > begin_s)) return {};
+  std::vector<double> rates(static_cast<std::size_t>(std::ceil(end_s - begin_s)));
+  for (const Arrival& arrival : arrivals) {
+    if (arrival.received_s < begin_s || arrival.received_s >= end_s) continue;
+    rates[static_cast<std::size_t>(arrival.received_s - begin_s)] += arrival.bytes;
+  }
+  return rates;
+}
+
+}  // namespace tocsin::report

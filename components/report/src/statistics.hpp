@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tocsin::report {
+
+/// One sample that has crossed the link.
+struct Arrival {
+  double sent_s = 0;      ///< [s] since the Unix epoch
+  double received_s = 0;  ///< [s] since the Unix epoch
+  std::string topic;
+  std::string writer;          ///< changes when the writer restarts
+  std::uint64_t sequence = 0;  ///< of the writer, from 1
+  double bytes = 0;
+};
+
+/// Median and 99th percentile, both NaN without values.
+struct Spread {
+  double median;
+  double p99;
+};
+
+/// The smallest value that at least `share` of the values do not exceed (nearest rank); NaN when
+/// there are none. `share` in (0, 1].
+[[nodiscard]] double percentile(std::vector<double> values, double share);
+[[nodiscard]] Spread spread_of(const std::vector<double>& values);
+
+/// Samples that never came: gaps in the sequence of each writer of each topic.
+[[nodiscard]] std::uint64_t lost(const std::vector<Arrival>& arrivals);
+
+/// How old [s] the newest sample of one topic was at the receiver, looked at every `step_s` from
+/// the first arrival to `end_s`.
+[[nodiscard]] std::vector<double> ages(std::vector<Arrival> arrivals, double end_s, double step_s);
+
+/// Received bytes per second in bins of one second from `begin_s` to `end_s`.
+[[nodiscard]] std::vector<double> byte_rates(const std::vector<Arrival>& arrivals, double begin_s,
+                                             double end_s);
+
+}  // namespace tocsin::report

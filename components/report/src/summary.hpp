@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "recording.hpp"
+
+namespace tocsin::report {
+
+/// How a class, or one topic, came through.
+struct Traffic {
+  std::string name;
+  std::uint64_t received = 0;
+  std::uint64_t lost = 0;  ///< sent, but never arrived
+  Spread latency_s{};      ///< from write to receipt
+  Spread age_s{};          ///< of the newest sample at the receiver, over time
+  double bytes_per_s = 0;  ///< received
+  /// [%] of those sent; NaN when nothing was.
+  [[nodiscard]] double lost_percent() const;
+};
+
+/// A run in numbers.
+struct Summary {
+  Mission mission;
+  std::string policy;
+  int pauses = 0;
+  double paused_s = 0;
+  double longest_pause_s = 0;
+  double length_s = 0;
+  Spread per_percent{};
+  double qni_median = 0;
+  double qni_min = 0;
+  std::vector<Traffic> classes;  ///< each class, then the goals
+  std::vector<Traffic> topics;
+};
+
+[[nodiscard]] Summary summarise(const Recording& recording);
+
+/// When the vehicle was paused: begin and end [s since the Unix epoch] of each pause.
+struct Pause {
+  double begin_s;
+  double end_s;
+};
+[[nodiscard]] std::vector<Pause> pauses_of(const Recording& recording);
+
+}  // namespace tocsin::report

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recording.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "foundation/error.hpp"
+#include "toy_run.hpp"
+
+namespace tocsin::report {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+TEST(Recording, CountsWhatCrossedTheLinkByClass) {
+  const ToyRun run;
+  const Recording sut = load_recording(run.path());
+  EXPECT_THAT(sut.arrivals.at("uxv low"), SizeIs(3));
+  EXPECT_THAT(sut.arrivals.at("gcs high"), SizeIs(2));
+  const Arrival& first = sut.arrivals.at("uxv low")[0];
+  EXPECT_EQ(first.topic, "camera/image");
+  EXPECT_EQ(first.sent_s, 1000.0);
+  EXPECT_EQ(first.received_s, 1000.5);
+  EXPECT_EQ(first.bytes, 1000);
+}
+
+TEST(Recording, LeavesOutWhatTheReceivingSideWroteItself) {
+  const ToyRun run;
+  const Recording sut = load_recording(run.path());
+  ASSERT_THAT(sut.arrivals.at("uxv critical"), SizeIs(1));
+  EXPECT_EQ(sut.arrivals.at("uxv critical")[0].writer, "2");
+}
+
+TEST(Recording, KeepsTheVehiclesDecisionsOnly) {
+  const ToyRun run;
+  const Recording sut = load_recording(run.path());
+  ASSERT_THAT(sut.decisions, SizeIs(4));
+  EXPECT_TRUE(sut.decisions[0].active);
+  EXPECT_FALSE(sut.decisions[1].active);
+  EXPECT_EQ(sut.decisions[1].reason, "alarm");
+  EXPECT_TRUE(std::isnan(sut.decisions[3].qni));
+}
+
+TEST(Recording, ReadsQualityAndMission) {
+  const ToyRun run;
+  const Recording sut = load_recording(run.path());
+  ASSERT_THAT(sut.qualities, SizeIs(2));
+  EXPECT_EQ(sut.qualities[1].per_percent, 40);
+  EXPECT_EQ(sut.mission.state, "done");
+  EXPECT_EQ(sut.mission.goals_sent, 12);
+  EXPECT_EQ(sut.mission.elapsed_s, 99.5);
+}
+
+TEST(Recording, KnowsItsFirstAndLastTime) {
+  const ToyRun run;
+  const Recording sut = load_recording(run.path());
+  EXPECT_EQ(sut.begin_s, 1000);
+  EXPECT_EQ(sut.end_s, 1100);
+}
+
+TEST(Recording, ReportsWhatOneSideRecorded) {
+  const ToyRun run;
+  run.remove("uxv");
+  const Recording sut = load_recording(run.path());
+  EXPECT_THAT(sut.arrivals.at("uxv low"), SizeIs(3));
+  EXPECT_EQ(sut.arrivals.count("gcs high"), 0U);
+}
+
+TEST(Recording, RejectsAFolderWithoutARun) {
+  EXPECT_THROW((void)load_recording("/no/such/run"), ConfigError);
+}
+
+TEST(Recording, RejectsARunWithoutARecording) {
+  const ToyRun run;
+  run.remove("uxv");
+  run.remove("gcs");
+  try {
+    (void)load_recording(run.path());
+    FAIL() << "no error";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("holds no recording"));
+  }
+}
+
+}  // namespace
+}  // namespace tocsin::report

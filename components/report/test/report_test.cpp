@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "toy_run.hpp"
+
+namespace tocsin::report {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class ReportTest : public ::testing::Test {
+ protected:
+  int run(const std::string& arguments, const std::string& environment = "") const {
+    const std::string command =
+        environment + " " REPORT_PROGRAM " " + arguments + " >" + run_.path("out") + " 2>&1";
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+  [[nodiscard]] std::string output() const { return run_.read("out"); }
+  ToyRun run_;
+};
+
+TEST_F(ReportTest, WritesSummaryAndPlots) {
+  if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot";
+  EXPECT_EQ(run(run_.path()), 0) << output();
+  EXPECT_THAT(output(), StartsWith("Mission   mission_a: done"));
+  EXPECT_THAT(run_.read("summary.txt"), StartsWith("Mission   mission_a: done"));
+  EXPECT_THAT(run_.read("plot.png"), StartsWith("\x89PNG"));
+  EXPECT_THAT(run_.read("plot.svg"), HasSubstr("<svg"));
+  EXPECT_EQ(run_.read("plot/gnuplot.log"), "");
+}
+
+TEST_F(ReportTest, PrintsTheSummaryWithoutGnuplot) {
+  EXPECT_EQ(run(run_.path(), "PATH=/nowhere"), 1);
+  EXPECT_THAT(output(), StartsWith("Mission   mission_a: done"));
+  EXPECT_THAT(output(), HasSubstr("tocsin report: the plot could not be drawn; is gnuplot there?"));
+}
+
+TEST_F(ReportTest, ComparesTwoRuns) {
+  EXPECT_EQ(run("--compare " + run_.path() + " " + run_.path()), 0) << output();
+  EXPECT_THAT(output(), HasSubstr("latency [ms]"));
+}
+
+TEST_F(ReportTest, RejectsAFolderThatIsNoRun) {
+  EXPECT_EQ(run("/no/such/run"), 2);
+  EXPECT_THAT(output(), StartsWith("tocsin report: /no/such/run/deployment.yaml"));
+}
+
+TEST_F(ReportTest, RejectsBadUsage) {
+  EXPECT_EQ(run(""), 2);
+  EXPECT_EQ(run("--compare " + run_.path()), 2);
+  EXPECT_THAT(output(), HasSubstr("--compare needs two run folders"));
+  EXPECT_EQ(run(run_.path() + " " + run_.path()), 2);
+}
+
+}  // namespace
+}  // namespace tocsin::report

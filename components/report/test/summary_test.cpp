@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "summary.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "print.hpp"
+#include "toy_run.hpp"
+
+namespace tocsin::report {
+namespace {
+
+using ::testing::HasSubstr;
+
+Summary toy_summary() {
+  const ToyRun run;
+  return summarise(load_recording(run.path()));
+}
+
+const Traffic& row(const std::vector<Traffic>& rows, const std::string& name) {
+  for (const Traffic& traffic : rows) {
+    if (traffic.name == name) return traffic;
+  }
+  throw std::runtime_error("no row " + name);
+}
+
+TEST(Summary, AddsUpPausesAndEndsTheLastOneWithTheRun) {
+  const Summary sut = toy_summary();
+  EXPECT_EQ(sut.pauses, 2);
+  EXPECT_EQ(sut.paused_s, 10 + 40);
+  EXPECT_EQ(sut.longest_pause_s, 40);
+  EXPECT_EQ(sut.length_s, 100);
+  EXPECT_EQ(sut.policy, "tocp_dsp");
+}
+
+TEST(Summary, DescribesTheNetwork) {
+  const Summary sut = toy_summary();
+  EXPECT_EQ(sut.qni_min, 30);
+  EXPECT_EQ(sut.qni_median, 70);
+  EXPECT_EQ(sut.per_percent.p99, 40);
+}
+
+TEST(Summary, CountsTrafficOfAClass) {
+  const Summary summary = toy_summary();
+  const Traffic& sut = row(summary.classes, "uxv low");
+  EXPECT_EQ(sut.received, 3U);
+  EXPECT_EQ(sut.lost, 2U);
+  EXPECT_DOUBLE_EQ(sut.lost_percent(), 40);
+  EXPECT_DOUBLE_EQ(sut.latency_s.median, 0.5);
+  EXPECT_DOUBLE_EQ(sut.bytes_per_s, 30);
+}
+
+TEST(Summary, AgesATopicUntilTheEndOfTheRun) {
+  const Summary summary = toy_summary();
+  EXPECT_NEAR(row(summary.classes, "uxv low").age_s.p99, 95, 0.2);
+}
+
+TEST(Summary, HasARowForEachTopicAndOneForTheGoals) {
+  const Summary sut = toy_summary();
+  EXPECT_EQ(row(sut.topics, "uxv camera/image").received, 3U);
+  EXPECT_EQ(row(sut.classes, "goals").received, 2U);
+  EXPECT_NEAR(row(sut.classes, "goals").latency_s.median, 0.1, 1e-9);
+}
+
+TEST(Summary, HasNoLossWithoutTraffic) { EXPECT_TRUE(std::isnan(Traffic{}.lost_percent())); }
+
+TEST(Print, TellsTheMainFacts) {
+  const std::string sut = to_text(toy_summary());
+  EXPECT_THAT(sut, HasSubstr("mission_a: done, 9 of 9 waypoints in 99.5 s, 12 goals sent"));
+  EXPECT_THAT(sut, HasSubstr("tocp_dsp: 2 pauses, 50.0 s of 100.0 s paused, the longest 40.0 s"));
+  EXPECT_THAT(sut, HasSubstr("uxv low                                 3      2   40.0    500"));
+}
+
+TEST(Print, SaysWhenNoMissionWasRecorded) {
+  EXPECT_THAT(to_text(Summary{}), HasSubstr("Mission   none was recorded"));
+}
+
+TEST(Print, ComparesTwoRunsRowByRow) {
+  Summary none = toy_summary();
+  none.policy = "none";
+  none.classes.pop_back();
+  const std::string sut = compare_text(none, toy_summary());
+  EXPECT_THAT(sut, HasSubstr("| none"));
+  EXPECT_THAT(sut, HasSubstr("| tocp_dsp"));
+  EXPECT_THAT(sut, HasSubstr("\nuxv low       |    500    500"));
+  EXPECT_THAT(sut, HasSubstr("\ngoals         |      -      -      -      -      -  |"));
+}
+
+}  // namespace
+}  // namespace tocsin::report

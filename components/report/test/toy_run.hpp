@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace tocsin::report {
+
+/// The folder of a run of 100 s that began at 1000 s, as the recorders write it; removed at the
+/// end. The vehicle pauses from 1020 to 1030 s and from 1060 s to the end.
+class ToyRun {
+ public:
+  ToyRun() {
+    std::string name = "/tmp/report_test_XXXXXX";
+    path_ = ::mkdtemp(name.data());
+    write("traffic.yaml",
+          "uxv:\n"
+          "  critical: {while_poor: send, topics: [transmission_state]}\n"
+          "  low: {while_poor: drop, topics: [camera/image]}\n"
+          "gcs:\n"
+          "  critical: {while_poor: send, topics: [transmission_state]}\n"
+          "  high: {while_poor: latest, topics: [goal]}\n");
+    write("deployment.yaml", "traffic: " + path("traffic.yaml") + "\nqos: " + path("traffic.yaml") +
+                                 "\nhosts: {uxv: {role: uxv, address: 10.77.0.1}}\n");
+    write("gcs/messages.csv", head +
+                                  "1000.5,1000.0,camera/image,1,1,1000\n"
+                                  "1001.5,1001.0,camera/image,1,2,1000\n"
+                                  "1004.5,1004.0,camera/image,1,5,1000\n"
+                                  "1005.0,1004.9,transmission_state,2,1,50\n"
+                                  "1005.2,1005.1,transmission_state,3,1,50\n");
+    write("gcs/transmission_state.csv",
+          "receive_s,send_s,sequence,role\n1005.0,1004.9,1,uxv\n"
+          "1005.2,1005.1,1,gcs\n");
+    write("gcs/mission_status.csv",
+          "receive_s,send_s,mission,state,waypoint,waypoints,goals_sent,elapsed_s\n"
+          "1001,1001,mission_a,running,0,9,1,0\n1100,1100,mission_a,done,8,9,12,99.5\n");
+    write("uxv/messages.csv", head + "1002.25,1002.0,goal,4,1,70\n1100,1099.9,goal,4,2,70\n");
+    write("uxv/transmission_state.csv",
+          "receive_s,send_s,role,active,policy,reason,qni\n"
+          "1000,1000,uxv,1,tocp_dsp,steady,90\n1010,1010,gcs,0,tocp_dsp,steady,10\n"
+          "1020,1020,uxv,0,tocp_dsp,alarm,30\n1030,1030,uxv,1,tocp_dsp,best_so_far,70\n"
+          "1060,1060,uxv,0,tocp_dsp,alarm,\n");
+    write("uxv/network_quality.csv",
+          "receive_s,send_s,per_percent,signal_dbm\n1000,1000,0,-50\n1020,1020,40,-80\n");
+  }
+  ~ToyRun() { std::filesystem::remove_all(path_); }
+  ToyRun(const ToyRun&) = delete;
+  ToyRun& operator=(const ToyRun&) = delete;
+
+  void write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories((path_ / name).parent_path());
+    std::ofstream(path_ / name) << text;
+  }
+  void remove(const std::string& name) const { std::filesystem::remove_all(path_ / name); }
+  [[nodiscard]] std::string path(const std::string& name = "") const { return path_ / name; }
+  [[nodiscard]] std::string read(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(path_ / name).rdbuf();
+    return text.str();
+  }
+
+ private:
+  const std::string head = "receive_s,send_s,topic,writer,sequence,bytes\n";
+  std::filesystem::path path_;
+};
+
+}  // namespace tocsin::report
