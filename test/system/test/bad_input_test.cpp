@@ -28,7 +28,7 @@ class BadInputTest : public ::testing::Test {
     EXPECT_TRUE(sut.processes().empty()) << "still running";
   }
   static std::string file(const std::string& name, const std::string& text) {
-    const std::string path = ::testing::TempDir() + "/" + name;
+    const std::string path = ::testing::TempDir() + name;
     std::ofstream(path) << text;
     return path;
   }

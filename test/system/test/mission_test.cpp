@@ -18,7 +18,7 @@ class MissionTest : public ::testing::Test {
  protected:
   /// The first waypoints of Mission A, in the classroom: about 9 m, half a minute.
   static std::string short_mission() {
-    const std::string path = ::testing::TempDir() + "/short_mission.yaml";
+    const std::string path = ::testing::TempDir() + "short_mission.yaml";
     std::ofstream(path) << "name: short\nframe: map\nwaypoints:\n"
                            "  - {x: -0.49, y: 0.47, yaw: 0.0}\n"
                            "  - {x: 3.33, y: -1.91, yaw: 0.0}\n"
