@@ -9,6 +9,7 @@
 #include "kobuki_driver/serial_port.hpp"
 #include "messages.hpp"
 #include "runtime/component_entry.hpp"
+#include "simulated_port.hpp"
 
 namespace tocsin {
 
@@ -35,13 +36,23 @@ const char* text_of(BaseState state) {
 }
 
 std::string memory_path(const Context& context) {
-  return context.run_dir.empty() ? "" : context.run_dir + "/" + context.name + ".odometry";
+  const bool nowhere = context.run_dir.empty() || context.devices != nullptr;
+  return nowhere ? "" : context.run_dir + "/" + context.name + ".odometry";
+}
+
+/// The port of this computer, or of the simulated one. The port lives no longer than `owner`.
+KobukiDriverComponent::Opener opener_for(const Context& context, Component& owner) {
+  if (context.devices == nullptr) return kobuki::open_serial_port;
+  return [devices = context.devices, &owner](const std::string& path) {
+    return kobuki::open_simulated_port(*devices, path,
+                                       [&owner] { owner.schedule().input_arrived(); });
+  };
 }
 
 }  // namespace
 
 KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& params)
-    : KobukiDriverComponent(context, params, kobuki::open_serial_port) {}
+    : KobukiDriverComponent(context, params, opener_for(context, *this)) {}
 
 KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& params, Opener opener)
     : Component(context),

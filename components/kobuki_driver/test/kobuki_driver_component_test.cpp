@@ -167,6 +167,62 @@ TEST_F(KobukiDriverComponentTest, LeavesTheBaseStandingWhenItEnds) {
   EXPECT_EQ(base_.model.velocity().linear_mps, 0);
 }
 
+/// A simulated computer with one base on /dev/kobuki.
+class ModelDevices final : public Devices {
+ public:
+  explicit ModelDevices(Base& base) : base_(base) {}
+  std::unique_ptr<SerialDevice> open_serial(const std::string& path, Readable on) override {
+    readable = std::move(on);
+    if (path != "/dev/kobuki") return nullptr;
+    return std::make_unique<Line>(base_);
+  }
+  std::unique_ptr<EchoDevice> open_echo(const std::string&, std::size_t, Readable) override {
+    return nullptr;
+  }
+  std::optional<std::string> read_text(const std::string&) override { return std::nullopt; }
+  Readable readable;
+
+ private:
+  class Line final : public SerialDevice {
+   public:
+    explicit Line(Base& base) : port_(base) {}
+    std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override {
+      return port_.read(to, size);
+    }
+    bool write(const std::uint8_t* bytes, std::size_t size) override {
+      return port_.write({bytes, size});
+    }
+
+   private:
+    ModelPort port_;
+  };
+  Base& base_;
+};
+
+TEST_F(KobukiDriverComponentTest, UsesThePortOfASimulatedComputerWhenItsBytesCome) {
+  ModelDevices devices(base_);
+  context_.devices = &devices;
+  sut_ = std::make_unique<KobukiDriverComponent>(context_, params_);
+  bus_.add(*sut_);
+  bus_.run_for(seconds(0.03));
+  odom_.take();
+  bus_.run_for(seconds(0.02));
+  EXPECT_TRUE(odom_.take().empty());  // nobody told that bytes wait
+  devices.readable();
+  bus_.run_for(seconds(0.001));
+  EXPECT_FALSE(odom_.take().empty());
+}
+
+TEST_F(KobukiDriverComponentTest, WaitsForASimulatedPortThatIsNotThere) {
+  ModelDevices devices(base_);
+  context_.devices = &devices;
+  params_.device_port = "/dev/other";
+  sut_ = std::make_unique<KobukiDriverComponent>(context_, params_);
+  bus_.add(*sut_);
+  bus_.run_for(seconds(2));
+  EXPECT_TRUE(odom_.take().empty());
+}
+
 TEST_F(KobukiDriverComponentTest, WaitsForAnAbsentPort) {
   base_.plugged = false;
   start();

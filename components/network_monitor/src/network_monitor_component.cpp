@@ -44,12 +44,50 @@ void put_wireless(const network::WirelessReading& reading, const network::Wirele
   message.wireless_source(network::name(reading.source));
 }
 
+/// A way to the target that a simulated computer offers.
+class SimulatedEcho final : public network::EchoPort {
+ public:
+  SimulatedEcho(const Bus& bus, std::unique_ptr<EchoDevice> device)
+      : bus_(bus), device_(std::move(device)) {}
+  network::SendResult send(std::uint16_t sequence) override {
+    return {bus_.now(), device_->send(sequence)};
+  }
+  std::optional<network::EchoReply> receive() override {
+    const auto reply = device_->receive();
+    if (!reply) return std::nullopt;
+    return network::EchoReply{reply->sequence, reply->received};
+  }
+  int fd() const override { return -1; }
+
+ private:
+  const Bus& bus_;
+  std::unique_ptr<EchoDevice> device_;
+};
+
+using Params = NetworkMonitorComponent::Params;
+
+std::unique_ptr<network::EchoPort> open_port(const Context& context, const Params& params,
+                                             Component& owner) {
+  const auto payload_bytes = static_cast<std::size_t>(params.payload_bytes);
+  if (context.devices == nullptr) {
+    return std::make_unique<network::IcmpSocket>(params.target, payload_bytes);
+  }
+  return std::make_unique<SimulatedEcho>(
+      context.bus, context.devices->open_echo(params.target, payload_bytes,
+                                              [&owner] { owner.schedule().input_arrived(); }));
+}
+
+network::WirelessReader open_reader(const Context& context, const Params& params) {
+  if (context.devices == nullptr) return {params.interface_name, params.wireless_file};
+  return {
+      params.interface_name, params.wireless_file,
+      [devices = context.devices](const std::string& path) { return devices->read_text(path); }};
+}
+
 }  // namespace
 
 NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params& params)
-    : NetworkMonitorComponent(context, params,
-                              std::make_unique<network::IcmpSocket>(
-                                  params.target, static_cast<std::size_t>(params.payload_bytes))) {}
+    : NetworkMonitorComponent(context, params, open_port(context, params, *this)) {}
 
 NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params& params,
                                                  std::unique_ptr<network::EchoPort> port)
@@ -57,8 +95,8 @@ NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params&
       interface_name_(params.interface_name),
       port_(std::move(port)),
       window_(params.probe),
-      reader_(params.interface_name, params.wireless_file) {
-  wake_on(port_->fd());
+      reader_(open_reader(context, params)) {
+  if (port_->fd() >= 0) wake_on(port_->fd());
 }
 
 void NetworkMonitorComponent::tick(Time now) {

@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace tocsin::network {
 namespace {
@@ -21,15 +22,28 @@ double age_s(const std::string& path) {
 }  // namespace
 
 WirelessReader::WirelessReader(std::string interface, std::string proc_path)
-    : interface_(std::move(interface)), path_(std::move(proc_path)) {}
+    : interface_(std::move(interface)), path_(std::move(proc_path)) {
+  nl80211_.emplace();
+}
+
+WirelessReader::WirelessReader(std::string interface, std::string proc_path, ReadText read_text)
+    : interface_(std::move(interface)),
+      path_(std::move(proc_path)),
+      read_text_(std::move(read_text)) {}
 
 WirelessReading WirelessReader::read() {
   if (interface_.empty()) return absent("no interface is configured");
-  WirelessReading reading = nl80211_.read(interface_);
+  if (!nl80211_) return read_simulated();
+  WirelessReading reading = nl80211_->read(interface_);
   if (reading.source != WirelessSource::absent) return reading;
   WirelessReading second = read_file();
   if (second.source == WirelessSource::absent) second.note = reading.note + "; " + second.note;
   return second;
+}
+
+WirelessReading WirelessReader::read_simulated() const {
+  const auto text = read_text_(path_);
+  return text ? parse_proc_wireless(*text, interface_) : absent(path_ + " cannot be read");
 }
 
 WirelessReading WirelessReader::read_file() const {

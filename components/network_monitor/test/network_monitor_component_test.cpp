@@ -163,6 +163,63 @@ TEST_F(NetworkMonitorTest, SurvivesADamagedWirelessFile) {
   EXPECT_EQ(sample.per_percent(), 0.0F);
 }
 
+/// A simulated computer whose echo replies come when the test says so.
+class ScriptedDevices : public Devices {
+ public:
+  std::unique_ptr<SerialDevice> open_serial(const std::string&, Readable) override {
+    return nullptr;
+  }
+  std::unique_ptr<EchoDevice> open_echo(const std::string&, std::size_t, Readable on) override {
+    readable = std::move(on);
+    return std::make_unique<Echo>(*this);
+  }
+  std::optional<std::string> read_text(const std::string& path) override {
+    asked = path;
+    return " wlan0: 0000   50.  -60.  -256        0      0      0      0      0        0\n";
+  }
+  std::deque<EchoDevice::Reply> replies;
+  Readable readable;
+  std::string asked;
+  int sent = 0;
+
+ private:
+  class Echo : public EchoDevice {
+   public:
+    explicit Echo(ScriptedDevices& devices) : devices_(devices) {}
+    int send(std::uint16_t) override { return devices_.sent++ == 0 ? 0 : ENETUNREACH; }
+    std::optional<Reply> receive() override {
+      if (devices_.replies.empty()) return std::nullopt;
+      const Reply reply = devices_.replies.front();
+      devices_.replies.pop_front();
+      return reply;
+    }
+
+   private:
+    ScriptedDevices& devices_;
+  };
+};
+
+TEST(NetworkMonitorOnASimulatedComputer, UsesItsDevices) {
+  SimBus bus;
+  ScriptedDevices devices;
+  Context context{bus, "network_monitor", "uxv", ""};
+  context.devices = &devices;
+  SimReader<topic::NetworkQuality> samples(bus);
+  NetworkMonitorComponent sut(context, {});
+  bus.add(sut);
+  devices.replies.push_back({0, bus.now() + seconds(0.003)});
+  devices.readable();
+  bus.run_for(seconds(2.1));
+  const auto got = samples.take();
+  ASSERT_FALSE(got.empty());
+  EXPECT_EQ(devices.asked, "/proc/net/wireless");
+  EXPECT_EQ(got.back().wireless_source(), "proc");
+  EXPECT_EQ(got.back().signal_dbm(), -60.0F);
+  EXPECT_EQ(got.back().probes_received(), 1U);
+  EXPECT_FLOAT_EQ(got.back().rtt_max_ms(), 3.0F);
+  EXPECT_GT(got.back().per_percent(), 50.0F);  // all later ones were refused
+}
+
 TEST(NetworkMonitor, RefusesATargetThatIsNoAddress) {
   SimBus bus;
   Context context{bus, "network_monitor", "uxv", ""};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "component_library.hpp"
+#include "runtime/middleware/component_library.hpp"
 
 #include <dlfcn.h>
 

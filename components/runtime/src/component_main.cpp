@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <string>
 
-#include "component_library.hpp"
 #include "foundation/error.hpp"
 #include "foundation/program.hpp"
+#include "runtime/middleware/component_library.hpp"
 
 namespace tocsin {
 namespace {

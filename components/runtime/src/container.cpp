@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "component_library.hpp"
 #include "foundation/error.hpp"
 #include "runtime/fast_dds_bus.hpp"
+#include "runtime/middleware/component_library.hpp"
 
 namespace tocsin {
 namespace {

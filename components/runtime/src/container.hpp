@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "deployment/deployment.hpp"
-#include "gate_component.hpp"
 #include "runner.hpp"
+#include "runtime/middleware/gate_component.hpp"
 
 namespace tocsin {
 

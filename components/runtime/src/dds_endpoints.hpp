@@ -7,9 +7,9 @@
 #include <string>
 
 #include "fast_dds_participant.hpp"
-#include "gated_writer.hpp"
 #include "runtime/logger.hpp"
-#include "topic_exchange.hpp"
+#include "runtime/middleware/gated_writer.hpp"
+#include "runtime/middleware/topic_exchange.hpp"
 
 namespace tocsin {
 

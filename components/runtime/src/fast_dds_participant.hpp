@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "idl_support/type_info.hpp"
-#include "qos_profile.hpp"
+#include "runtime/middleware/qos_profile.hpp"
 
 namespace tocsin {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gate_component.hpp"
+#include "runtime/middleware/gate_component.hpp"
 
 #include <utility>
 

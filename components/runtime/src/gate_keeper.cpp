@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gate_keeper.hpp"
+#include "runtime/middleware/gate_keeper.hpp"
 
 namespace tocsin {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gated_writer.hpp"
+#include "runtime/middleware/gated_writer.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "qos_profile.hpp"
+#include "runtime/middleware/qos_profile.hpp"
 
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"

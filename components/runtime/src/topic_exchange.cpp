@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "topic_exchange.hpp"
+#include "runtime/middleware/topic_exchange.hpp"
 
 #include <algorithm>
 

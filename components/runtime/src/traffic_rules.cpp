@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "traffic_rules.hpp"
+#include "runtime/middleware/traffic_rules.hpp"
 
 #include <vector>
 

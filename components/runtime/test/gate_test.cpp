@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "../src/gate_component.hpp"
-#include "../src/gate_keeper.hpp"
-#include "../src/gated_writer.hpp"
+#include "runtime/middleware/gate_component.hpp"
+#include "runtime/middleware/gate_keeper.hpp"
+#include "runtime/middleware/gated_writer.hpp"
 #include "runtime/sim_bus.hpp"
 #include "tocsin_idl/topics.hpp"
 

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <string>
 
-#include "../src/qos_profile.hpp"
-#include "../src/traffic_rules.hpp"
 #include "foundation/error.hpp"
+#include "runtime/middleware/qos_profile.hpp"
+#include "runtime/middleware/traffic_rules.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {

@@ -9,12 +9,20 @@
 #include "telemetry/text_file.hpp"
 
 namespace tocsin {
+namespace {
+
+/// A simulated computer has none.
+std::optional<telemetry::Thermometer> find_thermometer(const Context& context,
+                                                       const TelemetryComponent::Params& params) {
+  if (context.devices != nullptr) return std::nullopt;
+  return telemetry::choose_cpu_thermometer(
+      telemetry::list_thermometers(params.thermal_dir, params.hwmon_dir));
+}
+
+}  // namespace
 
 TelemetryComponent::TelemetryComponent(Context& context, const Params& params)
-    : Component(context),
-      params_(params),
-      thermometer_(telemetry::choose_cpu_thermometer(
-          telemetry::list_thermometers(params.thermal_dir, params.hwmon_dir))) {
+    : Component(context), params_(params), thermometer_(find_thermometer(context, params)) {
   wake_every(seconds(params.period_s));
 }
 
@@ -25,7 +33,7 @@ void TelemetryComponent::tick(Time now) {
 }
 
 void TelemetryComponent::report_memory(Time now) {
-  const auto text = telemetry::read_text(params_.meminfo_file);
+  const auto text = read(params_.meminfo_file);
   const auto memory = text ? telemetry::parse_meminfo(*text) : std::nullopt;
   if (!memory) return say_once(params_.meminfo_file + " does not tell the memory");
   topic::MemoryUsage::Message message;
@@ -37,7 +45,7 @@ void TelemetryComponent::report_memory(Time now) {
 }
 
 void TelemetryComponent::report_load(Time now) {
-  const auto text = telemetry::read_text(params_.stat_file);
+  const auto text = read(params_.stat_file);
   const auto snapshot = text ? telemetry::parse_proc_stat(*text) : std::nullopt;
   if (!snapshot) return say_once(params_.stat_file + " does not tell the CPU load");
   const auto load = meter_.update(*snapshot);
@@ -50,7 +58,7 @@ void TelemetryComponent::report_load(Time now) {
 }
 
 void TelemetryComponent::report_temperature(Time now) {
-  const auto text = thermometer_ ? telemetry::read_text(thermometer_->file) : std::nullopt;
+  const auto text = thermometer_ ? read(thermometer_->file) : std::nullopt;
   const auto degrees = text ? telemetry::parse_temperature(*text) : std::nullopt;
   if (!thermometer_) say_once("this computer has no CPU thermometer");
   if (thermometer_ && !degrees) say_once(thermometer_->file + " does not tell a temperature");
@@ -61,6 +69,11 @@ void TelemetryComponent::report_temperature(Time now) {
   if (temperature_.write(std::move(message)) == Status::failed) {
     log().warn("CPU temperature was not sent");
   }
+}
+
+std::optional<std::string> TelemetryComponent::read(const std::string& path) const {
+  Devices* simulated = context().devices;
+  return simulated != nullptr ? simulated->read_text(path) : telemetry::read_text(path);
 }
 
 void TelemetryComponent::say_once(const std::string& text) {

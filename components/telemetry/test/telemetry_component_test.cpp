@@ -74,6 +74,27 @@ TEST_F(TelemetryTest, ReportsLoadFromTheSecondLookOn) {
   EXPECT_THAT(messages[0].core_percent(), ElementsAre(30.0F));
 }
 
+TEST_F(TelemetryTest, ReadsTheFilesOfASimulatedComputer) {
+  class Simulated : public Devices {
+   public:
+    std::unique_ptr<SerialDevice> open_serial(const std::string&, Readable) override {
+      return nullptr;
+    }
+    std::unique_ptr<EchoDevice> open_echo(const std::string&, std::size_t, Readable) override {
+      return nullptr;
+    }
+    std::optional<std::string> read_text(const std::string& path) override {
+      if (path.find("meminfo") == std::string::npos) return std::nullopt;
+      return "MemTotal: 8000 kB\nMemAvailable: 6000 kB\n";
+    }
+  };
+  Simulated devices;
+  context_.devices = &devices;
+  start();
+  EXPECT_FLOAT_EQ(memory_.take().at(0).used_percent(), 25.0F);
+  EXPECT_EQ(temperature_.take().at(0).header().frame_id(), "absent");
+}
+
 TEST_F(TelemetryTest, ReportsTheTemperatureAndItsSensor) {
   start();
   bus_.run_for(seconds(0.5));

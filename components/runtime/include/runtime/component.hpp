@@ -11,6 +11,7 @@
 #include "foundation/time.hpp"
 #include "ros_idl/builtin_interfaces.hpp"
 #include "runtime/bus.hpp"
+#include "runtime/devices.hpp"
 #include "runtime/logger.hpp"
 
 namespace tocsin {
@@ -23,6 +24,7 @@ struct Context {
   std::string run_dir;  ///< folder for files of this run; exists
   /// Ends the process with this code after the current tick; 0 is "my work is done".
   std::function<void(int)> request_exit = [](int) {};
+  Devices* devices = nullptr;  ///< of a simulated computer; null: the real ones
 };
 
 /// When a component runs next. The component asks through its protected functions; the runner

@@ -40,6 +40,7 @@ class TelemetryComponent final : public Component {
   void report_memory(Time now);
   void report_load(Time now);
   void report_temperature(Time now);
+  [[nodiscard]] std::optional<std::string> read(const std::string& path) const;
   void say_once(const std::string& text);
 
   Output<topic::MemoryUsage> memory_{*this};

@@ -7,7 +7,7 @@
 
 #include "idl_support/type_info.hpp"
 #include "runtime/bus.hpp"
-#include "traffic_rules.hpp"
+#include "runtime/middleware/traffic_rules.hpp"
 
 namespace tocsin {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gate_keeper.hpp"
 #include "runtime/component.hpp"
+#include "runtime/middleware/gate_keeper.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
 
