@@ -8,6 +8,7 @@
 namespace tocsin::radio {
 namespace {
 
+constexpr double farthest_m = 1e6;
 constexpr Duration fading_hold{4'000'000};
 
 double log_distance_db(const ChannelParams& p, double distance_m) {
@@ -58,7 +59,7 @@ double Propagation::wall_loss_db() const {
 }
 
 void Propagation::set_position(double x_m, double y_m) {
-  if (!std::isfinite(x_m) || !std::isfinite(y_m)) return;
+  if (!(std::abs(x_m) <= farthest_m && std::abs(y_m) <= farthest_m)) return;
   x_m_ = x_m;
   y_m_ = y_m;
   const double walls_db = wall_loss_db();

@@ -39,7 +39,7 @@ double ShadowingField::sum_of_waves(double x_m, double y_m) const {
 }
 
 double ShadowingField::at_grid(std::int64_t column, std::int64_t row) {
-  const auto [place, is_new] = grid_.try_emplace((column << 32) ^ (row & 0xffffffff), 0.0);
+  const auto [place, is_new] = grid_.try_emplace(column * (std::int64_t{1} << 32) + row, 0.0);
   if (is_new) {
     place->second =
         sum_of_waves(static_cast<double>(column) * step_m_, static_cast<double>(row) * step_m_);

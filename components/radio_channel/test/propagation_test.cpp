@@ -84,13 +84,17 @@ TEST(Propagation, HoldsFadingForFourMilliseconds) {
   EXPECT_NE(sut.rssi_dbm(t0 + Duration{4'000'000}), here);
 }
 
-TEST(Propagation, IgnoresAPositionThatIsNotFinite) {
+TEST(Propagation, IgnoresAPositionThatIsNotFiniteOrTooFar) {
   Propagation sut(plain(), {}, 1, t0);
   sut.set_position(3, 4);
   sut.set_position(std::nan(""), 1);
   sut.set_position(1, HUGE_VAL);
+  sut.set_position(1.001e6, 1);
+  sut.set_position(1, -1e300);
   EXPECT_EQ(sut.x_m(), 3);
   EXPECT_EQ(sut.y_m(), 4);
+  sut.set_position(-1e6, 1e6);
+  EXPECT_EQ(sut.x_m(), -1e6);
 }
 
 }  // namespace

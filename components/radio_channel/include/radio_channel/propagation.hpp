@@ -18,7 +18,8 @@ class Propagation {
   /// `start` is time zero of the fading.
   Propagation(const ChannelParams& params, std::vector<Wall> walls, std::uint64_t seed, Time start);
 
-  /// Moves the station, in metres in the map frame. A position that is not finite is ignored.
+  /// Moves the station, in metres in the map frame. A position that is not finite or
+  /// beyond 1000 km is ignored.
   void set_position(double x_m, double y_m);
 
   /// Loss of path and walls, without shadowing.

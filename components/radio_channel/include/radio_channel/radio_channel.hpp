@@ -71,7 +71,8 @@ class RadioChannel {
   RadioChannel(const RadioChannel&) = delete;
   RadioChannel& operator=(const RadioChannel&) = delete;
 
-  /// Moves the station, in metres in the map frame. A position that is not finite is ignored.
+  /// Moves the station, in metres in the map frame. A position that is not finite or
+  /// beyond 1000 km is ignored.
   void set_position(double x_m, double y_m) { propagation_.set_position(x_m, y_m); }
 
   /// Sends an IP packet of `bytes` (at least 1). Group-addressed packets from the access point are
