@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "deployment/deployment.hpp"
+#include "foundation/time.hpp"
+
+namespace tocsin::simulation {
+
+/// How a simulated run ended.
+struct Outcome {
+  Duration simulated{0};
+  /// Exit code of the process that the bringup file stops with; empty: the duration was over.
+  std::optional<int> exit_code;
+  std::uint64_t samples = 0;  ///< written, on all topics of all hosts
+  std::uint64_t packets = 0;  ///< pushed onto the radio
+  std::uint64_t ticks = 0;    ///< of components
+  std::uint64_t digest = 0;   ///< over (time, writer, bytes) of every sample written
+};
+
+/// A whole bringup in virtual time, on one thread: its unmodified components, the base's model in
+/// place of the kobuki_simulator program, the radio channel's model in place of the link emulator.
+///
+///     simulation::SimWorld world(deployment::load_deployment("mission.yaml", overrides));
+///     const simulation::Outcome outcome = world.run(seconds(600));
+///
+/// The same deployment (seed included) gives the same samples at the same times: compare digests.
+/// Reads no clock. Several worlds may exist in a process, also on different threads.
+class SimWorld {
+ public:
+  /// Builds every component except those of containers that own the terminal. `run_dir` of the
+  /// deployment must exist; the recorders write there. Throws ConfigError as the components do,
+  /// and for a program that has no model.
+  explicit SimWorld(deployment::Deployment deployment);
+  ~SimWorld();
+  SimWorld(const SimWorld&) = delete;
+  SimWorld& operator=(const SimWorld&) = delete;
+
+  /// Runs until the process of `stop_when_exits` ends or the virtual clock has gone on by `limit`.
+  /// May be called again after the limit. A component that throws is ticked no more, like in a
+  /// container; one that never comes to rest at one instant throws std::runtime_error.
+  Outcome run(Duration limit);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace tocsin::simulation

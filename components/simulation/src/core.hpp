@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "digest.hpp"
+#include "event_queue.hpp"
+
+namespace tocsin::simulation {
+
+/// Virtual time starts at one hour, wall time at 2026-01-01 00:00 UTC, as in SimBus.
+inline constexpr Time start_time = Time{std::chrono::hours(1)};
+inline constexpr std::int64_t start_wall_ns = 1'767'225'600'000'000'000;
+
+/// What all parts of one simulation share. One thread.
+struct Core {
+  Time now = start_time;
+  EventQueue events;
+  Digest digest;
+
+  [[nodiscard]] static std::int64_t wall_ns(Time t) {
+    return start_wall_ns + (t - start_time).count();
+  }
+};
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "radio_link.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace tocsin::simulation {
+namespace {
+
+constexpr Duration report_period = std::chrono::seconds(1);
+
+/// As the kernel prints it: noise is always -256, and an unassociated interface shows zeros
+/// without dots.
+std::string proc_text(const radio::LinkReport& report) {
+  char line[160];
+  const char* format = report.associated
+                           ? " wlan0: 0000  %3d.  %3ld.  -256        0      0      0 %6llu      0 "
+                             "       0\n"
+                           : " wlan0: 0000  %3d   %3ld   0        0      0      0 %6llu      0 "
+                             "       0\n";
+  std::snprintf(line, sizeof line, format, report.quality,
+                report.associated ? std::lround(report.rssi_dbm) : 0L,
+                static_cast<unsigned long long>(report.associated ? report.uplink.air.failed : 0));
+  return std::string("Inter-| sta-|\n face | tus |\n") + line;
+}
+
+}  // namespace
+
+RadioLink::RadioLink(Core& core, const radio::ChannelParams& params, std::vector<radio::Wall> walls,
+                     std::uint64_t seed)
+    : core_(core), channel_(params, std::move(walls), seed, core.now) {
+  report();
+}
+
+void RadioLink::send(radio::Direction direction, std::size_t ip_bytes, Arrival on_arrival) {
+  const radio::FrameId id = channel_.push(direction, static_cast<int>(ip_bytes), false, core_.now);
+  assert(id == next_);
+  ++next_;
+  under_way_.push_back(std::move(on_arrival));
+  sent_ = true;
+}
+
+void RadioLink::advance() {
+  sent_ = false;
+  channel_.advance(core_.now);
+  while (const auto outcome = channel_.take()) {
+    const Arrival arrival = std::exchange(under_way_[outcome->id - first_], nullptr);
+    while (!under_way_.empty() && !under_way_.front()) {
+      under_way_.pop_front();
+      ++first_;
+    }
+    if (outcome->fate == radio::Fate::delivered) arrival();
+  }
+}
+
+void RadioLink::report() {
+  wireless_text_ = proc_text(channel_.report(core_.now));
+  core_.events.at(core_.now + report_period, [this] { report(); });
+}
+
+}  // namespace tocsin::simulation

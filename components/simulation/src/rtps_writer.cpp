@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "rtps.hpp"
+
+namespace tocsin::simulation {
+
+std::vector<std::size_t> wire::packets_of(std::size_t bytes) {
+  constexpr std::size_t around = message_header + info_timestamp;
+  constexpr std::size_t fragment = longest_message - around - data_fragment_header;
+  if (bytes <= longest_message - around - data_header) {
+    return {ip_and_udp + around + data_header + bytes};
+  }
+  std::vector<std::size_t> packets;
+  for (std::size_t left = bytes; left > 0; left -= std::min(left, fragment)) {
+    packets.push_back(ip_and_udp + around + data_fragment_header + std::min(left, fragment));
+  }
+  return packets;
+}
+
+RtpsWriter::RtpsWriter(Core& core, RadioLink& link, radio::Direction direction,
+                       std::uint64_t source, const TypeInfo& type, const QosProfile& qos)
+    : core_(core), link_(link), direction_(direction), source_(source), type_(type), qos_(qos) {}
+
+void RtpsWriter::match(RtpsReader& reader) {
+  forget_expired();
+  const bool history = qos_.keeps_last() && !history_.empty();
+  const std::uint64_t first = history ? history_.front().sequence : written_ + 1;
+  reader.match(source_, first);
+  proxies_.push_back({&reader, first - 1});
+  if (!history) return;
+  for (const Change& change : history_) transmit(reader, change);
+  ask_for_heartbeat();
+}
+
+bool RtpsWriter::send(const void* message) {
+  auto cdr = std::make_shared<std::vector<std::uint8_t>>(type_.serialized_size(message));
+  if (type_.serialize(message, cdr->data(), cdr->size()) == 0) return false;
+  history_.push_back({++written_, core_.now, std::move(cdr)});
+  if (history_.size() > static_cast<std::size_t>(qos_.depth)) history_.pop_front();
+  for (Proxy& proxy : proxies_) transmit(*proxy.reader, history_.back());
+  ask_for_heartbeat();
+  return true;
+}
+
+void RtpsWriter::transmit(RtpsReader& reader, const Change& change) {
+  const auto packets = wire::packets_of(change.cdr->size());
+  const auto left = std::make_shared<std::size_t>(packets.size());
+  for (const std::size_t bytes : packets) {
+    link_.send(direction_, bytes, [this, &reader, change, left] {
+      if (--*left == 0) reader.on_data(source_, change, core_.now);
+    });
+  }
+}
+
+void RtpsWriter::forget_expired() {
+  const Duration lifespan = seconds(qos_.lifespan_s);
+  while (!history_.empty() && core_.now - history_.front().written > lifespan) {
+    history_.pop_front();
+  }
+}
+
+void RtpsWriter::ask_for_heartbeat() {
+  if (heartbeat_asked_ || !qos_.reliable() || proxies_.empty()) return;
+  heartbeat_asked_ = true;
+  core_.events.at(core_.now + seconds(qos_.heartbeat_period_s), [this] { heartbeat(); });
+}
+
+void RtpsWriter::heartbeat() {
+  heartbeat_asked_ = false;
+  forget_expired();
+  if (history_.empty()) return;
+  bool all_have_it = true;
+  for (Proxy& proxy : proxies_) {
+    if (proxy.acknowledged >= written_) continue;
+    all_have_it = false;
+    send_heartbeat(proxy);
+  }
+  if (!all_have_it) ask_for_heartbeat();
+}
+
+void RtpsWriter::send_heartbeat(Proxy& proxy) {
+  constexpr std::size_t bytes = wire::ip_and_udp + wire::message_header + wire::heartbeat;
+  const std::uint64_t first = history_.front().sequence;
+  const std::uint64_t last = written_;
+  link_.send(direction_, bytes, [this, &proxy, first, last] {
+    const Time answer_at = core_.now + seconds(proxy.reader->qos().heartbeat_response_delay_s);
+    core_.events.at(answer_at, [this, &proxy, first, last] {
+      constexpr std::size_t size = wire::ip_and_udp + wire::message_header + wire::acknack;
+      auto missing = proxy.reader->on_heartbeat(source_, first, last, core_.now);
+      link_.send(back(direction_), size, [this, &proxy, last, missing = std::move(missing)] {
+        on_acknack(proxy, last, missing);
+      });
+    });
+  });
+}
+
+void RtpsWriter::on_acknack(Proxy& proxy, std::uint64_t last,
+                            const std::vector<std::uint64_t>& missing) {
+  const std::uint64_t acknowledged = missing.empty() ? last : missing.front() - 1;
+  proxy.acknowledged = std::max(proxy.acknowledged, acknowledged);
+  if (missing.empty()) return;
+  core_.events.at(core_.now + seconds(qos_.nack_response_delay_s), [this, &proxy, missing] {
+    forget_expired();
+    for (const std::uint64_t sequence : missing) repair(*proxy.reader, sequence);
+  });
+}
+
+void RtpsWriter::repair(RtpsReader& reader, std::uint64_t sequence) {
+  if (const Change* change = find(sequence)) return transmit(reader, *change);
+  constexpr std::size_t bytes = wire::ip_and_udp + wire::message_header + wire::gap;
+  link_.send(direction_, bytes,
+             [this, &reader, sequence] { reader.on_gap(source_, sequence, core_.now); });
+}
+
+const Change* RtpsWriter::find(std::uint64_t sequence) const {
+  const auto found = std::find_if(history_.begin(), history_.end(),
+                                  [sequence](const Change& c) { return c.sequence == sequence; });
+  return found == history_.end() ? nullptr : &*found;
+}
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_base.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
+#include "foundation/yaml_file.hpp"
+#include "radio_channel/channel_files.hpp"
+
+namespace tocsin::simulation {
+namespace {
+
+using Arguments = std::map<std::string, std::string>;
+
+Arguments arguments_of(const deployment::Program& program) {
+  Arguments arguments;
+  for (std::size_t i = 1; i + 1 < program.command.size(); i += 2) {
+    arguments[program.command[i]] = program.command[i + 1];
+  }
+  return arguments;
+}
+
+kobuki::Pose pose_of(const std::string& text) {
+  kobuki::Pose pose;
+  const int read =
+      std::sscanf(text.c_str(), "%lf,%lf,%lf", &pose.x_m, &pose.y_m, &pose.heading_rad);
+  if (read == 3 && std::isfinite(pose.x_m + pose.y_m + pose.heading_rad)) return pose;
+  throw ConfigError("kobuki_simulator --start: '" + text + "' is not X,Y,YAW in m, m, rad");
+}
+
+std::uint64_t seed_of(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error == std::errc{} && end == text.data() + text.size()) return seed;
+  throw ConfigError("kobuki_simulator --seed: '" + text + "' is not a whole number from 0");
+}
+
+void read_config(const std::string& path, BaseOptions& options) {
+  const YAML::Node file = read_yaml_file(path);
+  if (!file.IsMap()) throw ConfigError("kobuki_simulator: must be a map (" + path + ")");
+  options.model =
+      load_parameters<kobuki::ModelParams>(file["model"], "kobuki_simulator.model", path);
+  options.line = load_parameters<kobuki::LineParams>(file["line"], "kobuki_simulator.line", path);
+}
+
+kobuki::Surroundings surroundings(const BaseOptions& options) {
+  if (options.walls.empty()) return kobuki::open_floor();
+  std::vector<kobuki::Wall> walls;
+  for (const radio::Wall& wall : radio::load_walls(options.walls)) {
+    walls.push_back({wall.x1_m, wall.y1_m, wall.x2_m, wall.y2_m, wall.loss_db});
+  }
+  return kobuki::walled(std::move(walls));
+}
+
+}  // namespace
+
+BaseOptions read_base_options(const deployment::Program& program) {
+  Arguments arguments = arguments_of(program);
+  BaseOptions options;
+  options.link = arguments["--link"];
+  if (options.link.empty()) throw ConfigError(program.name + ": kobuki_simulator needs --link");
+  options.walls = arguments["--walls"];
+  if (arguments.count("--start") > 0) options.start = pose_of(arguments["--start"]);
+  if (arguments.count("--seed") > 0) options.seed = seed_of(arguments["--seed"]);
+  if (arguments.count("--config") > 0) read_config(arguments["--config"], options);
+  return options;
+}
+
+class SimBase::Port final : public SerialDevice {
+ public:
+  explicit Port(SimBase& base) : base_(base) {}
+  ~Port() override { base_.readable_ = nullptr; }
+  std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override {
+    auto& arrived = base_.arrived_;
+    const std::size_t count = std::min(size, arrived.size());
+    std::copy_n(arrived.begin(), count, to);
+    arrived.erase(arrived.begin(), arrived.begin() + static_cast<std::ptrdiff_t>(count));
+    return count;
+  }
+  bool write(const std::uint8_t* bytes, std::size_t size) override {
+    base_.model_.receive({bytes, size}, base_.core_.now);
+    return true;
+  }
+
+ private:
+  SimBase& base_;
+};
+
+SimBase::SimBase(Core& core, const BaseOptions& options)
+    : core_(core),
+      path_(options.link),
+      model_(options.model, surroundings(options), options.start, options.seed, core.now),
+      line_(options.line, options.seed + 1, core.now) {}
+
+Time SimBase::next_event() const { return std::min(model_.next_frame(), line_.next_delivery()); }
+
+void SimBase::advance() {
+  if (next_event() > core_.now) return;
+  model_.step(core_.now, [this](Time sent, kobuki::ByteView frame) { line_.send(frame, sent); });
+  const std::size_t before = arrived_.size();
+  line_.deliver(core_.now, [this](kobuki::ByteView packet) {
+    if (readable_) arrived_.insert(arrived_.end(), packet.begin(), packet.end());
+  });
+  if (arrived_.size() > before) readable_();
+}
+
+std::unique_ptr<SerialDevice> SimBase::open(Devices::Readable readable) {
+  arrived_.clear();
+  readable_ = std::move(readable);
+  return std::make_unique<Port>(*this);
+}
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core.hpp"
+#include "deployment/deployment.hpp"
+#include "kobuki_model/base_model.hpp"
+#include "kobuki_model/serial_line.hpp"
+#include "runtime/devices.hpp"
+
+namespace tocsin::simulation {
+
+/// What the command line of kobuki_simulator in a bringup file says, as far as a model needs it.
+struct BaseOptions {
+  std::string link;  ///< path of the serial port
+  std::string walls;
+  kobuki::Pose start;
+  std::uint64_t seed = 1;
+  kobuki::ModelParams model;
+  kobuki::LineParams line;
+};
+
+/// Throws ConfigError for bad values and files.
+[[nodiscard]] BaseOptions read_base_options(const deployment::Program& program);
+
+/// The simulated base behind a serial port in virtual time.
+class SimBase {
+ public:
+  SimBase(Core& core, const BaseOptions& options);
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] const kobuki::BaseModel& model() const { return model_; }
+  [[nodiscard]] Time next_event() const;
+  /// Does what is due at the core's time.
+  void advance();
+  /// The computer's end of the line. It must not outlive the base; one at a time.
+  [[nodiscard]] std::unique_ptr<SerialDevice> open(Devices::Readable readable);
+
+ private:
+  class Port;
+  Core& core_;
+  std::string path_;
+  kobuki::BaseModel model_;
+  kobuki::SerialLine line_;
+  std::vector<std::uint8_t> arrived_;
+  Devices::Readable readable_;
+};
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_devices.hpp"
+
+#include <arpa/inet.h>
+
+#include <algorithm>
+#include <deque>
+#include <utility>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::simulation {
+namespace {
+
+constexpr std::size_t ip_and_icmp_bytes = 28;
+
+/// Requests and replies are packets of the link. The host at the other side answers at once.
+class SimEcho final : public EchoDevice {
+ public:
+  struct Way {
+    RadioLink* link;
+    radio::Direction direction;
+    std::size_t bytes;
+    bool answered;
+  };
+  SimEcho(Core& core, const Way& way, Devices::Readable readable)
+      : core_(core), way_(way), inbox_(std::make_shared<Inbox>()) {
+    inbox_->readable = std::move(readable);
+  }
+  ~SimEcho() override {
+    inbox_->readable = [] {};
+  }
+
+  int send(std::uint16_t sequence) override {
+    way_.link->send(way_.direction, way_.bytes,
+                    [&core = core_, way = way_, inbox = inbox_, sequence] {
+                      if (way.answered) answer(core, way, inbox, sequence);
+                    });
+    return 0;
+  }
+  std::optional<Reply> receive() override {
+    if (inbox_->replies.empty()) return std::nullopt;
+    const Reply reply = inbox_->replies.front();
+    inbox_->replies.pop_front();
+    return reply;
+  }
+
+ private:
+  /// Outlives the component as long as packets are under way.
+  struct Inbox {
+    std::deque<Reply> replies;
+    Devices::Readable readable;
+  };
+  static void answer(Core& core, const Way& way, const std::shared_ptr<Inbox>& inbox,
+                     std::uint16_t sequence) {
+    way.link->send(back(way.direction), way.bytes, [&core, inbox, sequence] {
+      inbox->replies.push_back({sequence, core.now});
+      inbox->readable();
+    });
+  }
+  Core& core_;
+  Way way_;
+  std::shared_ptr<Inbox> inbox_;
+};
+
+}  // namespace
+
+SimDevices::SimDevices(Core& core, RadioLink& link, radio::Direction direction,
+                       std::string wireless_file)
+    : core_(core), link_(link), direction_(direction), wireless_file_(std::move(wireless_file)) {}
+
+std::unique_ptr<SerialDevice> SimDevices::open_serial(const std::string& path, Readable readable) {
+  for (SimBase* base : bases_) {
+    if (base->path() == path) return base->open(std::move(readable));
+  }
+  return nullptr;
+}
+
+std::unique_ptr<EchoDevice> SimDevices::open_echo(const std::string& target,
+                                                  std::size_t payload_bytes, Readable readable) {
+  in_addr address{};
+  if (inet_pton(AF_INET, target.c_str(), &address) != 1) {
+    throw ConfigError("target: '" + target + "' is not an IPv4 address");
+  }
+  const bool answered = std::find(peers_.begin(), peers_.end(), target) != peers_.end();
+  const SimEcho::Way way{&link_, direction_, ip_and_icmp_bytes + payload_bytes, answered};
+  return std::make_unique<SimEcho>(core_, way, std::move(readable));
+}
+
+std::optional<std::string> SimDevices::read_text(const std::string& path) {
+  if (path == wireless_file_ || path == "/proc/net/wireless") return link_.wireless_text();
+  if (path == "/proc/meminfo") return "MemTotal: 1000000 kB\nMemAvailable: 600000 kB\n";
+  if (path == "/proc/stat") return stat_text();
+  return std::nullopt;
+}
+
+std::string SimDevices::stat_text() const {
+  const auto ticks = (core_.now - start_time) / std::chrono::milliseconds(10);
+  const std::string busy = std::to_string(1000 + ticks / 4);
+  const std::string idle = std::to_string(3000 + ticks - ticks / 4);
+  const std::string times = " " + busy + " 0 0 " + idle + " 0 0 0 0\n";
+  return "cpu " + times + "cpu0" + times;
+}
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radio_link.hpp"
+#include "runtime/devices.hpp"
+#include "sim_base.hpp"
+
+namespace tocsin::simulation {
+
+/// The devices of one simulated host: the bases on it, its radio, and what /proc would tell.
+class SimDevices final : public Devices {
+ public:
+  /// `wireless_file`: second path of the text of /proc/net/wireless.
+  SimDevices(Core& core, RadioLink& link, radio::Direction direction, std::string wireless_file);
+
+  void add_base(SimBase& base) { bases_.push_back(&base); }
+  /// Echo requests to this address are answered by the other side.
+  void add_peer(const std::string& address) { peers_.push_back(address); }
+
+  std::unique_ptr<SerialDevice> open_serial(const std::string& path, Readable readable) override;
+  /// Throws ConfigError when `target` is no IPv4 address, as the real one does.
+  std::unique_ptr<EchoDevice> open_echo(const std::string& target, std::size_t payload_bytes,
+                                        Readable readable) override;
+  /// /proc/meminfo and /proc/stat of an invented computer: 1 GB, a quarter of one core busy.
+  std::optional<std::string> read_text(const std::string& path) override;
+
+ private:
+  [[nodiscard]] std::string stat_text() const;
+  Core& core_;
+  RadioLink& link_;
+  radio::Direction direction_;
+  std::string wireless_file_;
+  std::vector<SimBase*> bases_;
+  std::vector<std::string> peers_;
+};
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_host.hpp"
+
+#include <utility>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::simulation {
+
+void LinkEndpoints::add(const std::string& topic, const SimHost& host, RtpsWriter& writer) {
+  Topic& all = topics_[topic];
+  all.writers.push_back({&host, &writer});
+  for (const auto& reader : all.readers) {
+    if (reader.host != &host) writer.match(*reader.end);
+  }
+}
+
+void LinkEndpoints::add(const std::string& topic, const SimHost& host, RtpsReader& reader) {
+  Topic& all = topics_[topic];
+  all.readers.push_back({&host, &reader});
+  for (const auto& writer : all.writers) {
+    if (writer.host != &host) writer.end->match(reader);
+  }
+}
+
+SimHost::SimHost(Network& network, std::string name, std::string role,
+                 const std::string& traffic_file)
+    : network_(network),
+      name_(std::move(name)),
+      role_(std::move(role)),
+      rules_(traffic_file, role_) {}
+
+radio::Direction SimHost::direction() const {
+  return role_ == "uxv" ? radio::Direction::uplink : radio::Direction::downlink;
+}
+
+SimProcess& SimHost::add_process(const std::string& name) {
+  return processes_.emplace_back(network_, *this, name);
+}
+
+void SimHost::attach(SimProcess::Topic& topic) {
+  Topic& all = topics_[topic.endpoint.topic.name];
+  if (all.type == nullptr) all.type = topic.endpoint.type;
+  if (all.type != topic.endpoint.type) {
+    throw ConfigError(std::string("topic ") + topic.endpoint.topic.name + ": type " +
+                      topic.endpoint.type->name + " clashes with " + all.type->name);
+  }
+  all.processes.push_back(&topic);
+  if (all.last.message) topic.exchange.deliver(all.last);
+}
+
+void SimHost::deliver(const SimProcess::Topic& from, const Sample& sample) {
+  Topic& all = topics_[from.endpoint.topic.name];
+  if (from.qos.keeps_last()) all.last = sample;
+  for (SimProcess::Topic* topic : all.processes) topic->exchange.deliver(sample);
+}
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <list>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "rtps.hpp"
+#include "runtime/bus.hpp"
+#include "runtime/middleware/qos_profile.hpp"
+#include "runtime/middleware/topic_exchange.hpp"
+#include "runtime/middleware/traffic_rules.hpp"
+
+namespace tocsin::simulation {
+
+class SimHost;
+
+/// All link endpoints of the world, so that they find each other; in the order of their making.
+class LinkEndpoints {
+ public:
+  void add(const std::string& topic, const SimHost& host, RtpsWriter& writer);
+  void add(const std::string& topic, const SimHost& host, RtpsReader& reader);
+
+ private:
+  template <class End>
+  struct Entry {
+    const SimHost* host;
+    End* end;
+  };
+  struct Topic {
+    std::vector<Entry<RtpsWriter>> writers;
+    std::vector<Entry<RtpsReader>> readers;
+  };
+  std::map<std::string, Topic> topics_;
+};
+
+/// What the hosts of a world have in common.
+struct Network {
+  Core& core;
+  RadioLink& link;
+  QosProfiles qos;
+  LinkEndpoints endpoints;
+};
+
+/// The bus of one simulated process (container).
+///
+/// A sample goes at once and in order to every reader on its host; for link topics also through
+/// the gate of this process, as CDR in packets, to each process with a reader on another host.
+class SimProcess final : public Bus {
+ public:
+  SimProcess(Network& network, SimHost& host, std::string name);
+  ~SimProcess() override;
+
+  std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
+  std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
+  [[nodiscard]] Time now() const override { return network_.core.now; }
+  [[nodiscard]] std::int64_t wall_ns(Time t) const override { return Core::wall_ns(t); }
+  void set_gate(bool open) override;
+  [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override;
+
+  /// One topic in this process.
+  struct Topic {
+    Topic(const Endpoint& its, const QosProfile& profile);
+    Endpoint endpoint;
+    QosProfile qos;
+    TopicExchange exchange;
+    std::unique_ptr<RtpsReader> reader;
+    RtpsWriter* writer = nullptr;  ///< owned by `gated`
+    std::unique_ptr<GatedWriter> gated;
+    std::uint64_t source = 0;
+    std::uint64_t written = 0;
+    std::string label;  ///< host/process/topic
+  };
+  Status write(Topic& topic, const std::shared_ptr<const void>& message);
+
+ private:
+  Topic& topic(const Endpoint& endpoint);
+  void make_reader(Topic& topic);
+  void make_writer(Topic& topic);
+  Network& network_;
+  SimHost& host_;
+  std::string name_;
+  bool gate_open_ = true;
+  std::map<std::string, std::unique_ptr<Topic>> topics_;
+};
+
+/// One side of the radio link: its processes and what they tell each other.
+class SimHost {
+ public:
+  SimHost(Network& network, std::string name, std::string role, const std::string& traffic_file);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::string& role() const { return role_; }
+  [[nodiscard]] const TrafficRules& rules() const { return rules_; }
+  [[nodiscard]] radio::Direction direction() const;
+
+  SimProcess& add_process(const std::string& name);
+  /// A process has begun to read a topic; gets the last sample of those that are kept.
+  void attach(SimProcess::Topic& topic);
+  /// Hands a sample to every process of this host.
+  void deliver(const SimProcess::Topic& from, const Sample& sample);
+
+ private:
+  struct Topic {
+    const TypeInfo* type = nullptr;
+    std::vector<SimProcess::Topic*> processes;
+    Sample last;
+  };
+  Network& network_;
+  std::string name_;
+  std::string role_;
+  TrafficRules rules_;
+  std::map<std::string, Topic> topics_;
+  std::list<SimProcess> processes_;
+};
+
+}  // namespace tocsin::simulation
