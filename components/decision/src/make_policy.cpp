@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "decision/policy_model.hpp"
 #include "decision/stopping.hpp"
 #include "foundation/error.hpp"
 #include "model_rules.hpp"
-#include "policy_model.hpp"
 #include "policy_rules.hpp"
 
 namespace tocsin::decision {

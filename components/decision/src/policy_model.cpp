@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "policy_model.hpp"
+#include "decision/policy_model.hpp"
 
 #include <sstream>
 
-#include "decision/run_length.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin::decision {
@@ -59,30 +58,34 @@ Llr mild_llr_of(const PolicyParams& p) {
   return NormalLlr({p.good_mean, p.good_sd}, {p.mild_mean, p.good_sd}, p.llr_clip);
 }
 
-double alpha_of(const PolicyParams& p) {
-  if (!(p.false_alarm_samples > 0)) return p.alpha;
+StepLaw step_law_of(const PolicyParams& p, const Density& truth) {
   const Density good = good_law_of(p);
   const Density bad = bad_law_of(p);
-  const bool smooth = p.llr_clip == 0;
-  if (!both_normal(good, bad)) {
-    return alpha_for_run_length(step_law(llr_of(p), good), p.false_alarm_samples, smooth);
+  if (!both_normal(good, bad) || !both_normal(good, truth)) return step_law(llr_of(p), truth);
+  const NormalLlr llr(normal_of(good), normal_of(bad), p.llr_clip);
+  return step_law(llr, p.llr_clip, normal_of(truth));
+}
+
+StepLaw reverse_step_law_of(const PolicyParams& p, const Density& truth) {
+  const Density good = good_law_of(p);
+  const Density bad = bad_law_of(p);
+  if (!both_normal(good, bad) || !both_normal(good, truth)) {
+    return reverse_step_law(llr_of(p), truth);
   }
   const NormalLlr llr(normal_of(good), normal_of(bad), p.llr_clip);
-  return alpha_for_run_length(step_law(llr, p.llr_clip, normal_of(good)), p.false_alarm_samples,
-                              smooth);
+  return reverse_step_law(llr, p.llr_clip, normal_of(truth));
+}
+
+double alpha_of(const PolicyParams& p) {
+  if (!(p.false_alarm_samples > 0)) return p.alpha;
+  return alpha_for_run_length(step_law_of(p, good_law_of(p)), p.false_alarm_samples,
+                              p.llr_clip == 0);
 }
 
 double reverse_alpha_of(const PolicyParams& p) {
   if (!(p.false_resume_samples > 0)) return p.reverse_alpha;
-  const Density good = good_law_of(p);
-  const Density bad = bad_law_of(p);
-  const bool smooth = p.llr_clip == 0;
-  if (!both_normal(good, bad)) {
-    return alpha_for_run_length(reverse_step_law(llr_of(p), bad), p.false_resume_samples, smooth);
-  }
-  const NormalLlr llr(normal_of(good), normal_of(bad), p.llr_clip);
-  return alpha_for_run_length(reverse_step_law(llr, p.llr_clip, normal_of(bad)),
-                              p.false_resume_samples, smooth);
+  return alpha_for_run_length(reverse_step_law_of(p, bad_law_of(p)), p.false_resume_samples,
+                              p.llr_clip == 0);
 }
 
 }  // namespace tocsin::decision

@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "decision/cusum.hpp"
+#include "decision/policy_model.hpp"
 #include "foundation/error.hpp"
-#include "policy_model.hpp"
 
 namespace tocsin::decision {
 namespace {

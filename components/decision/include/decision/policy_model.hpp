@@ -3,6 +3,7 @@
 
 #include "decision/llr.hpp"
 #include "decision/policy_params.hpp"
+#include "decision/run_length.hpp"
 
 namespace tocsin::decision {
 
@@ -13,6 +14,11 @@ namespace tocsin::decision {
 /// The clipped log-likelihood ratio of both laws, and of the good law against a mild degradation.
 [[nodiscard]] Llr llr_of(const PolicyParams& params);
 [[nodiscard]] Llr mild_llr_of(const PolicyParams& params);
+
+/// The steps of the CUSUM for "turned bad" and of the reverse one, when QNI follows `truth`. Exact
+/// when all laws are normal, else on a grid.
+[[nodiscard]] StepLaw step_law_of(const PolicyParams& params, const Density& truth);
+[[nodiscard]] StepLaw reverse_step_law_of(const PolicyParams& params, const Density& truth);
 
 /// The thresholds, as given or from the wanted run lengths.
 [[nodiscard]] double alpha_of(const PolicyParams& params);

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::tools {
+
+bool parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    app.exit(help);
+    return false;
+  } catch (const CLI::ParseError& error) {
+    throw ConfigError(error.what());
+  }
+  return true;
+}
+
+void declare_trace_options(CLI::App& app, TraceOptions& options) {
+  app.add_option("--column", options.column, "column with the quality [qni or what it rests on]");
+  app.add_option("--role", options.role, "of a recorded transmission_state.csv: uxv or gcs");
+  app.add_option("--period", options.period_s, "seconds between rows of a file without time [1]")
+      ->check(CLI::PositiveNumber);
+}
+
+double parse_duration_s(const std::string& name, const std::string& text) {
+  static const std::map<std::string, double> units{{"", 1},     {"s", 1},     {"min", 60},
+                                                   {"h", 3600}, {"d", 86400}, {"w", 604800}};
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto unit = units.find(std::string(end, text.data() + text.size()));
+  if (error != std::errc{} || unit == units.end() || !std::isfinite(value) || value <= 0) {
+    throw ConfigError(name + ": '" + text + "' is not a duration such as 90s, 5min, 1h, 2d");
+  }
+  return value * unit->second;
+}
+
+}  // namespace tocsin::tools

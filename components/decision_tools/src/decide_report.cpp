@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "decide_report.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <iomanip>
+#include <sstream>
+
+#include "plot.hpp"
+
+namespace tocsin::tools {
+namespace {
+
+using decision::Evidence;
+using decision::State;
+
+/// A number for CSV; empty when it is none.
+std::string cell(double value) {
+  if (!std::isfinite(value)) return "";
+  std::ostringstream text;
+  text << std::setprecision(10) << value;
+  return text.str();
+}
+
+nlohmann::json number(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+
+nlohmann::json row(const DecidedTrace& decided, std::size_t n) {
+  const Evidence& one = decided.evidence[n];
+  return {{"time_s", decided.trace.time_s[n]},
+          {"qni", number(one.sample)},
+          {"state", to_string(one.state)},
+          {"reason", to_string(one.reason)},
+          {"statistic", number(one.statistic)},
+          {"threshold", number(one.threshold)},
+          {"age", one.age}};
+}
+
+std::string changes_text(const DecidedTrace& decided) {
+  std::ostringstream text;
+  text << "      time_s  state    qni     statistic  threshold  age  reason\n" << std::fixed;
+  for (std::size_t n = 0; n < decided.evidence.size(); ++n) {
+    const Evidence& one = decided.evidence[n];
+    if (!one.changed) continue;
+    text << std::setw(12) << std::setprecision(1) << decided.trace.time_s[n] << "  " << std::left
+         << std::setw(8) << to_string(one.state) << std::right << std::setprecision(2)
+         << std::setw(6) << one.sample << std::setw(12) << one.statistic << std::setw(11)
+         << one.threshold << std::setw(5) << one.age << "  " << to_string(one.reason) << '\n';
+  }
+  return text.str();
+}
+
+std::string series(const DecidedTrace& decided) {
+  std::ostringstream text;
+  for (std::size_t n = 0; n < decided.evidence.size(); ++n) {
+    const Evidence& one = decided.evidence[n];
+    const auto value = [](double x) { return std::isfinite(x) ? cell(x) : std::string("NaN"); };
+    text << decided.trace.time_s[n] << ' ' << value(one.sample) << ' ' << value(one.statistic)
+         << ' ' << value(one.threshold) << ' ' << (one.state == State::passive ? 100 : 0) << '\n';
+  }
+  return text.str();
+}
+
+}  // namespace
+
+std::string to_text(const DecidedTrace& decided) {
+  const DecisionSummary s = summarize(decided);
+  std::ostringstream text;
+  text << changes_text(decided) << std::fixed << std::setprecision(1);
+  text << "\npolicy " << decided.policy << " on " << decided.trace.path << " ("
+       << decided.trace.kind << ")\n"
+       << s.samples << " samples, " << s.missing << " without measurement; " << s.pauses
+       << " pauses, " << s.forced << " ended by a limit, longest " << s.longest_pause
+       << " samples; silent "
+       << 100.0 * static_cast<double>(s.passive) / static_cast<double>(s.samples)
+       << " %\nmean QNI while active " << s.mean_qni_active << ", while passive "
+       << s.mean_qni_passive << '\n';
+  if (s.has_truth) {
+    text << "cost " << s.cost << ", clairvoyant " << s.oracle_cost << ", regret "
+         << s.cost - s.oracle_cost << '\n';
+  }
+  return text.str();
+}
+
+nlohmann::json to_json(const DecidedTrace& decided, bool rows) {
+  const DecisionSummary s = summarize(decided);
+  nlohmann::json changes = nlohmann::json::array();
+  for (std::size_t n = 0; n < decided.evidence.size(); ++n) {
+    if (rows || decided.evidence[n].changed) changes.push_back(row(decided, n));
+  }
+  nlohmann::json out{{"file", decided.trace.path},
+                     {"kind", decided.trace.kind},
+                     {"policy", decided.policy},
+                     {"samples", s.samples},
+                     {"missing", s.missing},
+                     {"pauses", s.pauses},
+                     {"forced", s.forced},
+                     {"longest_pause_samples", s.longest_pause},
+                     {"passive_samples", s.passive},
+                     {"mean_qni_active", number(s.mean_qni_active)},
+                     {"mean_qni_passive", number(s.mean_qni_passive)},
+                     {rows ? "rows" : "changes", changes}};
+  if (s.has_truth) out["cost"] = s.cost;
+  if (s.has_truth) out["oracle_cost"] = s.oracle_cost;
+  return out;
+}
+
+std::string to_csv(const DecidedTrace& decided) {
+  std::string text = "time_s,qni,active,reason,statistic,threshold,age\n";
+  for (std::size_t n = 0; n < decided.evidence.size(); ++n) {
+    const Evidence& one = decided.evidence[n];
+    text += cell(decided.trace.time_s[n]) + ',' + cell(one.sample) + ',' +
+            (one.state == State::active ? "1," : "0,") + to_string(one.reason) + ',' +
+            cell(one.statistic) + ',' + cell(one.threshold) + ',' + std::to_string(one.age) + '\n';
+  }
+  return text;
+}
+
+std::string decide_plot(const DecidedTrace& decided) {
+  std::string script = "$d << EOD\n" + series(decided) + "EOD\nset multiplot layout 2,1\n";
+  script += "set title " + quoted("policy " + decided.policy + ", " + decided.trace.path) + "\n";
+  script += "set xlabel 's'\nset ylabel 'QNI'\nset yrange [0:100]\nset key outside\n";
+  script +=
+      "plot $d using 1:5 with filledcurves y1=0 fs solid 0.25 noborder lc rgb '#c04020' title "
+      "'passive', $d using 1:2 with lines lc rgb '#204060' title 'QNI'\n";
+  script += "unset title\nset ylabel 'statistic'\nset yrange [*:*]\n";
+  script +=
+      "plot $d using 1:3 with lines lc rgb '#204060' title 'statistic', $d using 1:4 with lines "
+      "lc rgb '#c04020' title 'threshold'\n";
+  return script + "unset multiplot\n";
+}
+
+}  // namespace tocsin::tools

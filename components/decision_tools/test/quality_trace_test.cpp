@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quality_trace.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "command_line.hpp"
+#include "foundation/error.hpp"
+#include "temporary_folder.hpp"
+
+namespace tocsin::tools {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+class QualityTraceTest : public ::testing::Test {
+ protected:
+  QualityTrace read(const std::string& text, const TraceOptions& options = {}) const {
+    return read_quality_trace(folder.write("a.csv", text), options);
+  }
+  std::string error_of(const std::string& text, const TraceOptions& options = {}) const {
+    try {
+      (void)read(text, options);
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  TemporaryFolder folder;
+};
+
+TEST_F(QualityTraceTest, ReadsPlainQualityOneRowASecond) {
+  const QualityTrace sut = read("qni\n50\n60.5\n");
+  EXPECT_EQ(sut.qni, (std::vector<double>{50, 60.5}));
+  EXPECT_EQ(sut.time_s, (std::vector<double>{0, 1}));
+  EXPECT_TRUE(sut.bad.empty());
+}
+
+TEST_F(QualityTraceTest, ReadsTimeFromTheFirstRowOn) {
+  const QualityTrace sut = read("time_s,qni\r\n100,50\r\n106,60\r\n");
+  EXPECT_EQ(sut.time_s, (std::vector<double>{0, 6}));
+}
+
+TEST_F(QualityTraceTest, TakesEmptyCellsAsNoMeasurement) {
+  const QualityTrace sut = read("t,qni\n0,\n1,nan\n2,70\n");
+  EXPECT_TRUE(std::isnan(sut.qni[0]));
+  EXPECT_TRUE(std::isnan(sut.qni[1]));
+  EXPECT_EQ(sut.measured(), std::vector<double>{70});
+}
+
+TEST_F(QualityTraceTest, ReadsTheTruthWhereItIsGiven) {
+  EXPECT_EQ(read("n,state,qni\n0,0,80\n1,1,30\n").bad, (std::vector<bool>{false, true}));
+}
+
+TEST_F(QualityTraceTest, ReadsRecordedNetworkQuality) {
+  const QualityTrace sut =
+      read("receive_s,per_percent,signal_dbm,quality_percent\n5,0,-45,100\n6,100,-99,0\n7,50,,\n");
+  EXPECT_EQ(sut.qni, (std::vector<double>{100, 0, 50}));
+  EXPECT_EQ(sut.time_s.back(), 2);
+}
+
+TEST_F(QualityTraceTest, ReadsRecordedDecisionsOfOneRole) {
+  const std::string text = "receive_s,role,qni\n1,uxv,50\n1,gcs,60\n2,uxv,70\n";
+  EXPECT_EQ(read(text, {"", "uxv", 1}).qni, (std::vector<double>{50, 70}));
+  EXPECT_THAT(error_of(text, {"", "base", 1}), HasSubstr("has no row with role base"));
+}
+
+TEST_F(QualityTraceTest, AveragesMeasuredWifiOverSeconds) {
+  const QualityTrace sut = read(
+      "time_s,x_m,rssi_dbm,link_quality,link_quality_scale,ping_delay_ms\n"
+      "0.1,0,-45,70,70,10\n0.6,0,-45,70,70,\n1.2,0,-99,0,100,2000\n");
+  ASSERT_EQ(sut.qni.size(), 2U);
+  EXPECT_NEAR(sut.qni[0], 80, 1e-9);  // half of the packets of this second were lost
+  EXPECT_NEAR(sut.qni[1], 20, 1e-9);  // slow is half lost
+}
+
+TEST_F(QualityTraceTest, TakesTheColumnThatIsNamed) {
+  EXPECT_EQ(read("a,b\n1,2\n", {"b", "", 1}).qni, std::vector<double>{2});
+  EXPECT_THAT(error_of("a,b\n1,2\n", {"c", "", 1}), HasSubstr("has no column 'c', has: a, b"));
+}
+
+TEST_F(QualityTraceTest, HasOneClearErrorForEveryBadFile) {
+  EXPECT_THAT(error_of(""), EndsWith("a.csv: is empty, must be CSV"));
+  EXPECT_THAT(error_of("qni\n"), EndsWith("a.csv: has no row besides the first"));
+  EXPECT_THAT(error_of("qni\n5\nabc\n"), EndsWith("a.csv:3: qni: 'abc' is not a number"));
+  EXPECT_THAT(error_of("qni\n5\ninf\n"), HasSubstr("'inf' is not a number"));
+  EXPECT_THAT(error_of("qni\n5x\n"), HasSubstr("'5x' is not a number"));
+  EXPECT_THAT(error_of("t,qni\n1,2,3\n"),
+              EndsWith("a.csv:2: 3 cells, must be 2 as in the first row"));
+  EXPECT_THAT(error_of("t,quality\n1,2\n"),
+              HasSubstr("has no column qni, per_percent or rssi_dbm"));
+  EXPECT_THAT(error_of("qni\n101\n"), HasSubstr("is outside [0, 100]"));
+  EXPECT_EQ(error_of("qni\n100\n"), "no error");
+  EXPECT_THAT(error_of("t,qni\n,2\n"), HasSubstr("a row has no t"));
+}
+
+TEST_F(QualityTraceTest, RejectsWhatIsNoFile) {
+  EXPECT_THROW((void)read_quality_trace("/nonexistent.csv", {}), ConfigError);
+  EXPECT_THROW((void)read_quality_trace("/tmp", {}), ConfigError);
+}
+
+TEST_F(QualityTraceTest, ReadsQuotedCells) {
+  EXPECT_EQ(read("note,qni\n\"a, \"\"b\"\"\",7\n").qni, std::vector<double>{7});
+}
+
+TEST(Duration, IsReadWithItsUnit) {
+  EXPECT_EQ(parse_duration_s("x", "90"), 90);
+  EXPECT_EQ(parse_duration_s("x", "90s"), 90);
+  EXPECT_EQ(parse_duration_s("x", "1.5h"), 5400);
+  EXPECT_EQ(parse_duration_s("x", "2d"), 172800);
+  for (const char* bad : {"", "h", "1y", "-1h", "0", "nan", "1 h"}) {
+    EXPECT_THROW((void)parse_duration_s("x", bad), ConfigError) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace tocsin::tools

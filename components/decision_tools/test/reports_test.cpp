@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "decide_report.hpp"
+#include "design.hpp"
+#include "fit_report.hpp"
+#include "foundation/error.hpp"
+#include "model_file.hpp"
+#include "temporary_folder.hpp"
+
+namespace tocsin::tools {
+namespace {
+
+using ::testing::HasSubstr;
+
+QualityTrace normal_trace(double mean, double sd, int n) {
+  std::mt19937_64 random(4);  // NOLINT: a fixed seed is the point
+  std::normal_distribution<double> law(mean, sd);
+  QualityTrace trace;
+  trace.path = "x.csv";
+  trace.kind = "test";
+  for (int i = 0; i < n; ++i) {
+    trace.time_s.push_back(i);
+    trace.qni.push_back(std::clamp(law(random), 0.0, 100.0));
+  }
+  return trace;
+}
+
+/// Good, 40 bad samples from 50 on, good.
+QualityTrace dip() {
+  QualityTrace trace = normal_trace(80, 2, 150);
+  trace.bad.assign(150, false);
+  for (std::size_t i = 50; i < 90; ++i) {
+    trace.qni[i] = 30;
+    trace.bad[i] = true;
+  }
+  return trace;
+}
+
+TEST(FitReport, ChoosesTheBestOrTheFamilyThatIsWanted) {
+  const QualityTrace trace = normal_trace(60, 8, 300);
+  const FitReport best = fit_trace(trace, "");
+  EXPECT_EQ(best.chosen.family(), best.fits.front().density.family());
+  EXPECT_EQ(fit_trace(trace, "gamma").chosen.family(), decision::Family::gamma);
+  EXPECT_THROW((void)fit_trace(trace, "cauchy"), ConfigError);
+}
+
+TEST(FitReport, TellsEveryFamilyInTextAndJson) {
+  const FitReport sut = fit_trace(normal_trace(60, 8, 300), "normal");
+  EXPECT_THAT(to_text(sut), HasSubstr("* normal"));
+  EXPECT_THAT(to_text(sut), HasSubstr("birnbaum_saunders"));
+  EXPECT_EQ(to_json(sut)["fits"].size(), 19U);
+  EXPECT_EQ(to_json(sut)["chosen"], "normal");
+}
+
+TEST(FitReport, PlotsHistogramsAgainstDensities) {
+  const FitReport sut = fit_trace(normal_trace(60, 8, 300), "normal");
+  const std::string script = fit_plot(sut, sut);
+  EXPECT_THAT(script, HasSubstr("$good_data << EOD"));
+  EXPECT_THAT(script, HasSubstr("$bad_law with lines"));
+  EXPECT_THAT(script, ::testing::Not(HasSubstr("inf")));
+}
+
+TEST(ModelFile, IsReadBackAsItWasWritten) {
+  const TemporaryFolder folder;
+  const decision::Density good(decision::Family::beta, {10.9, 2.66, 0});
+  const decision::Density bad(decision::Family::normal, {36.5, 7.25, 0});
+  const std::string path = folder.write("m.yaml", model_text(good, bad, "a test"));
+  const decision::PolicyParams sut = load_model(path, {});
+  EXPECT_EQ(sut.good_family, "beta");
+  EXPECT_EQ(sut.good_parameters, (std::vector<double>{10.9, 2.66}));
+  EXPECT_EQ(sut.bad_mean, 36.5);
+  EXPECT_EQ(sut.bad_sd, 7.25);
+  EXPECT_NO_THROW((void)decision::make_policy(sut));
+}
+
+TEST(ModelFile, TakesOverrides) {
+  EXPECT_EQ(load_model("", {"alpha=7", "policy=tocp"}).alpha, 7);
+  EXPECT_THROW((void)load_model("", {"alpha"}), ConfigError);
+  EXPECT_THROW((void)load_model("", {"alfa=1"}), ConfigError);
+  EXPECT_THROW((void)load_model("", {"alpha=soon"}), ConfigError);
+  EXPECT_THROW((void)load_model("/nonexistent.yaml", {}), ConfigError);
+}
+
+TEST(DecideAgain, PausesInTheDip) {
+  const DecidedTrace decided = decide_again(dip(), "tocp_reverse", {});
+  const DecisionSummary sut = summarize(decided);
+  EXPECT_EQ(sut.samples, 150U);
+  EXPECT_EQ(sut.pauses, 2U);  // 30 samples are the limit
+  EXPECT_EQ(sut.forced, 1U);
+  EXPECT_EQ(sut.longest_pause, 30);
+  EXPECT_LT(sut.mean_qni_passive, 40);
+  EXPECT_TRUE(sut.has_truth);
+  EXPECT_GE(sut.cost, sut.oracle_cost);
+}
+
+TEST(DecideAgain, OracleCostsWhatTheClairvoyantCosts) {
+  const DecisionSummary sut = summarize(decide_again(dip(), "oracle", {}));
+  EXPECT_DOUBLE_EQ(sut.cost, sut.oracle_cost);
+}
+
+TEST(DecideAgain, OracleNeedsTheTruth) {
+  EXPECT_THROW((void)decide_again(normal_trace(80, 5, 10), "oracle", {}), ConfigError);
+}
+
+TEST(DecideAgain, EndsAPauseAtItsDeadlineBetweenTwoRows) {
+  QualityTrace trace = normal_trace(80, 1, 3);
+  trace.time_s = {0, 1, 1000};
+  trace.qni = {80, 20, 20};
+  const DecidedTrace sut = decide_again(trace, "tocp_dsp", {});
+  EXPECT_EQ(sut.evidence[1].state, decision::State::passive);
+  EXPECT_EQ(sut.evidence[2].reason, decision::Reason::cusum_alarm);  // it was active again
+}
+
+TEST(DecideReport, HasARowPerSampleAndTheChanges) {
+  const DecidedTrace sut = decide_again(dip(), "tocp", {});
+  const std::string csv = to_csv(sut);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 151);
+  EXPECT_THAT(csv, HasSubstr("50,30,0,cusum_alarm,"));
+  EXPECT_THAT(to_text(sut), HasSubstr("cusum_alarm"));
+  EXPECT_EQ(to_json(sut, true)["rows"].size(), 150U);
+  EXPECT_EQ(to_json(sut, false)["changes"].size(), 4U);
+  EXPECT_THAT(decide_plot(sut), HasSubstr("$d << EOD"));
+}
+
+DesignRequest request(double false_alarm_s) {
+  DesignRequest r;
+  r.false_alarm_s = false_alarm_s;
+  r.period_s = 1;
+  return r;
+}
+
+TEST(Design, GivesTheKnownThresholdForAnHour) {
+  const Design sut = design(request(3600));
+  EXPECT_NEAR(sut.wanted.alpha, 5.530, 1e-3);
+  EXPECT_NEAR(sut.wanted.delay_s, 1.1075, 1e-3);
+  EXPECT_NEAR(sut.wanted.reverse_alpha, 3.857, 1e-3);
+  EXPECT_THAT(to_text(sut), HasSubstr("alpha 5.52"));
+  EXPECT_EQ(to_json(sut)["table"].size(), 6U);
+}
+
+TEST(Design, TradesDelayForFewerFalseAlarms) {
+  const Design sut = design(request(3600));
+  for (std::size_t i = 1; i < sut.table.size(); ++i) {
+    EXPECT_GT(sut.table[i].alpha, sut.table[i - 1].alpha);
+    EXPECT_GT(sut.table[i].delay_s, sut.table[i - 1].delay_s);
+  }
+  EXPECT_GT(sut.shifts.back().delay_s, sut.shifts.front().delay_s);
+}
+
+TEST(Design, RejectsATimeThatNoThresholdGives) {
+  EXPECT_THROW((void)design(request(100)), ConfigError);
+}
+
+TEST(Design, CalibratesOnARecording) {
+  DesignRequest wanted = request(1000);
+  wanted.recording = normal_trace(81.5669, 10.3309, 20000);
+  wanted.block_s = 1;
+  const Design sut = design(wanted);
+  ASSERT_TRUE(sut.calibration);
+  EXPECT_NEAR(sut.calibration->alpha, sut.wanted.alpha, 1);
+  EXPECT_TRUE(to_json(sut).contains("calibration"));
+}
+
+}  // namespace
+}  // namespace tocsin::tools
