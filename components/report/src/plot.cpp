@@ -45,7 +45,7 @@ void write_traffic(const Recording& recording, const fs::path& folder) {
 
 std::string pause_boxes(const Recording& recording) {
   std::string text;
-  for (const Pause& pause : pauses_of(recording)) {
+  for (const Interval& pause : pauses_of(recording)) {
     text += "set object rectangle from " + std::to_string(pause.begin_s - recording.begin_s) +
             ", graph 0 to " + std::to_string(pause.end_s - recording.begin_s) +
             ", graph 1 behind fillcolor rgb '#dddddd' fillstyle solid noborder\n";

@@ -75,6 +75,7 @@ std::string to_text(const Summary& summary) {
   text += format("Network   QNI median %.1f, lowest %.1f; PER median %.1f %%, p99 %.1f %%\n",
                  summary.qni_median, summary.qni_min, summary.per_percent.median,
                  summary.per_percent.p99);
+  text += format("Poor      %.1f s with a QNI below %.0f\n", summary.poor_s, poor_below_qni);
   return text + table_text("Class", summary.classes) + table_text("Topic", summary.topics);
 }
 
@@ -85,18 +86,18 @@ std::string compare_text(const Summary& first, const Summary& second) {
   }
   text += "\n";
   text +=
-      format("%-14s|%-37s|%s\n", "", (" " + first.policy).c_str(), (" " + second.policy).c_str());
+      format("%-19s|%-37s|%s\n", "", (" " + first.policy).c_str(), (" " + second.policy).c_str());
   const char* heads = "latency [ms]      age [ms]   lost";
-  text += format("%-14s|  %s |  %s\n", "", heads, heads);
+  text += format("%-19s|  %s |  %s\n", "", heads, heads);
   const char* columns = " median    p99 median    p99      %";
-  text += format("%-14s|%s  |%s\n", "", columns, columns);
+  text += format("%-19s|%s  |%s\n", "", columns, columns);
   std::vector<std::string> names;
   for (const Traffic& traffic : first.classes) names.push_back(traffic.name);
   for (const Traffic& traffic : second.classes) {
     if (find(first, traffic.name) == nullptr) names.push_back(traffic.name);
   }
   for (const std::string& name : names) {
-    text += format("%-14s|", name.c_str()) + half_row(find(first, name)) + "  |" +
+    text += format("%-19s|", name.c_str()) + half_row(find(first, name)) + "  |" +
             half_row(find(second, name)) + "\n";
   }
   return text;

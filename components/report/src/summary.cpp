@@ -17,36 +17,61 @@ Topics by_topic(const std::vector<Arrival>& arrivals) {
   return topics;
 }
 
+/// Those that were sent in an interval.
+std::vector<Arrival> sent_in(const std::vector<Arrival>& arrivals, const Interval& interval) {
+  std::vector<Arrival> some;
+  for (const Arrival& arrival : arrivals) {
+    if (arrival.sent_s >= interval.begin_s && arrival.sent_s < interval.end_s) {
+      some.push_back(arrival);
+    }
+  }
+  return some;
+}
+
+/// Values of all intervals, before they become percentiles.
+struct Collected {
+  std::vector<double> latencies_s;
+  std::vector<double> ages_s;
+  double bytes = 0;
+  double length_s = 0;
+};
+
+void collect(const std::vector<Arrival>& arrivals, const Interval& interval, Collected& all) {
+  for (const Arrival& arrival : arrivals) {
+    all.latencies_s.push_back(arrival.received_s - arrival.sent_s);
+    all.bytes += std::isfinite(arrival.bytes) ? arrival.bytes : 0;
+  }
+  for (const auto& [topic, part] : by_topic(arrivals)) {
+    const auto of_topic = ages(part, interval.end_s, age_step_s);
+    all.ages_s.insert(all.ages_s.end(), of_topic.begin(), of_topic.end());
+  }
+  all.length_s += interval.end_s - interval.begin_s;
+}
+
 Traffic traffic_of(const std::string& name, const std::vector<Arrival>& arrivals,
-                   const Recording& recording) {
+                   const std::vector<Interval>& intervals) {
   Traffic traffic;
   traffic.name = name;
-  traffic.received = arrivals.size();
-  traffic.lost = lost(arrivals);
-  std::vector<double> latencies;
-  double bytes = 0;
-  for (const Arrival& arrival : arrivals) {
-    latencies.push_back(arrival.received_s - arrival.sent_s);
-    bytes += std::isfinite(arrival.bytes) ? arrival.bytes : 0;
+  Collected all;
+  for (const Interval& interval : intervals) {
+    const std::vector<Arrival> part = sent_in(arrivals, interval);
+    traffic.received += part.size();
+    traffic.lost += lost(part);
+    collect(part, interval, all);
   }
-  traffic.latency_s = spread_of(latencies);
-  std::vector<double> all_ages;
-  for (const auto& [topic, part] : by_topic(arrivals)) {
-    const auto of_topic = ages(part, recording.end_s, age_step_s);
-    all_ages.insert(all_ages.end(), of_topic.begin(), of_topic.end());
-  }
-  traffic.age_s = spread_of(all_ages);
-  const double length_s = recording.end_s - recording.begin_s;
-  traffic.bytes_per_s = length_s > 0 ? bytes / length_s : 0;
+  traffic.latency_s = spread_of(all.latencies_s);
+  traffic.age_s = spread_of(all.ages_s);
+  traffic.bytes_per_s = all.length_s > 0 ? all.bytes / all.length_s : 0;
   return traffic;
 }
 
 void add_traffic(const Recording& recording, Summary& summary) {
+  const std::vector<Interval> whole{{recording.begin_s, recording.end_s + age_step_s}};
   for (const auto& [name, arrivals] : recording.arrivals) {
-    summary.classes.push_back(traffic_of(name, arrivals, recording));
+    summary.classes.push_back(traffic_of(name, arrivals, whole));
     for (const auto& [topic, part] : by_topic(arrivals)) {
       const std::string sender = name.substr(0, name.find(' '));
-      summary.topics.push_back(traffic_of(sender + " " + topic, part, recording));
+      summary.topics.push_back(traffic_of(sender + " " + topic, part, whole));
     }
   }
   for (const Traffic& topic : summary.topics) {
@@ -57,8 +82,16 @@ void add_traffic(const Recording& recording, Summary& summary) {
   }
 }
 
+void add_poor_traffic(const Recording& recording, Summary& summary) {
+  const std::vector<Interval> poor = poor_intervals(recording);
+  for (const Interval& interval : poor) summary.poor_s += interval.end_s - interval.begin_s;
+  for (const auto& [name, arrivals] : recording.arrivals) {
+    if (!poor.empty()) summary.classes.push_back(traffic_of(name + ", poor", arrivals, poor));
+  }
+}
+
 void add_pauses(const Recording& recording, Summary& summary) {
-  for (const Pause& pause : pauses_of(recording)) {
+  for (const Interval& pause : pauses_of(recording)) {
     const double length_s = pause.end_s - pause.begin_s;
     ++summary.pauses;
     summary.paused_s += length_s;
@@ -87,8 +120,20 @@ double Traffic::lost_percent() const {
   return sent > 0 ? 100 * static_cast<double>(lost) / sent : std::nan("");
 }
 
-std::vector<Pause> pauses_of(const Recording& recording) {
-  std::vector<Pause> pauses;
+std::vector<Interval> poor_intervals(const Recording& recording) {
+  std::vector<Interval> intervals;
+  bool poor = false;
+  for (const Decision& decision : recording.decisions) {
+    const bool now_poor = decision.qni < poor_below_qni;
+    if (now_poor && !poor) intervals.push_back({decision.time_s, recording.end_s});
+    if (!now_poor && poor) intervals.back().end_s = decision.time_s;
+    poor = now_poor;
+  }
+  return intervals;
+}
+
+std::vector<Interval> pauses_of(const Recording& recording) {
+  std::vector<Interval> pauses;
   bool active = true;
   for (const Decision& decision : recording.decisions) {
     if (active && !decision.active) pauses.push_back({decision.time_s, recording.end_s});
@@ -106,6 +151,7 @@ Summary summarise(const Recording& recording) {
   add_pauses(recording, summary);
   add_quality(recording, summary);
   add_traffic(recording, summary);
+  add_poor_traffic(recording, summary);
   return summary;
 }
 

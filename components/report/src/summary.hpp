@@ -32,17 +32,24 @@ struct Summary {
   Spread per_percent{};
   double qni_median = 0;
   double qni_min = 0;
-  std::vector<Traffic> classes;  ///< each class, then the goals
+  double poor_s = 0;             ///< how long the link was poor
+  std::vector<Traffic> classes;  ///< each class, the goals, each class while the link was poor
   std::vector<Traffic> topics;
 };
 
 [[nodiscard]] Summary summarise(const Recording& recording);
 
-/// When the vehicle was paused: begin and end [s since the Unix epoch] of each pause.
-struct Pause {
+/// Begin and end [s since the Unix epoch].
+struct Interval {
   double begin_s;
   double end_s;
 };
-[[nodiscard]] std::vector<Pause> pauses_of(const Recording& recording);
+
+/// When the vehicle was paused.
+[[nodiscard]] std::vector<Interval> pauses_of(const Recording& recording);
+
+/// The link is called poor while the vehicle's QNI is below this.
+inline constexpr double poor_below_qni = 60;
+[[nodiscard]] std::vector<Interval> poor_intervals(const Recording& recording);
 
 }  // namespace tocsin::report
