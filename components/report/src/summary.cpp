@@ -66,7 +66,7 @@ Traffic traffic_of(const std::string& name, const std::vector<Arrival>& arrivals
 }
 
 void add_traffic(const Recording& recording, Summary& summary) {
-  const std::vector<Interval> whole{{recording.begin_s, recording.end_s + age_step_s}};
+  const std::vector<Interval> whole{{recording.begin_s, std::nextafter(recording.end_s, HUGE_VAL)}};
   for (const auto& [name, arrivals] : recording.arrivals) {
     summary.classes.push_back(traffic_of(name, arrivals, whole));
     for (const auto& [topic, part] : by_topic(arrivals)) {
