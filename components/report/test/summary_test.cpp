@@ -51,7 +51,7 @@ TEST(Summary, CountsTrafficOfAClass) {
   EXPECT_EQ(sut.lost, 2U);
   EXPECT_DOUBLE_EQ(sut.lost_percent(), 40);
   EXPECT_DOUBLE_EQ(sut.latency_s.median, 0.5);
-  EXPECT_DOUBLE_EQ(sut.bytes_per_s, 30);
+  EXPECT_NEAR(sut.bytes_per_s, 30, 1e-9);
 }
 
 TEST(Summary, AgesATopicUntilTheEndOfTheRun) {
