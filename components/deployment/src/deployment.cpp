@@ -2,6 +2,7 @@
 #include "deployment/deployment.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "foundation/error.hpp"
@@ -104,6 +105,14 @@ void merge_parameters(const ParameterSet& parameters, const Source& source,
   }
 }
 
+/// Puts the command line's channel in place of the file's.
+void replace_channel(const std::string& channel, Deployment& deployment) {
+  if (channel.empty()) return;
+  if (!deployment.radio) fail(deployment, "radio: is missing, so there is no channel to replace");
+  deployment.radio->channel = std::filesystem::absolute(channel);
+  if (!std::filesystem::exists(channel)) fail(deployment, "channel: no file " + channel);
+}
+
 constexpr int max_domain = 229;  // three ids follow each other; RTPS ports end at domain 232
 
 }  // namespace
@@ -147,6 +156,7 @@ Deployment load_deployment(const std::string& path, const Overrides& overrides) 
   section.reject_unknown_keys();
   for (const std::string& setting : overrides.set) parameters.add_setting(setting);
   check_whole(deployment);
+  replace_channel(overrides.channel, deployment);
   merge_parameters(parameters, source, deployment);
   for (const std::string& process : overrides.without) leave_out(process, deployment);
   assign_domains(overrides.domain.value_or(domain), deployment);

@@ -34,6 +34,8 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--run-dir", options.overrides.run_dir, "folder of the run [runs/<UTC time>]");
   app.add_option("--seed", options.overrides.seed, "value of ${seed}")
       ->check(CLI::NonNegativeNumber);
+  app.add_option("--channel", options.overrides.channel,
+                 "channel file of the radio, in place of the file's");
   app.add_option("--domain", options.domain,
                  "first of three DDS domain ids, in place of the file's")
       ->check(CLI::Range(0, 229));

@@ -91,6 +91,7 @@ struct Overrides {
   std::string share;                 ///< value of ${share}
   int seed = 1;                      ///< value of ${seed}
   std::optional<int> domain;         ///< in place of the file's `domain`
+  std::string channel;               ///< path in place of the file's `radio.channel`; empty: none
   std::vector<std::string> set;      ///< "name.key=value" or "host/name.key=value", value in YAML
   std::vector<std::string> without;  ///< "host/process" that is left out
 };
