@@ -125,6 +125,7 @@ void BaseModel::physics(Time now, double dt_s) {
   left_ticks_ += drive_.speeds().left_mps * dt_s / tick_m;
   right_ticks_ += drive_.speeds().right_mps * dt_s / tick_m;
   turn_gyro(dt_s);
+  touch_dock();
   const WheelSpeeds target = drive_.target();
   power_.step(dt_s, motor_current_a(drive_.speeds().left_mps, target.left_mps) +
                         motor_current_a(drive_.speeds().right_mps, target.right_mps));
@@ -135,6 +136,13 @@ void BaseModel::turn_gyro(double dt_s) {
   const double bias_deg = params_.gyro_bias_dps * dt_s;
   gyro_rad_ = wrap_angle(gyro_rad_ + params_.gyro_scale * velocity_.angular_rad_s * dt_s +
                          (drift_deg + bias_deg) * degree_rad);
+}
+
+void BaseModel::touch_dock() {
+  const bool docked = dock_ && dock_->in_contact(pose());
+  if (docked == docked_) return;  // only the edges, so that a hand may plug the adapter
+  docked_ = docked;
+  power_.plug(docked ? ChargingSource::dock : ChargingSource::none);
 }
 
 double BaseModel::motor_current_a(double speed_mps, double target_mps) const {

@@ -30,7 +30,7 @@ std::uint8_t current_byte(double current_a) {  // 10 mA units
 Feedback BaseModel::sense(Time now) {
   Feedback feedback;
   feedback.core = core_sensors(now);
-  feedback.dock_infrared = inputs_.dock;
+  feedback.dock_infrared = dock_infrared();
   feedback.inertia = inertia();
   feedback.cliff_adc = cliff_adc();
   const WheelSpeeds speeds = drive_.speeds();
@@ -92,6 +92,14 @@ CliffAdc BaseModel::cliff_adc() const {
     return (inputs_.cliff & bit) ? cliff_value : floor_adc;
   };
   return {adc(right_bit), adc(centre_bit), adc(left_bit)};
+}
+
+DockInfrared BaseModel::dock_infrared() const {
+  DockInfrared seen = dock_ ? dock_->infrared(pose()) : DockInfrared{};
+  seen.right = static_cast<std::uint8_t>(seen.right | inputs_.dock.right);
+  seen.centre = static_cast<std::uint8_t>(seen.centre | inputs_.dock.centre);
+  seen.left = static_cast<std::uint8_t>(seen.left | inputs_.dock.left);
+  return seen;
 }
 
 GeneralInput BaseModel::general_input() const {

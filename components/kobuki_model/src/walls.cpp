@@ -35,7 +35,7 @@ Surroundings walled(std::vector<Wall> walls) {
     std::vector<double> bearings;
     for (const Wall& wall : walls) {
       const Offset offset = offset_to(wall, x_m, y_m);
-      if (std::hypot(offset.x_m, offset.y_m) >= radius_m) continue;
+      if (offset.x_m * offset.x_m + offset.y_m * offset.y_m >= radius_m * radius_m) continue;
       bearings.push_back(std::atan2(offset.y_m, offset.x_m));
     }
     return bearings;

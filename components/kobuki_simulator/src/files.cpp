@@ -52,13 +52,13 @@ Settings load_settings(const std::string& path) {
           load_parameters<LineParams>(file["line"], "kobuki_simulator.line", path)};
 }
 
-Pose parse_pose(const std::string& text) {
+Pose parse_pose(const std::string& name, const std::string& text) {
   Pose pose;
   char rest = 0;
   const int read =
       std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &pose.x_m, &pose.y_m, &pose.heading_rad, &rest);
   if (read != 3 || !std::isfinite(pose.x_m + pose.y_m + pose.heading_rad)) {
-    throw ConfigError("--start: '" + text + "' is not X,Y,YAW in m, m, rad");
+    throw ConfigError(name + ": '" + text + "' is not X,Y,YAW in m, m, rad");
   }
   return pose;
 }

@@ -21,8 +21,8 @@ struct Settings {
 /// Reads `model:` and `line:`, both optional. Throws ConfigError.
 [[nodiscard]] Settings load_settings(const std::string& path);
 
-/// "X,Y,YAW". Throws ConfigError.
-[[nodiscard]] Pose parse_pose(const std::string& text);
+/// "X,Y,YAW" of the option `name`. Throws ConfigError.
+[[nodiscard]] Pose parse_pose(const std::string& name, const std::string& text);
 
 /// What an earlier run wrote; empty when there is no file. Throws ConfigError when it is no state.
 [[nodiscard]] std::optional<BaseMemory> load_memory(const std::string& path);

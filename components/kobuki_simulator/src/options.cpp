@@ -10,11 +10,14 @@ namespace tocsin::kobuki {
 std::optional<Options> parse_options(int argc, const char* const* argv, int& exit_code) {
   Options options;
   std::string start = "0,0,0";
+  std::string dock;
   std::string config;
   CLI::App app("A simulated Kobuki base behind a pseudo-terminal");
   app.add_option("--link", options.link, "symbolic link to the terminal")->required();
   app.add_option("--walls", options.walls, "YAML file of wall segments; none is an open floor");
   app.add_option("--start", start, "X,Y,YAW in m, m, rad");
+  app.add_option("--dock", dock,
+                 "X,Y,YAW of a charging dock: middle of its front, facing the room");
   app.add_option("--seed", options.seed, "of all noise");
   app.add_option("--config", config, "YAML file with model: and line: parameters");
   app.add_option("--position", options.position, "socket that gets 'pos X Y' at 10 Hz");
@@ -26,17 +29,22 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
     exit_code = app.exit(error) == 0 ? 0 : 2;
     return std::nullopt;
   }
-  options.start = parse_pose(start);
+  options.start = parse_pose("--start", start);
+  if (!dock.empty()) options.dock = parse_pose("--dock", dock);
   if (!config.empty()) options.settings = load_settings(config);
   return options;
 }
 
 BaseModel make_model(const Options& options, Time now) {
-  Surroundings around = options.walls.empty() ? open_floor() : walled(load_walls(options.walls));
+  std::vector<Wall> walls;
+  if (!options.walls.empty()) walls = load_walls(options.walls);
+  if (options.dock) walls.push_back(Dock(*options.dock).front());
+  Surroundings around = walled(std::move(walls));
   if (!around(options.start.x_m, options.start.y_m, body_radius_m).empty()) {
-    throw ConfigError("--start: the base would stand in a wall of " + options.walls);
+    throw ConfigError("--start: the base would stand in a wall or in the dock");
   }
   BaseModel model(options.settings.model, std::move(around), options.start, options.seed, now);
+  if (options.dock) model.set_dock(Dock(*options.dock));
   if (options.state.empty()) return model;
   if (const auto memory = load_memory(options.state)) model.recall(*memory, now);
   return model;

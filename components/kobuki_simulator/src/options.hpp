@@ -14,6 +14,7 @@ struct Options {
   std::string link;
   std::string walls;
   Pose start;
+  std::optional<Pose> dock;
   std::uint64_t seed = 1;
   Settings settings;
   std::string position;

@@ -62,12 +62,12 @@ TEST(Settings, AreRefusedWithKeyAndRange) {
 }
 
 TEST(ParsePose, TakesThreeNumbers) {
-  const Pose pose = parse_pose("1.5,-2,0.1");
+  const Pose pose = parse_pose("--start", "1.5,-2,0.1");
   EXPECT_EQ(pose.x_m, 1.5);
   EXPECT_EQ(pose.y_m, -2);
   EXPECT_EQ(pose.heading_rad, 0.1);
   for (const char* bad : {"", "1,2", "1,2,3,4", "1,2,nan", "a,b,c"}) {
-    EXPECT_THROW((void)parse_pose(bad), ConfigError) << bad;
+    EXPECT_THROW((void)parse_pose("--start", bad), ConfigError) << bad;
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "foundation/time.hpp"
 #include "kobuki_model/body.hpp"
+#include "kobuki_model/dock.hpp"
 #include "kobuki_model/drive.hpp"
 #include "kobuki_model/model_params.hpp"
 #include "kobuki_model/power.hpp"
@@ -24,7 +25,7 @@ struct BaseInputs {
   std::uint8_t wheel_drop = 0;
   std::uint8_t over_current = 0;
   std::uint16_t digital = 0;
-  DockInfrared dock;
+  DockInfrared dock;  ///< in addition to what a dock in the room shines
 };
 
 /// What the computer has set or asked for.
@@ -67,6 +68,9 @@ class BaseModel {
   /// Cuts the power for a moment: encoders start anywhere, clock and gyro at 0, outputs at default.
   void power_cycle(Time now);
 
+  /// Stands a dock into the room; its front must also be in the surroundings to stop the base.
+  void set_dock(const Dock& dock) { dock_ = dock; }
+
   [[nodiscard]] BaseInputs& inputs() { return inputs_; }
   [[nodiscard]] Power& power() { return power_; }
   [[nodiscard]] const BaseOutputs& outputs() const { return outputs_; }
@@ -93,6 +97,7 @@ class BaseModel {
   void request(const RequestExtra& request);
   void physics(Time now, double dt_s);
   void turn_gyro(double dt_s);
+  void touch_dock();
   [[nodiscard]] double noise(double sigma);
   [[nodiscard]] double motor_current_a(double speed_mps, double target_mps) const;
 
@@ -100,6 +105,7 @@ class BaseModel {
   [[nodiscard]] CoreSensors core_sensors(Time now) const;
   [[nodiscard]] Inertia inertia();
   [[nodiscard]] RawGyro raw_gyro();
+  [[nodiscard]] DockInfrared dock_infrared() const;
   [[nodiscard]] GeneralInput general_input() const;
   [[nodiscard]] CliffAdc cliff_adc() const;
   void answer(Feedback& feedback);
@@ -114,6 +120,8 @@ class BaseModel {
   Power power_;
   Reassembler reassembler_;
   DecodeCounts command_counts_;
+  std::optional<Dock> dock_;
+  bool docked_ = false;
   BaseInputs inputs_;
   BaseOutputs outputs_;
   Answers asked_;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "motion/velocity_smoother.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tocsin::motion {
+namespace {
+
+constexpr double longest_silence_s = 0.5;
+
+/// How much of a change fits into `limit`.
+double share(double change, double limit) {
+  return std::abs(change) <= limit ? 1.0 : limit / std::abs(change);
+}
+
+/// Greatest change of one coordinate in a period: braking has its own factor.
+double limit(double from, double to, double accel, double decel_factor) {
+  const bool braking = std::abs(to) < std::abs(from) || from * to < 0;
+  return braking ? accel * decel_factor : accel;
+}
+
+}  // namespace
+
+void VelocitySmoother::on_command(const BodyVelocity& velocity, Time now) {
+  if (last_command_ != Time::min()) {
+    periods_s_[heard_++ % window] = to_seconds(now - last_command_);
+  }
+  last_command_ = now;
+  target_ = {};
+  if (!std::isfinite(velocity.linear_mps) || !std::isfinite(velocity.angular_rad_s)) return;
+  const double fit = std::min(share(velocity.linear_mps, params_.speed_lim_v_mps),
+                              share(velocity.angular_rad_s, params_.speed_lim_w_rad_s));
+  target_ = {velocity.linear_mps * fit, velocity.angular_rad_s * fit};
+}
+
+double VelocitySmoother::timeout_s() const {
+  if (heard_ < window) return longest_silence_s;
+  auto sorted = periods_s_;
+  std::nth_element(sorted.begin(), sorted.begin() + window / 2, sorted.end());
+  return std::min(3 * sorted[window / 2], longest_silence_s);
+}
+
+bool VelocitySmoother::silent(Time now) const {
+  return last_command_ == Time::min() || now - last_command_ > seconds(timeout_s());
+}
+
+BodyVelocity VelocitySmoother::step(Time now) {
+  const BodyVelocity wanted = silent(now) ? BodyVelocity{} : target_;
+  const double period_s = 1.0 / params_.frequency_hz;
+  const double dv = wanted.linear_mps - current_.linear_mps;
+  const double dw = wanted.angular_rad_s - current_.angular_rad_s;
+  const double limit_v =
+      limit(current_.linear_mps, wanted.linear_mps, params_.accel_lim_v_mps2, params_.decel_factor);
+  const double limit_w = limit(current_.angular_rad_s, wanted.angular_rad_s,
+                               params_.accel_lim_w_rad_s2, params_.decel_factor);
+  const double part = std::min(share(dv, limit_v * period_s), share(dw, limit_w * period_s));
+  current_.linear_mps += part * dv;
+  current_.angular_rad_s += part * dw;
+  if (part == 1.0) current_ = wanted;  // no rounding residue around zero
+  return current_;
+}
+
+bool VelocitySmoother::at_rest(Time now) const {
+  return silent(now) && current_.linear_mps == 0 && current_.angular_rad_s == 0;
+}
+
+}  // namespace tocsin::motion
