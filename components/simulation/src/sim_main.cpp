@@ -20,6 +20,7 @@ struct Options {
   std::string file;
   deployment::Overrides overrides;
   double duration_s = 3600;
+  bool verify = false;
 };
 
 void declare(CLI::App& app, Options& options) {
@@ -36,6 +37,8 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--duration", options.duration_s, "[s] end here unless the mission is over before")
       ->check(CLI::Range(0.001, 1e9))
       ->capture_default_str();
+  app.add_flag("--verify", options.verify,
+               "run twice in one process; exit code 1 unless both write the same samples");
   app.add_option("--run-dir", options.overrides.run_dir,
                  "folder of the run, new or empty [runs/sim_<UTC time>]");
 }
@@ -80,21 +83,31 @@ void print(const Outcome& outcome, double wall_s, const std::string& run_dir) {
       static_cast<unsigned long long>(outcome.digest), run_dir.c_str());
 }
 
-int simulate(Options& options) {
-  deployment::Overrides& overrides = options.overrides;
-  overrides.share = share_folder().string();
-  const std::string file = locate(options.file, overrides.share);
-  // Checked before the folder of the run is made: a wrong file leaves nothing behind.
-  (void)deployment::load_deployment(file, overrides);
-  overrides.run_dir = make_run_folder(overrides.run_dir);
-  const auto deployment = deployment::load_deployment(file, overrides);
+Outcome simulate(const Options& options, const std::string& run_dir) {
+  deployment::Overrides overrides = options.overrides;
+  overrides.run_dir = make_run_folder(run_dir);
+  const auto deployment = deployment::load_deployment(options.file, overrides);
   deployment::write_resolved(deployment, overrides.run_dir + "/deployment.yaml");
   SimWorld world(deployment);
   const auto begin = std::chrono::steady_clock::now();
   const Outcome outcome = world.run(seconds(options.duration_s));
   const auto wall = std::chrono::steady_clock::now() - begin;
   print(outcome, to_seconds(Duration(wall)), overrides.run_dir);
-  return outcome.exit_code.value_or(0);
+  return outcome;
+}
+
+int simulate(Options& options) {
+  deployment::Overrides& overrides = options.overrides;
+  overrides.share = share_folder().string();
+  options.file = locate(options.file, overrides.share);
+  // Checked before the folder of the run is made: a wrong file leaves nothing behind.
+  (void)deployment::load_deployment(options.file, overrides);
+  const std::string run_dir = make_run_folder(overrides.run_dir);
+  if (!options.verify) return simulate(options, run_dir).exit_code.value_or(0);
+  const Outcome first = simulate(options, run_dir + "/first");
+  const Outcome second = simulate(options, run_dir + "/second");
+  if (first.digest == second.digest) return 0;
+  throw EnvironmentError("two runs with the same seed differ");
 }
 
 int body(int argc, char** argv) {

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_devices.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "foundation/error.hpp"
+#include "kobuki_protocol/command.hpp"
+
+namespace tocsin::simulation {
+namespace {
+
+class SimDevicesTest : public ::testing::Test {
+ protected:
+  SimDevicesTest() {
+    sut_.add_base(base_);
+    sut_.add_peer("10.77.0.2");
+  }
+  void run_for(double s) {
+    const Time end = core_.now + seconds(s);
+    const auto next = [this] {
+      return std::min({core_.events.next(), link_.next_event(), base_.next_event()});
+    };
+    for (Time at = next(); at <= end; at = next()) {
+      core_.now = std::max(core_.now, at);
+      core_.events.run(core_.now);
+      base_.advance();
+      link_.advance();
+    }
+    core_.now = end;
+  }
+  static radio::ChannelParams wire() {
+    radio::ChannelParams params;
+    params.mode = "bernoulli";
+    params.delay_s = 0.01;
+    params.outages_s = {10, 5};
+    return params;
+  }
+  static BaseOptions base_options() {
+    BaseOptions options;
+    options.link = "/dev/kobuki";
+    return options;
+  }
+
+  Core core_;
+  RadioLink link_{core_, wire(), {}, 1};
+  SimBase base_{core_, base_options()};
+  SimDevices sut_{core_, link_, radio::Direction::uplink, "/run/wireless"};
+  int readable_ = 0;
+  Devices::Readable count_ = [this] { ++readable_; };
+};
+
+TEST_F(SimDevicesTest, EchoComesBackAfterTheRoundTrip) {
+  const auto echo = sut_.open_echo("10.77.0.2", 64, count_);
+  const Time sent = core_.now;
+  EXPECT_EQ(echo->send(5), 0);
+  EXPECT_FALSE(echo->receive());
+  run_for(1);
+  EXPECT_EQ(readable_, 1);
+  const auto reply = echo->receive();
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->sequence, 5);
+  EXPECT_EQ(reply->received, sent + seconds(0.02));
+  EXPECT_EQ(link_.pushed(), 2U);
+}
+
+TEST_F(SimDevicesTest, EchoOfADeadLinkDoesNotComeBack) {
+  const auto echo = sut_.open_echo("10.77.0.2", 64, count_);
+  run_for(11);
+  (void)echo->send(5);
+  run_for(9);
+  EXPECT_FALSE(echo->receive());
+}
+
+TEST_F(SimDevicesTest, EchoToAnAddressThatNobodyHasDoesNotComeBack) {
+  const auto echo = sut_.open_echo("10.77.0.3", 64, count_);
+  (void)echo->send(5);
+  run_for(1);
+  EXPECT_EQ(readable_, 0);
+}
+
+TEST_F(SimDevicesTest, ReplyToAnEchoThatWasClosedHarmsNobody) {
+  (void)sut_.open_echo("10.77.0.2", 64, count_)->send(5);
+  run_for(1);
+  EXPECT_EQ(readable_, 0);
+}
+
+TEST_F(SimDevicesTest, RefusesATargetThatIsNoAddress) {
+  EXPECT_THROW((void)sut_.open_echo("", 64, count_), ConfigError);
+}
+
+TEST_F(SimDevicesTest, HasOnlyThePortsOfItsBases) {
+  EXPECT_FALSE(sut_.open_serial("/dev/other", count_));
+  EXPECT_TRUE(sut_.open_serial("/dev/kobuki", count_));
+}
+
+TEST_F(SimDevicesTest, SerialPortGivesTheFramesOfTheBase) {
+  const auto port = sut_.open_serial("/dev/kobuki", count_);
+  run_for(0.1);
+  EXPECT_GT(readable_, 4);
+  std::array<std::uint8_t, 1024> bytes{};
+  EXPECT_GT(port->read(bytes.data(), bytes.size()).value_or(0), 300U);
+  EXPECT_EQ(bytes[0], 0xaa);  // header of the protocol
+  EXPECT_EQ(bytes[1], 0x55);
+  EXPECT_EQ(port->read(bytes.data(), bytes.size()).value_or(9), 0U);
+}
+
+TEST_F(SimDevicesTest, SerialPortCarriesCommandsToTheBase) {
+  const auto port = sut_.open_serial("/dev/kobuki", count_);
+  // Base control: 100 mm/s straight on, with header, length and checksum (Kobuki protocol).
+  std::array<std::uint8_t, 10> command{0xaa, 0x55, 0x06, 0x01, 0x04, 100, 0, 0, 0, 0};
+  for (std::size_t i = 2; i < 9; ++i)
+    command[9] = static_cast<std::uint8_t>(command[9] ^ command[i]);
+  ASSERT_TRUE(port->write(command.data(), command.size()));
+  run_for(2);
+  EXPECT_NEAR(base_.model().pose().x_m, 0.18, 0.02);
+}
+
+TEST_F(SimDevicesTest, ClosedPortIsToldNothing) {
+  { const auto port = sut_.open_serial("/dev/kobuki", count_); }
+  run_for(1);
+  EXPECT_EQ(readable_, 0);
+}
+
+TEST_F(SimDevicesTest, TellsTheWirelessStateUnderBothPaths) {
+  const auto text = sut_.read_text("/proc/net/wireless");
+  ASSERT_TRUE(text);
+  EXPECT_NE(text->find("wlan0:"), std::string::npos);
+  EXPECT_EQ(text, sut_.read_text("/run/wireless"));
+}
+
+TEST_F(SimDevicesTest, CpuTimesGrowWithVirtualTime) {
+  const auto before = sut_.read_text("/proc/stat");
+  EXPECT_EQ(before, sut_.read_text("/proc/stat"));
+  run_for(1);
+  EXPECT_NE(before, sut_.read_text("/proc/stat"));
+}
+
+TEST_F(SimDevicesTest, HasNoOtherFiles) { EXPECT_FALSE(sut_.read_text("/etc/passwd")); }
+
+TEST(BaseOptions, AreReadFromTheCommandLine) {
+  const BaseOptions sut = read_base_options(
+      {"base",
+       {"kobuki_simulator", "--link", "/run/kobuki", "--start", "1,-2,0.5", "--seed", "9"}});
+  EXPECT_EQ(sut.link, "/run/kobuki");
+  EXPECT_EQ(sut.start.x_m, 1);
+  EXPECT_EQ(sut.start.y_m, -2);
+  EXPECT_EQ(sut.start.heading_rad, 0.5);
+  EXPECT_EQ(sut.seed, 9U);
+}
+
+TEST(BaseOptions, AreRefusedWhenWrong) {
+  const auto read = [](const std::vector<std::string>& more) {
+    std::vector<std::string> command{"kobuki_simulator"};
+    command.insert(command.end(), more.begin(), more.end());
+    return read_base_options({"base", command});
+  };
+  EXPECT_THROW((void)read({}), ConfigError);
+  EXPECT_THROW((void)read({"--link", "a", "--start", "1,2"}), ConfigError);
+  EXPECT_THROW((void)read({"--link", "a", "--seed", "-1"}), ConfigError);
+  EXPECT_THROW((void)read({"--link", "a", "--config", "/no/such/file"}), ConfigError);
+}
+
+}  // namespace
+}  // namespace tocsin::simulation

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Worlds without components; test/system/simulation_test.cpp has the whole mission.
+#include "simulation/sim_world.hpp"
+
+#include <gtest/gtest.h>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::simulation {
+namespace {
+
+const std::string config = TOCSIN_SOURCE_DIR "/../../config/";
+
+/// A base and the gate of one process on each side.
+deployment::Deployment small() {
+  deployment::Deployment deployment;
+  deployment.qos = config + "qos.yaml";
+  deployment.traffic = config + "traffic.yaml";
+  deployment::Host uxv;
+  uxv.name = uxv.role = "uxv";
+  uxv.programs = {{"base", {"kobuki_simulator", "--link", "/dev/kobuki"}}};
+  uxv.containers = {{"drive", false, {}}};
+  deployment::Host gcs;
+  gcs.name = gcs.role = "gcs";
+  gcs.containers = {{"mission", false, {}}};
+  deployment.hosts = {uxv, gcs};
+  return deployment;
+}
+
+TEST(SimWorld, RunsUntilTheLimit) {
+  SimWorld sut(small());
+  const Outcome outcome = sut.run(seconds(10));
+  EXPECT_EQ(outcome.simulated, seconds(10));
+  EXPECT_FALSE(outcome.exit_code);
+  EXPECT_GE(outcome.ticks, 20U);  // each gate each second
+}
+
+TEST(SimWorld, GoesOnWhereItStopped) {
+  SimWorld whole(small());
+  SimWorld parts(small());
+  const Outcome at_once = whole.run(seconds(10));
+  (void)parts.run(seconds(4));
+  const Outcome rest = parts.run(seconds(6));
+  EXPECT_EQ(rest.simulated, seconds(6));
+  EXPECT_EQ(rest.digest, at_once.digest);
+}
+
+TEST(SimWorld, RefusesAProgramWithoutAModel) {
+  deployment::Deployment deployment = small();
+  deployment.hosts[1].programs = {{"browser", {"firefox"}}};
+  EXPECT_THROW(SimWorld{deployment}, ConfigError);
+}
+
+TEST(SimWorld, RefusesAComponentThatIsNotInstalled) {
+  deployment::Deployment deployment = small();
+  deployment.hosts[0].containers[0].components.resize(1);
+  deployment.hosts[0].containers[0].components[0].component = "no_such_component";
+  EXPECT_THROW(SimWorld{deployment}, ConfigError);
+}
+
+}  // namespace
+}  // namespace tocsin::simulation

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// The main job in simulated time: done, repeatable, with every policy.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace tocsin {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+struct Run {
+  int code;
+  std::string output;
+  std::vector<std::string> digests;
+};
+
+std::vector<std::string> digests_in(const std::string& text) {
+  const std::string word = "digest ";
+  std::vector<std::string> digests;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    digests.push_back(text.substr(at + word.size(), 16));
+  }
+  return digests;
+}
+
+class SimulationTest : public ::testing::Test {
+ protected:
+  SimulationTest() {
+    std::string name = "/tmp/tocsin_sim_XXXXXX";
+    folder_ = mkdtemp(name.data());
+  }
+  ~SimulationTest() override { fs::remove_all(folder_); }
+
+  static std::string program() {
+    const fs::path own = TOCSIN_INSTALL;
+    const fs::path together = own / "bin/tocsin-sim";
+    return fs::exists(together) ? together : own.parent_path() / "simulation/bin/tocsin-sim";
+  }
+  /// Runs `tocsin sim` with a run folder of its own; what it logs is left out.
+  Run sim(const std::string& arguments) {
+    const std::string run_dir = folder_ + "/" + std::to_string(++runs_);
+    const std::string command =
+        program() + " " + arguments + " --run-dir " + run_dir + " 2>" + folder_ + "/errors";
+    FILE* pipe = popen(command.c_str(), "r");
+    std::string output;
+    for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) output += static_cast<char>(c);
+    const int status = pclose(pipe);
+    return {WEXITSTATUS(status), output, digests_in(output)};
+  }
+  [[nodiscard]] std::string read(const std::string& name) const {
+    std::ifstream file(folder_ + "/" + name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  std::string folder_;
+  int runs_ = 0;
+};
+
+TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
+  const Run run = sim("mission.yaml --seed 1");
+  EXPECT_EQ(run.code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("exit code 0"));
+  EXPECT_THAT(read("errors"), HasSubstr("mission mission_a: done"));
+  for (const char* file : {"1/uxv/location.csv", "1/gcs/location.csv", "1/gcs/network_quality.csv",
+                           "1/gcs/camera.image_raw.compressed.csv", "1/uxv/goal.csv"}) {
+    EXPECT_GT(read(file).size(), 200U) << file;
+  }
+}
+
+TEST_F(SimulationTest, SameSeedGivesTheSameSamplesInOneProcessAndInAnother) {
+  const std::string arguments = "mission.yaml --seed 3 --duration 60";
+  const Run twice = sim(arguments + " --verify");
+  EXPECT_EQ(twice.code, 0) << twice.output;
+  const Run other = sim(arguments);
+  ASSERT_EQ(twice.digests.size(), 2U);
+  ASSERT_EQ(other.digests.size(), 1U);
+  EXPECT_EQ(twice.digests[0], twice.digests[1]);
+  EXPECT_EQ(twice.digests[0], other.digests[0]);
+  for (const char* file : {"uxv/messages.csv", "gcs/messages.csv", "gcs/location.csv"}) {
+    EXPECT_EQ(read(std::string("1/first/") + file), read(std::string("2/") + file)) << file;
+  }
+}
+
+TEST_F(SimulationTest, EverySeedGivesARunOfItsOwn) {
+  std::set<std::string> digests;
+  for (const char* seed : {"1", "2", "3", "4"}) {
+    const Run run =
+        sim(std::string("mission.yaml --without uxv/payload --duration 20 --seed ") + seed);
+    ASSERT_EQ(run.digests.size(), 1U) << read("errors");
+    digests.insert(run.digests[0]);
+  }
+  EXPECT_EQ(digests.size(), 4U);
+}
+
+TEST_F(SimulationTest, MissionAIsDoneWithEveryPolicy) {
+  for (const char* policy : {"none", "threshold", "tocp", "tocp_dsp"}) {
+    const Run run = sim(std::string("mission.yaml --without uxv/payload --duration 600 --set ") +
+                        "transmission_controller.policy=" + policy);
+    EXPECT_EQ(run.code, 0) << policy << "\n" << read("errors");
+    EXPECT_THAT(run.output, HasSubstr("exit code 0")) << policy;
+  }
+}
+
+TEST_F(SimulationTest, EndsAtTheDurationWhenTheMissionIsNotOver) {
+  const Run run = sim("mission.yaml --without uxv/payload --duration 5");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.output, HasSubstr("5.000 s simulated (not over)"));
+}
+
+TEST_F(SimulationTest, RefusesAnUnknownParameter) {
+  const Run run = sim("mission.yaml --set navigator.speeed=1");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(read("errors"), HasSubstr("navigator.speeed"));
+}
+
+TEST_F(SimulationTest, RefusesAFolderThatHoldsAnotherRun) {
+  fs::create_directories(folder_ + "/1");
+  std::ofstream(folder_ + "/1/messages.csv") << "old\n";
+  EXPECT_EQ(sim("mission.yaml --duration 1").code, 2);
+  EXPECT_THAT(read("errors"), HasSubstr("is not empty"));
+}
+
+}  // namespace
+}  // namespace tocsin
