@@ -45,7 +45,8 @@ OdometryLocaliser make_localiser(const LocaliserFile& file, const Pose2& start) 
 }
 
 std::string memory_path(const Context& context) {
-  return context.run_dir.empty() ? "" : context.run_dir + "/" + context.name + ".pose";
+  const bool nowhere = context.run_dir.empty() || context.devices != nullptr;
+  return nowhere ? "" : context.run_dir + "/" + context.name + ".pose";
 }
 
 }  // namespace
