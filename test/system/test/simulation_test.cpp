@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-struct Run {
+struct Ended {
   int code;
   std::string output;
   std::vector<std::string> digests;
@@ -48,7 +48,7 @@ class SimulationTest : public ::testing::Test {
     return fs::exists(together) ? together : own.parent_path() / "simulation/bin/tocsin-sim";
   }
   /// Runs `tocsin sim` with a run folder of its own; what it logs is left out.
-  Run sim(const std::string& arguments) {
+  Ended sim(const std::string& arguments) {
     const std::string run_dir = folder_ + "/" + std::to_string(++runs_);
     const std::string command =
         program() + " " + arguments + " --run-dir " + run_dir + " 2>" + folder_ + "/errors";
@@ -68,7 +68,7 @@ class SimulationTest : public ::testing::Test {
 };
 
 TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
-  const Run run = sim("mission.yaml --seed 1");
+  const Ended run = sim("mission.yaml --seed 1");
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("exit code 0"));
   EXPECT_THAT(read("errors"), HasSubstr("mission mission_a: done"));
@@ -80,9 +80,9 @@ TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
 
 TEST_F(SimulationTest, SameSeedGivesTheSameSamplesInOneProcessAndInAnother) {
   const std::string arguments = "mission.yaml --seed 3 --duration 60";
-  const Run twice = sim(arguments + " --verify");
+  const Ended twice = sim(arguments + " --verify");
   EXPECT_EQ(twice.code, 0) << twice.output;
-  const Run other = sim(arguments);
+  const Ended other = sim(arguments);
   ASSERT_EQ(twice.digests.size(), 2U);
   ASSERT_EQ(other.digests.size(), 1U);
   EXPECT_EQ(twice.digests[0], twice.digests[1]);
@@ -95,7 +95,7 @@ TEST_F(SimulationTest, SameSeedGivesTheSameSamplesInOneProcessAndInAnother) {
 TEST_F(SimulationTest, EverySeedGivesARunOfItsOwn) {
   std::set<std::string> digests;
   for (const char* seed : {"1", "2", "3", "4"}) {
-    const Run run =
+    const Ended run =
         sim(std::string("mission.yaml --without uxv/payload --duration 20 --seed ") + seed);
     ASSERT_EQ(run.digests.size(), 1U) << read("errors");
     digests.insert(run.digests[0]);
@@ -105,21 +105,21 @@ TEST_F(SimulationTest, EverySeedGivesARunOfItsOwn) {
 
 TEST_F(SimulationTest, MissionAIsDoneWithEveryPolicy) {
   for (const char* policy : {"none", "threshold", "tocp", "tocp_dsp"}) {
-    const Run run = sim(std::string("mission.yaml --without uxv/payload --duration 600 --set ") +
-                        "transmission_controller.policy=" + policy);
+    const Ended run = sim(std::string("mission.yaml --without uxv/payload --duration 600 --set ") +
+                          "transmission_controller.policy=" + policy);
     EXPECT_EQ(run.code, 0) << policy << "\n" << read("errors");
     EXPECT_THAT(run.output, HasSubstr("exit code 0")) << policy;
   }
 }
 
 TEST_F(SimulationTest, EndsAtTheDurationWhenTheMissionIsNotOver) {
-  const Run run = sim("mission.yaml --without uxv/payload --duration 5");
+  const Ended run = sim("mission.yaml --without uxv/payload --duration 5");
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.output, HasSubstr("5.000 s simulated (not over)"));
 }
 
 TEST_F(SimulationTest, RefusesAnUnknownParameter) {
-  const Run run = sim("mission.yaml --set navigator.speeed=1");
+  const Ended run = sim("mission.yaml --set navigator.speeed=1");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(read("errors"), HasSubstr("navigator.speeed"));
 }
