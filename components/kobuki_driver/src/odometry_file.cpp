@@ -14,25 +14,26 @@ std::optional<OdometrySnapshot> OdometryFile::load() const {
   std::ifstream in(path_);
   OdometrySnapshot s;
   pid_t parent = 0;
-  double gyro_rad = 0;
+  Inertia inertia;
   in >> parent >> s.pose.x_m >> s.pose.y_m >> s.pose.heading_rad >> s.left.angle_rad >>
       s.right.angle_rad >> s.core.timestamp_ms >> s.core.left_encoder >> s.core.right_encoder >>
-      gyro_rad;
+      inertia.angle_cdeg;
   if (!in || parent != ::getppid()) return std::nullopt;
   if (!std::isfinite(s.pose.x_m + s.pose.y_m + s.pose.heading_rad)) return std::nullopt;
-  s.gyro_rad = gyro_rad;
+  s.inertia = inertia;
   return s;
 }
 
 bool OdometryFile::save(const OdometrySnapshot& s) const {
-  if (path_.empty() || !s.gyro_rad) return true;
+  if (path_.empty() || !s.inertia) return true;
   const std::string fresh = path_ + ".new";
   {
     std::ofstream out(fresh);
     out.precision(std::numeric_limits<double>::max_digits10);
     out << ::getppid() << ' ' << s.pose.x_m << ' ' << s.pose.y_m << ' ' << s.pose.heading_rad << ' '
         << s.left.angle_rad << ' ' << s.right.angle_rad << ' ' << s.core.timestamp_ms << ' '
-        << s.core.left_encoder << ' ' << s.core.right_encoder << ' ' << *s.gyro_rad << '\n';
+        << s.core.left_encoder << ' ' << s.core.right_encoder << ' ' << s.inertia->angle_cdeg
+        << '\n';
     if (!out.flush()) return false;
   }
   return std::rename(fresh.c_str(), path_.c_str()) == 0;

@@ -150,13 +150,13 @@ TEST(OdometryFile, KeepsOdometryForProcessesOfOneParent) {
   snapshot.pose = {1.25, -2.5, 0.3};
   snapshot.core.left_encoder = 65000;
   snapshot.core.timestamp_ms = 777;
-  snapshot.gyro_rad = -1.5;
+  snapshot.inertia = Inertia{-1500, 0};
   ASSERT_TRUE(sut.save(snapshot));
   const auto got = sut.load();
   ASSERT_TRUE(got);
   EXPECT_EQ(got->pose.y_m, -2.5);
   EXPECT_EQ(got->core.left_encoder, 65000);
-  EXPECT_EQ(got->gyro_rad, -1.5);
+  EXPECT_EQ(got->inertia->angle_cdeg, -1500);
   std::ofstream(path) << "1 2 3 4 5 6 7 8 9 10";  // another parent
   EXPECT_FALSE(sut.load());
   std::ofstream(path) << "garbage";

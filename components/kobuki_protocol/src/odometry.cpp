@@ -2,6 +2,7 @@
 #include "kobuki_protocol/odometry.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace tocsin::kobuki {
 namespace {
@@ -11,7 +12,9 @@ double tick_difference(std::uint16_t now, std::uint16_t last) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(now - last));
 }
 
-double gyro_angle(const Inertia& inertia) { return inertia.angle_cdeg * centidegree_rad; }
+double gyro_turn(const Inertia& from, const Inertia& to) {
+  return wrap_angle((to.angle_cdeg - from.angle_cdeg) * centidegree_rad);
+}
 
 }  // namespace
 
@@ -23,28 +26,35 @@ double wrap_angle(double angle_rad) {
 Odometry::Odometry(const OdometryParams& params) : params_(params) {}
 
 void Odometry::update(const CoreSensors& core, const std::optional<Inertia>& inertia) {
-  if (!last_) {
-    remember(core, inertia);
-    return;
+  const Sample now{core, inertia};
+  if (last_) {
+    Step step = measure(*last_, now);
+    if (!plausible(step)) {
+      ++rejected_jumps_;
+      const auto other = std::exchange(suspect_, now);
+      if (!other) return;
+      step = measure(*other, now);
+      if (!plausible(step)) return;
+    }
+    apply(step);
+    apply_rates(step, inertia);
   }
-  const Step step = measure(core);
-  if (plausible(step)) {
-    apply(step, inertia);
-  } else {
-    ++rejected_jumps_;
-    reinitialise();
-  }
-  remember(core, inertia);
+  last_ = now;
+  suspect_.reset();
 }
 
-Odometry::Step Odometry::measure(const CoreSensors& core) const {
+Odometry::Step Odometry::measure(const Sample& from, const Sample& to) const {
   Step step;
-  step.left_m =
-      tick_difference(core.left_encoder, last_->left_encoder) * tick_m * params_.left_wheel_scale;
-  step.right_m = tick_difference(core.right_encoder, last_->right_encoder) * tick_m *
+  step.left_m = tick_difference(to.core.left_encoder, from.core.left_encoder) * tick_m *
+                params_.left_wheel_scale;
+  step.right_m = tick_difference(to.core.right_encoder, from.core.right_encoder) * tick_m *
                  params_.right_wheel_scale;
   step.turn_rad = (step.right_m - step.left_m) / params_.wheel_separation_m;
-  step.dt_s = static_cast<std::uint16_t>(core.timestamp_ms - last_->timestamp_ms) / 1000.0;
+  step.dt_s = static_cast<std::uint16_t>(to.core.timestamp_ms - from.core.timestamp_ms) / 1000.0;
+  if (params_.use_gyro_heading && from.inertia && to.inertia) {
+    step.gyro_turn_rad = params_.gyro_scale * (gyro_turn(*from.inertia, *to.inertia) -
+                                               params_.gyro_bias_rad_s * step.dt_s);
+  }
   return step;
 }
 
@@ -52,25 +62,22 @@ bool Odometry::plausible(const Step& step) const {
   constexpr double slack_m = 0.01;  // a repeated stamp or one lost frame is no jump
   // At 0.7 m/s an encoder wraps after 4 s. A stamp that went back looks like most of a minute.
   constexpr double longest_gap_s = 3.5;
+  constexpr double fastest_turn_rad_s = 10;  // lifted and turned by hand
+  constexpr double slack_rad = 0.1;
   if (step.dt_s > longest_gap_s) return false;
   const double limit_m = params_.max_wheel_speed_mps * step.dt_s + slack_m;
-  return std::abs(step.left_m) <= limit_m && std::abs(step.right_m) <= limit_m;
+  const double limit_rad = fastest_turn_rad_s * step.dt_s + slack_rad;
+  return std::abs(step.left_m) <= limit_m && std::abs(step.right_m) <= limit_m &&
+         std::abs(step.gyro_turn_rad.value_or(0)) <= limit_rad;
 }
 
-double Odometry::turn(const Step& step, const std::optional<Inertia>& inertia) const {
-  if (!params_.use_gyro_heading || !inertia || !last_gyro_rad_) return step.turn_rad;
-  const double reported = wrap_angle(gyro_angle(*inertia) - *last_gyro_rad_);
-  return params_.gyro_scale * (reported - params_.gyro_bias_rad_s * step.dt_s);
-}
-
-void Odometry::apply(const Step& step, const std::optional<Inertia>& inertia) {
+void Odometry::apply(const Step& step) {
   const double forward_m = (step.left_m + step.right_m) / 2.0;
   pose_.x_m += forward_m * std::cos(pose_.heading_rad);
   pose_.y_m += forward_m * std::sin(pose_.heading_rad);
-  pose_.heading_rad = wrap_angle(pose_.heading_rad + turn(step, inertia));
+  pose_.heading_rad = wrap_angle(pose_.heading_rad + step.gyro_turn_rad.value_or(step.turn_rad));
   left_.angle_rad += step.left_m / wheel_radius_m;
   right_.angle_rad += step.right_m / wheel_radius_m;
-  apply_rates(step, inertia);
 }
 
 void Odometry::apply_rates(const Step& step, const std::optional<Inertia>& inertia) {
@@ -85,15 +92,9 @@ void Odometry::apply_rates(const Step& step, const std::optional<Inertia>& inert
   }
 }
 
-void Odometry::remember(const CoreSensors& core, const std::optional<Inertia>& inertia) {
-  last_ = core;
-  last_gyro_rad_.reset();
-  if (inertia) last_gyro_rad_ = gyro_angle(*inertia);
-}
-
 void Odometry::reinitialise() {
   last_.reset();
-  last_gyro_rad_.reset();
+  suspect_.reset();
   linear_mps_ = angular_rad_s_ = 0;
   left_.rate_rad_s = right_.rate_rad_s = 0;
 }
@@ -105,15 +106,15 @@ void Odometry::reset() {
 
 std::optional<OdometrySnapshot> Odometry::snapshot() const {
   if (!last_) return std::nullopt;
-  return OdometrySnapshot{pose_, left_, right_, *last_, last_gyro_rad_};
+  return OdometrySnapshot{pose_, left_, right_, last_->core, last_->inertia};
 }
 
 void Odometry::restore(const OdometrySnapshot& snapshot) {
   pose_ = snapshot.pose;
   left_ = snapshot.left;
   right_ = snapshot.right;
-  last_ = snapshot.core;
-  last_gyro_rad_ = snapshot.gyro_rad;
+  last_ = Sample{snapshot.core, snapshot.inertia};
+  suspect_.reset();
 }
 
 }  // namespace tocsin::kobuki

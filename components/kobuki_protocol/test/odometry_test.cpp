@@ -133,6 +133,28 @@ TEST(Odometry, DoesNotTakeARestartedBaseForMotion) {
   EXPECT_NEAR(sut.pose().x_m, x_m + 40 * tick_m, 1e-9);
 }
 
+TEST(Odometry, LeavesOutASingleDamagedSample) {
+  Odometry sut{OdometryParams{}};
+  sut.update(core(0, 0, 0), inertia(0));
+  sut.update(core(20, 40, 40), inertia(0));
+  sut.update(core(40, 80 ^ 0x2000, 80), inertia(0));  // flipped bits that cancel in the checksum
+  sut.update(core(60, 120, 120), inertia(0));
+  sut.update(core(80, 160, 160), inertia(0x2000));
+  sut.update(core(100, 200, 200), inertia(0));
+  EXPECT_NEAR(sut.pose().x_m, 200 * tick_m, 1e-12);
+  EXPECT_NEAR(sut.pose().heading_rad, 0, 1e-12);
+  EXPECT_EQ(sut.rejected_jumps(), 2U);
+}
+
+TEST(Odometry, KeepsTheHeadingWhenTheGyroStartsAnew) {
+  Odometry sut{OdometryParams{}};
+  sut.update(core(20, 0, 0), inertia(9000));
+  sut.update(core(40, 0, 0), inertia(9100));
+  sut.update(core(20, 30000, 30000), inertia(0));
+  sut.update(core(40, 30000, 30000), inertia(100));
+  EXPECT_NEAR(sut.pose().heading_rad, 2 * degree_rad, 1e-9);
+}
+
 TEST(Odometry, TakesMotionAcrossLostFrames) {
   Odometry sut{by_encoder()};
   sut.update(core(0, 0, 0), {});

@@ -49,7 +49,7 @@ struct OdometrySnapshot {
   WheelState left;
   WheelState right;
   CoreSensors core;
-  std::optional<double> gyro_rad;
+  std::optional<Inertia> inertia;
 };
 
 /// `angle` wrapped to (-pi, pi].
@@ -58,9 +58,10 @@ struct OdometrySnapshot {
 /// Pose from encoder ticks, with the heading of the encoders or of the gyro.
 ///
 /// Pure, one instance per base, no shared state. The first sample only initialises. Encoders and
-/// the millisecond stamp are differences modulo 65536. A jump that no wheel can do, or a stamp
-/// that went back or on by more than 3.5 s (the base was restarted), initialises again and keeps
-/// the pose.
+/// the millisecond stamp are differences modulo 65536. A sample with a jump that no wheel and no
+/// turn can do, or with a stamp that went back or on by more than 3.5 s, is left out: the checksum
+/// lets some damaged frames through. When the next one agrees with it, the base was restarted, and
+/// motion counts from there.
 class Odometry {
  public:
   explicit Odometry(const OdometryParams& params);
@@ -78,7 +79,7 @@ class Odometry {
   [[nodiscard]] double angular_rad_s() const { return angular_rad_s_; }
   [[nodiscard]] const WheelState& left() const { return left_; }
   [[nodiscard]] const WheelState& right() const { return right_; }
-  /// Jumps that were not taken as motion.
+  /// Samples that were left out.
   [[nodiscard]] std::uint64_t rejected_jumps() const { return rejected_jumps_; }
 
   /// Empty until the first sample.
@@ -86,18 +87,21 @@ class Odometry {
   void restore(const OdometrySnapshot& snapshot);
 
  private:
+  struct Sample {
+    CoreSensors core;
+    std::optional<Inertia> inertia;
+  };
   struct Step {
     double left_m = 0;
     double right_m = 0;
     double dt_s = 0;
-    double turn_rad = 0;
+    double turn_rad = 0;  ///< by the encoders
+    std::optional<double> gyro_turn_rad;
   };
-  [[nodiscard]] Step measure(const CoreSensors& core) const;
+  [[nodiscard]] Step measure(const Sample& from, const Sample& to) const;
   [[nodiscard]] bool plausible(const Step& step) const;
-  void apply(const Step& step, const std::optional<Inertia>& inertia);
+  void apply(const Step& step);
   void apply_rates(const Step& step, const std::optional<Inertia>& inertia);
-  [[nodiscard]] double turn(const Step& step, const std::optional<Inertia>& inertia) const;
-  void remember(const CoreSensors& core, const std::optional<Inertia>& inertia);
 
   OdometryParams params_;
   Pose pose_;
@@ -105,8 +109,8 @@ class Odometry {
   double angular_rad_s_ = 0;
   WheelState left_;
   WheelState right_;
-  std::optional<CoreSensors> last_;
-  std::optional<double> last_gyro_rad_;
+  std::optional<Sample> last_;
+  std::optional<Sample> suspect_;  ///< left out just now
   std::uint64_t rejected_jumps_ = 0;
 };
 
