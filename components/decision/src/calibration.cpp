@@ -75,12 +75,6 @@ Crossings crossings(const std::vector<Path>& paths, double alpha, double horizon
 
 double run_length(const Crossings& c) { return c.time / std::max(c.count, 0.5); }
 
-[[noreturn]] void reject(double samples, const char* reason, double limit) {
-  std::ostringstream text;
-  text << "false alarm every " << samples << " samples: " << reason << ' ' << limit;
-  throw ConfigError(text.str());
-}
-
 void check(const std::vector<double>& ratios, int block) {
   for (const double l : ratios) {
     if (std::isnan(l)) throw ConfigError("calibration: a ratio is NaN, must be a number");
@@ -104,13 +98,13 @@ Calibration calibrate_alpha(const std::vector<double>& ratios, int block, double
   double high = low;
   for (const Path& path : paths) high = std::max(high, path.empty() ? 0 : path.back().level);
   const double least = run_length(crossings(paths, low, horizon));
-  if (least > samples) reject(samples, "this record cannot give it, must be at least", least);
+  if (least > samples) return {low, least, 1, true};
   while (high - low > 1e-9 * high) {
     const double middle = (low + high) / 2;
     (run_length(crossings(paths, middle, horizon)) < samples ? low : high) = middle;
   }
   const Crossings c = crossings(paths, high, horizon);
-  return {high, run_length(c), 1 / std::sqrt(std::max(c.count, 1.0))};
+  return {high, run_length(c), 1 / std::sqrt(std::max(c.count, 1.0)), false};
 }
 
 }  // namespace tocsin::decision

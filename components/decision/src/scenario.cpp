@@ -18,6 +18,14 @@ const std::vector<Scenario>& standard_scenarios() {
   return scenarios;
 }
 
+const std::vector<Scenario>& glitch_scenarios() {
+  static const std::vector<Scenario> scenarios{
+      {"S1 + 1 % glitches", 120, 20, thesis_good, thesis_bad, 0, 1, 0.01},
+      {"S1 + 5 % glitches", 120, 20, thesis_good, thesis_bad, 0, 1, 0.05},
+  };
+  return scenarios;
+}
+
 SimulatedTrace simulate(const Scenario& scenario, int slots, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -36,6 +44,9 @@ SimulatedTrace simulate(const Scenario& scenario, int slots, std::uint64_t seed)
     const double sd = scenario.good.sd + share * (scenario.bad.sd - scenario.good.sd);
     trace.qni.push_back(std::clamp(mean + sd * z, 0.0, 100.0));
     trace.bad.push_back(bad);
+    if (scenario.glitch_share > 0 && uniform(random) < scenario.glitch_share) {
+      trace.qni.back() = 60 * uniform(random);
+    }
   }
   return trace;
 }

@@ -138,11 +138,17 @@ TEST(CalibrateAlpha, IsTheSameForTheSameSeed) {
   EXPECT_EQ(calibrate_alpha(data, 20, 500, 4).alpha, calibrate_alpha(data, 20, 500, 4).alpha);
 }
 
-TEST(CalibrateAlpha, RejectsRecordsThatCannotGiveIt) {
+TEST(CalibrateAlpha, RejectsRecordsThatAreNone) {
   EXPECT_THROW((void)calibrate_alpha({1, -1, 1}, 2, 100, 1), ConfigError);
   EXPECT_THROW((void)calibrate_alpha({1, NAN, 1, 1}, 1, 100, 1), ConfigError);
-  EXPECT_THROW((void)calibrate_alpha(std::vector<double>(1000, -5), 10, 100, 1), ConfigError);
-  EXPECT_THROW((void)calibrate_alpha(ratios(0, 5000), 1, 20, 1), ConfigError);
+}
+
+TEST(CalibrateAlpha, SaysWhenTheRecordBoundsNoThreshold) {
+  const Calibration never = calibrate_alpha(std::vector<double>(1000, -5), 10, 100, 1);
+  EXPECT_TRUE(never.any_threshold);
+  EXPECT_GE(never.run_length, 100 * 4 * 200);
+  EXPECT_TRUE(calibrate_alpha(ratios(0, 5000), 1, 20, 1).any_threshold);
+  EXPECT_FALSE(calibrate_alpha(ratios(0, 5000), 1, 400, 1).any_threshold);
 }
 
 TEST(GaussianRunLength, AgreesWithTheGoldenTable) {

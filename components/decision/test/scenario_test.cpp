@@ -99,6 +99,19 @@ TEST_P(Regret, OfBeliefAndReverseIsNearTheOptimumAndFarBelowTocpDsp) {
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, Regret, ::testing::Values(1, 2, 3));
 
+TEST(RegretUnderGlitches, IsHalvedByClippingTheRatios) {
+  Campaign slice;
+  slice.seeds = 3;
+  slice.slots = 40000;
+  const Scenario& one = glitch_scenarios()[1];
+  const PolicyParams plain = params_for("tocp_reverse", one);
+  PolicyParams clipped = plain;
+  clipped.llr_clip = 4;
+  clipped.alpha = 6.9;
+  const auto all = regrets(one, {plain, clipped}, slice);
+  EXPECT_LT(estimate(all[1]).mean, 0.5 * estimate(all[0]).mean);
+}
+
 TEST(RegretOfEveryPolicy, IsNeverBelowZero) {
   const Scenario one = scenario(4);
   Campaign slice;

@@ -118,7 +118,8 @@ std::string to_csv(const DecidedTrace& decided) {
 }
 
 std::string decide_plot(const DecidedTrace& decided) {
-  std::string script = "$d << EOD\n" + series(decided) + "EOD\nset multiplot layout 2,1\n";
+  std::string script = "$d << EOD\n" + series(decided) +
+                       "EOD\nset multiplot layout 2,1\nset lmargin 10\nset rmargin 16\n";
   script += "set title " + quoted("policy " + decided.policy + ", " + decided.trace.path) + "\n";
   script += "set xlabel 's'\nset ylabel 'QNI'\nset yrange [0:100]\nset key outside\n";
   script +=

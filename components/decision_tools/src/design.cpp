@@ -99,6 +99,20 @@ nlohmann::json to_json(const TradeOff& one) {
           {"reverse_delay_s", one.reverse_delay_s}};
 }
 
+std::string calibration_text(const Design& design) {
+  const decision::Calibration& c = *design.calibration;
+  std::ostringstream text;
+  text << "calibrated on " << design.request.recording->path << " (blocks of "
+       << design.request.block_s << " s): ";
+  if (c.any_threshold) {
+    text << "it holds too little that looks bad; any alpha has fewer false alarms than wanted\n";
+  } else {
+    text << "alpha " << c.alpha << ", +-" << 100 * c.relative_error
+         << " % in the false-alarm time\n";
+  }
+  return text.str();
+}
+
 }  // namespace
 
 Design design(const DesignRequest& request) {
@@ -117,12 +131,7 @@ std::string to_text(const Design& design) {
        << " when the network turns bad\n"
        << "  reverse_alpha " << w.reverse_alpha << ", mean delay "
        << duration_text(w.reverse_delay_s) << " when it turns good\n";
-  if (design.calibration) {
-    const decision::Calibration& c = *design.calibration;
-    text << "calibrated on " << design.request.recording->path << " (blocks of "
-         << design.request.block_s << " s): alpha " << c.alpha << ", +-" << 100 * c.relative_error
-         << " % in the false-alarm time\n";
-  }
+  if (design.calibration) text << calibration_text(design);
   text << "\n  false alarm      alpha      delay  reverse_alpha      delay\n";
   for (const TradeOff& one : design.table) {
     text << std::setw(13) << duration_text(one.false_alarm_s) << std::setw(11) << one.alpha
@@ -149,7 +158,8 @@ nlohmann::json to_json(const Design& design) {
     out["calibration"] = {{"alpha", design.calibration->alpha},
                           {"file", design.request.recording->path},
                           {"block_s", design.request.block_s},
-                          {"relative_error", design.calibration->relative_error}};
+                          {"relative_error", design.calibration->relative_error},
+                          {"any_threshold", design.calibration->any_threshold}};
   }
   return out;
 }

@@ -144,7 +144,8 @@ std::string fit_plot(const FitReport& good, const FitReport& bad) {
   script += "$bad_data << EOD\n" + histogram(bad) + "EOD\n";
   script += "$bad_law << EOD\n" + curve(bad.chosen) + "EOD\n";
   script += "set multiplot layout 2,1\nset xrange [0:100]\nset yrange [0:*]\n";
-  script += "set xlabel 'QNI'\nset ylabel 'density'\nset key top left\n";
+  script +=
+      "set xlabel 'QNI'\nset ylabel 'density'\nset key top left Left reverse\nset lmargin 10\n";
   script += half(good, "good", "good network") + half(bad, "bad", "bad network");
   return script + "unset multiplot\n";
 }

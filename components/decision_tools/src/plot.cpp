@@ -36,7 +36,8 @@ void draw(const std::string& script, const std::string& prefix) {
   std::string all = "set encoding utf8\n";
   for (const char* kind : {"png", "svg"}) {
     const bool png = std::string(kind) == "png";
-    all += png ? "set terminal pngcairo size 1200,700\n" : "set terminal svg size 1200,700\n";
+    all += png ? "set terminal pngcairo noenhanced size 1200,700\n"
+               : "set terminal svg noenhanced size 1200,700\n";
     all += "set output " + quoted(prefix + "." + kind) + "\n" + script + "\nunset output\nreset\n";
   }
   const bool sent = std::fwrite(all.data(), 1, all.size(), pipe) == all.size();

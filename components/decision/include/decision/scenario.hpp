@@ -19,11 +19,15 @@ struct Scenario {
   Normal bad;
   double correlation;  ///< of neighbouring deviations from the mean, [0,1)
   int ramp_samples;    ///< samples that the mean takes from one state to the other; 1 is a jump
+  double glitch_share = 0;  ///< of samples that are worth nothing: uniform in [0,60]
 };
 
 /// The five on which policies are compared: S1 thesis, S2 long bad spells, S3 short fades, S4 bad
 /// hard to tell from good, S5 correlated with ramps.
 [[nodiscard]] const std::vector<Scenario>& standard_scenarios();
+
+/// S1 with 1 % and with 5 % of glitches, which the policies do not know of.
+[[nodiscard]] const std::vector<Scenario>& glitch_scenarios();
 
 /// QNI by slot, in [0,100], and the truth.
 struct SimulatedTrace {

@@ -60,6 +60,12 @@ Entry clipped(const char* name, const char* policy) {
   return entry;
 }
 
+Entry clipped_belief() {
+  Entry entry{"belief clip 4", with("belief"), {}, {}};
+  entry.params.llr_clip = 4;
+  return entry;
+}
+
 Entry mild() {
   Entry entry{"tocp_reverse + mild", with("tocp_reverse"), {}, {}};
   entry.params.mild_alpha = 5.35;
@@ -95,6 +101,7 @@ std::vector<Entry> entries() {
       mild(),
       clipped("tocp_reverse clip 4", "tocp_reverse"),
       clipped("tocp_dsp .95 clip 4", "tocp_dsp"),
+      clipped_belief(),
       refer(myopic(), {11.26, 8.67, 23.60, 42.95, 50.91}, {.05, .04, .07, .17, .26}),
       refer({"belief", with("belief"), {}, {}}, {11.08, 8.51, 23.20, 39.26, 51.55},
             {.05, .04, .06, .16, .27}),
@@ -168,6 +175,26 @@ bool targets(const std::vector<Row>& rows) {
   return good;
 }
 
+/// What bad samples do: the case for clipping.
+void print_glitches(const std::vector<Entry>& all, const Campaign& campaign) {
+  std::printf("\n%-20s", "policy");
+  std::vector<std::vector<std::vector<double>>> regret;
+  for (const Scenario& scenario : glitch_scenarios()) {
+    std::printf(" %-18s", scenario.name);
+    regret.push_back(regrets(scenario, fitted(all, scenario, campaign.costs), campaign));
+  }
+  std::printf("\n");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::printf("%-20s", all[i].name.c_str());
+    for (const auto& one : regret) {
+      const Estimate e = estimate(one[i]);
+      std::printf(" %7.2f +-%5.2f    ", e.mean, student(campaign.seeds) * e.standard_error);
+    }
+    std::printf("\n");
+  }
+  std::printf("\n");
+}
+
 int run(const Campaign& campaign, bool first_costs) {
   const std::vector<Entry> all = entries();
   std::vector<Row> rows(all.size());
@@ -187,6 +214,7 @@ int run(const Campaign& campaign, bool first_costs) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     print(all[i], rows[i], first_costs, student(campaign.seeds));
   }
+  print_glitches(all, campaign);
   return !first_costs || targets(rows) ? 0 : 1;
 }
 

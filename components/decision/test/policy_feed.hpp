@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "decision/policy.hpp"
+
+namespace tocsin::decision {
+
+inline const Time t0{std::chrono::seconds(1000)};
+inline constexpr const char* all_policies[] = {"none",         "threshold", "tocp",  "tocp_dsp",
+                                               "tocp_reverse", "belief",    "legacy"};
+
+inline PolicyParams params_for(const std::string& policy) {
+  PolicyParams params;
+  params.policy = policy;
+  return params;
+}
+
+/// Feeds one sample per second.
+class Feed {
+ public:
+  explicit Feed(const PolicyParams& params) : policy(make_policy(params)) {}
+  Evidence operator()(double qni) {
+    now += std::chrono::seconds(1);
+    return policy->on_sample({now, qni}, now);
+  }
+  std::unique_ptr<Policy> policy;
+  Time now = t0;
+};
+
+}  // namespace tocsin::decision
