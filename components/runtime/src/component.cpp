@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/component.hpp"
 
+#include <utility>
+
 namespace tocsin {
 
 void Schedule::input_arrived() {
   input_pending.store(true, std::memory_order_release);
-  if (wake) wake();
+  const std::lock_guard<std::mutex> lock(wake_mutex_);
+  if (wake_) wake_();
+}
+
+void Schedule::set_wake(std::function<void()> wake) {
+  const std::lock_guard<std::mutex> lock(wake_mutex_);
+  wake_ = std::move(wake);
 }
 
 void Schedule::begin_tick(Time now) {

@@ -29,7 +29,7 @@ Runner::~Runner() {
   stopping_ = true;
   wake();
   if (thread_.joinable()) thread_.join();
-  for (Entry& entry : entries_) entry.component->schedule().wake = nullptr;
+  for (Entry& entry : entries_) entry.component->schedule().set_wake(nullptr);
   close(wake_fd_);
 }
 
@@ -39,7 +39,7 @@ void Runner::wake() const {
 }
 
 void Runner::add(Component& component) {
-  component.schedule().wake = [this] { wake(); };
+  component.schedule().set_wake([this] { wake(); });
   entries_.push_back({&component});
 }
 

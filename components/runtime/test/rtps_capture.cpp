@@ -15,6 +15,8 @@
 namespace tocsin {
 namespace {
 
+constexpr char mark[20] = "tocsin capture mark";
+
 std::uint32_t big32(const std::uint8_t* p) {
   return static_cast<std::uint32_t>(p[0]) << 24U | static_cast<std::uint32_t>(p[1]) << 16U |
          static_cast<std::uint32_t>(p[2]) << 8U | p[3];
@@ -58,7 +60,23 @@ RtpsCapture::~RtpsCapture() {
   if (socket_ >= 0) close(socket_);
 }
 
+/// Packets are captured in the order in which they are sent, so what was sent before a mark has
+/// been read when the mark has.
+void RtpsCapture::wait_for_own_mark() {
+  const int sender = socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in to{};
+  to.sin_family = AF_INET;
+  to.sin_port = htons(9);  // discard
+  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const auto* address = reinterpret_cast<const sockaddr*>(&to);
+  (void)sendto(sender, mark, sizeof mark, 0, address, sizeof to);
+  close(sender);
+  ++marks_sent_;
+  while (marks_seen_ < marks_sent_) std::this_thread::yield();
+}
+
 std::vector<CapturedSubmessage> RtpsCapture::take() {
+  wait_for_own_mark();
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(seen_, {});
 }
@@ -82,6 +100,7 @@ void RtpsCapture::parse(const std::uint8_t* packet, std::size_t size) {
   constexpr std::size_t rtps_header = 20;
   if (size < ip + udp + rtps_header || packet[9] != IPPROTO_UDP) return;
   const std::uint8_t* rtps = packet + ip + udp;
+  if (std::memcmp(rtps, mark, sizeof mark) == 0) ++marks_seen_;
   if (std::memcmp(rtps, "RTPS", 4) != 0) return;
   CapturedSubmessage common{};
   common.port = static_cast<std::uint16_t>(packet[ip + 2] << 8U | packet[ip + 3]);

@@ -27,15 +27,18 @@ class RtpsCapture {
   ~RtpsCapture();
   /// False when the packet socket could not be opened.
   [[nodiscard]] bool ok() const { return socket_ >= 0; }
-  /// What was seen since the last call.
+  /// What was sent between the last call and this one: waits until all of it has been read.
   std::vector<CapturedSubmessage> take();
 
  private:
   void run();
+  void wait_for_own_mark();
   void parse(const std::uint8_t* packet, std::size_t size);
   void parse_submessages(const std::uint8_t* rtps, std::size_t size, CapturedSubmessage common);
   int socket_;
   std::atomic<bool> stopping_{false};
+  std::atomic<std::uint32_t> marks_seen_{0};
+  std::uint32_t marks_sent_ = 0;
   std::mutex mutex_;
   std::vector<CapturedSubmessage> seen_;
   std::thread thread_;

@@ -96,12 +96,14 @@ TEST_F(RunnerTest, TicksWhenADescriptorIsReadable) {
     EXPECT_EQ(read(ends[0], &byte, 1), 1);
     component.unwatch(ends[0]);
   };
-  Runner sut("test", bus_);
-  sut.add(component);
-  sut.start();
-  ASSERT_TRUE(component.wait_for_ticks(1));
-  ASSERT_EQ(write(ends[1], "x", 1), 1);
-  EXPECT_TRUE(component.wait_for_ticks(2));
+  {
+    Runner sut("test", bus_);
+    sut.add(component);
+    sut.start();
+    ASSERT_TRUE(component.wait_for_ticks(1));
+    ASSERT_EQ(write(ends[1], "x", 1), 1);
+    EXPECT_TRUE(component.wait_for_ticks(2));
+  }  // the tick that reads has ended
   close(ends[0]);
   close(ends[1]);
 }

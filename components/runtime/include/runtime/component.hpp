@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,9 @@ struct Context {
 };
 
 /// When a component runs next. The component asks through its protected functions; the runner
-/// reads. Only `input_arrived` may be called from another thread.
+/// reads. Only `input_arrived` and `set_wake` may be called from another thread.
 struct Schedule {
   std::atomic<bool> input_pending{false};
-  std::function<void()> wake;  ///< set by the runner before the first tick
   Time deadline = never;
   Duration period{0};
   Time next_period = never;
@@ -39,10 +39,17 @@ struct Schedule {
   std::vector<int> descriptors;
 
   void input_arrived();
+  /// `wake` is called with each input from now on, from any thread; null ends that, and waits for
+  /// a call that is running.
+  void set_wake(std::function<void()> wake);
   /// The next instant at which a tick is due without input.
   [[nodiscard]] Time due() const { return std::min(deadline, next_period); }
   /// Forgets what the tick at `now` answers to.
   void begin_tick(Time now);
+
+ private:
+  std::mutex wake_mutex_;
+  std::function<void()> wake_;
 };
 
 /// A part of the vehicle: ports, parameters and a decision.
