@@ -69,14 +69,21 @@ std::string make_run_folder(const std::string& wanted) {
   return folder;
 }
 
-void print(const Outcome& outcome, double wall_s, const std::string& run_dir) {
+/// How long a run took.
+struct Effort {
+  double wall_s;
+  double cpu_s;
+};
+
+void print(const Outcome& outcome, const Effort& effort, const std::string& run_dir) {
   const double simulated_s = to_seconds(outcome.simulated);
   const std::string end = outcome.exit_code ? "exit code " + std::to_string(*outcome.exit_code)
                                             : std::string("not over");
   std::printf(
-      "%.3f s simulated (%s) in %.3f s, %.0f times real time; %llu samples, %llu packets, "
+      "%.3f s simulated (%s) in %.3f s (CPU %.3f s), %.0f times real time; %llu samples, %llu "
+      "packets, "
       "%llu ticks; digest %016llx; %s\n",
-      simulated_s, end.c_str(), wall_s, simulated_s / wall_s,
+      simulated_s, end.c_str(), effort.wall_s, effort.cpu_s, simulated_s / effort.wall_s,
       static_cast<unsigned long long>(outcome.samples),
       static_cast<unsigned long long>(outcome.packets),
       static_cast<unsigned long long>(outcome.ticks),
@@ -90,9 +97,11 @@ Outcome simulate(const Options& options, const std::string& run_dir) {
   deployment::write_resolved(deployment, overrides.run_dir + "/deployment.yaml");
   SimWorld world(deployment);
   const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t cpu_begin = std::clock();
   const Outcome outcome = world.run(seconds(options.duration_s));
   const auto wall = std::chrono::steady_clock::now() - begin;
-  print(outcome, to_seconds(Duration(wall)), overrides.run_dir);
+  const double cpu_s = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
+  print(outcome, {to_seconds(Duration(wall)), cpu_s}, overrides.run_dir);
   return outcome;
 }
 

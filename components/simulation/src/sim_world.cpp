@@ -64,7 +64,7 @@ struct SimWorld::Parts {
   void add_bases(const deployment::Host& host, Side& side);
   void add(const deployment::Container& container, Side& side);
   Instance& add_instance(const std::string& name, SimProcess& bus, Side& side, Process& process);
-  void start(Instance& instance, std::unique_ptr<Component> component, Process& process);
+  void start(Instance& instance, const Process& process);
   void feed_position(const SimBase& base);
   [[nodiscard]] Time next() const;
   void step(Time now);
@@ -97,9 +97,7 @@ void SimWorld::Parts::add(const deployment::Host& host) {
     if (&other != &host) side.devices->add_peer(other.address);
   }
   add_bases(host, side);
-  for (const deployment::Container& container : host.containers) {
-    if (!container.terminal) add(container, side);
-  }
+  for (const deployment::Container& container : host.containers) add(container, side);
 }
 
 void SimWorld::Parts::add_bases(const deployment::Host& host, Side& side) {
@@ -120,12 +118,14 @@ void SimWorld::Parts::add(const deployment::Container& container, Side& side) {
   for (const deployment::ComponentInstance& one : container.components) {
     Instance& instance = add_instance(one.name, bus, side, process);
     const ComponentEntry& entry = load_component(one.component);
-    start(instance, entry.create(instance.context, *one.parameters, deployment.file), process);
+    instance.component = entry.create(instance.context, *one.parameters, deployment.file);
+    // What is for a person's eyes only is not ticked; that it reads costs packets all the same.
+    if (!container.terminal) start(instance, process);
   }
   Instance& gate = add_instance("gate", bus, side, process);
-  start(gate,
-        std::make_unique<GateComponent>(gate.context, GateComponent::Params{}, container.name),
-        process);
+  gate.component =
+      std::make_unique<GateComponent>(gate.context, GateComponent::Params{}, container.name);
+  start(gate, process);
 }
 
 SimWorld::Parts::Instance& SimWorld::Parts::add_instance(const std::string& name, SimProcess& bus,
@@ -140,9 +140,7 @@ SimWorld::Parts::Instance& SimWorld::Parts::add_instance(const std::string& name
   return instances.back();
 }
 
-void SimWorld::Parts::start(Instance& instance, std::unique_ptr<Component> component,
-                            Process& process) {
-  instance.component = std::move(component);
+void SimWorld::Parts::start(Instance& instance, const Process& process) {
   scheduler.add(*instance.component, [&process] { return !process.exit_code; });
 }
 

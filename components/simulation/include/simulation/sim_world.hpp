@@ -31,9 +31,9 @@ struct Outcome {
 /// Reads no clock. Several worlds may exist in a process, also on different threads.
 class SimWorld {
  public:
-  /// Builds every component except those of containers that own the terminal. `run_dir` of the
-  /// deployment must exist; the recorders write there. Throws ConfigError as the components do,
-  /// and for a program that has no model.
+  /// Builds every component. Those of a container that owns the terminal are not ticked, but what
+  /// they read is sent to them. `run_dir` of the deployment must exist; the recorders write there.
+  /// Throws ConfigError as the components do, and for a program that has no model.
   explicit SimWorld(deployment::Deployment deployment);
   ~SimWorld();
   SimWorld(const SimWorld&) = delete;
