@@ -14,7 +14,7 @@ LiveViewComponent::LiveViewComponent(Context& context, const Params& params)
       terminal_(isatty(STDOUT_FILENO) == 1),
       period_(seconds(terminal_ ? params.refresh_s : params.line_period_s)) {
   count(topic::List<topic::BatteryState, topic::MemoryUsage, topic::CpuLoad, topic::CpuTemperature,
-                    topic::CameraImage, topic::Heartbeat>{});
+                    topic::CameraImage>{});
 }
 
 template <class... Topics>
@@ -53,6 +53,9 @@ void LiveViewComponent::take_inputs(Time now) {
     const bool from_vehicle = message->role() == "uxv";
     if (from_vehicle) table_.on_sample(topic::TransmissionState::info.name, now);
     (from_vehicle ? view_.uxv : view_.gcs) = *message;
+  }
+  while (const auto message = heartbeat_.take()) {
+    if (message->role() == "uxv") table_.on_sample(topic::Heartbeat::info.name, now);
   }
   while (const auto message = report_.take()) {
     if (message->role() != "uxv") continue;

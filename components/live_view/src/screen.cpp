@@ -71,8 +71,7 @@ std::string decision_line(const char* role,
                   paint(word, state.active() ? green : red, colour), state.policy(), state.reason(),
                   number(state.qni(), 1, ""), bar(state.qni()), number(state.statistic(), 1, ""),
                   number(state.threshold(), 1, ""));
-  if (!state.active())
-    text += fmt::format(", resumes in {}", number(state.deadline_s(), 0, "s"));
+  if (!state.active()) text += fmt::format(", resumes in {}", number(state.deadline_s(), 0, "s"));
   return text;
 }
 

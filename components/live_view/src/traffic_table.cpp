@@ -25,19 +25,23 @@ void TrafficTable::on_sample(const std::string& topic, Time now) {
   ++entry.received_total;
 }
 
+/// Both counts of a topic begin anew, so that they cover the same time.
+void TrafficTable::restart(Entry& entry) {
+  entry.received_before = entry.received_total;
+  for (auto& [process, writer] : entry.writers) writer.sent_before = writer.sent;
+}
+
 void TrafficTable::on_report(const tocsin_msgs::msg::TrafficReport& report) {
   for (const auto& topic : report.topics()) {
     Entry& entry = entries_[topic.topic()];
-    const bool restarted = topic.sent() < entry.sent_before;
-    if (!entry.reported || restarted) {
-      entry.sent_before = topic.sent();
-      entry.received_before = entry.received_total;
-    }
-    entry.reported = true;
+    const bool is_new = entry.writers.count(report.process()) == 0;
+    Writer& writer = entry.writers[report.process()];
+    const bool restarted = topic.sent() < writer.sent;
+    writer.sent = topic.sent();
+    writer.dropped = topic.dropped();
+    if (is_new || restarted) restart(entry);
     entry.row.topic = topic.topic();
     entry.row.traffic_class = topic.traffic_class();
-    entry.row.sent = topic.sent() - entry.sent_before;
-    entry.row.dropped = topic.dropped();
     entry.row.paused = topic.paused();
   }
 }
@@ -46,8 +50,12 @@ std::vector<TrafficRow> TrafficTable::rows(Time now) {
   std::vector<TrafficRow> all;
   for (auto& [name, entry] : entries_) {
     while (!entry.recent.empty() && now - entry.recent.front() > window) entry.recent.pop_front();
-    if (!entry.reported) continue;
+    if (entry.writers.empty()) continue;
     TrafficRow row = entry.row;
+    for (const auto& [process, writer] : entry.writers) {
+      row.sent += writer.sent - writer.sent_before;
+      row.dropped += writer.dropped;
+    }
     row.rate_hz = static_cast<double>(entry.recent.size()) / to_seconds(window);
     row.age_s =
         entry.heard ? to_seconds(now - entry.last) : std::numeric_limits<double>::quiet_NaN();

@@ -44,6 +44,18 @@ TEST(TrafficTable, StartsAgainWhenTheWriterWasRestarted) {
   EXPECT_EQ(sut.rows(t0)[0].received, 1U);
 }
 
+TEST(TrafficTable, AddsUpTheProcessesThatWriteATopic) {
+  TrafficTable sut;
+  for (const std::uint64_t sent : {10U, 13U}) {
+    for (const char* process : {"drive", "link"}) {
+      auto message = report("traffic_report", "critical", sent);
+      message.process(process);
+      sut.on_report(message);
+    }
+  }
+  EXPECT_EQ(sut.rows(t0)[0].sent, 6U);
+}
+
 TEST(TrafficTable, RateCountsTheLastFiveSeconds) {
   TrafficTable sut;
   sut.on_report(report("camera", "low", 0));

@@ -49,6 +49,7 @@ class LiveViewComponent final : public Component {
   Input<topic::NavigationStatus> navigation_{*this};
   Input<topic::NetworkQuality> quality_{*this};
   Input<topic::TransmissionState> transmission_{*this};
+  Input<topic::Heartbeat> heartbeat_{*this};
   Input<topic::TrafficReport> report_{*this};
   std::vector<Counted> counted_;
   ViewState view_;

@@ -35,16 +35,22 @@ class TrafficTable {
 
  private:
   static constexpr Duration window = std::chrono::seconds(5);
+  /// One process that writes a topic.
+  struct Writer {
+    std::uint64_t sent_before = 0;
+    std::uint64_t sent = 0;
+    std::uint64_t dropped = 0;
+  };
   struct Entry {
     TrafficRow row;
+    std::map<std::string, Writer> writers;
     std::deque<Time> recent;
     Time last{};
     bool heard = false;
-    bool reported = false;
-    std::uint64_t sent_before = 0;
     std::uint64_t received_total = 0;
     std::uint64_t received_before = 0;
   };
+  static void restart(Entry& entry);
   std::map<std::string, Entry> entries_;
 };
 
