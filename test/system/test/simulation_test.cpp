@@ -78,7 +78,7 @@ TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
   }
 }
 
-TEST_F(SimulationTest, SameSeedGivesTheSameSamplesInOneProcessAndInAnother) {
+TEST_F(SimulationTest, SameSeedGivesTheSameSamplesOnTwoThreadsAndInAnotherProcess) {
   const std::string arguments = "mission.yaml --seed 3 --duration 60";
   const Ended twice = sim(arguments + " --verify");
   EXPECT_EQ(twice.code, 0) << twice.output;

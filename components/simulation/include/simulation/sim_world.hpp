@@ -28,7 +28,7 @@ struct Outcome {
 ///     const simulation::Outcome outcome = world.run(seconds(600));
 ///
 /// The same deployment (seed included) gives the same samples at the same times: compare digests.
-/// Reads no clock. Several worlds may exist in a process, also on different threads.
+/// Reads no clock. Several worlds may exist in a process, each with a thread of its own.
 class SimWorld {
  public:
   /// Builds every component. Those of a container that owns the terminal are not ticked, but what
