@@ -106,6 +106,7 @@ void KobukiDriverComponent::tick(Time now) {
   driver_.run(now, [this](kobuki::ByteView bytes) { send(bytes); });
   if (port_ && write_failed_) close("cannot be written");
   report_state();
+  report_versions();
   remember(now);
   wake_at(port_ ? driver_.next_deadline() : next_retry_);
 }
@@ -140,6 +141,9 @@ void KobukiDriverComponent::publish(const Reading& reading, Time now) {
   if (params_.publish_tf) {
     ok &= tf_.write(kobuki::tf_message(reading, labels)) != Status::failed;
   }
+  if (params_.publish_base_topics) {
+    ok &= base_topics_.publish(reading, kobuki::sensor_header(labels));
+  }
   if (!ok) log().warn("a reading was not published");
   if (now >= next_battery_) publish_battery(reading, now);
 }
@@ -157,11 +161,27 @@ void KobukiDriverComponent::report_state() {
   const bool just_opened = reported_ == BaseState::no_port && driver_.state() == BaseState::silent;
   reported_ = driver_.state();
   if (just_opened) return;  // the first frame is on its way
+  const bool sent = base_topics_.publish_state(reported_ == BaseState::online);
+  if (!sent) log().warn("the robot state was not published");
   if (reported_ == BaseState::online) {
     log().info("the base on {} is online", params_.device_port);
   } else {
     log().warn("the base on {} is {}", params_.device_port, text_of(reported_));
   }
+}
+
+void KobukiDriverComponent::report_versions() {
+  const kobuki::Inquiry& inquiry = driver_.inquiry();
+  const bool known = inquiry.hardware() && inquiry.firmware() && inquiry.unique_id();
+  if (known == versions_reported_) return;
+  versions_reported_ = known;
+  if (!known) return;
+  log().info("hardware {}, firmware {}", to_text(*inquiry.hardware()),
+             to_text(*inquiry.firmware()));
+  if (judge_firmware(*inquiry.firmware()) == kobuki::FirmwareVerdict::replace) {
+    log().warn("this firmware should be replaced by 1.1.4 or 1.2.0");
+  }
+  if (!base_topics_.publish_versions(inquiry)) log().warn("the versions were not published");
 }
 
 void KobukiDriverComponent::remember(Time now) {

@@ -41,6 +41,10 @@ std::uint8_t status_of(ChargingState state) {
 
 }  // namespace
 
+std_msgs::msg::Header sensor_header(const Labels& labels) {
+  return header(labels.stamp, labels.base_frame);
+}
+
 topic::Odom::Message odom_message(const Reading& reading, const Labels& labels, bool gyro_heading) {
   topic::Odom::Message message;
   message.header(header(labels.stamp, labels.odom_frame));

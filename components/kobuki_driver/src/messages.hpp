@@ -15,6 +15,9 @@ struct Labels {
   std::string base_frame;
 };
 
+/// Stamp and base frame, for sensors in the base.
+[[nodiscard]] std_msgs::msg::Header sensor_header(const Labels& labels);
+
 /// The messages of a reading, with the covariances of the reference driver (reference page 2).
 [[nodiscard]] topic::Odom::Message odom_message(const Reading& reading, const Labels& labels,
                                                 bool gyro_heading);

@@ -151,6 +151,56 @@ TEST_F(KobukiDriverComponentTest, PublishesTransformAndJointsUnlessTurnedOff) {
   EXPECT_GT(odom_.take().size(), 40U);
 }
 
+TEST_F(KobukiDriverComponentTest, PublishesRawSensorsAndEvents) {
+  SimReader<topic::SensorsCore> sensors(bus_);
+  SimReader<topic::BumperEvents> bumpers(bus_);
+  SimReader<topic::CliffEvents> cliffs(bus_);
+  SimReader<topic::PowerEvents> power(bus_);
+  start();
+  run(0.5);
+  base_.model.inputs().bumper = kobuki::left_bit;
+  base_.model.inputs().cliff = kobuki::right_bit;
+  base_.model.power().plug(kobuki::ChargingSource::dock);
+  run(0.5);
+  EXPECT_NEAR(static_cast<double>(sensors.take().size()), 50, 2);
+  const auto bumps = bumpers.take();
+  ASSERT_EQ(bumps.size(), 1U);
+  EXPECT_EQ(bumps[0].bumper(), 0);
+  EXPECT_EQ(bumps[0].state(), 1);
+  const auto edges = cliffs.take();
+  ASSERT_EQ(edges.size(), 1U);
+  EXPECT_EQ(edges[0].sensor(), 2);
+  EXPECT_LT(edges[0].bottom(), 1000);
+  const auto plugged = power.take();
+  ASSERT_EQ(plugged.size(), 1U);
+  EXPECT_EQ(plugged[0].event(), 2);
+}
+
+TEST_F(KobukiDriverComponentTest, PublishesStateAndVersions) {
+  SimReader<topic::RobotState> states(bus_);
+  SimReader<topic::VersionInfo> versions(bus_);
+  start();
+  run(1);
+  const auto online = states.take();
+  ASSERT_EQ(online.size(), 1U);
+  EXPECT_EQ(online[0].state(), 1);
+  const auto known = versions.take();
+  ASSERT_EQ(known.size(), 1U);
+  EXPECT_EQ(known[0].firmware(), "1.2.0");
+  EXPECT_EQ(known[0].udid().size(), 3U);
+  base_.plugged = false;
+  run(0.2);
+  EXPECT_EQ(states.take().back().state(), 0);
+}
+
+TEST_F(KobukiDriverComponentTest, KeepsRawSensorsToItselfWhenAskedTo) {
+  params_.publish_base_topics = false;
+  SimReader<topic::SensorsCore> sensors(bus_);
+  start();
+  run(0.5);
+  EXPECT_TRUE(sensors.take().empty());
+}
+
 TEST_F(KobukiDriverComponentTest, StopsTheBaseWhenVelocitiesStop) {
   start();
   drive(2, 0.3);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "kobuki_driver/base_topics.hpp"
 #include "kobuki_driver/byte_port.hpp"
 #include "kobuki_driver/kobuki_driver.hpp"
 #include "kobuki_driver/odometry_file.hpp"
@@ -22,6 +23,7 @@ class KobukiDriverComponent final : public Component {
     double retry_s = 0.5;
     double battery_period_s = 1.0;
     bool publish_tf = true;
+    bool publish_base_topics = true;
     std::string odom_frame = "odom";
     std::string base_frame = "base_footprint";
     kobuki::KobukiDriver::Params driver;
@@ -31,6 +33,8 @@ class KobukiDriverComponent final : public Component {
       v("retry_s", retry_s, {0.05, 60}, "[s] between attempts to open an absent port");
       v("battery_period_s", battery_period_s, {0.02, 60}, "[s] between battery states");
       v("publish_tf", publish_tf, "publishes the transform from odom to base");
+      v("publish_base_topics", publish_base_topics,
+        "publishes raw sensors, dock infrared and events of the base");
       v("odom_frame", odom_frame, "frame of odometry");
       v("base_frame", base_frame, "frame of the base");
       driver.visit(v);
@@ -57,6 +61,7 @@ class KobukiDriverComponent final : public Component {
   void publish(const kobuki::Reading& reading, Time now);
   void publish_battery(const kobuki::Reading& reading, Time now);
   void report_state();
+  void report_versions();
   void remember(Time now);
 
   Input<topic::CmdVel> cmd_vel_{*this};
@@ -65,6 +70,7 @@ class KobukiDriverComponent final : public Component {
   Output<topic::JointStates> joints_{*this};
   Output<topic::Imu> imu_{*this};
   Output<topic::BatteryState> battery_{*this};
+  BaseTopics base_topics_{*this};
 
   Params params_;
   Opener opener_;
@@ -72,6 +78,7 @@ class KobukiDriverComponent final : public Component {
   kobuki::OdometryFile file_;
   std::unique_ptr<kobuki::BytePort> port_;
   bool write_failed_ = false;
+  bool versions_reported_ = false;
   kobuki::BaseState reported_ = kobuki::BaseState::no_port;
   Time next_retry_ = Time::min();
   Time next_battery_ = Time::min();

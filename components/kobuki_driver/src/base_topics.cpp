@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_driver/base_topics.hpp"
+
+#include <utility>
+
+namespace tocsin {
+namespace {
+
+using namespace kobuki_ros_interfaces::msg;
+
+std::uint8_t index_of(kobuki::Side side) { return static_cast<std::uint8_t>(side); }
+std::uint8_t code_of(bool state) { return state ? 1 : 0; }
+
+SensorState sensor_message(const kobuki::Feedback& feedback, const std_msgs::msg::Header& header) {
+  const kobuki::CoreSensors& core = *feedback.core;
+  SensorState message;
+  message.header(header);
+  message.time_stamp(core.timestamp_ms);
+  message.bumper(core.bumper);
+  message.wheel_drop(core.wheel_drop);
+  message.cliff(core.cliff);
+  message.left_encoder(core.left_encoder);
+  message.right_encoder(core.right_encoder);
+  message.left_pwm(static_cast<char>(core.left_pwm));
+  message.right_pwm(static_cast<char>(core.right_pwm));
+  message.buttons(core.buttons);
+  message.charger(core.charger);
+  message.battery(core.battery_dv);
+  message.over_current(core.over_current);
+  if (const auto& adc = feedback.cliff_adc) message.bottom({adc->right, adc->centre, adc->left});
+  if (const auto& current = feedback.current) message.current({current->left, current->right});
+  if (const auto& input = feedback.input) {
+    message.digital_input(input->digital);
+    message.analog_input({input->analog.begin(), input->analog.end()});
+  }
+  return message;
+}
+
+}  // namespace
+
+/// Writes each kind of event to its topic.
+struct BaseTopics::EventWriter {
+  BaseTopics& to;
+
+  Status operator()(const kobuki::ButtonEvent& event) {
+    ButtonEvent message;
+    message.button(static_cast<std::uint8_t>(event.button));
+    message.state(code_of(event.pressed));
+    return to.buttons_.write(message);
+  }
+  Status operator()(const kobuki::BumperEvent& event) {
+    BumperEvent message;
+    message.bumper(index_of(event.side));
+    message.state(code_of(event.pressed));
+    return to.bumpers_.write(message);
+  }
+  Status operator()(const kobuki::CliffEvent& event) {
+    CliffEvent message;
+    message.sensor(index_of(event.side));
+    message.state(code_of(event.cliff));
+    message.bottom(event.adc);
+    return to.cliffs_.write(message);
+  }
+  Status operator()(const kobuki::WheelDropEvent& event) {
+    WheelDropEvent message;
+    message.wheel(code_of(event.side == kobuki::Side::right));
+    message.state(code_of(event.dropped));
+    return to.wheels_.write(message);
+  }
+  Status operator()(kobuki::PowerEvent event) {
+    PowerSystemEvent message;
+    message.event(static_cast<std::uint8_t>(event));
+    return to.power_.write(message);
+  }
+  Status operator()(const kobuki::InputEvent& event) {
+    DigitalInputEvent message;
+    message.values(event.values);
+    return to.inputs_.write(message);
+  }
+};
+
+BaseTopics::BaseTopics(Component& owner)
+    : sensors_(owner),
+      dock_(owner),
+      buttons_(owner),
+      bumpers_(owner),
+      cliffs_(owner),
+      wheels_(owner),
+      power_(owner),
+      inputs_(owner),
+      robot_state_(owner),
+      versions_(owner) {}
+
+bool BaseTopics::publish(const kobuki::Reading& reading, const std_msgs::msg::Header& header) {
+  bool ok = sensors_.write(sensor_message(reading.feedback, header)) != Status::failed;
+  if (const auto& infrared = reading.feedback.dock_infrared) {
+    DockInfraRed message;
+    message.header(header);
+    message.data({infrared->right, infrared->centre, infrared->left});
+    ok &= dock_.write(std::move(message)) != Status::failed;
+  }
+  for (const kobuki::Event& event : reading.events) {
+    ok &= std::visit(EventWriter{*this}, event) != Status::failed;
+  }
+  return ok;
+}
+
+bool BaseTopics::publish_state(bool online) {
+  RobotStateEvent message;
+  message.state(code_of(online));
+  return robot_state_.write(message) != Status::failed;
+}
+
+bool BaseTopics::publish_versions(const kobuki::Inquiry& inquiry) {
+  VersionInfo message;
+  message.hardware(to_text(*inquiry.hardware()));
+  message.firmware(to_text(*inquiry.firmware()));
+  message.software("tocsin 0.1.0");
+  message.udid({inquiry.unique_id()->begin(), inquiry.unique_id()->end()});
+  message.features(feature_bits(*inquiry.firmware()));
+  return versions_.write(std::move(message)) != Status::failed;
+}
+
+}  // namespace tocsin
