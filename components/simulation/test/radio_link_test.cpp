@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "radio_link.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace tocsin::simulation {
+namespace {
+
+class RadioLinkTest : public ::testing::Test {
+ protected:
+  void run_for(double s) {
+    const Time end = core_.now + seconds(s);
+    const auto next = [this] { return std::min(core_.events.next(), sut_.next_event()); };
+    for (Time at = next(); at <= end; at = next()) {
+      core_.now = std::max(core_.now, at);
+      core_.events.run(core_.now);
+      sut_.advance();
+    }
+    core_.now = end;
+  }
+  void send(radio::Direction direction, char name) {
+    sut_.send(direction, 500, [this, name] { arrived_ += name; });
+  }
+
+  Core core_;
+  RadioLink sut_{core_, radio::ChannelParams{}, {}, 1};
+  std::string arrived_;
+};
+
+TEST_F(RadioLinkTest, DeliversNearTheAccessPointInOrder) {
+  for (const char name : std::string("abcdef")) send(radio::Direction::uplink, name);
+  EXPECT_EQ(arrived_, "");
+  run_for(1);
+  EXPECT_EQ(arrived_, "abcdef");
+  EXPECT_EQ(sut_.pushed(), 6U);
+}
+
+TEST_F(RadioLinkTest, PacketSentOnArrivalArrivesToo) {
+  sut_.send(radio::Direction::uplink, 500, [this] { send(back(radio::Direction::uplink), 'r'); });
+  run_for(1);
+  EXPECT_EQ(arrived_, "r");
+}
+
+TEST_F(RadioLinkTest, DeliversNothingFarAway) {
+  sut_.set_position(20'000, 0);
+  for (const char name : std::string("abc")) send(radio::Direction::uplink, name);
+  run_for(1);
+  EXPECT_EQ(arrived_, "");
+}
+
+TEST_F(RadioLinkTest, TellsTheSignalNearTheAccessPoint) {
+  sut_.set_position(3, 0);
+  run_for(2.5);
+  EXPECT_NE(sut_.wireless_text().find(".  -256"), std::string::npos) << sut_.wireless_text();
+}
+
+TEST_F(RadioLinkTest, TellsZerosWithoutDotsWhenNotAssociated) {
+  sut_.set_position(20'000, 0);
+  run_for(2.5);
+  EXPECT_EQ(sut_.wireless_text().find("-256"), std::string::npos) << sut_.wireless_text();
+}
+
+}  // namespace
+}  // namespace tocsin::simulation
