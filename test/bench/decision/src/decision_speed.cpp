@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "decision/belief.hpp"
@@ -60,7 +61,7 @@ void million_cusums(benchmark::State& state) {
     i = i + 1 == sut.size() ? 0 : i + 1;
     return one.statistic();
   });
-  state.counters["MB"] = static_cast<double>(sut.size() * sizeof(Cusum)) / 1e6;
+  state.SetLabel(std::to_string(sut.size() * sizeof(Cusum) / 1000000) + " MB");
 }
 
 void mean_cusum(benchmark::State& state) {
