@@ -45,6 +45,20 @@ TEST(SimWorld, GoesOnWhereItStopped) {
   EXPECT_EQ(rest.digest, at_once.digest);
 }
 
+TEST(SimWorld, WorldsInOneProcessDoNotTouchEachOther) {
+  SimWorld alone(small());
+  const Outcome expected = alone.run(seconds(5));
+  SimWorld one(small());
+  SimWorld other(small());
+  Outcome last;
+  for (int i = 0; i < 5; ++i) {
+    last = one.run(seconds(1));
+    (void)other.run(seconds(0.7));
+  }
+  EXPECT_EQ(last.digest, expected.digest);
+  EXPECT_EQ(last.ticks, expected.ticks);
+}
+
 TEST(SimWorld, RefusesAProgramWithoutAModel) {
   deployment::Deployment deployment = small();
   deployment.hosts[1].programs = {{"browser", {"firefox"}}};
