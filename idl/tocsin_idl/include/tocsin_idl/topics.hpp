@@ -108,9 +108,8 @@ struct TrafficReport {
 template <class... Topics>
 struct List {};
 
-using AllLinkTopics =
-    List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage, CpuLoad,
-         CpuTemperature, CameraImage, Goal, MissionStatus, EmergencyStop, Heartbeat,
-         TransmissionState, TrafficReport>;
+using AllLinkTopics = List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage,
+                           CpuLoad, CpuTemperature, CameraImage, Goal, MissionStatus, EmergencyStop,
+                           Heartbeat, TransmissionState, TrafficReport>;
 
 }  // namespace tocsin::topic
