@@ -85,6 +85,12 @@ TEST(Classroom, IsPlannedInAnInstant) {
 
 /// A worst case for the search, which visits nearly every cell: comb-shaped walls on a map of the
 /// size of the thesis's. It takes about 50 ms on an idle machine; the limit allows for a busy one.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double plan_within_ms = 5000;
+#else
+constexpr double plan_within_ms = 1000;
+#endif
+
 TEST(Plan, OfALabyrinthStaysQuick) {
   const Grid grid{960, 736, 0.05, {0, 0}};
   std::vector<Cell> cells(grid.size(), Cell::free);
@@ -103,7 +109,7 @@ TEST(Plan, OfALabyrinthStaysQuick) {
     best_ms = std::min(best_ms, took.count());
   }
   printf("planning the labyrinth: %.1f ms\n", best_ms);
-  EXPECT_LT(best_ms, 1000);
+  EXPECT_LT(best_ms, plan_within_ms);
 }
 
 TEST(ThesisMap, HasAWayThroughBothMissions) {

@@ -24,6 +24,11 @@ function(tocsin_target_options target)
     target_compile_options(${target} PRIVATE -fsanitize=${TOCSIN_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all -g1)
     target_link_options(${target} PUBLIC -fsanitize=${TOCSIN_SANITIZE})
+    # Optimised, the checks take twice as long to compile; only where the computing is, it pays.
+    get_target_property(type ${target} TYPE)
+    if(NOT type STREQUAL STATIC_LIBRARY)
+      target_compile_options(${target} PRIVATE -O0)
+    endif()
   endif()
 endfunction()
 
