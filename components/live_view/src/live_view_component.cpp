@@ -49,6 +49,13 @@ void LiveViewComponent::take_inputs(Time now) {
   while (const auto message = mission_.take()) view_.mission = *message;
   while (const auto message = take(navigation_, now)) view_.navigation = *message;
   while (const auto message = take(quality_, now)) view_.quality = *message;
+  take_states(now);
+  for (Counted& one : counted_) {
+    while (one.input->take_sample()) table_.on_sample(one.topic, now);
+  }
+}
+
+void LiveViewComponent::take_states(Time now) {
   while (const auto message = transmission_.take()) {
     const bool from_vehicle = message->role() == "uxv";
     if (from_vehicle) table_.on_sample(topic::TransmissionState::info.name, now);
@@ -61,9 +68,6 @@ void LiveViewComponent::take_inputs(Time now) {
     if (message->role() != "uxv") continue;
     table_.on_sample(topic::TrafficReport::info.name, now);
     table_.on_report(*message);
-  }
-  for (Counted& one : counted_) {
-    while (one.input->take_sample()) table_.on_sample(one.topic, now);
   }
 }
 

@@ -40,6 +40,7 @@ class LiveViewComponent final : public Component {
   template <class... Topics>
   void count(topic::List<Topics...>);
   void take_inputs(Time now);
+  void take_states(Time now);
   template <class Topic>
   std::shared_ptr<const typename Topic::Message> take(Input<Topic>& input, Time now);
   void draw(Time now);
