@@ -45,6 +45,18 @@ bool is_rim(const OccupancyMap& map, CellIndex c) {
   return differs(1, 0) || differs(-1, 0) || differs(0, 1) || differs(0, -1);
 }
 
+/// The occupied cells that have a neighbour that is not.
+std::vector<CellIndex> rim_of(const OccupancyMap& map) {
+  std::vector<CellIndex> rim;
+  for (int row = 0; row < map.grid().height; ++row) {
+    for (int column = 0; column < map.grid().width; ++column) {
+      const CellIndex c{column, row};
+      if (map.at(c) == Cell::occupied && is_rim(map, c)) rim.push_back(c);
+    }
+  }
+  return rim;
+}
+
 bool is_outermost(const Grid& grid, CellIndex c) {
   return c.column == 0 || c.row == 0 || c.column == grid.width - 1 || c.row == grid.height - 1;
 }
@@ -53,23 +65,22 @@ bool is_outermost(const Grid& grid, CellIndex c) {
 
 CostMap::CostMap(const OccupancyMap& map, const InflationParams& params)
     : grid_(map.grid()), costs_(grid_.size(), 0) {
-  const auto disc = disc_of(grid_.resolution_m, params);
-  std::vector<CellIndex> rim;
   for (int row = 0; row < grid_.height; ++row) {
     for (int column = 0; column < grid_.width; ++column) {
       const CellIndex c{column, row};
       if (map.at(c) == Cell::free && !is_outermost(grid_, c)) costs_[grid_.offset(c)] = plain;
-      if (map.at(c) == Cell::occupied && is_rim(map, c)) rim.push_back(c);
     }
   }
-  const auto raise = [this](CellIndex c, std::uint16_t cost) {
-    if (!grid_.contains(c)) return;
-    std::uint16_t& old = costs_[grid_.offset(c)];
-    old = cost == 0 || old == 0 ? std::uint16_t{0} : std::max(old, cost);
-  };
-  for (const CellIndex wall : rim) {
+  const auto disc = disc_of(grid_.resolution_m, params);
+  for (const CellIndex wall : rim_of(map)) {
     for (const DiscCell& d : disc) raise({wall.column + d.column, wall.row + d.row}, d.cost);
   }
+}
+
+void CostMap::raise(CellIndex c, std::uint16_t cost) {
+  if (!grid_.contains(c)) return;
+  std::uint16_t& old = costs_[grid_.offset(c)];
+  old = cost == 0 || old == 0 ? std::uint16_t{0} : std::max(old, cost);
 }
 
 bool CostMap::blocked(const Point2& p) const {

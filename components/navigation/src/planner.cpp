@@ -102,14 +102,14 @@ class Search {
   void expand(CellIndex from, std::uint32_t cost) {
     const std::size_t at = grid_.offset(from);
     const std::uint32_t here = map_.cost(at);
-    for (std::uint8_t i = 0; i < steps.size(); ++i) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
       const CellIndex to = add(from, steps[i]);
       const std::size_t offset = grid_.offset(to);
       const std::uint32_t there = map_.cost(offset);
       const std::uint32_t length = i < 4 ? straight : diagonal;
       const std::uint32_t sum = cost + length * (here + there) / 2;
       if (there == 0 || sum >= cost_[offset] || (i >= 4 && cuts_corner(from, to))) continue;
-      open(to, sum, i);
+      open(to, sum, static_cast<std::uint8_t>(i));
     }
   }
 

@@ -43,6 +43,8 @@ class CostMap {
   [[nodiscard]] bool blocked(const Point2& p) const;
 
  private:
+  /// A cell is as dear as the dearest that was asked of it; 0, blocked, is the dearest of all.
+  void raise(CellIndex c, std::uint16_t cost);
   Grid grid_;
   std::vector<std::uint16_t> costs_;
 };
