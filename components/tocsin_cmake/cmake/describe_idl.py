@@ -59,11 +59,19 @@ def visit_function(scope, name, fields):
     return f"void visit_fields(FieldVisitor& v, const {'::'.join(scope + [name])}& m) {{\n{body}}}\n"
 
 
+def skip_function(scope, name, fields):
+    body = " &&\n         ".join(
+        f"cdr::skip_field<decltype(std::declval<const M&>().{field}())>(c)" for field in fields)
+    return (f"bool skip_{name}(WireCursor& c) {{\n  using M = {'::'.join(scope + [name])};\n"
+            f"  return {body};\n}}\n")
+
+
 def source(package, stem, types):
     text = [f'// Generated from {stem}.idl.\n#include "{package}/{stem}.hpp"\n\n']
-    text.append('#include "idl_support/cdr_type.hpp"\n#include "idl_support/type_registry.hpp"\n\n')
+    text.append('#include <utility>\n\n#include "idl_support/cdr_type.hpp"\n')
+    text.append('#include "idl_support/type_registry.hpp"\n\n')
     text.append("namespace tocsin {\nnamespace {\n")
-    text += [visit_function(*item) for item in types]
+    text += [visit_function(*item) + skip_function(*item) for item in types]
     text.append("}  // namespace\n")
     for scope, name, _ in types:
         qualified = "::".join(scope + [name])
@@ -71,7 +79,8 @@ def source(package, stem, types):
         text.append(f"template <>\nconst TypeInfo& type_info<{qualified}>() {{\n"
                     f'  static const TypeInfo info = cdr::make_type_info<{qualified}>(\n'
                     f'      "{wire}", [](const void* m, FieldVisitor& v) {{\n'
-                    f"        visit_fields(v, *static_cast<const {qualified}*>(m));\n      }});\n"
+                    f"        visit_fields(v, *static_cast<const {qualified}*>(m));\n      }},\n"
+                    f"      skip_{name});\n"
                     "  return info;\n}\n")
     text.append("namespace {\nconst bool registered = [] {\n")
     text += [f"  register_type(type_info<{'::'.join(scope + [name])}>());\n"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "idl_support/type_registry.hpp"
+#include "ros_idl/diagnostic_msgs.hpp"
 #include "ros_idl/geometry_msgs.hpp"
 #include "ros_idl/nav_msgs.hpp"
 #include "ros_idl/sensor_msgs.hpp"
@@ -92,6 +93,61 @@ TEST(Wire, DecodingRefusesEveryTruncation) {
     EXPECT_FALSE(type_info<std_msgs::msg::Header>().deserialize(bytes.data(), size, &received))
         << size;
   }
+}
+
+/// A message with a sequence of structs, each with strings and a sequence of structs of its own.
+diagnostic_msgs::msg::DiagnosticArray two_diagnostics() {
+  diagnostic_msgs::msg::KeyValue value;
+  value.key("rate");
+  value.value("20 Hz");
+  diagnostic_msgs::msg::DiagnosticStatus status;
+  status.name("driver");
+  status.values({value, value});
+  diagnostic_msgs::msg::DiagnosticArray message;
+  message.status({status, status});
+  return message;
+}
+
+TEST(Wire, NestedSequencesAreDecodedWholeAndRefusedWhenTruncated) {
+  const auto sent = two_diagnostics();
+  const TypeInfo& info = type_info<diagnostic_msgs::msg::DiagnosticArray>();
+  const std::vector<std::uint8_t> bytes = encode(sent);
+  diagnostic_msgs::msg::DiagnosticArray received;
+  ASSERT_TRUE(info.deserialize(bytes.data(), bytes.size(), &received));
+  EXPECT_EQ(received, sent);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(info.deserialize(bytes.data(), size, &received)) << size;
+  }
+}
+
+TEST(Wire, ALengthThatThePacketCannotHoldTakesNoMemory) {
+  sensor_msgs::msg::CompressedImage sent;
+  sent.data({1, 2, 3});
+  std::vector<std::uint8_t> bytes = encode(sent);
+  const std::uint32_t forged = 2'000'000'000;
+  std::memcpy(&bytes[bytes.size() - 3 - sizeof forged], &forged, sizeof forged);
+  sensor_msgs::msg::CompressedImage received;
+  EXPECT_FALSE(type_info<sensor_msgs::msg::CompressedImage>().deserialize(bytes.data(),
+                                                                          bytes.size(), &received));
+  EXPECT_EQ(received.data().capacity(), 0U);
+}
+
+TEST(Wire, AForgedNumberOfStructsTakesNoMemory) {
+  std::vector<std::uint8_t> bytes = encode(diagnostic_msgs::msg::DiagnosticArray());
+  const std::uint32_t forged = 100'000'000;
+  std::memcpy(&bytes[bytes.size() - sizeof forged], &forged, sizeof forged);
+  diagnostic_msgs::msg::DiagnosticArray received;
+  EXPECT_FALSE(type_info<diagnostic_msgs::msg::DiagnosticArray>().deserialize(
+      bytes.data(), bytes.size(), &received));
+  EXPECT_EQ(received.status().capacity(), 0U);
+}
+
+TEST(Wire, BigEndianLengthsAreRead) {
+  const std::vector<std::uint8_t> bytes{0, 0, 0, 0, 0, 0, 0, 3, 'h', 'i', 0};
+  std_msgs::msg::String received;
+  ASSERT_TRUE(
+      type_info<std_msgs::msg::String>().deserialize(bytes.data(), bytes.size(), &received));
+  EXPECT_EQ(received.data(), "hi");
 }
 
 TEST(Wire, EncodingRefusesABufferThatIsTooSmall) {

@@ -7,11 +7,12 @@
 #include <fastcdr/exceptions/Exception.h>
 
 #include <array>
-#include <exception>
+#include <string>
 #include <type_traits>
 #include <vector>
 
 #include "idl_support/type_info.hpp"
+#include "idl_support/wire_cursor.hpp"
 
 namespace tocsin::cdr {
 
@@ -41,8 +42,60 @@ std::size_t serialize(const void* message, std::uint8_t* buffer, std::size_t cap
   return encoder.getSerializedDataLength();
 }
 
+/// Passes one encoded value of type T.
+template <class T>
+struct Skip {
+  static bool value(WireCursor& cursor) {
+    if constexpr (std::is_enum_v<T>) {
+      return cursor.skip(1, sizeof(std::uint32_t));
+    } else if constexpr (std::is_arithmetic_v<T>) {
+      return cursor.skip(1, sizeof(T));
+    } else {
+      return type_info<T>().skip(cursor);
+    }
+  }
+};
+
+template <>
+struct Skip<std::string> {
+  static bool value(WireCursor& cursor) {
+    std::uint32_t length = 0;
+    return cursor.read_length(length) && cursor.skip(length, 1);
+  }
+};
+
+template <class T>
+bool skip_items(WireCursor& cursor, std::size_t count) {
+  if constexpr (std::is_arithmetic_v<T>) return cursor.skip(count, sizeof(T));
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!Skip<T>::value(cursor)) return false;
+  }
+  return true;
+}
+
+template <class T>
+struct Skip<std::vector<T>> {
+  static bool value(WireCursor& cursor) {
+    std::uint32_t length = 0;
+    return cursor.read_length(length) && skip_items<T>(cursor, length);
+  }
+};
+
+template <class T, std::size_t size>
+struct Skip<std::array<T, size>> {
+  static bool value(WireCursor& cursor) { return skip_items<T>(cursor, size); }
+};
+
+/// Passes a value of the type that a getter returns.
+template <class Getter>
+bool skip_field(WireCursor& cursor) {
+  return Skip<std::remove_cv_t<std::remove_reference_t<Getter>>>::value(cursor);
+}
+
 template <class T>
 bool deserialize(const std::uint8_t* buffer, std::size_t size, void* message) {
+  WireCursor cursor(buffer, size);
+  if (!cursor.has_header() || !type_info<T>().skip(cursor)) return false;
   auto* bytes = reinterpret_cast<char*>(const_cast<std::uint8_t*>(buffer));  // Fast CDR only reads
   eprosima::fastcdr::FastBuffer memory(bytes, size);
   eprosima::fastcdr::Cdr decoder(memory, eprosima::fastcdr::Cdr::DEFAULT_ENDIAN,
@@ -50,7 +103,7 @@ bool deserialize(const std::uint8_t* buffer, std::size_t size, void* message) {
   try {
     decoder.read_encapsulation();
     static_cast<T*>(message)->deserialize(decoder);
-  } catch (const std::exception&) {  // Fast CDR's own, and a length that no memory can hold
+  } catch (const eprosima::fastcdr::exception::Exception&) {
     return false;
   }
   return true;
@@ -93,8 +146,9 @@ void visit_value(FieldVisitor& visitor, const char* name, const std::array<T, si
 }
 
 template <class T>
-TypeInfo make_type_info(const char* name, void (*visit)(const void*, FieldVisitor&)) {
-  return {name, create<T>, serialized_size<T>, serialize<T>, deserialize<T>, visit};
+TypeInfo make_type_info(const char* name, void (*visit)(const void*, FieldVisitor&),
+                        bool (*skip)(WireCursor&)) {
+  return {name, create<T>, serialized_size<T>, serialize<T>, deserialize<T>, visit, skip};
 }
 
 }  // namespace tocsin::cdr

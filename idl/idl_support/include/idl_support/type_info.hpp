@@ -8,6 +8,8 @@
 
 namespace tocsin {
 
+class WireCursor;
+
 /// Receives the fields of a message in the order of its IDL. Names are the IDL's; the elements of
 /// a list have the list's name.
 class FieldVisitor {
@@ -36,10 +38,12 @@ struct TypeInfo {
   /// 0 when `capacity` is too small.
   std::size_t (*serialize)(const void* message, std::uint8_t* buffer, std::size_t capacity);
   /// Reads what serialize wrote, either byte order. False, and `message` unspecified, when the
-  /// bytes are not such a message.
+  /// bytes are not such a message. Never takes memory for more than the bytes can hold.
   bool (*deserialize)(const std::uint8_t* buffer, std::size_t size, void* message);
   /// Shows every field to `visitor`.
   void (*visit)(const void* message, FieldVisitor& visitor);
+  /// Passes one encoded message; false when the bytes end before it does.
+  bool (*skip)(WireCursor& cursor);
 };
 
 /// The description of a generated type. Declared for each type by its generated header.
