@@ -5,6 +5,8 @@
 
 #include "idl_support/topic_info.hpp"
 #include "kobuki_idl/kobuki_ros_interfaces.hpp"
+#include "ros_idl/sensor_msgs.hpp"
+#include "ros_idl/std_msgs.hpp"
 
 namespace tocsin::topic {
 
@@ -47,6 +49,71 @@ struct RobotState {
 struct VersionInfo {
   using Message = kobuki_ros_interfaces::msg::VersionInfo;
   static constexpr TopicInfo info{"version_info", "state", Scope::host};
+};
+/// Every sample of the three-axis gyro, 100 a second.
+struct ImuRaw {
+  using Message = sensor_msgs::msg::Imu;
+  static constexpr TopicInfo info{"sensors/imu_data_raw", "sensor", Scope::host};
+};
+/// The same as battery_state, under the name of kobuki_node.
+struct ChargerState {
+  using Message = sensor_msgs::msg::BatteryState;
+  static constexpr TopicInfo info{"sensors/battery_state", "sensor", Scope::host};
+};
+struct ControllerInfo {
+  using Message = kobuki_ros_interfaces::msg::ControllerInfo;
+  static constexpr TopicInfo info{"controller_info", "state", Scope::host};
+};
+
+// What the driver takes: each of them counts (masks), so events and not the newest only.
+
+struct Led1 {
+  using Message = kobuki_ros_interfaces::msg::Led;
+  static constexpr TopicInfo info{"commands/led1", "event", Scope::host};
+};
+struct Led2 {
+  using Message = kobuki_ros_interfaces::msg::Led;
+  static constexpr TopicInfo info{"commands/led2", "event", Scope::host};
+};
+struct SoundCommand {
+  using Message = kobuki_ros_interfaces::msg::Sound;
+  static constexpr TopicInfo info{"commands/sound", "event", Scope::host};
+};
+struct DigitalOutput {
+  using Message = kobuki_ros_interfaces::msg::DigitalOutput;
+  static constexpr TopicInfo info{"commands/digital_output", "event", Scope::host};
+};
+struct ExternalPower {
+  using Message = kobuki_ros_interfaces::msg::ExternalPower;
+  static constexpr TopicInfo info{"commands/external_power", "event", Scope::host};
+};
+struct ResetOdometry {
+  using Message = std_msgs::msg::Empty;
+  static constexpr TopicInfo info{"commands/reset_odometry", "event", Scope::host};
+};
+struct MotorPower {
+  using Message = kobuki_ros_interfaces::msg::MotorPower;
+  static constexpr TopicInfo info{"commands/motor_power", "event", Scope::host};
+};
+struct GainsCommand {
+  using Message = kobuki_ros_interfaces::msg::ControllerInfo;
+  static constexpr TopicInfo info{"commands/controller_info", "event", Scope::host};
+};
+
+// Bytes of the serial line, for people who look for a fault; off by default.
+
+struct RawStream {
+  using Message = std_msgs::msg::String;
+  static constexpr TopicInfo info{"debug/raw_data_stream", "sensor", Scope::host};
+};
+struct RawCommand {
+  using Message = std_msgs::msg::String;
+  static constexpr TopicInfo info{"debug/raw_data_command", "sensor", Scope::host};
+};
+/// Speed [mm/s] and radius [mm] of each velocity sent.
+struct RawControl {
+  using Message = std_msgs::msg::Int16MultiArray;
+  static constexpr TopicInfo info{"debug/raw_control_command", "sensor", Scope::host};
 };
 
 }  // namespace tocsin::topic

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "idl_support/topic_info.hpp"
+#include "ros_idl/diagnostic_msgs.hpp"
 #include "ros_idl/geometry_msgs.hpp"
 #include "ros_idl/nav_msgs.hpp"
 #include "ros_idl/sensor_msgs.hpp"
@@ -30,11 +31,16 @@ struct JointStates {
 };
 struct Imu {
   using Message = sensor_msgs::msg::Imu;
-  static constexpr TopicInfo info{"imu_data", "sensor", Scope::host};
+  static constexpr TopicInfo info{"sensors/imu_data", "sensor", Scope::host};
 };
 struct Tf {
   using Message = tf2_msgs::msg::TFMessage;
   static constexpr TopicInfo info{"tf", "sensor", Scope::host};
+};
+/// Health of devices and components, a status each, about once a second.
+struct Diagnostics {
+  using Message = diagnostic_msgs::msg::DiagnosticArray;
+  static constexpr TopicInfo info{"diagnostics", "event", Scope::host};
 };
 
 // From the vehicle to the ground station.
