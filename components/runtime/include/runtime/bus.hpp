@@ -69,6 +69,23 @@ struct TopicTraffic {
   std::uint64_t sent_bytes = 0;
 };
 
+/// Account of one writer or reader of this process towards other processes, since start.
+struct EndpointHealth {
+  std::string topic;
+  bool writer = false;         ///< else a reader
+  bool link = false;           ///< on the radio's domain, else on the host's
+  std::uint64_t samples = 0;   ///< written, or received
+  std::uint64_t lost = 0;      ///< refused by the middleware, or known to be missed by the reader
+  std::uint64_t rejected = 0;  ///< received, but not of the topic's type
+  int matched = 0;             ///< other ends now
+  std::uint64_t incompatible_qos = 0;  ///< other ends whose QoS does not fit
+  std::string incompatible_policy;     ///< DDS name of the policy that did not fit last
+  std::string other_type;  ///< of an end that has another type or layout under this topic's name
+  std::uint64_t deadlines_missed = 0;
+  std::uint64_t liveliness_lost = 0;  ///< times that a writer stopped to be alive
+  Time last{};                        ///< of the last sample; zero: none yet
+};
+
 /// The only seam between components and the middleware.
 class Bus {
  public:
@@ -89,6 +106,8 @@ class Bus {
   virtual void set_gate(bool open) = 0;
   /// What the link writers of this process did so far. Thread-safe.
   [[nodiscard]] virtual std::vector<TopicTraffic> link_traffic() const = 0;
+  /// Every DDS endpoint of this process. Thread-safe.
+  [[nodiscard]] virtual std::vector<EndpointHealth> health() const { return {}; }
 };
 
 }  // namespace tocsin

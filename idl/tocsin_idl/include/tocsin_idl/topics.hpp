@@ -110,6 +110,22 @@ struct TrafficReport {
   static constexpr TopicInfo info{"traffic_report", "telemetry", Scope::link};
 };
 
+// Of every container process.
+
+/// Health of the containers of a host: one array a second from each.
+struct Diagnostics {
+  using Message = diagnostic_msgs::msg::DiagnosticArray;
+  static constexpr TopicInfo info{"diagnostics", "event", Scope::host};
+};
+struct ContainerCommand {
+  using Message = tocsin_msgs::msg::ContainerCommand;
+  static constexpr TopicInfo info{"container_command", "event", Scope::host};
+};
+struct ContainerState {
+  using Message = tocsin_msgs::msg::ContainerState;
+  static constexpr TopicInfo info{"container_state", "state", Scope::host};
+};
+
 /// Topics of a list, for those who handle all of them alike.
 template <class... Topics>
 struct List {};
