@@ -112,11 +112,6 @@ struct TrafficReport {
 
 // Of every container process.
 
-/// Health of the containers of a host: one array a second from each.
-struct Diagnostics {
-  using Message = diagnostic_msgs::msg::DiagnosticArray;
-  static constexpr TopicInfo info{"diagnostics", "event", Scope::host};
-};
 struct ContainerCommand {
   using Message = tocsin_msgs::msg::ContainerCommand;
   static constexpr TopicInfo info{"container_command", "event", Scope::host};
