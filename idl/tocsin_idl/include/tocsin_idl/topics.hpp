@@ -43,6 +43,54 @@ struct Diagnostics {
   static constexpr TopicInfo info{"diagnostics", "event", Scope::host};
 };
 
+// The way of a velocity to the base: sources, velocity_mux, velocity_smoother, safety_controller.
+
+/// What the navigator wants.
+struct CmdVelNavigation {
+  using Message = geometry_msgs::msg::Twist;
+  static constexpr TopicInfo info{"cmd_vel/navigation", "command", Scope::host};
+};
+/// What docking wants.
+struct CmdVelDocking {
+  using Message = geometry_msgs::msg::Twist;
+  static constexpr TopicInfo info{"cmd_vel/docking", "command", Scope::host};
+};
+/// What an operator wants, as long as it is fresh.
+struct CmdVelTeleop {
+  using Message = geometry_msgs::msg::Twist;
+  static constexpr TopicInfo info{"cmd_vel/teleop", "command", Scope::host};
+};
+/// What the source wants whose turn it is.
+struct CmdVelSelected {
+  using Message = geometry_msgs::msg::Twist;
+  static constexpr TopicInfo info{"cmd_vel/selected", "command", Scope::host};
+};
+/// The same within speed and acceleration limits.
+struct CmdVelSmoothed {
+  using Message = geometry_msgs::msg::Twist;
+  static constexpr TopicInfo info{"cmd_vel/smoothed", "command", Scope::host};
+};
+/// The input whose turn it is; "idle" when none.
+struct MuxActive {
+  using Message = std_msgs::msg::String;
+  static constexpr TopicInfo info{"velocity_mux/active", "state", Scope::host};
+};
+/// The list of inputs in force: "name priority timeout_s, ..."
+struct MuxInputs {
+  using Message = std_msgs::msg::String;
+  static constexpr TopicInfo info{"velocity_mux/inputs", "state", Scope::host};
+};
+/// A list in the same words replaces the one in force.
+struct MuxSetInputs {
+  using Message = std_msgs::msg::String;
+  static constexpr TopicInfo info{"velocity_mux/set_inputs", "command", Scope::host};
+};
+/// False switches the reactions to bumper, cliff and wheel drop off.
+struct SafetyEnable {
+  using Message = std_msgs::msg::Bool;
+  static constexpr TopicInfo info{"safety_controller/enable", "command", Scope::host};
+};
+
 // From the vehicle to the ground station.
 
 /// Where the vehicle is, frame map.
@@ -79,6 +127,15 @@ struct CameraImage {
   static constexpr TopicInfo info{"camera/image_raw/compressed", "stream", Scope::link};
 };
 
+struct SafetyStatus {
+  using Message = tocsin_msgs::msg::SafetyStatus;
+  static constexpr TopicInfo info{"safety_status", "state", Scope::link};
+};
+struct DockingStatus {
+  using Message = tocsin_msgs::msg::DockingStatus;
+  static constexpr TopicInfo info{"docking/status", "state", Scope::link};
+};
+
 // From the ground station to the vehicle.
 
 struct Goal {
@@ -93,6 +150,23 @@ struct MissionStatus {
 struct EmergencyStop {
   using Message = std_msgs::msg::Bool;
   static constexpr TopicInfo info{"emergency_stop", "state", Scope::link};
+};
+
+/// What the ground station's people ask for; its component emergency_stop keeps it and sends it.
+struct EmergencyStopRequest {
+  using Message = std_msgs::msg::Bool;
+  static constexpr TopicInfo info{"emergency_stop/request", "event", Scope::host};
+};
+/// Manual driving, from any computer. The stamp is when the operator wanted it, frame_id the
+/// device.
+struct TeleopCmdVel {
+  using Message = geometry_msgs::msg::TwistStamped;
+  static constexpr TopicInfo info{"teleop/cmd_vel", "command", Scope::link};
+};
+/// "start" or "cancel".
+struct DockingCommand {
+  using Message = std_msgs::msg::String;
+  static constexpr TopicInfo info{"docking/command", "command", Scope::link};
 };
 
 // From both sides; the field `role` tells which.
@@ -125,8 +199,9 @@ struct ContainerState {
 template <class... Topics>
 struct List {};
 
-using AllLinkTopics = List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage,
-                           CpuLoad, CpuTemperature, CameraImage, Goal, MissionStatus, EmergencyStop,
-                           Heartbeat, TransmissionState, TrafficReport>;
+using AllLinkTopics =
+    List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage, CpuLoad,
+         CpuTemperature, CameraImage, Goal, MissionStatus, EmergencyStop, SafetyStatus,
+         DockingStatus, TeleopCmdVel, DockingCommand, Heartbeat, TransmissionState, TrafficReport>;
 
 }  // namespace tocsin::topic
