@@ -5,6 +5,7 @@
 
 #include "digest.hpp"
 #include "event_queue.hpp"
+#include "simulation/observer.hpp"
 
 namespace tocsin::simulation {
 
@@ -17,6 +18,9 @@ struct Core {
   Time now = start_time;
   EventQueue events;
   Digest digest;
+  std::uint64_t samples = 0;
+  bool digest_wanted = true;
+  Observer* observer = nullptr;
 
   [[nodiscard]] static std::int64_t wall_ns(Time t) {
     return start_wall_ns + (t - start_time).count();

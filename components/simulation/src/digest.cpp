@@ -31,7 +31,6 @@ void Digest::add_sample(Time now, std::string_view writer, const TypeInfo& type,
   add(static_cast<std::uint64_t>(now.time_since_epoch().count()));
   add(writer);
   add(buffer_.data(), type.serialize(message, buffer_.data(), buffer_.size()));
-  ++samples_;
 }
 
 std::uint64_t Digest::value() const {

@@ -21,12 +21,10 @@ class Digest {
 
   /// The words are mixed once more, since the upper bits of a word reach only upper bits.
   [[nodiscard]] std::uint64_t value() const;
-  [[nodiscard]] std::uint64_t samples() const { return samples_; }
 
  private:
   void add(const std::uint8_t* bytes, std::size_t size);
   std::uint64_t value_ = 14695981039346656037ULL;
-  std::uint64_t samples_ = 0;
   std::vector<std::uint8_t> buffer_;
 };
 

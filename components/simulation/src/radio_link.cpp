@@ -56,7 +56,9 @@ void RadioLink::advance() {
 }
 
 void RadioLink::report() {
-  wireless_text_ = proc_text(channel_.report(core_.now));
+  const radio::LinkReport report_now = channel_.report(core_.now);
+  wireless_text_ = proc_text(report_now);
+  if (core_.observer != nullptr) core_.observer->on_channel(report_now, core_.now);
   core_.events.at(core_.now + report_period, [this] { report(); });
 }
 

@@ -32,8 +32,19 @@ inline constexpr std::size_t longest_message = 1400;  ///< as FastDdsParticipant
 /// A sample in the history of a writer.
 struct Change {
   std::uint64_t sequence;
-  Time written;
+  Time sent;
   std::shared_ptr<const std::vector<std::uint8_t>> cdr;
+  const TopicEnd* from = nullptr;
+  std::uint64_t written = 0;  ///< as in Written::sequence
+  Time written_at{};
+};
+
+/// A write that is going on or that the gate may still let through, so that its sample is known
+/// again when it is sent.
+struct Origin {
+  std::shared_ptr<const void> message;
+  std::uint64_t sequence = 0;
+  Time time{};
 };
 
 /// The reading end of a link topic in one process. Gives the samples of each writer in order and
@@ -70,8 +81,14 @@ class RtpsReader {
 /// sample goes to each reading process, since the link is unicast.
 class RtpsWriter final : public LinkWriter {
  public:
-  RtpsWriter(Core& core, RadioLink& link, radio::Direction direction, std::uint64_t source,
-             const TypeInfo& type, const QosProfile& qos);
+  /// Whose writer it is.
+  struct Owner {
+    radio::Direction direction;
+    std::uint64_t source;
+    const TopicEnd* end;
+    const Origin* origin;
+  };
+  RtpsWriter(Core& core, RadioLink& link, const Owner& owner, const QosProfile& qos);
 
   /// A transient local writer sends its history to a late reader. Both live as long as the core.
   void match(RtpsReader& reader);
@@ -94,11 +111,9 @@ class RtpsWriter final : public LinkWriter {
 
   Core& core_;
   RadioLink& link_;
-  radio::Direction direction_;
-  std::uint64_t source_;
-  const TypeInfo& type_;
+  Owner owner_;
   QosProfile qos_;
-  std::uint64_t written_ = 0;
+  std::uint64_t sent_ = 0;
   std::deque<Change> history_;
   std::deque<Proxy> proxies_;  ///< a deque: packets under way refer to its elements
   bool heartbeat_asked_ = false;

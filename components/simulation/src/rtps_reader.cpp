@@ -36,7 +36,7 @@ std::vector<std::uint64_t> RtpsReader::on_heartbeat(std::uint64_t source, std::u
 void RtpsReader::on_gap(std::uint64_t source, std::uint64_t sequence, Time now) {
   Source& from = sources_[source];
   if (sequence < from.next) return;
-  from.early.emplace(sequence, Change{sequence, now, nullptr});
+  from.early.emplace(sequence, Change{sequence, now, nullptr, nullptr, 0, now});
   release(source, from, now);
 }
 
@@ -50,7 +50,7 @@ void RtpsReader::release(std::uint64_t id, Source& source, Time now) {
 }
 
 void RtpsReader::give(std::uint64_t id, const Change& change, Time now) {
-  if (now - change.written <= seconds(qos_.lifespan_s)) deliver_(change, id);
+  if (now - change.sent <= seconds(qos_.lifespan_s)) deliver_(change, id);
 }
 
 }  // namespace tocsin::simulation

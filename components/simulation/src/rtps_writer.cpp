@@ -18,15 +18,14 @@ std::vector<std::size_t> wire::packets_of(std::size_t bytes) {
   return packets;
 }
 
-RtpsWriter::RtpsWriter(Core& core, RadioLink& link, radio::Direction direction,
-                       std::uint64_t source, const TypeInfo& type, const QosProfile& qos)
-    : core_(core), link_(link), direction_(direction), source_(source), type_(type), qos_(qos) {}
+RtpsWriter::RtpsWriter(Core& core, RadioLink& link, const Owner& owner, const QosProfile& qos)
+    : core_(core), link_(link), owner_(owner), qos_(qos) {}
 
 void RtpsWriter::match(RtpsReader& reader) {
   forget_expired();
   const bool history = qos_.keeps_last() && !history_.empty();
-  const std::uint64_t first = history ? history_.front().sequence : written_ + 1;
-  reader.match(source_, first);
+  const std::uint64_t first = history ? history_.front().sequence : sent_ + 1;
+  reader.match(owner_.source, first);
   proxies_.push_back({&reader, first - 1});
   if (!history) return;
   for (const Change& change : history_) transmit(reader, change);
@@ -34,9 +33,18 @@ void RtpsWriter::match(RtpsReader& reader) {
 }
 
 bool RtpsWriter::send(const void* message) {
-  auto cdr = std::make_shared<std::vector<std::uint8_t>>(type_.serialized_size(message));
-  if (type_.serialize(message, cdr->data(), cdr->size()) == 0) return false;
-  history_.push_back({++written_, core_.now, std::move(cdr)});
+  const TypeInfo& type = *owner_.end->type;
+  auto cdr = std::make_shared<std::vector<std::uint8_t>>(type.serialized_size(message));
+  if (type.serialize(message, cdr->data(), cdr->size()) == 0) return false;
+  Change change{++sent_, core_.now, std::move(cdr), owner_.end, 0, core_.now};
+  if (owner_.origin->message.get() == message) {
+    change.written = owner_.origin->sequence;
+    change.written_at = owner_.origin->time;
+  }
+  if (core_.observer != nullptr) {
+    core_.observer->on_sent({*owner_.end, core_.now, sent_, change.written, change.cdr->size()});
+  }
+  history_.push_back(std::move(change));
   if (history_.size() > static_cast<std::size_t>(qos_.depth)) history_.pop_front();
   for (Proxy& proxy : proxies_) transmit(*proxy.reader, history_.back());
   ask_for_heartbeat();
@@ -47,15 +55,15 @@ void RtpsWriter::transmit(RtpsReader& reader, const Change& change) {
   const auto packets = wire::packets_of(change.cdr->size());
   const auto left = std::make_shared<std::size_t>(packets.size());
   for (const std::size_t bytes : packets) {
-    link_.send(direction_, bytes, [this, &reader, change, left] {
-      if (--*left == 0) reader.on_data(source_, change, core_.now);
+    link_.send(owner_.direction, bytes, [this, &reader, change, left] {
+      if (--*left == 0) reader.on_data(owner_.source, change, core_.now);
     });
   }
 }
 
 void RtpsWriter::forget_expired() {
   const Duration lifespan = seconds(qos_.lifespan_s);
-  while (!history_.empty() && core_.now - history_.front().written > lifespan) {
+  while (!history_.empty() && core_.now - history_.front().sent > lifespan) {
     history_.pop_front();
   }
 }
@@ -72,7 +80,7 @@ void RtpsWriter::heartbeat() {
   if (history_.empty()) return;
   bool all_have_it = true;
   for (Proxy& proxy : proxies_) {
-    if (proxy.acknowledged >= written_) continue;
+    if (proxy.acknowledged >= sent_) continue;
     all_have_it = false;
     send_heartbeat(proxy);
   }
@@ -82,13 +90,13 @@ void RtpsWriter::heartbeat() {
 void RtpsWriter::send_heartbeat(Proxy& proxy) {
   constexpr std::size_t bytes = wire::ip_and_udp + wire::message_header + wire::heartbeat;
   const std::uint64_t first = history_.front().sequence;
-  const std::uint64_t last = written_;
-  link_.send(direction_, bytes, [this, &proxy, first, last] {
+  const std::uint64_t last = sent_;
+  link_.send(owner_.direction, bytes, [this, &proxy, first, last] {
     const Time answer_at = core_.now + seconds(proxy.reader->qos().heartbeat_response_delay_s);
     core_.events.at(answer_at, [this, &proxy, first, last] {
       constexpr std::size_t size = wire::ip_and_udp + wire::message_header + wire::acknack;
-      auto missing = proxy.reader->on_heartbeat(source_, first, last, core_.now);
-      link_.send(back(direction_), size, [this, &proxy, last, missing = std::move(missing)] {
+      auto missing = proxy.reader->on_heartbeat(owner_.source, first, last, core_.now);
+      link_.send(back(owner_.direction), size, [this, &proxy, last, missing = std::move(missing)] {
         on_acknack(proxy, last, missing);
       });
     });
@@ -109,8 +117,8 @@ void RtpsWriter::on_acknack(Proxy& proxy, std::uint64_t last,
 void RtpsWriter::repair(RtpsReader& reader, std::uint64_t sequence) {
   if (const Change* change = find(sequence)) return transmit(reader, *change);
   constexpr std::size_t bytes = wire::ip_and_udp + wire::message_header + wire::gap;
-  link_.send(direction_, bytes,
-             [this, &reader, sequence] { reader.on_gap(source_, sequence, core_.now); });
+  link_.send(owner_.direction, bytes,
+             [this, &reader, sequence] { reader.on_gap(owner_.source, sequence, core_.now); });
 }
 
 const Change* RtpsWriter::find(std::uint64_t sequence) const {

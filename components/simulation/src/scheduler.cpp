@@ -57,6 +57,7 @@ void Scheduler::tick(Entry& entry, Time now) {
     entry.component->tick(now);
   } catch (const std::exception& error) {
     entry.failed = true;
+    if (on_failure_) on_failure_(entry.component->name(), error.what(), now);
     Logger(entry.component->name()).error("failed and is ticked no more: {}", error.what());
   }
 }

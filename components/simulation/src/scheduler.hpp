@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/component.hpp"
@@ -14,6 +16,9 @@ class Scheduler {
  public:
   /// `running` tells whether the component's process still runs.
   void add(Component& component, std::function<bool()> running);
+  /// Is told of each component that threw.
+  using Failure = std::function<void(const std::string& component, const char* what, Time now)>;
+  void set_on_failure(Failure tell) { on_failure_ = std::move(tell); }
   /// The earliest deadline of all.
   [[nodiscard]] Time next() const;
   /// Ticks whoever is due at `now` until all are at rest. A component that throws is ticked no
@@ -30,6 +35,7 @@ class Scheduler {
   };
   [[nodiscard]] static bool due(Entry& entry, Time now);
   void tick(Entry& entry, Time now);
+  Failure on_failure_;
   std::vector<Entry> entries_;
   std::uint64_t ticks_ = 0;
 };

@@ -18,6 +18,7 @@ constexpr std::size_t ip_and_icmp_bytes = 28;
 class SimEcho final : public EchoDevice {
  public:
   struct Way {
+    const std::string* host;
     RadioLink* link;
     radio::Direction direction;
     std::size_t bytes;
@@ -32,9 +33,13 @@ class SimEcho final : public EchoDevice {
   }
 
   int send(std::uint16_t sequence) override {
+    const Request request{sequence, core_.now};
+    if (core_.observer != nullptr) {
+      core_.observer->on_echo({*way_.host, sequence, core_.now, never});
+    }
     way_.link->send(way_.direction, way_.bytes,
-                    [&core = core_, way = way_, inbox = inbox_, sequence] {
-                      if (way.answered) answer(core, way, inbox, sequence);
+                    [&core = core_, way = way_, inbox = inbox_, request] {
+                      if (way.answered) answer(core, way, inbox, request);
                     });
     return 0;
   }
@@ -51,10 +56,17 @@ class SimEcho final : public EchoDevice {
     std::deque<Reply> replies;
     Devices::Readable readable;
   };
+  struct Request {
+    std::uint16_t sequence;
+    Time sent;
+  };
   static void answer(Core& core, const Way& way, const std::shared_ptr<Inbox>& inbox,
-                     std::uint16_t sequence) {
-    way.link->send(back(way.direction), way.bytes, [&core, inbox, sequence] {
-      inbox->replies.push_back({sequence, core.now});
+                     const Request& request) {
+    way.link->send(back(way.direction), way.bytes, [&core, host = way.host, inbox, request] {
+      if (core.observer != nullptr) {
+        core.observer->on_echo({*host, request.sequence, request.sent, core.now});
+      }
+      inbox->replies.push_back({request.sequence, core.now});
       inbox->readable();
     });
   }
@@ -65,9 +77,8 @@ class SimEcho final : public EchoDevice {
 
 }  // namespace
 
-SimDevices::SimDevices(Core& core, RadioLink& link, radio::Direction direction,
-                       std::string wireless_file)
-    : core_(core), link_(link), direction_(direction), wireless_file_(std::move(wireless_file)) {}
+SimDevices::SimDevices(Core& core, RadioLink& link, const Place& place, std::string wireless_file)
+    : core_(core), link_(link), place_(place), wireless_file_(std::move(wireless_file)) {}
 
 std::unique_ptr<SerialDevice> SimDevices::open_serial(const std::string& path, Readable readable) {
   for (SimBase* base : bases_) {
@@ -83,7 +94,8 @@ std::unique_ptr<EchoDevice> SimDevices::open_echo(const std::string& target,
     throw ConfigError("target: '" + target + "' is not an IPv4 address");
   }
   const bool answered = std::find(peers_.begin(), peers_.end(), target) != peers_.end();
-  const SimEcho::Way way{&link_, direction_, ip_and_icmp_bytes + payload_bytes, answered};
+  const SimEcho::Way way{&place_.host, &link_, place_.direction, ip_and_icmp_bytes + payload_bytes,
+                         answered};
   return std::make_unique<SimEcho>(core_, way, std::move(readable));
 }
 

@@ -15,8 +15,13 @@ namespace tocsin::simulation {
 /// The devices of one simulated host: the bases on it, its radio, and what /proc would tell.
 class SimDevices final : public Devices {
  public:
+  /// Whose devices they are.
+  struct Place {
+    std::string host;
+    radio::Direction direction;  ///< of what it sends
+  };
   /// `wireless_file`: second path of the text of /proc/net/wireless.
-  SimDevices(Core& core, RadioLink& link, radio::Direction direction, std::string wireless_file);
+  SimDevices(Core& core, RadioLink& link, const Place& place, std::string wireless_file);
 
   void add_base(SimBase& base) { bases_.push_back(&base); }
   /// Echo requests to this address are answered by the other side.
@@ -33,7 +38,7 @@ class SimDevices final : public Devices {
   [[nodiscard]] std::string stat_text() const;
   Core& core_;
   RadioLink& link_;
-  radio::Direction direction_;
+  Place place_;
   std::string wireless_file_;
   std::vector<SimBase*> bases_;
   std::vector<std::string> peers_;

@@ -64,6 +64,8 @@ class SimProcess final : public Bus {
   struct Topic {
     Topic(const Endpoint& its, const QosProfile& profile);
     Endpoint endpoint;
+    TopicEnd end;
+    Origin origin;  ///< of the last write
     QosProfile qos;
     TopicExchange exchange;
     std::unique_ptr<RtpsReader> reader;
@@ -77,6 +79,9 @@ class SimProcess final : public Bus {
 
  private:
   Topic& topic(const Endpoint& endpoint);
+  std::unique_ptr<Topic> make_topic(const Endpoint& endpoint);
+  void report(const Topic& topic, const void* message, Status status) const;
+  void receive(Topic& topic, const Change& change, std::uint64_t source);
   void make_reader(Topic& topic);
   void make_writer(Topic& topic);
   Network& network_;

@@ -20,9 +20,9 @@ class Attached final : public Subscription {
   Receiver& receiver_;
 };
 
-class Written final : public Publication {
+class OpenWriter final : public Publication {
  public:
-  Written(SimProcess& process, SimProcess::Topic& topic) : process_(process), topic_(topic) {}
+  OpenWriter(SimProcess& process, SimProcess::Topic& topic) : process_(process), topic_(topic) {}
   Status write(const std::shared_ptr<const void>& message) override {
     return process_.write(topic_, message);
   }
@@ -42,13 +42,28 @@ SimProcess::SimProcess(Network& network, SimHost& host, std::string name)
 
 SimProcess::~SimProcess() = default;
 
+std::unique_ptr<SimProcess::Topic> SimProcess::make_topic(const Endpoint& endpoint) {
+  const std::string name = endpoint.topic.name;
+  auto made = std::make_unique<Topic>(endpoint, network_.qos.of(endpoint.topic.qos, name));
+  made->label = host_.name() + "/" + name_ + "/" + name;
+  made->source = hash_of(made->label);
+  made->end = {host_.name(),
+               host_.role(),
+               name_,
+               name,
+               "",
+               endpoint.topic.scope,
+               endpoint.type,
+               made->qos.lifespan_s,
+               made->qos.reliable(),
+               false};
+  return made;
+}
+
 SimProcess::Topic& SimProcess::topic(const Endpoint& endpoint) {
   auto& found = topics_[endpoint.topic.name];
   if (!found) {
-    const std::string name = endpoint.topic.name;
-    found = std::make_unique<Topic>(endpoint, network_.qos.of(endpoint.topic.qos, name));
-    found->label = host_.name() + "/" + name_ + "/" + name;
-    found->source = hash_of(found->label);
+    found = make_topic(endpoint);
     host_.attach(*found);
   }
   if (found->endpoint.type != endpoint.type) {
@@ -68,24 +83,33 @@ std::unique_ptr<Subscription> SimProcess::subscribe(const Endpoint& endpoint, Re
 std::unique_ptr<Publication> SimProcess::advertise(const Endpoint& endpoint) {
   Topic& its = topic(endpoint);
   if (endpoint.topic.scope == Scope::link && !its.gated) make_writer(its);
-  return std::make_unique<Written>(*this, its);
+  return std::make_unique<OpenWriter>(*this, its);
+}
+
+void SimProcess::receive(Topic& its, const Change& change, std::uint64_t source) {
+  const std::shared_ptr<void> message = its.endpoint.type->create();
+  if (!its.endpoint.type->deserialize(change.cdr->data(), change.cdr->size(), message.get())) {
+    return;
+  }
+  if (Observer* observer = network_.core.observer) {
+    observer->on_delivered({*change.from, its.end, change.sequence, change.written,
+                            change.written_at, change.sent, now(), change.cdr->size(),
+                            message.get()});
+  }
+  Sample sample;
+  sample.message = message;
+  sample.received = now();
+  sample.sent_wall_ns = wall_ns(change.sent);
+  sample.received_wall_ns = wall_ns(now());
+  sample.sequence = change.sequence;
+  sample.source = source;
+  sample.bytes = static_cast<std::uint32_t>(change.cdr->size());
+  its.exchange.deliver(sample);
 }
 
 void SimProcess::make_reader(Topic& its) {
   const auto deliver = [this, &its](const Change& change, std::uint64_t source) {
-    const std::shared_ptr<void> message = its.endpoint.type->create();
-    if (!its.endpoint.type->deserialize(change.cdr->data(), change.cdr->size(), message.get())) {
-      return;
-    }
-    Sample sample;
-    sample.message = message;
-    sample.received = now();
-    sample.sent_wall_ns = wall_ns(change.written);
-    sample.received_wall_ns = wall_ns(now());
-    sample.sequence = change.sequence;
-    sample.source = source;
-    sample.bytes = static_cast<std::uint32_t>(change.cdr->size());
-    its.exchange.deliver(sample);
+    receive(its, change, source);
   };
   its.reader = std::make_unique<RtpsReader>(its.qos, deliver);
   network_.endpoints.add(its.endpoint.topic.name, host_, *its.reader);
@@ -93,8 +117,10 @@ void SimProcess::make_reader(Topic& its) {
 
 void SimProcess::make_writer(Topic& its) {
   const TrafficRule& rule = host_.rules().of(its.endpoint.topic.name);
-  auto writer = std::make_unique<RtpsWriter>(network_.core, network_.link, host_.direction(),
-                                             its.source, *its.endpoint.type, its.qos);
+  its.end.traffic_class = rule.traffic_class;
+  its.end.pausable = rule.while_poor != WhilePoor::send;
+  const RtpsWriter::Owner owner{host_.direction(), its.source, &its.end, &its.origin};
+  auto writer = std::make_unique<RtpsWriter>(network_.core, network_.link, owner, its.qos);
   its.writer = writer.get();
   its.gated = std::make_unique<GatedWriter>(its.endpoint.topic.name, *its.endpoint.type, rule,
                                             std::move(writer));
@@ -103,19 +129,35 @@ void SimProcess::make_writer(Topic& its) {
 }
 
 Status SimProcess::write(Topic& its, const std::shared_ptr<const void>& message) {
-  network_.core.digest.add_sample(now(), its.label, *its.endpoint.type, message.get());
+  Core& core = network_.core;
+  ++core.samples;
+  if (core.digest_wanted) {
+    core.digest.add_sample(core.now, its.label, *its.endpoint.type, message.get());
+  }
   Sample sample;
   sample.message = message;
-  sample.received = now();
-  sample.sent_wall_ns = sample.received_wall_ns = wall_ns(now());
+  sample.received = core.now;
+  sample.sent_wall_ns = sample.received_wall_ns = wall_ns(core.now);
   sample.sequence = ++its.written;
   sample.source = its.source;
   host_.deliver(its, sample);
-  return its.gated ? its.gated->write(message) : Status::ok;
+  if (its.gated) its.origin = {message, its.written, core.now};
+  const Status status = its.gated ? its.gated->write(message) : Status::ok;
+  if (core.observer != nullptr) report(its, message.get(), status);
+  return status;
+}
+
+void SimProcess::report(const Topic& its, const void* message, Status status) const {
+  const Core& core = network_.core;
+  const std::size_t bytes = its.gated ? its.endpoint.type->serialized_size(message) : 0;
+  core.observer->on_written({its.end, core.now, its.written, bytes, message, status});
 }
 
 void SimProcess::set_gate(bool open) {
   gate_open_ = open;
+  if (Observer* observer = network_.core.observer) {
+    observer->on_gate({host_.name(), name_, now(), open});
+  }
   for (const auto& entry : topics_) {
     if (entry.second->gated) entry.second->gated->set_open(open);
   }

@@ -34,6 +34,13 @@ std::vector<radio::Wall> walls_of(const deployment::Deployment& deployment) {
   return radio::load_walls(deployment.radio->walls);
 }
 
+Core core_of(const WorldOptions& options) {
+  Core core;
+  core.digest_wanted = options.digest;
+  core.observer = options.observer;
+  return core;
+}
+
 bool is_base(const deployment::Program& program) {
   return std::filesystem::path(program.command.front()).filename() == "kobuki_simulator";
 }
@@ -56,20 +63,24 @@ struct SimWorld::Parts {
     std::unique_ptr<Component> component;
   };
 
-  explicit Parts(deployment::Deployment its);
+  Parts(deployment::Deployment its, const WorldOptions& wanted);
   ~Parts() {
     while (!instances.empty()) instances.pop_back();
   }
+  [[nodiscard]] bool wanted(const deployment::ComponentInstance& one) const;
+  [[nodiscard]] std::ptrdiff_t wanted_of(const deployment::Container& container) const;
   void add(const deployment::Host& host);
   void add_bases(const deployment::Host& host, Side& side);
   void add(const deployment::Container& container, Side& side);
   Instance& add_instance(const std::string& name, SimProcess& bus, Side& side, Process& process);
   void start(Instance& instance, const Process& process);
-  void feed_position(const SimBase& base);
+  void feed_position(const std::string& host, const SimBase& base);
   [[nodiscard]] Time next() const;
+  [[nodiscard]] bool over() const { return exit_code && options.ends_with_mission; }
   void step(Time now);
 
   deployment::Deployment deployment;
+  WorldOptions options;
   Core core;
   RadioLink link;
   Network network;
@@ -80,24 +91,44 @@ struct SimWorld::Parts {
   std::optional<int> exit_code;
 };
 
-SimWorld::Parts::Parts(deployment::Deployment its)
+SimWorld::Parts::Parts(deployment::Deployment its, const WorldOptions& wanted)
     : deployment(std::move(its)),
+      options(wanted),
+      core(core_of(wanted)),
       link(core, channel_of(deployment), walls_of(deployment),
            static_cast<std::uint64_t>(deployment.seed)),
       network{core, link, QosProfiles(deployment.qos), {}} {
+  if (core.observer != nullptr) {
+    scheduler.set_on_failure([this](const std::string& component, const char* what, Time now) {
+      core.observer->on_failure(component, what, now);
+    });
+  }
   for (const deployment::Host& host : deployment.hosts) add(host);
 }
 
 void SimWorld::Parts::add(const deployment::Host& host) {
   Side& side = sides.emplace_back();
   side.host = std::make_unique<SimHost>(network, host.name, host.role, deployment.traffic);
-  side.devices = std::make_unique<SimDevices>(core, link, side.host->direction(),
-                                              deployment.run_dir + "/wireless");
+  side.devices =
+      std::make_unique<SimDevices>(core, link, SimDevices::Place{host.name, side.host->direction()},
+                                   deployment.run_dir + "/wireless");
   for (const deployment::Host& other : deployment.hosts) {
     if (&other != &host) side.devices->add_peer(other.address);
   }
   add_bases(host, side);
-  for (const deployment::Container& container : host.containers) add(container, side);
+  for (const deployment::Container& container : host.containers) {
+    if (container.components.empty() || wanted_of(container) > 0) add(container, side);
+  }
+}
+
+std::ptrdiff_t SimWorld::Parts::wanted_of(const deployment::Container& container) const {
+  return std::count_if(container.components.begin(), container.components.end(),
+                       [this](const auto& one) { return wanted(one); });
+}
+
+bool SimWorld::Parts::wanted(const deployment::ComponentInstance& one) const {
+  const auto& without = options.without;
+  return std::find(without.begin(), without.end(), one.component) == without.end();
 }
 
 void SimWorld::Parts::add_bases(const deployment::Host& host, Side& side) {
@@ -108,7 +139,7 @@ void SimWorld::Parts::add_bases(const deployment::Host& host, Side& side) {
     }
     SimBase& base = side.bases.emplace_back(core, read_base_options(program));
     side.devices->add_base(base);
-    feed_position(base);
+    feed_position(host.name, base);
   }
 }
 
@@ -116,6 +147,7 @@ void SimWorld::Parts::add(const deployment::Container& container, Side& side) {
   SimProcess& bus = side.host->add_process(container.name);
   Process& process = processes.emplace_back(Process{side.host->name() + "/" + container.name, {}});
   for (const deployment::ComponentInstance& one : container.components) {
+    if (!wanted(one)) continue;
     Instance& instance = add_instance(one.name, bus, side, process);
     const ComponentEntry& entry = load_component(one.component);
     instance.component = entry.create(instance.context, *one.parameters, deployment.file);
@@ -144,10 +176,15 @@ void SimWorld::Parts::start(Instance& instance, const Process& process) {
   scheduler.add(*instance.component, [&process] { return !process.exit_code; });
 }
 
-void SimWorld::Parts::feed_position(const SimBase& base) {
+void SimWorld::Parts::feed_position(const std::string& host, const SimBase& base) {
   const kobuki::Pose& pose = base.model().pose();
   link.set_position(pose.x_m, pose.y_m);
-  core.events.at(core.now + position_period, [this, &base] { feed_position(base); });
+  if (core.observer != nullptr) {
+    const kobuki::BodyVelocity& velocity = base.model().velocity();
+    core.observer->on_position({host, core.now, pose.x_m, pose.y_m, pose.heading_rad,
+                                velocity.linear_mps, velocity.angular_rad_s});
+  }
+  core.events.at(core.now + position_period, [this, &host, &base] { feed_position(host, base); });
 }
 
 Time SimWorld::Parts::next() const {
@@ -166,10 +203,11 @@ void SimWorld::Parts::step(Time now) {
   }
   link.advance();
   scheduler.run(now);
+  if (core.observer != nullptr) core.observer->on_step(now);
 }
 
-SimWorld::SimWorld(deployment::Deployment deployment)
-    : parts_(std::make_unique<Parts>(std::move(deployment))) {}
+SimWorld::SimWorld(deployment::Deployment deployment, const WorldOptions& options)
+    : parts_(std::make_unique<Parts>(std::move(deployment), options)) {}
 
 SimWorld::~SimWorld() = default;
 
@@ -178,10 +216,11 @@ Outcome SimWorld::run(Duration limit) {
   const Time begin = all.core.now;
   const Time end = limit > never - begin ? never : begin + limit;
   all.step(begin);
-  for (Time next = all.next(); next <= end && !all.exit_code; next = all.next()) all.step(next);
-  if (!all.exit_code) all.core.now = end;
-  return {all.core.now - begin, all.exit_code,         all.core.digest.samples(),
-          all.link.pushed(),    all.scheduler.ticks(), all.core.digest.value()};
+  for (Time next = all.next(); next <= end && !all.over(); next = all.next()) all.step(next);
+  if (!all.over()) all.core.now = end;
+  return {all.core.now - begin,  all.exit_code,
+          all.core.samples,      all.link.pushed(),
+          all.scheduler.ticks(), all.core.digest_wanted ? all.core.digest.value() : 0};
 }
 
 }  // namespace tocsin::simulation

@@ -19,7 +19,7 @@ class LossyPair {
  public:
   LossyPair(const QosProfile& qos, std::uint64_t seed)
       : link_(core_, lossy(), {}, seed),
-        writer_(core_, link_, radio::Direction::uplink, 7, type_info<Picture>(), qos),
+        writer_(core_, link_, {radio::Direction::uplink, 7, &end_, &origin_}, qos),
         reader_(qos, [this](const Change& c, std::uint64_t) { got.push_back(c.sequence); }) {
     writer_.match(reader_);
   }
@@ -48,6 +48,13 @@ class LossyPair {
     params.loss = 1.0 / 3;
     return params;
   }
+  static TopicEnd picture_end() {
+    TopicEnd end;
+    end.type = &type_info<Picture>();
+    return end;
+  }
+  TopicEnd end_ = picture_end();
+  Origin origin_;
   Core core_;
   RadioLink link_;
   RtpsWriter writer_;

@@ -44,8 +44,9 @@ class RtpsTest : public ::testing::Test {
     link_ = std::make_unique<RadioLink>(core_, params, std::vector<radio::Wall>{}, 1);
   }
   void use(const QosProfile& qos) {
-    writer_ = std::make_unique<RtpsWriter>(core_, *link_, radio::Direction::downlink, 7,
-                                           type_info<Message>(), qos);
+    end_.type = &type_info<Message>();
+    const RtpsWriter::Owner owner{radio::Direction::downlink, 7, &end_, &origin_};
+    writer_ = std::make_unique<RtpsWriter>(core_, *link_, owner, qos);
     reader_ = std::make_unique<RtpsReader>(qos, [this](const Change& change, std::uint64_t source) {
       EXPECT_EQ(source, 7U);
       got_.push_back(change.sequence);
@@ -75,6 +76,8 @@ class RtpsTest : public ::testing::Test {
   Core core_;
   Message message_;
   std::unique_ptr<RadioLink> link_;
+  TopicEnd end_;
+  Origin origin_;
   std::unique_ptr<RtpsWriter> writer_;
   std::unique_ptr<RtpsReader> reader_;
   Sequences got_;

@@ -47,7 +47,7 @@ class SimDevicesTest : public ::testing::Test {
   Core core_;
   RadioLink link_{core_, wire(), {}, 1};
   SimBase base_{core_, base_options()};
-  SimDevices sut_{core_, link_, radio::Direction::uplink, "/run/wireless"};
+  SimDevices sut_{core_, link_, {"uxv", radio::Direction::uplink}, "/run/wireless"};
   int readable_ = 0;
   Devices::Readable count_ = [this] { ++readable_; };
 };

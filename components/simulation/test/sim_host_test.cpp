@@ -195,11 +195,62 @@ TEST_F(SimHostTest, RefusesASecondTypeForATopic) {
   EXPECT_THROW((void)recorder_.advertise(other), ConfigError);
 }
 
+/// Keeps what it is shown of one topic.
+class Watcher : public Observer {
+ public:
+  void on_written(const Written& one) override { written.push_back(one.sequence); }
+  void on_sent(const Sent& one) override { sent.push_back(one.written); }
+  void on_delivered(const Delivered& one) override {
+    delivered.push_back(one.written);
+    delay = one.received - one.written_at;
+    process = one.to.process;
+  }
+  void on_gate(const GateChange& change) override { gates.push_back(change.open); }
+  std::vector<std::uint64_t> written;
+  std::vector<std::uint64_t> sent;
+  std::vector<std::uint64_t> delivered;
+  std::vector<bool> gates;
+  Duration delay{0};
+  std::string process;
+};
+
+TEST_F(SimHostTest, ObserverSeesASampleFromItsWritingToItsDelivery) {
+  Watcher watcher;
+  core_.observer = &watcher;
+  read<topic::Goal>(drive_);
+  const auto writer = mission_.advertise(endpoint<topic::Goal>());
+  (void)writer->write(message<topic::Goal>());
+  run_for(1);
+  EXPECT_EQ(watcher.written, (std::vector<std::uint64_t>{1}));
+  EXPECT_EQ(watcher.sent, (std::vector<std::uint64_t>{1}));
+  EXPECT_EQ(watcher.delivered, (std::vector<std::uint64_t>{1}));
+  EXPECT_GT(watcher.delay, Duration{0});
+  EXPECT_EQ(watcher.process, "drive");
+}
+
+TEST_F(SimHostTest, ObserverKnowsASampleAgainThatTheGateHadKept) {
+  Watcher watcher;
+  core_.observer = &watcher;
+  read<topic::Goal>(drive_);
+  const auto writer = mission_.advertise(endpoint<topic::Goal>());
+  mission_.set_gate(false);
+  (void)writer->write(message<topic::Goal>());
+  (void)writer->write(message<topic::Goal>());
+  run_for(1);
+  EXPECT_TRUE(watcher.sent.empty());
+  mission_.set_gate(true);
+  run_for(1);
+  EXPECT_EQ(watcher.sent, (std::vector<std::uint64_t>{2}));
+  EXPECT_EQ(watcher.delivered, (std::vector<std::uint64_t>{2}));
+  EXPECT_GT(watcher.delay, seconds(1));
+  EXPECT_EQ(watcher.gates, (std::vector<bool>{false, true}));
+}
+
 TEST_F(SimHostTest, EveryWriteIsInTheDigest) {
   const std::uint64_t before = core_.digest.value();
   (void)drive_.advertise(endpoint<topic::Odom>())->write(message<topic::Odom>());
   EXPECT_NE(core_.digest.value(), before);
-  EXPECT_EQ(core_.digest.samples(), 1U);
+  EXPECT_EQ(core_.samples, 1U);
 }
 
 }  // namespace

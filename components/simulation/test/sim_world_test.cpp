@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "foundation/error.hpp"
 
 namespace tocsin::simulation {
@@ -57,6 +59,59 @@ TEST(SimWorld, WorldsInOneProcessDoNotTouchEachOther) {
   }
   EXPECT_EQ(last.digest, expected.digest);
   EXPECT_EQ(last.ticks, expected.ticks);
+}
+
+/// Counts what it is shown.
+class Counter : public Observer {
+ public:
+  void on_written(const Written& written) override {
+    ++samples;
+    EXPECT_EQ(written.sequence, ++last[&written.from]);
+    EXPECT_EQ(written.bytes > 0, written.from.scope == Scope::link);
+  }
+  void on_sent(const Sent& sent) override { in_air[sent.written] = sent.time; }
+  void on_delivered(const Delivered& delivered) override {
+    ++deliveries;
+    EXPECT_NE(delivered.from.host, delivered.to.host);
+    EXPECT_EQ(delivered.sent_at, in_air[delivered.written]);
+    EXPECT_GT(delivered.received, delivered.sent_at);
+  }
+  void on_channel(const radio::LinkReport&, Time) override { ++reports; }
+  void on_position(const BasePosition& base) override {
+    EXPECT_EQ(base.host, "uxv");
+    ++positions;
+  }
+  void on_step(Time now) override { now_ = now; }
+  std::uint64_t samples = 0;
+  int deliveries = 0;
+  int reports = 0;
+  int positions = 0;
+  Time now_{};
+  std::map<const TopicEnd*, std::uint64_t> last;
+  std::map<std::uint64_t, Time> in_air;
+};
+
+TEST(SimWorld, ShowsTheObserverWhatHappensAndIsNotChangedByIt) {
+  const Outcome alone = SimWorld(small()).run(seconds(10));
+  Counter counter;
+  WorldOptions options;
+  options.observer = &counter;
+  SimWorld sut(small(), options);
+  const Outcome outcome = sut.run(seconds(10));
+  EXPECT_EQ(outcome.digest, alone.digest);
+  EXPECT_EQ(counter.samples, outcome.samples);
+  EXPECT_EQ(counter.reports, 11);     // at start and each second
+  EXPECT_EQ(counter.positions, 101);  // at start and each 100 ms
+}
+
+TEST(SimWorld, WithoutDigestDoesTheSame) {
+  const Outcome with = SimWorld(small()).run(seconds(10));
+  WorldOptions options;
+  options.digest = false;
+  const Outcome outcome = SimWorld(small(), options).run(seconds(10));
+  EXPECT_EQ(outcome.digest, 0U);
+  EXPECT_EQ(outcome.ticks, with.ticks);
+  EXPECT_EQ(outcome.samples, with.samples);
 }
 
 TEST(SimWorld, RefusesAProgramWithoutAModel) {

@@ -4,9 +4,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "deployment/deployment.hpp"
 #include "foundation/time.hpp"
+#include "simulation/observer.hpp"
 
 namespace tocsin::simulation {
 
@@ -18,7 +21,18 @@ struct Outcome {
   std::uint64_t samples = 0;  ///< written, on all topics of all hosts
   std::uint64_t packets = 0;  ///< pushed onto the radio
   std::uint64_t ticks = 0;    ///< of components
-  std::uint64_t digest = 0;   ///< over (time, writer, bytes) of every sample written
+  std::uint64_t digest = 0;   ///< over (time, writer, bytes) of every sample written; 0: off
+};
+
+/// What to compute, and what to leave out, of a world.
+struct WorldOptions {
+  bool digest = true;
+  Observer* observer = nullptr;  ///< outlives the world
+  /// Component libraries that are not built, such as recorder. What a live_view reads is no longer
+  /// sent to it, which changes the traffic on the radio.
+  std::vector<std::string> without;
+  /// False: the run goes on when the process of `stop_when_exits` has ended.
+  bool ends_with_mission = true;
 };
 
 /// A whole bringup in virtual time, on one thread: its unmodified components, the base's model in
@@ -34,12 +48,13 @@ class SimWorld {
   /// Builds every component. Those of a container that owns the terminal are not ticked, but what
   /// they read is sent to them. `run_dir` of the deployment must exist; the recorders write there.
   /// Throws ConfigError as the components do, and for a program that has no model.
-  explicit SimWorld(deployment::Deployment deployment);
+  explicit SimWorld(deployment::Deployment deployment, const WorldOptions& options = {});
   ~SimWorld();
   SimWorld(const SimWorld&) = delete;
   SimWorld& operator=(const SimWorld&) = delete;
 
-  /// Runs until the process of `stop_when_exits` ends or the virtual clock has gone on by `limit`.
+  /// Runs until the process of `stop_when_exits` ends (unless the options say otherwise) or the
+  /// virtual clock has gone on by exactly `limit`.
   /// May be called again after the limit. A component that throws is ticked no more, like in a
   /// container; one that never comes to rest at one instant throws std::runtime_error.
   Outcome run(Duration limit);
