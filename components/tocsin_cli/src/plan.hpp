@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "command_line/programs.hpp"
 #include "deployment/deployment.hpp"
-#include "programs.hpp"
 
 namespace tocsin::cli {
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "command_line/programs.hpp"
 #include "foundation/error.hpp"
 #include "foundation/program.hpp"
-#include "programs.hpp"
 
 namespace tocsin::cli {
 namespace {

@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "toy_folder.hpp"
+#include "foundation/toy_folder.hpp"
 
 namespace tocsin::cli {
 

@@ -22,6 +22,14 @@ done
 exec sleep 1000
 )";
 
+/// Makes the user own the folder and its files.
+void give(const std::filesystem::path& folder, unsigned user) {
+  EXPECT_EQ(::chown(folder.c_str(), user, user), 0);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    EXPECT_EQ(::chown(entry.path().c_str(), user, user), 0);
+  }
+}
+
 class LaunchNetworkTest : public LaunchTest {
  protected:
   LaunchNetworkTest() { folder_.write_program("bin/link_emulator", toy_emulator); }
@@ -90,7 +98,7 @@ TEST_F(LaunchNetworkTest, WorksWithoutPrivilegesInAUserNamespace) {
     launch_file(yaml);
   } else {
     // As nobody; one capability stays, to open a TUN that only root may.
-    folder_.give_to(65534);
+    give(folder_.path(""), 65534);
     launch_file(yaml, {"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups",
                        "--inh-caps=-all,+dac_override", "--ambient-caps=+dac_override",
                        "--bounding-set=-all,+dac_override"});

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "foundation/error.hpp"
-#include "toy_folder.hpp"
+#include "foundation/toy_folder.hpp"
 
 namespace tocsin::cli {
 namespace {

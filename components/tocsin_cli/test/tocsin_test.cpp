@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "toy_folder.hpp"
+#include "foundation/toy_folder.hpp"
 
 namespace tocsin::cli {
 namespace {

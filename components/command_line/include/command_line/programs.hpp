@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tocsin::cli {
+namespace tocsin {
 
 /// Where programs are looked for, best first.
 using Folders = std::vector<std::filesystem::path>;
@@ -37,4 +37,4 @@ using Folders = std::vector<std::filesystem::path>;
 /// install; `<prefix>/share/tocsin` when neither is there.
 [[nodiscard]] std::filesystem::path share_folder(const std::filesystem::path& program);
 
-}  // namespace tocsin::cli
+}  // namespace tocsin

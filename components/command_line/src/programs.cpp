@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "programs.hpp"
+#include "command_line/programs.hpp"
 
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-namespace tocsin::cli {
+namespace tocsin {
 namespace fs = std::filesystem;
 namespace {
 
@@ -111,4 +111,4 @@ fs::path share_folder(const fs::path& program) {
   return prefix / "share/tocsin";
 }
 
-}  // namespace tocsin::cli
+}  // namespace tocsin

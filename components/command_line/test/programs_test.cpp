@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "programs.hpp"
+#include "command_line/programs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "toy_folder.hpp"
+#include "foundation/toy_folder.hpp"
 
-namespace tocsin::cli {
+namespace tocsin {
 namespace {
 
 using ::testing::ElementsAre;
@@ -74,4 +74,4 @@ TEST(Programs, FindsTheShareOfAMergedInstall) {
 }
 
 }  // namespace
-}  // namespace tocsin::cli
+}  // namespace tocsin

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
-namespace tocsin::cli {
+namespace tocsin {
 
-/// A folder in /tmp that is removed with everything in it.
+/// For tests: a folder in /tmp that is removed with everything in it.
 class ToyFolder {
  public:
   ToyFolder() {
     std::string name = "/tmp/tocsin_test_XXXXXX";
-    path_ = ::mkdtemp(name.data());
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("/tmp: no folder can be made");
+    path_ = name;
   }
   ~ToyFolder() { std::filesystem::remove_all(path_); }
   ToyFolder(const ToyFolder&) = delete;
@@ -35,13 +36,6 @@ class ToyFolder {
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
     return file;
   }
-  /// Makes the user own the folder and its files.
-  void give_to(unsigned user) const {
-    EXPECT_EQ(::chown(path_.c_str(), user, user), 0);
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
-      EXPECT_EQ(::chown(entry.path().c_str(), user, user), 0);
-    }
-  }
   /// The text of a file; empty when it is absent.
   [[nodiscard]] std::string read(const std::string& name) const {
     std::ostringstream text;
@@ -53,4 +47,4 @@ class ToyFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace tocsin::cli
+}  // namespace tocsin

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "deployment/deployment.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace tocsin {
+
+/// The arguments of every command that takes a bringup file.
+struct BringupOptions {
+  std::string file;
+  deployment::Overrides overrides;
+  int domain = -1;  ///< in place of the file's; -1: the file's
+
+  /// Adds FILE, --set, --without, --seed, --channel and --domain to a command.
+  void declare(CLI::App& app);
+  /// After parsing: fills in the installed share folder, and looks for a bare file name there when
+  /// it is not in the working folder.
+  void locate();
+};
+
+}  // namespace tocsin

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line/bringup_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "command_line/programs.hpp"
+
+namespace tocsin {
+
+namespace fs = std::filesystem;
+
+void BringupOptions::declare(CLI::App& app) {
+  app.add_option("FILE", file, "bringup file; a bare name is also looked for in the share")
+      ->required();
+  app.add_option("--set", overrides.set, "parameter of a component: name.key=value")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--without", overrides.without, "host/process that is left out")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--seed", overrides.seed, "value of ${seed}; decides everything random")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--channel", overrides.channel,
+                 "channel file of the radio, in place of the file's");
+  app.add_option("--domain", domain, "first of three DDS domain ids, in place of the file's")
+      ->check(CLI::Range(0, 229));
+}
+
+void BringupOptions::locate() {
+  overrides.share = share_folder(own_program()).string();
+  if (domain >= 0) overrides.domain = domain;
+  const fs::path shared = fs::path(overrides.share) / "bringup" / file;
+  const bool bare = file.find('/') == std::string::npos;
+  if (bare && !fs::exists(file) && fs::exists(shared)) file = shared.string();
+}
+
+}  // namespace tocsin
