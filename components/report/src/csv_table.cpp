@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "csv_table.hpp"
+#include "report/csv_table.hpp"
 
 #include <algorithm>
 #include <cmath>

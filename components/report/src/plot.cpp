@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plot.hpp"
+#include "report/plot.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "foundation/error.hpp"
-#include "summary.hpp"
+#include "report/summary.hpp"
 
 namespace tocsin::report {
 namespace {

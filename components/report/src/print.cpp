@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "print.hpp"
+#include "report/print.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recording.hpp"
+#include "report/recording.hpp"
 
 #include <yaml-cpp/yaml.h>
 
@@ -10,28 +10,16 @@
 #include <limits>
 #include <set>
 
-#include "csv_table.hpp"
 #include "deployment/deployment.hpp"
 #include "foundation/error.hpp"
 #include "foundation/yaml_file.hpp"
+#include "report/csv_table.hpp"
+#include "report/link_log.hpp"
 
 namespace tocsin::report {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Topic -> class, of what one role sends.
-using Classes = std::map<std::string, std::string>;
-
-Classes classes_of(const YAML::Node& traffic, const std::string& role) {
-  Classes classes;
-  for (const auto& entry : traffic[role]) {
-    for (const auto& topic : entry.second["topics"]) {
-      classes[topic.Scalar()] = role + " " + entry.first.Scalar();
-    }
-  }
-  return classes;
-}
 
 std::string file_of(std::string topic) {
   std::replace(topic.begin(), topic.end(), '/', '.');
@@ -57,6 +45,19 @@ Arrival arrival_of(const CsvTable& table, std::size_t row) {
           table.text(row, "writer"),
           std::strtoull(table.text(row, "sequence").c_str(), nullptr, 10),
           table.number(row, "bytes")};
+}
+
+/// Adds what `role` wrote, as its own recorder saw it.
+void add_written(const Classes& classes, const std::string& role, Recording& recording) {
+  const std::string folder = recording.folder + "/" + role;
+  std::map<std::string, std::uint64_t> rows;
+  const CsvTable table = CsvTable::read(folder + "/messages.csv");
+  for (std::size_t row = 0; row < table.rows(); ++row) ++rows[table.text(row, "topic")];
+  for (const auto& [topic, name] : classes) {
+    const std::size_t own = own_samples(recording.folder, topic, role).size();
+    const auto found = rows.find(topic);
+    recording.written[name] += own > 0 ? own : found == rows.end() ? 0 : found->second;
+  }
 }
 
 /// Adds what `receiver` got from the other side.
@@ -96,7 +97,17 @@ void add_qualities(Recording& recording) {
   const CsvTable table = vehicle_table(recording.folder, "network_quality");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     recording.qualities.push_back({table.number(row, "send_s"), table.number(row, "per_percent"),
-                                   table.number(row, "signal_dbm")});
+                                   table.number(row, "signal_dbm"),
+                                   table.number(row, "rtt_mean_ms")});
+  }
+}
+
+void add_path(Recording& recording) {
+  const CsvTable table = vehicle_table(recording.folder, "location");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    recording.path.push_back({table.number(row, "send_s"),
+                              table.number(row, "pose.pose.position.x"),
+                              table.number(row, "pose.pose.position.y")});
   }
 }
 
@@ -133,16 +144,32 @@ void find_limits(Recording& recording) {
 
 }  // namespace
 
+Classes load_classes(const std::string& traffic_file, const std::string& role) {
+  const YAML::Node traffic = read_yaml_file(traffic_file);
+  Classes classes;
+  for (const auto& entry : traffic[role]) {
+    for (const auto& topic : entry.second["topics"]) {
+      classes[topic.Scalar()] = role + " " + entry.first.Scalar();
+    }
+  }
+  return classes;
+}
+
 Recording load_recording(const std::string& folder) {
   Recording recording;
   recording.folder = folder;
   const auto deployment = deployment::load_resolved(folder + "/deployment.yaml");
-  const YAML::Node traffic = read_yaml_file(deployment.traffic);
-  add_arrivals(classes_of(traffic, "uxv"), "gcs", recording);
-  add_arrivals(classes_of(traffic, "gcs"), "uxv", recording);
+  const Classes up = load_classes(deployment.traffic, "uxv");
+  const Classes down = load_classes(deployment.traffic, "gcs");
+  add_arrivals(up, "gcs", recording);
+  add_arrivals(down, "uxv", recording);
+  add_written(up, "uxv", recording);
+  add_written(down, "gcs", recording);
   add_decisions(recording);
   add_qualities(recording);
   add_mission(recording);
+  add_path(recording);
+  recording.link = read_link_log(folder + "/radio.jsonl");
   find_limits(recording);
   return recording;
 }

@@ -7,10 +7,10 @@
 
 #include "foundation/error.hpp"
 #include "foundation/program.hpp"
-#include "plot.hpp"
-#include "print.hpp"
-#include "recording.hpp"
-#include "summary.hpp"
+#include "report/plot.hpp"
+#include "report/print.hpp"
+#include "report/recording.hpp"
+#include "report/summary.hpp"
 
 namespace tocsin::report {
 namespace {

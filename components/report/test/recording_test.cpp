@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recording.hpp"
+#include "report/recording.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,6 +52,27 @@ TEST(Recording, ReadsQualityAndMission) {
   EXPECT_EQ(sut.mission.state, "done");
   EXPECT_EQ(sut.mission.goals_sent, 12);
   EXPECT_EQ(sut.mission.elapsed_s, 99.5);
+}
+
+TEST(Recording, CountsWhatWasWrittenHeldBackOrNot) {
+  const ToyRun run;
+  run.write("uxv/messages.csv",
+            "receive_s,send_s,topic,writer,sequence,bytes\n"
+            "1000,1000,camera/image,0,1,1000\n1001,1001,camera/image,0,2,1000\n"
+            "1000,1000,transmission_state,0,1,50\n1010,1010,transmission_state,7,1,50\n");
+  const Recording sut = load_recording(run.path());
+  EXPECT_EQ(sut.written.at("uxv low"), 2U);
+  EXPECT_EQ(sut.written.at("uxv critical"), 4U);  // rows of the table with role uxv
+}
+
+TEST(Recording, KnowsWhereTheVehicleWas) {
+  const ToyRun run;
+  run.write("uxv/location.csv",
+            "receive_s,send_s,pose.pose.position.x,pose.pose.position.y\n1000,1000,1.5,-2\n");
+  const Recording sut = load_recording(run.path());
+  ASSERT_THAT(sut.path, SizeIs(1));
+  EXPECT_EQ(sut.path[0].x_m, 1.5);
+  EXPECT_EQ(sut.path[0].y_m, -2);
 }
 
 TEST(Recording, KnowsItsFirstAndLastTime) {

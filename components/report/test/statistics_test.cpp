@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "statistics.hpp"
+#include "report/statistics.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "summary.hpp"
+#include "report/summary.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "print.hpp"
+#include "report/print.hpp"
 #include "toy_run.hpp"
 
 namespace tocsin::report {

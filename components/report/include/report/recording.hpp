@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "statistics.hpp"
+#include "report/statistics.hpp"
 
 namespace tocsin::report {
 
@@ -22,7 +23,25 @@ struct Decision {
 struct Quality {
   double time_s;
   double per_percent;
-  double signal_dbm;  ///< NaN: unknown
+  double signal_dbm;       ///< NaN: unknown
+  double rtt_mean_ms = 0;  ///< NaN: no probe was answered
+};
+
+/// Where the vehicle said it was, map frame.
+struct Place {
+  double time_s;
+  double x_m;
+  double y_m;
+};
+
+/// What the radio itself tells, once a second: the truth behind the measurements.
+struct LinkState {
+  double time_s;
+  double mean_snr_db;  ///< at the vehicle's place, mean over fading
+  double busy_share;   ///< [0,1] of the second, other stations included
+  double airtime_s;    ///< of our frames, both directions, since start
+  double bytes;        ///< of IP packets, both directions, since start
+  double late_ms;      ///< longest the emulator was late; 0 in simulation
 };
 
 /// The last that mission control reported.
@@ -42,10 +61,20 @@ struct Recording {
   std::map<std::string, std::vector<Arrival>> arrivals;
   std::vector<Decision> decisions;
   std::vector<Quality> qualities;
+  /// Who sends and class -> samples that its components wrote, sent or held back by the gate.
+  std::map<std::string, std::uint64_t> written;
+  std::vector<Place> path;
+  std::vector<LinkState> link;
   Mission mission;
   double begin_s = 0;  ///< first and last time seen
   double end_s = 0;
 };
+
+/// Topic -> class, of what one role sends.
+using Classes = std::map<std::string, std::string>;
+
+/// The classes of a traffic file, named "uxv low", "gcs high" and so on. Throws ConfigError.
+[[nodiscard]] Classes load_classes(const std::string& traffic_file, const std::string& role);
 
 /// Reads the folder of a run: `deployment.yaml` names the traffic classes, `uxv/` and `gcs/` hold
 /// the recorders' files. Throws ConfigError when the folder is not one of a run, or holds no

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "recording.hpp"
+#include "report/recording.hpp"
 
 namespace tocsin::report {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "recording.hpp"
+#include "report/recording.hpp"
 
 namespace tocsin::report {
 

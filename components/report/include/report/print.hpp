@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "summary.hpp"
+#include "report/summary.hpp"
 
 namespace tocsin::report {
 
