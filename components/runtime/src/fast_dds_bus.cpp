@@ -26,11 +26,13 @@ class FastDdsBus : public Bus {
                loopback,
                {loopback},
                options.processes + 2,
-               false}) {
+               false,
+               options.shared_memory,
+               profiles_.flow_controllers()}) {
     if (options.link_address.empty()) return;
-    link_ = std::make_unique<FastDdsParticipant>(
-        ParticipantOptions{options.name + "_link", options.link_domain, options.link_address,
-                           options.link_peers, options.processes + 2, true});
+    link_ = std::make_unique<FastDdsParticipant>(ParticipantOptions{
+        options.name + "_link", options.link_domain, options.link_address, options.link_peers,
+        options.processes + 2, true, false, profiles_.flow_controllers()});
   }
 
   std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;

@@ -24,6 +24,9 @@ struct BusOptions {
   /// participants of a process in one row and asks peers by number, so a process that has had
   /// many buses needs more.
   int processes = 8;
+  /// Samples go to other processes of this host by shared memory instead of loopback UDP. A
+  /// process that is killed leaves files in /dev/shm; the next start removes them.
+  bool shared_memory = false;
 };
 
 /// The bus on Fast DDS in real time. Host topics use loopback only; link topics also use the

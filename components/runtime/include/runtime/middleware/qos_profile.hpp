@@ -1,54 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
 #include <map>
 #include <string>
+#include <vector>
+
+#include "runtime/middleware/qos_policies.hpp"
+
+namespace YAML {
+class Node;
+}
 
 namespace tocsin {
 
-/// What the writers of a topic offer and its readers request, in the words of the DDS policies.
-struct QosProfile {
-  std::string reliability = "reliable";
-  std::string durability = "volatile";
-  int depth = 1;
-  double lifespan_s = std::numeric_limits<double>::infinity();
-  double heartbeat_period_s = 0.2;
-  double nack_response_delay_s = 0.0;
-  double heartbeat_response_delay_s = 0.0;
+/// Shares a bound on bytes per period among the asynchronous writers that name it.
+struct FlowController {
+  std::string scheduler = "high_priority";
+  int max_bytes_per_period = 0;
+  double period_s = 0.01;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    constexpr double inf = std::numeric_limits<double>::infinity();
-    v("reliability", reliability, {"reliable", "best_effort"},
-      "reliable repairs losses by retransmission");
-    v("durability", durability, {"volatile", "transient_local"},
-      "transient_local gives a late reader the last samples");
-    v("depth", depth, {1, 10000}, "[1] KEEP_LAST history of writer and reader");
-    v("lifespan_s", lifespan_s, {0.001, inf}, "[s] an older sample is never delivered");
-    v("heartbeat_period_s", heartbeat_period_s, {0.001, 3600},
-      "[s] between heartbeats of a reliable writer with unacknowledged samples");
-    v("nack_response_delay_s", nack_response_delay_s, {0, 10},
-      "[s] a writer waits before it answers a negative acknowledgement");
-    v("heartbeat_response_delay_s", heartbeat_response_delay_s, {0, 10},
-      "[s] a reader waits before it answers a heartbeat");
+    v("scheduler", scheduler, {"fifo", "round_robin", "high_priority", "priority_with_reservation"},
+      "who is sent next");
+    v("max_bytes_per_period", max_bytes_per_period, {0, 2147483647},
+      "[B] sent in a period; 0: unlimited");
+    v("period_s", period_s, {0.001, 10}, "[s] a writer of high priority waits this long at most");
   }
-
-  [[nodiscard]] bool reliable() const { return reliability == "reliable"; }
-  [[nodiscard]] bool keeps_last() const { return durability == "transient_local"; }
 };
 
-/// The profiles of one file, by name.
+/// What a topic has in place of its profile's values.
+struct TopicOverride {
+  double max_rate_hz = -1;           ///< negative: the profile's
+  double minimum_separation_s = -1;  ///< negative: the profile's
+};
+
+/// The QoS file: profiles by name, `flow_controllers`, and overrides by topic under `topics`.
 class QosProfiles {
  public:
   /// Reads config/qos.yaml. Throws ConfigError with file and line.
   explicit QosProfiles(const std::string& path);
-  /// Throws ConfigError naming the topic when the profile is missing.
-  [[nodiscard]] const QosProfile& of(const std::string& profile, const std::string& topic) const;
+  /// The profile with the overrides of `topic`. Throws ConfigError naming the topic when the
+  /// profile is missing or the overrides contradict it.
+  [[nodiscard]] QosProfile of(const std::string& profile, const std::string& topic) const;
+  [[nodiscard]] const std::map<std::string, FlowController>& flow_controllers() const {
+    return flow_controllers_;
+  }
+  /// Topics that have overrides, for whoever knows which topics there are.
+  [[nodiscard]] std::vector<std::string> overridden_topics() const;
 
  private:
+  void read_profile(const std::string& name, const YAML::Node& node);
+  void read_flow_controllers(const YAML::Node& node);
+  void read_overrides(const YAML::Node& node);
+
   std::string path_;
   std::map<std::string, QosProfile> profiles_;
+  std::map<std::string, FlowController> flow_controllers_;
+  std::map<std::string, TopicOverride> overrides_;
 };
 
 }  // namespace tocsin

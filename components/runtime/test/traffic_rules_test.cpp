@@ -7,7 +7,6 @@
 #include <string>
 
 #include "foundation/error.hpp"
-#include "runtime/middleware/qos_profile.hpp"
 #include "runtime/middleware/traffic_rules.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -41,49 +40,6 @@ std::string error_of(const Call& call) {
 }
 
 const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config";
-
-template <class Topic>
-void expect_profile(const QosProfiles& profiles) {
-  EXPECT_EQ(error_of([&] { (void)profiles.of(Topic::info.qos, Topic::info.name); }), "no error");
-}
-
-TEST(QosProfiles, ShippedFileHasTheProfileOfEveryTopic) {
-  const QosProfiles sut(config + "/qos.yaml");
-  expect_profile<topic::CmdVel>(sut);
-  expect_profile<topic::Odom>(sut);
-  expect_profile<topic::Location>(sut);
-  expect_profile<topic::NavigationStatus>(sut);
-  expect_profile<topic::CameraImage>(sut);
-  expect_profile<topic::Goal>(sut);
-  expect_profile<topic::TransmissionState>(sut);
-  expect_profile<topic::TrafficReport>(sut);
-}
-
-TEST(QosProfiles, AMissingProfileNamesTopicAndFile) {
-  const File file("sensor: {depth: 5}\n");
-  const QosProfiles sut(file.path());
-  const std::string text = error_of([&] { (void)sut.of("state", "goal"); });
-  EXPECT_THAT(text, HasSubstr("topic goal: QoS profile 'state' is not in " + file.path()));
-  EXPECT_THAT(text, HasSubstr("it has: sensor"));
-}
-
-TEST(QosProfiles, AnUnknownPolicyNamesItsLine) {
-  const File file("sensor:\n  depth: 5\n  deadlinex: 1\n");
-  EXPECT_THAT(error_of([&] { QosProfiles{file.path()}; }),
-              HasSubstr("sensor.deadlinex: unknown key"));
-  EXPECT_THAT(error_of([&] { QosProfiles{file.path()}; }), HasSubstr(":3)"));
-}
-
-TEST(QosProfiles, DepthMustBePositive) {
-  const File file("sensor: {depth: 0}");
-  EXPECT_THAT(error_of([&] { QosProfiles{file.path()}; }),
-              HasSubstr("sensor.depth: 0 is outside [1, 10000]"));
-}
-
-TEST(QosProfiles, AnUnreadableFileIsNamed) {
-  EXPECT_THAT(error_of([] { QosProfiles{"/nowhere/qos.yaml"}; }),
-              HasSubstr("/nowhere/qos.yaml: cannot be read"));
-}
 
 TEST(TrafficRules, ShippedFilePausesTheCameraAndKeepsTheNewestGoal) {
   const TrafficRules uxv(config + "/traffic.yaml", "uxv");

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/rtps/common/Time_t.h>
+#include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
+#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "runtime/middleware/qos_profile.hpp"
+
+namespace eprosima::fastdds::rtps {
+struct FlowControllerDescriptor;
+}
+
+namespace tocsin {
+
+/// Seconds as Fast DDS has them; infinity stays infinity.
+[[nodiscard]] eprosima::fastrtps::Duration_t dds_duration(double s);
+
+/// A profile in the words of Fast DDS. `radio`: on the link, where writers are asynchronous.
+[[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(const QosProfile& profile,
+                                                               bool radio);
+[[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(const QosProfile& profile);
+
+/// `name` must live as long as the participant does.
+[[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::FlowControllerDescriptor> descriptor_of(
+    const char* name, const FlowController& controller);
+
+}  // namespace tocsin
