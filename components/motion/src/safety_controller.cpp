@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "motion/safety_controller.hpp"
 
+#include <cmath>
+
 namespace tocsin::motion {
 namespace {
 
@@ -8,12 +10,18 @@ bool any(const Hazards& hazards) {
   return hazards.bumper != 0 || hazards.cliff != 0 || hazards.wheel_drop != 0;
 }
 
+bool same(const BodyVelocity& a, const BodyVelocity& b) {
+  return a.linear_mps == b.linear_mps && a.angular_rad_s == b.angular_rad_s;
+}
+
 }  // namespace
 
-void SafetyController::on_sensors(const Hazards& hazards, Time now) {
+void SafetyController::on_hazards(const Hazards& hazards, Time now) {
+  const bool was = any(now_);
+  if (was) last_hazard_ = now;
   now_ = hazards;
-  last_sensors_ = now;
   if (!any(hazards)) return;
+  if (!was) hazard_since_ = now;
   extended_ = hazards;
   last_hazard_ = now;
 }
@@ -28,10 +36,10 @@ Hazards SafetyController::present(Time now) const {
 
 std::optional<BodyVelocity> SafetyController::override_velocity(Time now) const {
   const Hazards hazards = present(now);
-  if (hazards.wheel_drop != 0) return BodyVelocity{};
+  if (stopped_ || hazards.wheel_drop != 0) return BodyVelocity{};
   const unsigned front = hazards.bumper | hazards.cliff;
   if (front == 0 || params_.stop_only) return std::nullopt;
-  if (now - last_sensors_ > seconds(params_.silence_s)) return BodyVelocity{};
+  if (now - hazard_since_ >= seconds(params_.back_off_s)) return std::nullopt;
   if ((front & kobuki::centre_bit) != 0) return BodyVelocity{-params_.back_off_mps, 0};
   if ((front & kobuki::left_bit) != 0) {
     return BodyVelocity{-params_.back_off_mps, -params_.turn_rad_s};
@@ -39,11 +47,42 @@ std::optional<BodyVelocity> SafetyController::override_velocity(Time now) const 
   return BodyVelocity{-params_.back_off_mps, params_.turn_rad_s};
 }
 
+/// No forward motion into a bump or cliff; backwards and turning stay possible.
 BodyVelocity SafetyController::filter(const BodyVelocity& wanted, Time now) const {
+  if (!std::isfinite(wanted.linear_mps) || !std::isfinite(wanted.angular_rad_s)) return {};
   const Hazards hazards = present(now);
-  if (hazards.wheel_drop != 0) return {};
   const bool into = (hazards.bumper | hazards.cliff) != 0 && wanted.linear_mps > 0;
   return into ? BodyVelocity{0, wanted.angular_rad_s} : wanted;
+}
+
+BodyVelocity SafetyController::send(const BodyVelocity& velocity, Time now) {
+  sent_ = velocity;
+  next_repeat_ = now + repeat;
+  return velocity;
+}
+
+BodyVelocity SafetyController::on_wanted(const BodyVelocity& wanted, Time now) {
+  const auto own = override_velocity(now);
+  overriding_ = own.has_value();
+  return send(own ? *own : filter(wanted, now), now);
+}
+
+std::optional<BodyVelocity> SafetyController::update(Time now) {
+  const auto own = override_velocity(now);
+  const bool ended = overriding_ && !own;
+  overriding_ = own.has_value();
+  if (own) {
+    const bool due = now >= next_repeat_ && !same(*own, {});
+    if (same(*own, sent_) && !due) return std::nullopt;
+    return send(*own, now);
+  }
+  const BodyVelocity held = ended ? BodyVelocity{} : filter(sent_, now);
+  if (same(held, sent_)) return std::nullopt;
+  return send(held, now);
+}
+
+Time SafetyController::next_deadline(Time now) const {
+  return override_velocity(now) && !same(sent_, {}) ? next_repeat_ : never;
 }
 
 }  // namespace tocsin::motion

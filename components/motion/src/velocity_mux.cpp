@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include "foundation/error.hpp"
@@ -21,11 +22,43 @@ void check(const std::vector<MuxInput>& inputs) {
       throw ConfigError(place + ".priority: " + std::to_string(input.priority) +
                         " is taken by another input");
     }
-    if (!(input.timeout_s > 0)) throw ConfigError(place + ".timeout_s: must be greater than 0");
+    if (!(input.timeout_s > 0 && input.timeout_s <= 60)) {
+      throw ConfigError(place + ".timeout_s: must be greater than 0, at most 60");
+    }
   }
 }
 
+MuxInput parse_input(const std::string& text) {
+  std::istringstream words(text);
+  MuxInput input;
+  std::string rest;
+  if (words >> input.name >> input.priority >> input.timeout_s && !(words >> rest)) return input;
+  throw ConfigError("velocity_mux.inputs: '" + text + "' is not: name priority timeout_s");
+}
+
 }  // namespace
+
+std::vector<MuxInput> parse_inputs(const std::string& text) {
+  std::vector<MuxInput> inputs;
+  std::istringstream items(text);
+  for (std::string item; std::getline(items, item, ',');) inputs.push_back(parse_input(item));
+  check(inputs);
+  return inputs;
+}
+
+std::string to_text(const std::vector<MuxInput>& inputs) {
+  std::ostringstream text;
+  for (const MuxInput& input : inputs) {
+    if (text.tellp() > 0) text << ", ";
+    text << input.name << ' ' << input.priority << ' ' << input.timeout_s;
+  }
+  return text.str();
+}
+
+void VelocityMux::on_emergency_stop(bool pressed) {
+  stopped_ = pressed;
+  if (stopped_ && active_) active_->timeout_s = 0;
+}
 
 void VelocityMux::set_inputs(std::vector<MuxInput> inputs) {
   check(inputs);
@@ -48,7 +81,7 @@ const MuxInput* VelocityMux::find(const std::string& name) const {
 std::optional<BodyVelocity> VelocityMux::on_command(const std::string& name,
                                                     const BodyVelocity& velocity, Time now) {
   const MuxInput* input = find(name);
-  if (input == nullptr) return std::nullopt;
+  if (input == nullptr || stopped_) return std::nullopt;
   const bool blocked = active_ && !expired(now) && active_->priority > input->priority;
   if (blocked) return std::nullopt;
   active_ = *input;

@@ -7,7 +7,10 @@
 namespace tocsin::motion {
 namespace {
 
+constexpr double shortest_silence_s = 0.2;  // the reference has none, and brakes at any hiccup
 constexpr double longest_silence_s = 0.5;
+
+bool is_zero(const BodyVelocity& v) { return v.linear_mps == 0 && v.angular_rad_s == 0; }
 
 /// How much of a change fits into `limit`.
 double share(double change, double limit) {
@@ -38,31 +41,56 @@ double VelocitySmoother::timeout_s() const {
   if (heard_ < window) return longest_silence_s;
   auto sorted = periods_s_;
   std::nth_element(sorted.begin(), sorted.begin() + window / 2, sorted.end());
-  return std::min(3 * sorted[window / 2], longest_silence_s);
+  return std::clamp(3 * sorted[window / 2], shortest_silence_s, longest_silence_s);
 }
 
 bool VelocitySmoother::silent(Time now) const {
   return last_command_ == Time::min() || now - last_command_ > seconds(timeout_s());
 }
 
+BodyVelocity VelocitySmoother::wanted(Time now) const {
+  return silent(now) ? BodyVelocity{} : target_;
+}
+
+bool VelocitySmoother::settled(Time now) const {
+  const BodyVelocity to = wanted(now);
+  return to.linear_mps == current_.linear_mps && to.angular_rad_s == current_.angular_rad_s;
+}
+
+std::optional<BodyVelocity> VelocitySmoother::update(Time now) {
+  if (settled(now)) {
+    if (is_zero(current_) || now < next_repeat_) return std::nullopt;
+  } else {
+    if (now < next_step_) return std::nullopt;
+    next_step_ = now + seconds(1 / params_.frequency_hz);
+  }
+  next_repeat_ = now + seconds(params_.repeat_s);
+  return step(now);
+}
+
+Time VelocitySmoother::next_deadline(Time now) const {
+  if (!settled(now)) return next_step_;
+  if (is_zero(current_)) return never;
+  const Time silence = last_command_ + seconds(timeout_s()) + std::chrono::nanoseconds(1);
+  return std::min(next_repeat_, silence);
+}
+
 BodyVelocity VelocitySmoother::step(Time now) {
-  const BodyVelocity wanted = silent(now) ? BodyVelocity{} : target_;
+  const BodyVelocity to = wanted(now);
   const double period_s = 1.0 / params_.frequency_hz;
-  const double dv = wanted.linear_mps - current_.linear_mps;
-  const double dw = wanted.angular_rad_s - current_.angular_rad_s;
+  const double dv = to.linear_mps - current_.linear_mps;
+  const double dw = to.angular_rad_s - current_.angular_rad_s;
   const double limit_v =
-      limit(current_.linear_mps, wanted.linear_mps, params_.accel_lim_v_mps2, params_.decel_factor);
-  const double limit_w = limit(current_.angular_rad_s, wanted.angular_rad_s,
-                               params_.accel_lim_w_rad_s2, params_.decel_factor);
+      limit(current_.linear_mps, to.linear_mps, params_.accel_lim_v_mps2, params_.decel_factor);
+  const double limit_w = limit(current_.angular_rad_s, to.angular_rad_s, params_.accel_lim_w_rad_s2,
+                               params_.decel_factor);
   const double part = std::min(share(dv, limit_v * period_s), share(dw, limit_w * period_s));
   current_.linear_mps += part * dv;
   current_.angular_rad_s += part * dw;
-  if (part == 1.0) current_ = wanted;  // no rounding residue around zero
+  if (part == 1.0) current_ = to;  // no rounding residue around zero
   return current_;
 }
 
-bool VelocitySmoother::at_rest(Time now) const {
-  return silent(now) && current_.linear_mps == 0 && current_.angular_rad_s == 0;
-}
+bool VelocitySmoother::at_rest(Time now) const { return silent(now) && is_zero(current_); }
 
 }  // namespace tocsin::motion

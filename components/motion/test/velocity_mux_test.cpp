@@ -85,5 +85,35 @@ TEST(VelocityMux, RefusesBadListsAndKeepsTheOld) {
   EXPECT_TRUE(sut.on_command("mission", {0.3, 0}, t0));
 }
 
+TEST(VelocityMux, PassesNothingDuringAnEmergencyStop) {
+  VelocityMux sut = make();
+  (void)sut.on_command("mission", {0.3, 0}, t0);
+  sut.on_emergency_stop(true);
+  const auto out = sut.on_time(t0);
+  ASSERT_TRUE(out);
+  EXPECT_EQ(out->linear_mps, 0);
+  EXPECT_FALSE(sut.on_command("teleop", {0.1, 0}, t0 + seconds(0.1)));
+  EXPECT_EQ(sut.active(), "idle");
+  sut.on_emergency_stop(false);
+  EXPECT_TRUE(sut.on_command("teleop", {0.1, 0}, t0 + seconds(0.2)));
+}
+
+TEST(MuxInputs, AreReadAndWrittenInTheSameWords) {
+  const std::string text = "teleop 30 0.5, navigation 10 0.25";
+  const auto inputs = parse_inputs(text);
+  ASSERT_EQ(inputs.size(), 2U);
+  EXPECT_EQ(inputs[1].name, "navigation");
+  EXPECT_EQ(inputs[1].priority, 10);
+  EXPECT_EQ(inputs[1].timeout_s, 0.25);
+  EXPECT_EQ(to_text(inputs), text);
+}
+
+TEST(MuxInputs, RefuseWordsThatAreNoInput) {
+  for (const char* text : {"", ",", "teleop", "teleop high 1", "teleop 1 1 1", "teleop 1 nan",
+                           "teleop 1 0", "teleop 1 61", "a 1 1, b 1 1"}) {
+    EXPECT_THROW((void)parse_inputs(text), ConfigError) << text;
+  }
+}
+
 }  // namespace
 }  // namespace tocsin::motion

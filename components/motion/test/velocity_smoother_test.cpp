@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace tocsin::motion {
 namespace {
@@ -56,13 +59,24 @@ TEST_F(Smoother, ScalesFastCommandsAsAWhole) {
 
 TEST_F(Smoother, BrakesToZeroWhenTheSourceFallsSilent) {
   drive({0.3, 0}, 50);
-  coast(3);  // three median periods are still fresh
+  coast(4);  // 0.2 s are still fresh
   EXPECT_DOUBLE_EQ(velocity.linear_mps, 0.3);
   coast(1);
   EXPECT_LT(velocity.linear_mps, 0.3);
   coast(20);
   EXPECT_EQ(velocity.linear_mps, 0);
   EXPECT_TRUE(sut.at_rest(now));
+}
+
+TEST_F(Smoother, WaitsForThreePeriodsOfASlowSource) {
+  for (int i = 0; i < 40; ++i) {
+    if (i % 2 == 0) sut.on_command({0.3, 0}, now);
+    velocity = sut.step(now += period);
+  }
+  coast(4);  // 0.3 s after the last command
+  EXPECT_DOUBLE_EQ(velocity.linear_mps, 0.3);
+  coast(1);
+  EXPECT_LT(velocity.linear_mps, 0.3);
 }
 
 TEST_F(Smoother, BrakesByTheDecelFactor) {
@@ -84,6 +98,52 @@ TEST_F(Smoother, ReversesThroughZero) {
   drive({-0.15, 0}, 10);
   EXPECT_NEAR(velocity.linear_mps, 0, 1e-9);
   EXPECT_NEAR(drive({-0.15, 0}, 20).linear_mps, -0.15, 1e-9);
+}
+
+/// Runs `sut` by its deadlines alone for a while; the outputs, with their instants.
+struct Outputs {
+  std::vector<std::pair<Time, double>> all;
+  void run(VelocitySmoother& sut, Time from, Time to) {
+    for (Time now = from; now <= to; now = std::max(now, sut.next_deadline(now))) {
+      if (const auto out = sut.update(now)) all.push_back({now, out->linear_mps});
+      if (sut.next_deadline(now) <= now) break;
+    }
+  }
+};
+
+TEST_F(Smoother, HasNothingToDoAtRest) {
+  EXPECT_EQ(sut.next_deadline(now), never);
+  EXPECT_FALSE(sut.update(now));
+  sut.on_command({0, 0}, now);
+  EXPECT_EQ(sut.next_deadline(now), never);
+}
+
+TEST_F(Smoother, AnswersTheFirstCommandAtOnceAndStepsWithItsPeriod) {
+  sut.on_command({0.03, 0}, now);
+  EXPECT_DOUBLE_EQ(sut.update(now)->linear_mps, 0.015);
+  EXPECT_EQ(sut.next_deadline(now), now + period);
+  EXPECT_FALSE(sut.update(now + period - std::chrono::nanoseconds(1)));
+  EXPECT_DOUBLE_EQ(sut.update(now + period)->linear_mps, 0.03);
+}
+
+TEST_F(Smoother, RepeatsASteadyVelocityFourTimesASecond) {
+  sut.on_command({0.01, 0}, now);
+  ASSERT_TRUE(sut.update(now));
+  for (int i = 0; i < 20; ++i) {
+    now += period;
+    sut.on_command({0.01, 0}, now);
+    EXPECT_EQ(sut.update(now).has_value(), i % 5 == 4) << i;
+  }
+}
+
+TEST_F(Smoother, ComesToRestByItsDeadlinesWhenTheSourceDies) {
+  sut.on_command({0.06, 0}, now);
+  Outputs outputs;
+  outputs.run(sut, now, now + seconds(5));
+  ASSERT_FALSE(outputs.all.empty());
+  EXPECT_EQ(outputs.all.back().second, 0);
+  EXPECT_LE(outputs.all.back().first - now, seconds(0.5) + 4 * period + seconds(0.01));
+  EXPECT_EQ(sut.next_deadline(now + seconds(5)), never);
 }
 
 }  // namespace

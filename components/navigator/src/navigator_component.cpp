@@ -98,7 +98,7 @@ void NavigatorComponent::take_goal(const topic::Goal::Message& message, Time now
 void NavigatorComponent::drive(const navigation::Velocity& velocity) {
   const bool stands = velocity.v_mps == 0 && velocity.w_radps == 0;
   if (stands && is_standing_) return;
-  topic::CmdVel::Message message;
+  topic::CmdVelNavigation::Message message;
   message.linear().x(velocity.v_mps);
   message.angular().z(velocity.w_radps);
   is_standing_ = cmd_vel_.write(std::move(message)) == Status::ok && stands;

@@ -81,12 +81,12 @@ class NavigatorComponentTest : public ::testing::Test {
   Context context_{bus_, "navigator", "uxv", ""};
   NavigatorComponent::Params params_;
   std::unique_ptr<NavigatorComponent> sut_;
-  SimReader<topic::CmdVel> commands_{bus_};
+  SimReader<topic::CmdVelNavigation> commands_{bus_};
   SimReader<topic::Location> locations_{bus_};
   SimReader<topic::NavigationStatus> statuses_{bus_};
   navigation::Pose2 odom_;
   bool has_odometry_ = true;
-  topic::CmdVel::Message command_;
+  topic::CmdVelNavigation::Message command_;
   topic::NavigationStatus::Message status_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "foundation/time.hpp"
 #include "kobuki_protocol/velocity.hpp"
@@ -13,8 +14,9 @@ using kobuki::BodyVelocity;
 /// Limits speed and acceleration so that the base follows the commanded radius.
 ///
 /// A command beyond a speed limit is scaled as a whole. Each step moves towards it along the
-/// straight line in (v, w), as far as both acceleration limits allow. A source that falls silent is
-/// a command to stop, reached with the deceleration limits. Pure; `now` must not decrease.
+/// straight line in (v, w), as far as both acceleration limits allow. A source that falls silent
+/// for three of its periods (at least 0.2, at most 0.5 s) is a command to stop, reached with the
+/// deceleration limits. Pure; `now` must not decrease.
 class VelocitySmoother {
  public:
   struct Params {
@@ -24,6 +26,7 @@ class VelocitySmoother {
     double accel_lim_w_rad_s2 = 3.5;
     double decel_factor = 1.0;
     double frequency_hz = 20;
+    double repeat_s = 0.25;
     template <class Visitor>
     void visit(Visitor& v) {
       v("speed_lim_v_mps", speed_lim_v_mps, {0.01, 2}, "[m/s] greatest speed");
@@ -32,14 +35,19 @@ class VelocitySmoother {
       v("accel_lim_w_rad_s2", accel_lim_w_rad_s2, {0.01, 50},
         "[rad/s2] greatest turn acceleration");
       v("decel_factor", decel_factor, {0.1, 10}, "[1] deceleration over acceleration limits");
-      v("frequency_hz", frequency_hz, {5, 100}, "[Hz] of output");
+      v("frequency_hz", frequency_hz, {5, 100}, "[Hz] of output while the velocity changes");
+      v("repeat_s", repeat_s, {0.05, 0.5}, "[s] between outputs of a velocity that stays");
     }
   };
 
   explicit VelocitySmoother(const Params& params) : params_(params) {}
   /// NaN or infinity in either part is a stop.
   void on_command(const BodyVelocity& velocity, Time now);
-  /// The velocity for the next period; call at `frequency_hz`.
+  /// The velocity to send now, if one is due; call after each command and at `next_deadline`.
+  [[nodiscard]] std::optional<BodyVelocity> update(Time now);
+  /// `never` at rest.
+  [[nodiscard]] Time next_deadline(Time now) const;
+  /// The velocity for the next period; call at `frequency_hz`, or `update` in its place.
   [[nodiscard]] BodyVelocity step(Time now);
   /// Whether nothing moves and nothing is wanted: the output may fall silent.
   [[nodiscard]] bool at_rest(Time now) const;
@@ -48,6 +56,8 @@ class VelocitySmoother {
   static constexpr std::size_t window = 5;
   [[nodiscard]] bool silent(Time now) const;
   [[nodiscard]] double timeout_s() const;
+  [[nodiscard]] BodyVelocity wanted(Time now) const;
+  [[nodiscard]] bool settled(Time now) const;
 
   Params params_;
   BodyVelocity target_;
@@ -55,6 +65,8 @@ class VelocitySmoother {
   std::array<double, window> periods_s_{};
   std::size_t heard_ = 0;
   Time last_command_ = Time::min();
+  Time next_step_ = Time::min();
+  Time next_repeat_ = Time::min();
 };
 
 }  // namespace tocsin::motion

@@ -53,7 +53,7 @@ class NavigatorComponent final : public Component {
   Input<topic::Goal> goal_{*this};
   Input<topic::EmergencyStop> emergency_stop_{*this};
   Input<topic::Heartbeat> heartbeat_{*this};
-  Output<topic::CmdVel> cmd_vel_{*this};
+  Output<topic::CmdVelNavigation> cmd_vel_{*this};
   Output<topic::Location> location_{*this};
   Output<topic::NavigationStatus> status_{*this};
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "kobuki_idl/topics.hpp"
+#include "motion/auto_docking.hpp"
+#include "runtime/component.hpp"
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// Drives the base into its dock when it is told to, and says how that went. Listens to the base's
+/// sensors only meanwhile.
+class AutoDockingComponent final : public Component {
+ public:
+  using Params = motion::AutoDocking::Params;
+  AutoDockingComponent(Context& context, const Params& params)
+      : Component(context), docking_(params), silence_(seconds(params.silence_s)) {}
+  void tick(Time now) override;
+
+ private:
+  struct Sensors {
+    explicit Sensors(Component& owner) : core(owner), infrared(owner), odom(owner) {}
+    Input<topic::SensorsCore> core;
+    Input<topic::DockInfrared> infrared;
+    Input<topic::Odom> odom;
+  };
+  void take_commands(Time now);
+  void start(Time now);
+  void take_sensors(Time now);
+  void send(const motion::BodyVelocity& velocity);
+  void report(Time now);
+
+  Input<topic::DockingCommand> command_{*this};
+  Output<topic::CmdVelDocking> cmd_vel_{*this};
+  Output<topic::DockingStatus> status_{*this};
+
+  motion::AutoDocking docking_;
+  Duration silence_;
+  std::optional<Sensors> sensors_;
+  motion::DockingInput seen_;
+  std::uint32_t run_ = 0;
+  Time started_{};
+  std::optional<motion::DockingState> reported_;
+  Time next_report_{};
+};
+
+}  // namespace tocsin

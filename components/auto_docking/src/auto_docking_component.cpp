@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "auto_docking/auto_docking_component.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+
+using motion::DockingState;
+
+namespace {
+
+constexpr Duration report_period = std::chrono::seconds(1);
+
+double yaw_of(const geometry_msgs::msg::Quaternion& q) {
+  return std::atan2(2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
+}
+
+}  // namespace
+
+void AutoDockingComponent::tick(Time now) {
+  take_commands(now);
+  if (sensors_) take_sensors(now);
+  const bool ended = sensors_ && (docking_.watch(now) || !docking_.running());
+  if (ended) {
+    sensors_.reset();
+    send({});
+  }
+  report(now);
+  if (sensors_) wake_at(now + silence_ + std::chrono::milliseconds(1));
+}
+
+void AutoDockingComponent::take_commands(Time now) {
+  while (const auto command = command_.take()) {
+    if (command->data() == "start") {
+      start(now);
+    } else if (command->data() == "cancel") {
+      docking_.cancel();
+    } else {
+      log().warn("'{}' is not a command; they are: start, cancel", command->data());
+    }
+  }
+}
+
+/// A start while docking runs is not a new one: the operator may repeat it over a bad link.
+void AutoDockingComponent::start(Time now) {
+  if (docking_.running()) return;
+  docking_.start(now);
+  sensors_.emplace(*this);
+  seen_ = {};
+  started_ = now;
+  ++run_;
+}
+
+/// Decides once per frame, with each sample of core sensors; the infrared of it may come after it
+/// and then counts for the next one.
+void AutoDockingComponent::take_sensors(Time now) {
+  if (const auto odom = sensors_->odom.take_latest()) {
+    seen_.heading_rad = yaw_of(odom->pose().pose().orientation());
+  }
+  while (const auto infrared = sensors_->infrared.take()) {
+    if (infrared->data().size() < 3) continue;
+    seen_.infrared = {infrared->data()[0], infrared->data()[1], infrared->data()[2]};
+  }
+  while (const auto core = sensors_->core.take()) {
+    seen_.bumper = core->bumper();
+    seen_.charger = core->charger();
+    const motion::BodyVelocity velocity = docking_.update(seen_, now);
+    if (docking_.running()) send(velocity);
+  }
+}
+
+void AutoDockingComponent::send(const motion::BodyVelocity& velocity) {
+  topic::CmdVelDocking::Message message;
+  message.linear().x(velocity.linear_mps);
+  message.angular().z(velocity.angular_rad_s);
+  if (cmd_vel_.write(std::move(message)) == Status::failed) log().warn("a velocity was not sent");
+}
+
+void AutoDockingComponent::report(Time now) {
+  const bool again = docking_.running() && now >= next_report_;
+  if (reported_ == docking_.state() && !again) return;
+  topic::DockingStatus::Message message;
+  message.stamp(wall(now));
+  message.run(run_);
+  message.state(motion::to_string(docking_.state()));
+  message.result(motion::to_string(docking_.result()));
+  message.elapsed_s(run_ == 0 ? 0.0F : static_cast<float>(to_seconds(now - started_)));
+  if (status_.write(std::move(message)) == Status::failed) return;
+  if (docking_.state() == DockingState::done)
+    log().info("{}", motion::to_string(docking_.result()));
+  reported_ = docking_.state();
+  next_report_ = now + report_period;
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::AutoDockingComponent)

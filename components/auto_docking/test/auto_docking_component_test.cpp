@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "auto_docking/auto_docking_component.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "runtime/sim_bus.hpp"
+
+namespace tocsin {
+namespace {
+
+class AutoDockingComponentTest : public ::testing::Test {
+ protected:
+  AutoDockingComponentTest() {
+    bus_.add(sut_);
+    bus_.run_for(seconds(0.1));
+  }
+  void command(const char* text) {
+    topic::DockingCommand::Message message;
+    message.data(text);
+    bus_.publish<topic::DockingCommand>(message);
+    bus_.run_for(seconds(0.001));
+  }
+  /// Frames of the base at 50 Hz, with what the centre receiver sees.
+  void frames(double s, std::uint8_t centre = 0, std::uint8_t charger = 0) {
+    for (int i = 0; i < std::lround(s * 50); ++i) {
+      bus_.publish<topic::Odom>({});
+      topic::DockInfrared::Message infrared;
+      infrared.data({0, centre, 0});
+      topic::SensorsCore::Message core;
+      core.charger(charger);
+      bus_.publish<topic::SensorsCore>(core);
+      bus_.publish<topic::DockInfrared>(infrared);
+      bus_.run_for(seconds(0.02));
+    }
+  }
+  topic::DockingStatus::Message status() {
+    for (const auto& one : statuses_.take()) status_ = one;
+    return status_;
+  }
+
+  SimBus bus_;
+  Context context_{bus_, "auto_docking", "uxv", ""};
+  SimReader<topic::CmdVelDocking> commands_{bus_};
+  SimReader<topic::DockingStatus> statuses_{bus_};
+  AutoDockingComponent sut_{context_, {}};
+  topic::DockingStatus::Message status_;
+};
+
+TEST_F(AutoDockingComponentTest, IsIdleAndAsleepUntilItIsTold) {
+  frames(1);
+  EXPECT_TRUE(commands_.take().empty());
+  EXPECT_EQ(status().state(), "idle");
+  EXPECT_EQ(sut_.schedule().due(), never);
+  bus_.publish<topic::SensorsCore>({});
+  EXPECT_FALSE(sut_.schedule().input_pending);
+}
+
+TEST_F(AutoDockingComponentTest, ScansDrivesInAndReportsThatItIsDocked) {
+  command("start");
+  frames(0.1);
+  EXPECT_EQ(status().state(), "scan");
+  EXPECT_NEAR(commands_.take().back().angular().z(), 0.66, 1e-9);
+  frames(0.5, 8);
+  EXPECT_EQ(status().state(), "aligned_far");
+  frames(1, 2, 6);
+  EXPECT_EQ(status().state(), "done");
+  EXPECT_EQ(status().result(), "docked");
+  EXPECT_EQ(commands_.take().back().linear().x(), 0);
+  EXPECT_EQ(sut_.schedule().due(), never);
+}
+
+TEST_F(AutoDockingComponentTest, StopsWithAZeroWhenItIsCancelled) {
+  command("start");
+  frames(0.5, 8);
+  EXPECT_GT(commands_.take().back().linear().x(), 0);
+  command("cancel");
+  EXPECT_EQ(status().result(), "cancelled");
+  EXPECT_EQ(commands_.take().back().linear().x(), 0);
+  frames(1, 8);
+  EXPECT_TRUE(commands_.take().empty());
+}
+
+TEST_F(AutoDockingComponentTest, StopsWhenTheSensorsFallSilent) {
+  command("start");
+  frames(0.5, 8);
+  bus_.run_for(seconds(0.47));
+  EXPECT_EQ(status().result(), "none");
+  bus_.run_for(seconds(0.05));
+  EXPECT_EQ(status().result(), "sensors_lost");
+  EXPECT_EQ(commands_.take().back().linear().x(), 0);
+}
+
+TEST_F(AutoDockingComponentTest, AStartWhileItRunsChangesNothing) {
+  command("start");
+  frames(0.5, 8);
+  command("start");
+  EXPECT_EQ(status().run(), 1U);
+  EXPECT_EQ(status().state(), "aligned_far");
+}
+
+TEST_F(AutoDockingComponentTest, StartsAgainAfterAnEnd) {
+  command("start");
+  command("cancel");
+  command("start");
+  frames(0.1);
+  EXPECT_EQ(status().run(), 2U);
+  EXPECT_EQ(status().result(), "none");
+}
+
+TEST_F(AutoDockingComponentTest, IgnoresOtherWords) {
+  command("go");
+  EXPECT_EQ(status().run(), 0U);
+}
+
+TEST_F(AutoDockingComponentTest, ReportsOnceASecondWhileItRuns) {
+  command("start");
+  frames(0.1);
+  statuses_.take();
+  frames(3);
+  EXPECT_NEAR(static_cast<double>(statuses_.take().size()), 3, 1);
+}
+
+TEST_F(AutoDockingComponentTest, LivesWithAnInfraredMessageThatIsTooShort) {
+  command("start");
+  bus_.publish<topic::DockInfrared>({});
+  frames(0.1);
+  EXPECT_EQ(status().state(), "scan");
+}
+
+}  // namespace
+}  // namespace tocsin

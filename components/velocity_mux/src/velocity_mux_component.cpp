@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "velocity_mux/velocity_mux_component.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+
+VelocityMuxComponent::VelocityMuxComponent(Context& context, const Params& params)
+    : Component(context), mux_(motion::parse_inputs(params.inputs)) {
+  make_sources();
+  report_inputs();
+}
+
+void VelocityMuxComponent::tick(Time now) {
+  while (const auto stop = emergency_stop_.take()) mux_.on_emergency_stop(stop->data());
+  take_list();
+  take_commands(now);
+  if (const auto zero = mux_.on_time(now)) send(*zero);
+  report_active();
+  wake_at(mux_.next_deadline());
+}
+
+/// Ports for new inputs; those of inputs that are gone go, the others keep what waits in them.
+void VelocityMuxComponent::make_sources() {
+  std::vector<std::unique_ptr<Source>> sources;
+  for (const motion::MuxInput& input : mux_.inputs()) {
+    const auto kept = std::find_if(sources_.begin(), sources_.end(), [&](const auto& source) {
+      return source && source->name == input.name;
+    });
+    if (kept != sources_.end()) {
+      sources.push_back(std::move(*kept));
+      continue;
+    }
+    sources.push_back(std::make_unique<Source>(Source{input.name, "cmd_vel/" + input.name, {}}));
+    const TopicInfo info{sources.back()->topic.c_str(), topic::CmdVel::info.qos, Scope::host};
+    sources.back()->port =
+        std::make_unique<InputPort>(*this, Endpoint{info, &type_info<topic::CmdVel::Message>()});
+  }
+  sources_ = std::move(sources);
+}
+
+void VelocityMuxComponent::take_list() {
+  const auto text = set_inputs_.take_latest();
+  if (!text) return;
+  try {
+    mux_.set_inputs(motion::parse_inputs(text->data()));
+    make_sources();
+    log().info("inputs are now: {}", text->data());
+  } catch (const ConfigError& wrong) {  // the list in force is said again below
+    log().warn("inputs stay as they are: {}", wrong.what());
+  }
+  report_inputs();
+}
+
+void VelocityMuxComponent::take_commands(Time now) {
+  for (const auto& source : sources_) {
+    while (const auto sample = source->port->take_sample()) {
+      const auto& wanted = *std::static_pointer_cast<const topic::CmdVel::Message>(sample->message);
+      const auto out =
+          mux_.on_command(source->name, {wanted.linear().x(), wanted.angular().z()}, now);
+      if (out) send(*out);
+    }
+  }
+}
+
+void VelocityMuxComponent::send(const motion::BodyVelocity& velocity) {
+  topic::CmdVelSelected::Message message;
+  message.linear().x(velocity.linear_mps);
+  message.angular().z(velocity.angular_rad_s);
+  if (selected_.write(std::move(message)) == Status::failed) log().warn("a velocity was not sent");
+}
+
+void VelocityMuxComponent::report_active() {
+  if (mux_.active() == reported_) return;
+  topic::MuxActive::Message message;
+  message.data(mux_.active());
+  if (active_.write(std::move(message)) != Status::failed) reported_ = mux_.active();
+}
+
+void VelocityMuxComponent::report_inputs() {
+  topic::MuxInputs::Message message;
+  message.data(motion::to_text(mux_.inputs()));
+  if (inputs_.write(std::move(message)) == Status::failed) log().warn("the inputs were not told");
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::VelocityMuxComponent)

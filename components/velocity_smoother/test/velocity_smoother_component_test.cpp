@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "velocity_smoother/velocity_smoother_component.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "runtime/sim_bus.hpp"
+
+namespace tocsin {
+namespace {
+
+class VelocitySmootherComponentTest : public ::testing::Test {
+ protected:
+  VelocitySmootherComponentTest() { bus_.add(sut_); }
+  /// Sends the command every 50 ms; the speeds that came out meanwhile.
+  std::vector<double> drive(double linear_mps, double s) {
+    for (int i = 0; i < std::lround(s * 20); ++i) {
+      topic::CmdVelSelected::Message message;
+      message.linear().x(linear_mps);
+      bus_.publish<topic::CmdVelSelected>(message);
+      bus_.run_for(seconds(0.05));
+    }
+    return speeds();
+  }
+  std::vector<double> coast(double s) {
+    bus_.run_for(seconds(s));
+    return speeds();
+  }
+  std::vector<double> speeds() {
+    std::vector<double> all;
+    for (const auto& command : commands_.take()) all.push_back(command.linear().x());
+    return all;
+  }
+
+  SimBus bus_;
+  Context context_{bus_, "velocity_smoother", "uxv", ""};
+  SimReader<topic::CmdVelSmoothed> commands_{bus_};
+  VelocitySmootherComponent sut_{context_, {}};
+};
+
+TEST_F(VelocitySmootherComponentTest, AcceleratesWithTheLimit) {
+  const auto all = drive(0.3, 1.0);
+  ASSERT_EQ(all.size(), 20U);
+  EXPECT_NEAR(all[0], 0.015, 1e-9);
+  EXPECT_NEAR(all[9], 0.15, 1e-9);
+}
+
+TEST_F(VelocitySmootherComponentTest, RepeatsASteadyVelocityOftenEnoughForTheDriver) {
+  drive(0.3, 2);
+  const auto all = drive(0.3, 10);
+  EXPECT_NEAR(static_cast<double>(all.size()), 40, 2);  // the driver's limit is 0.6 s
+  for (const double speed : all) EXPECT_EQ(speed, 0.3);
+}
+
+TEST_F(VelocitySmootherComponentTest, BrakesToZeroAndSleepsWhenTheMuxDies) {
+  drive(0.3, 2);
+  const auto all = coast(2);
+  EXPECT_EQ(all.back(), 0);
+  EXPECT_EQ(sut_.schedule().due(), never);
+  EXPECT_TRUE(coast(10).empty());
+}
+
+TEST_F(VelocitySmootherComponentTest, StandsAndSleepsBeforeTheFirstCommand) {
+  EXPECT_TRUE(coast(10).empty());
+  EXPECT_EQ(sut_.schedule().due(), never);
+}
+
+TEST_F(VelocitySmootherComponentTest, BrakesOnNumbersThatAreNone) {
+  drive(0.3, 2);
+  EXPECT_EQ(drive(std::nan(""), 2).back(), 0);
+}
+
+}  // namespace
+}  // namespace tocsin
