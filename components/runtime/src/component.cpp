@@ -3,21 +3,34 @@
 
 #include <utility>
 
-namespace tocsin {
+#include "runtime/port.hpp"
 
+namespace tocsin {
+namespace {
+
+thread_local const Waker* waker_of_this_thread = nullptr;
+
+}  // namespace
+
+void Waker::claim_this_thread() const { waker_of_this_thread = this; }
+
+// The flag and the waker pair up with the runner, which stores its waker, or that it sleeps, before
+// it looks at the flag: one of the two sees the other.
 void Schedule::input_arrived() {
-  input_pending.store(true, std::memory_order_release);
+  if (input_pending.exchange(true)) return;  // whoever set it has woken, too
+  const Waker* const waker = waker_.load();
+  if (waker == nullptr || waker == waker_of_this_thread) return;
   const std::lock_guard<std::mutex> lock(wake_mutex_);
-  if (wake_) wake_();
+  if (Waker* const still = waker_.load(std::memory_order_relaxed)) still->wake();
 }
 
-void Schedule::set_wake(std::function<void()> wake) {
+void Schedule::set_waker(Waker* waker) {
   const std::lock_guard<std::mutex> lock(wake_mutex_);
-  wake_ = std::move(wake);
+  waker_.store(waker);
 }
 
 void Schedule::begin_tick(Time now) {
-  input_pending.store(false, std::memory_order_relaxed);
+  input_pending.exchange(false);  // reads what the input's thread did before it set it
   deadline = never;
   if (period <= Duration::zero()) return;
   if (next_period == never) {
@@ -25,7 +38,7 @@ void Schedule::begin_tick(Time now) {
   } else if (now >= next_period) {
     next_period += period;
     if (next_period <= now) {
-      overruns += static_cast<std::uint64_t>((now - next_period) / period) + 1;
+      overruns += static_cast<std::uint64_t>((now - next_period) / period) + 1U;
       next_period = now + period;
     }
   }
@@ -38,6 +51,28 @@ void Component::wake_at(Time deadline) {
 void Component::forget(int descriptor) {
   auto& all = schedule_.descriptors;
   all.erase(std::remove(all.begin(), all.end(), descriptor), all.end());
+}
+
+void Component::add_port(InputPort& port) {
+  const std::lock_guard<std::mutex> lock(ports_mutex_);
+  ports_.push_back(&port);
+}
+
+void Component::remove_port(InputPort& port) {
+  const std::lock_guard<std::mutex> lock(ports_mutex_);
+  ports_.erase(std::remove(ports_.begin(), ports_.end(), &port), ports_.end());
+}
+
+std::vector<PortHealth> Component::port_health() const {
+  std::vector<PortHealth> all;
+  const std::lock_guard<std::mutex> lock(ports_mutex_);
+  for (const InputPort* port : ports_) all.push_back(port->health());
+  return all;
+}
+
+void Component::listen(bool on) {
+  const std::lock_guard<std::mutex> lock(ports_mutex_);
+  for (InputPort* port : ports_) port->listen(on);
 }
 
 builtin_interfaces::msg::Time Component::wall(Time now) const {

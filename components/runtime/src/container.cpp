@@ -51,17 +51,18 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
   for (const deployment::ComponentInstance& one : container.components) {
     const ComponentEntry& entry = load_component(one.component);
     Instance& instance = add_instance(one.name);
-    instance.component = entry.create(instance.context, *one.parameters, deployment.file);
+    instance.component = entry.create(*instance.context, *one.parameters, deployment.file);
   }
   Instance& gate = add_instance("gate");
   gate.component =
-      std::make_unique<GateComponent>(gate.context, GateComponent::Params{}, container.name);
+      std::make_unique<GateComponent>(*gate.context, GateComponent::Params{}, container.name);
 }
 
 Container::Instance& Container::add_instance(const std::string& name) {
-  instances_.push_back(
-      {{*bus_, name, host_.role, deployment_.run_dir, request_exit_}, nullptr, nullptr});
-  return instances_.back();
+  Instance& instance = instances_.emplace_back();
+  instance.context = std::make_unique<Context>(
+      Context{*bus_, name, host_.role, deployment_.run_dir, request_exit_});
+  return instance;
 }
 
 Container::~Container() {
@@ -71,8 +72,8 @@ Container::~Container() {
 
 void Container::start() {
   for (Instance& instance : instances_) {
-    instance.runner = std::make_unique<Runner>(instance.context.name, *bus_);
-    instance.runner->add(*instance.component);
+    instance.runner = std::make_unique<Runner>(instance.context->name, *bus_);
+    instance.runner->add(*instance.component, instance.account);
   }
   for (Instance& instance : instances_) instance.runner->start();
 }

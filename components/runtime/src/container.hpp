@@ -26,8 +26,9 @@ class Container {
 
  private:
   struct Instance {
-    Context context;
+    std::unique_ptr<Context> context;
     std::unique_ptr<Component> component;
+    TickAccount account;
     std::unique_ptr<Runner> runner;
   };
   Instance& add_instance(const std::string& name);

@@ -1,46 +1,51 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runner.hpp"
 
-#include <poll.h>
 #include <pthread.h>
-#include <sys/eventfd.h>
-#include <unistd.h>
+#include <sys/prctl.h>
 
-#include <cstdint>
+#include <algorithm>
 #include <exception>
 #include <utility>
 
 namespace tocsin {
-namespace {
 
-timespec until(Time now, Time due) {
-  const Duration wait = due <= now ? Duration::zero() : due - now;
-  constexpr Duration longest = std::chrono::hours(1);  // tv_sec of `never` would overflow
-  const auto ns = std::min(wait, longest).count();
-  return {static_cast<time_t>(ns / 1'000'000'000), static_cast<long>(ns % 1'000'000'000)};
-}
-
-}  // namespace
-
-Runner::Runner(std::string name, Bus& bus)
-    : name_(std::move(name)), bus_(bus), wake_fd_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {}
+Runner::Runner(std::string name, Bus& bus, std::function<void()> on_failure)
+    : name_(std::move(name)), bus_(bus), on_failure_(std::move(on_failure)) {}
 
 Runner::~Runner() {
   stopping_ = true;
-  wake();
+  sleeper_.wake();
   if (thread_.joinable()) thread_.join();
-  for (Entry& entry : entries_) entry.component->schedule().set_wake(nullptr);
-  close(wake_fd_);
+  take_changes();
+  for (const Entry& entry : entries_) entry.component->schedule().set_waker(nullptr);
 }
 
-void Runner::wake() const {
-  const std::uint64_t one = 1;
-  [[maybe_unused]] const auto written = write(wake_fd_, &one, sizeof one);
+void Runner::add(Component& component, TickAccount& account) {
+  component.schedule().set_waker(&sleeper_);
+  {
+    const std::lock_guard<std::mutex> lock(changes_mutex_);
+    to_add_.push_back({&component, &account});
+    has_changes_ = true;
+  }
+  sleeper_.wake();
 }
 
-void Runner::add(Component& component) {
-  component.schedule().set_wake([this] { wake(); });
-  entries_.push_back({&component});
+bool Runner::remove(Component& component, Duration patience) {
+  std::unique_lock<std::mutex> lock(changes_mutex_);
+  to_remove_ = &component;
+  has_changes_ = true;
+  sleeper_.wake();
+  const bool running = thread_.joinable();
+  if (!running) {
+    lock.unlock();
+    take_changes();
+    lock.lock();
+  }
+  const bool removed = changed_.wait_for(lock, patience, [this] { return to_remove_ == nullptr; });
+  to_remove_ = nullptr;
+  if (removed) component.schedule().set_waker(nullptr);
+  return removed;
 }
 
 void Runner::start() {
@@ -49,58 +54,112 @@ void Runner::start() {
 }
 
 void Runner::run() {
-  for (Entry& entry : entries_) tick(entry, bus_.now());
+  prctl(PR_SET_TIMERSLACK, 1UL);  // the default adds up to 50 us to every deadline
+  sleeper_.claim_this_thread();
+  now_ = bus_.now();
   while (!stopping_) {
-    wait_until_due();
-    tick_due();
-  }
-}
-
-void Runner::wait_until_due() {
-  Time due = never;
-  std::vector<pollfd> polled{{wake_fd_, POLLIN, 0}};
-  for (const Entry& entry : entries_) {
-    if (entry.failed) continue;
-    Schedule& schedule = entry.component->schedule();
-    due = std::min(due, schedule.due());
-    for (const int descriptor : schedule.descriptors) polled.push_back({descriptor, POLLIN, 0});
-  }
-  const timespec timeout = until(bus_.now(), due);
-  ready_.clear();
-  if (ppoll(polled.data(), polled.size(), &timeout, nullptr) <= 0) return;
-  std::uint64_t count = 0;
-  if (polled[0].revents != 0) {
-    [[maybe_unused]] const auto drained = read(wake_fd_, &count, sizeof count);
-  }
-  for (const pollfd& one : polled) {
-    if (one.revents != 0) ready_.push_back(one.fd);
-  }
-}
-
-bool Runner::descriptor_ready(const Component& component) const {
-  const auto& watched = const_cast<Component&>(component).schedule().descriptors;
-  return std::find_first_of(ready_.begin(), ready_.end(), watched.begin(), watched.end()) !=
-         ready_.end();
-}
-
-void Runner::tick_due() {
-  for (Entry& entry : entries_) {
-    if (entry.failed || stopping_) continue;
-    const Time now = bus_.now();
-    const Schedule& schedule = entry.component->schedule();
-    if (schedule.input_pending || schedule.due() <= now || descriptor_ready(*entry.component)) {
-      tick(entry, now);
+    if (has_changes_) take_changes();
+    const bool ticked = tick_due();
+    sleeper_.forget_readable();
+    if (!ticked) {
+      sleep();
+      now_ = bus_.now();
+    } else if (++rounds_awake_ == 16) {
+      look_at_descriptors();
     }
   }
 }
 
-void Runner::tick(Entry& entry, Time now) {
-  entry.component->schedule().begin_tick(now);
+void Runner::take_changes() {
+  const std::lock_guard<std::mutex> lock(changes_mutex_);
+  has_changes_ = false;
+  entries_.insert(entries_.end(), to_add_.begin(), to_add_.end());
+  to_add_.clear();
+  if (to_remove_ == nullptr) return;
+  const auto is_it = [this](const Entry& entry) { return entry.component == to_remove_; };
+  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), is_it), entries_.end());
+  to_remove_ = nullptr;
+  changed_.notify_all();
+}
+
+bool Runner::tick_due() {
+  bool ticked = false;
+  for (Entry& entry : entries_) {
+    if (!is_due(entry)) continue;
+    if (stopping_) return true;
+    tick(entry);
+    ticked = true;
+  }
+  return ticked;
+}
+
+bool Runner::is_due(const Entry& entry) const {
+  if (entry.failed) return false;
+  const Schedule& schedule = entry.component->schedule();
+  return !entry.started || schedule.input_pending.load(std::memory_order_relaxed) ||
+         schedule.due() <= now_ || descriptor_ready(schedule);
+}
+
+bool Runner::descriptor_ready(const Schedule& schedule) const {
+  const auto& readable = sleeper_.readable();
+  const auto& watched = schedule.descriptors;
+  return !readable.empty() && std::find_first_of(readable.begin(), readable.end(), watched.begin(),
+                                                 watched.end()) != readable.end();
+}
+
+void Runner::tick(Entry& entry) {
+  entry.started = true;
+  const Time began = now_;
+  entry.account->begin(began);
+  entry.component->schedule().begin_tick(began);
+  std::string error = "something that is no std::exception";
   try {
-    entry.component->tick(now);
-  } catch (const std::exception& error) {
-    entry.failed = true;
-    Logger(entry.component->name()).error("failed and is ticked no more: {}", error.what());
+    entry.component->tick(began);
+    now_ = bus_.now();
+    entry.account->end(began, now_);
+    return;
+  } catch (const std::exception& thrown) {
+    error = thrown.what();
+  } catch (...) {  // NOLINT(bugprone-empty-catch): said below
+  }
+  now_ = bus_.now();
+  entry.failed = true;
+  Logger(entry.component->name()).error("failed and is ticked no more: {}", error);
+  entry.account->fail(error);
+  if (on_failure_) on_failure_();
+}
+
+bool Runner::has_work() const {
+  const auto pending = [](const Entry& entry) {
+    return !entry.failed && entry.component->schedule().input_pending;
+  };
+  return stopping_ || has_changes_ || std::any_of(entries_.begin(), entries_.end(), pending);
+}
+
+void Runner::sleep() {
+  rounds_awake_ = 0;
+  Time due = never;
+  for (const Entry& entry : entries_) {
+    if (!entry.failed) due = std::min(due, entry.component->schedule().due());
+  }
+  collect_descriptors();
+  sleeper_.announce();
+  if (!has_work()) sleeper_.sleep(due, descriptors_);
+}
+
+/// So that components that keep each other busy do not keep the others from theirs.
+void Runner::look_at_descriptors() {
+  rounds_awake_ = 0;
+  collect_descriptors();
+  if (!descriptors_.empty()) sleeper_.look(descriptors_);
+}
+
+void Runner::collect_descriptors() {
+  descriptors_.clear();
+  for (const Entry& entry : entries_) {
+    if (entry.failed) continue;
+    const auto& own = entry.component->schedule().descriptors;
+    descriptors_.insert(descriptors_.end(), own.begin(), own.end());
   }
 }
 

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <condition_variable>
+#include <future>
 #include <mutex>
 #include <stdexcept>
 
@@ -54,6 +56,8 @@ class Counting : public Component {
 
 class RunnerTest : public ::testing::Test {
  protected:
+  static constexpr Duration patience = std::chrono::seconds(10);
+  TickAccount account_;
   ClockBus bus_;
   Context context_{bus_, "counting", "uxv", ""};
 };
@@ -61,7 +65,7 @@ class RunnerTest : public ::testing::Test {
 TEST_F(RunnerTest, TicksOnceAtStartThenOnInput) {
   Counting component(context_);
   Runner sut("test", bus_);
-  sut.add(component);
+  sut.add(component, account_);
   sut.start();
   ASSERT_TRUE(component.wait_for_ticks(1));
   component.schedule().input_arrived();
@@ -78,7 +82,7 @@ TEST_F(RunnerTest, TicksAtADeadlineAndNotBefore) {
   };
   {
     Runner sut("test", bus_);
-    sut.add(component);
+    sut.add(component, account_);
     sut.start();
     ASSERT_TRUE(component.wait_for_ticks(2));
   }
@@ -98,7 +102,7 @@ TEST_F(RunnerTest, TicksWhenADescriptorIsReadable) {
   };
   {
     Runner sut("test", bus_);
-    sut.add(component);
+    sut.add(component, account_);
     sut.start();
     ASSERT_TRUE(component.wait_for_ticks(1));
     ASSERT_EQ(write(ends[1], "x", 1), 1);
@@ -113,14 +117,112 @@ TEST_F(RunnerTest, AThrowingComponentDiesAloneAndItsNeighbourGoesOn) {
   Counting good(context_);
   bad.on_tick = [](Time) { throw std::runtime_error("broken"); };
   Runner sut("test", bus_);
-  sut.add(bad);
-  sut.add(good);
+  TickAccount good_account;
+  sut.add(bad, account_);
+  sut.add(good, good_account);
   sut.start();
   ASSERT_TRUE(good.wait_for_ticks(1));
   bad.schedule().input_arrived();
   good.schedule().input_arrived();
   EXPECT_TRUE(good.wait_for_ticks(2));
   EXPECT_EQ(bad.ticks(), 1);
+  EXPECT_EQ(account_.read().error, "broken");
+  EXPECT_FALSE(good_account.failed());
+}
+
+TEST_F(RunnerTest, ReportsAFailureOfAnyKindToItsOwner) {
+  std::promise<void> failed;
+  Counting bad(context_);
+  bad.on_tick = [](Time) { throw 7; };
+  Runner sut("test", bus_, [&failed] { failed.set_value(); });
+  sut.add(bad, account_);
+  sut.start();
+  ASSERT_EQ(failed.get_future().wait_for(patience), std::future_status::ready);
+  EXPECT_EQ(account_.read().error, "something that is no std::exception");
+}
+
+TEST_F(RunnerTest, ARemovedComponentIsTickedNoMoreAndItsNeighbourGoesOn) {
+  Counting gone(context_);
+  Counting stays(context_);
+  TickAccount other;
+  Runner sut("test", bus_);
+  sut.add(gone, account_);
+  sut.add(stays, other);
+  sut.start();
+  ASSERT_TRUE(gone.wait_for_ticks(1));
+  ASSERT_TRUE(sut.remove(gone, patience));
+  const int ticks = gone.ticks();
+  gone.schedule().input_arrived();
+  stays.schedule().input_arrived();
+  EXPECT_TRUE(stays.wait_for_ticks(2));
+  EXPECT_EQ(gone.ticks(), ticks);
+}
+
+TEST_F(RunnerTest, TakesAComponentThatComesWhileItRuns) {
+  Counting late(context_);
+  Runner sut("test", bus_);
+  sut.start();
+  sut.add(late, account_);
+  EXPECT_TRUE(late.wait_for_ticks(1));
+  late.schedule().input_arrived();
+  EXPECT_TRUE(late.wait_for_ticks(2));
+}
+
+TEST_F(RunnerTest, DoesNotRemoveAComponentWhoseTickDoesNotEnd) {
+  std::promise<void> go_on;
+  Counting blocked(context_);
+  blocked.on_tick = [&](Time) { go_on.get_future().wait(); };
+  Runner sut("test", bus_);
+  sut.add(blocked, account_);
+  sut.start();
+  ASSERT_TRUE(blocked.wait_for_ticks(1));
+  EXPECT_FALSE(sut.remove(blocked, std::chrono::milliseconds(1)));
+  EXPECT_TRUE(account_.read().running_since.has_value());
+  go_on.set_value();
+}
+
+TEST_F(RunnerTest, NeighboursThatKeepEachOtherBusyDoNotStarveADescriptor) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  Counting busy(context_);
+  Counting watcher(context_);
+  std::promise<void> seen;
+  busy.on_tick = [&](Time) { busy.schedule().input_arrived(); };
+  watcher.watch(ends[0]);
+  watcher.on_tick = [&](Time) {
+    if (watcher.ticks() < 2) return;
+    watcher.unwatch(ends[0]);
+    seen.set_value();
+  };
+  TickAccount other;
+  {
+    Runner sut("test", bus_);
+    sut.add(busy, account_);
+    sut.add(watcher, other);
+    sut.start();
+    ASSERT_TRUE(watcher.wait_for_ticks(1));
+    ASSERT_EQ(write(ends[1], "x", 1), 1);
+    EXPECT_EQ(seen.get_future().wait_for(patience), std::future_status::ready);
+  }
+  close(ends[0]);
+  close(ends[1]);
+}
+
+/// Many inputs from another thread: none may find the runner asleep for good.
+TEST_F(RunnerTest, LosesNoWakeUp) {
+  Counting component(context_);
+  std::atomic<int> sent{0};
+  std::atomic<int> seen{0};
+  component.on_tick = [&](Time) { seen = sent.load(); };
+  Runner sut("test", bus_);
+  sut.add(component, account_);
+  sut.start();
+  for (int i = 1; i <= 20000; ++i) {
+    sent = i;
+    component.schedule().input_arrived();
+    const Time limit = bus_.now() + patience;
+    while (i % 16 == 0 && seen < i) ASSERT_LT(bus_.now(), limit);
+  }
 }
 
 }  // namespace

@@ -28,20 +28,32 @@ struct Context {
   Devices* devices = nullptr;  ///< of a simulated computer; null: the real ones
 };
 
+/// What sleeps until a component has something to do.
+class Waker {
+ public:
+  /// Any thread; must not block.
+  virtual void wake() = 0;
+  /// The waker whose thread this is needs no waking: it looks before it sleeps.
+  void claim_this_thread() const;
+
+ protected:
+  ~Waker() = default;
+};
+
 /// When a component runs next. The component asks through its protected functions; the runner
-/// reads. Only `input_arrived` and `set_wake` may be called from another thread.
+/// reads. Only `input_arrived` and `set_waker` may be called from another thread.
 struct Schedule {
   std::atomic<bool> input_pending{false};
   Time deadline = never;
   Duration period{0};
   Time next_period = never;
-  std::uint64_t overruns = 0;  ///< periods that were skipped because a tick came too late
+  std::atomic<std::uint64_t> overruns{0};  ///< periods that were skipped: a tick came too late
   std::vector<int> descriptors;
 
   void input_arrived();
-  /// `wake` is called with each input from now on, from any thread; null ends that, and waits for
-  /// a call that is running.
-  void set_wake(std::function<void()> wake);
+  /// `waker` is woken by the first input after each tick; null ends that, and waits for a call
+  /// that is running.
+  void set_waker(Waker* waker);
   /// The next instant at which a tick is due without input.
   [[nodiscard]] Time due() const { return std::min(deadline, next_period); }
   /// Forgets what the tick at `now` answers to.
@@ -49,8 +61,19 @@ struct Schedule {
 
  private:
   std::mutex wake_mutex_;
-  std::function<void()> wake_;
+  std::atomic<Waker*> waker_{nullptr};
 };
+
+/// Account of one input since start.
+struct PortHealth {
+  std::string topic;
+  std::uint64_t received = 0;
+  std::uint64_t dropped = 0;  ///< pushed out of the full queue before the component took it
+  std::size_t depth = 0;      ///< waiting now
+  Time last{};                ///< when the last one came; zero: none yet
+};
+
+class InputPort;
 
 /// A part of the vehicle: ports, parameters and a decision.
 ///
@@ -70,6 +93,9 @@ class Component {
   [[nodiscard]] const std::string& name() const { return context_.name; }
   [[nodiscard]] Bus& bus() { return context_.bus; }
   [[nodiscard]] Schedule& schedule() { return schedule_; }
+  /// For the container, any thread: account of all inputs; ending and resuming their supply.
+  [[nodiscard]] std::vector<PortHealth> port_health() const;
+  void listen(bool on);
 
  protected:
   /// Tick not later than `deadline`. The earliest wish since the start of the last tick counts;
@@ -86,9 +112,14 @@ class Component {
   [[nodiscard]] Logger& log() { return log_; }
 
  private:
+  friend class InputPort;
+  void add_port(InputPort& port);
+  void remove_port(InputPort& port);
   Context& context_;
   Schedule schedule_;
   Logger log_;
+  mutable std::mutex ports_mutex_;
+  std::vector<InputPort*> ports_;
 };
 
 }  // namespace tocsin

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "runtime/bus.hpp"
 #include "runtime/component.hpp"
+#include "runtime/middleware/sample_queue.hpp"
 
 namespace tocsin {
 
@@ -22,13 +23,21 @@ class InputPort : private Receiver {
 
   /// The oldest sample that was not taken yet.
   [[nodiscard]] std::optional<Sample> take_sample();
+  /// Any thread.
+  [[nodiscard]] PortHealth health() const;
+  /// For the container: unsubscribes and forgets what waits, or subscribes again as a late joiner.
+  void listen(bool on);
 
  private:
   static constexpr std::size_t capacity = 64;
   void receive(const Sample& sample) override;
   Component& owner_;
-  std::mutex mutex_;
-  std::deque<Sample> queue_;
+  const Endpoint endpoint_;
+  mutable std::mutex mutex_;
+  SampleQueue queue_{capacity};
+  std::uint64_t received_ = 0;
+  std::uint64_t dropped_ = 0;
+  Time last_{};
   std::unique_ptr<Subscription> subscription_;
 };
 
@@ -66,6 +75,10 @@ class Output {
   /// Never blocks on the network. Readers in this process get the very object, unserialised.
   Status write(Message message) {
     return publication_->write(std::make_shared<const Message>(std::move(message)));
+  }
+  /// The same for an object that exists already, for example one that was taken from an input.
+  Status write(const std::shared_ptr<const Message>& message) {
+    return publication_->write(message);
   }
 
  private:
