@@ -68,7 +68,7 @@ void BaseModel::power_cycle(Time now) {
 }
 
 double BaseModel::noise(double sigma) {
-  return sigma <= 0 ? 0 : std::normal_distribution<double>(0, sigma)(random_);
+  return sigma <= 0 ? 0 : sigma * normal_(random_);
 }
 
 void BaseModel::receive(ByteView bytes, Time now) {

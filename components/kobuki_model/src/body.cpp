@@ -10,15 +10,27 @@ namespace {
 
 // More than one step at full speed (0.7 m/s * 5 ms), so that a stopped body always presses.
 constexpr double bumper_travel_m = 0.005;
+constexpr double longest_reach_m = body_radius_m + bumper_travel_m;
+// Where no wall is within reach and this much more, none is asked for on so much way.
+constexpr double clear_m = 0.2;
+constexpr double look_again_m = 0.05;  // near a wall
 
 }  // namespace
 
 Body::Body(Surroundings surroundings, const Pose& start)
     : surroundings_(std::move(surroundings)), pose_(start) {}
 
+std::vector<double> Body::contacts(double x_m, double y_m, double radius_m) const {
+  const double way_m = look_ ? std::hypot(x_m - look_->x_m, y_m - look_->y_m) : clear_m;
+  if (way_m >= (look_ && !look_->clear ? look_again_m : clear_m)) {
+    look_ = Look{x_m, y_m, surroundings_(x_m, y_m, longest_reach_m + clear_m).empty()};
+  }
+  return look_->clear ? std::vector<double>{} : surroundings_(x_m, y_m, radius_m);
+}
+
 bool Body::goes_into(double x_m, double y_m, double direction_rad) const {
-  const auto contacts = surroundings_(x_m, y_m, body_radius_m);
-  return std::any_of(contacts.begin(), contacts.end(), [&](double bearing_rad) {
+  const auto touched = contacts(x_m, y_m, body_radius_m);
+  return std::any_of(touched.begin(), touched.end(), [&](double bearing_rad) {
     return std::cos(bearing_rad - direction_rad) > 0;  // leaving an obstacle is always possible
   });
 }
@@ -42,8 +54,7 @@ BodyVelocity Body::move(const BodyVelocity& wanted, double dt_s) {
 
 std::uint8_t Body::bumper() const {
   unsigned bits = 0;
-  for (const double bearing :
-       surroundings_(pose_.x_m, pose_.y_m, body_radius_m + bumper_travel_m)) {
+  for (const double bearing : contacts(pose_.x_m, pose_.y_m, longest_reach_m)) {
     bits |= bumper_bit(wrap_angle(bearing - pose_.heading_rad));
   }
   return static_cast<std::uint8_t>(bits);

@@ -79,6 +79,12 @@ Time SerialLine::next_delivery() const {
   return std::min(by_timer, wire_[missing - 1].at);
 }
 
+Time SerialLine::last_delivery() const {
+  const bool may_fill = latency() / byte_time >= params_.usb_packet_bytes;  // that moves the timer
+  if (wire_.empty() || may_fill) return next_delivery();
+  return timer_at_or_after(wire_.back().at);
+}
+
 void SerialLine::clear() {
   wire_.clear();
   packet_.clear();

@@ -42,6 +42,24 @@ TEST(Body, StopsAtAWallAndPressesItsBumper) {
   EXPECT_EQ(sut.bumper(), centre_bit);
 }
 
+TEST(Body, MeetsAWallAfterALongFreeWayAtTheSamePlaceAsFromNearBy) {
+  for (const double start_m : {-3.0, 0.0, 0.3, 0.55, 0.7}) {
+    Body sut(walled({{1, -5, 1, 5, 0}}), {start_m, 0, 0});
+    drive(sut, {0.5, 0}, 9);
+    EXPECT_LE(sut.pose().x_m, 1 - body_radius_m + 1e-9) << start_m;
+    EXPECT_GT(sut.pose().x_m, 1 - body_radius_m - 0.005) << start_m;
+  }
+}
+
+TEST(Body, MeetsAWallAfterItWasPlacedElsewhere) {
+  Body sut = facing_wall(1);
+  drive(sut, {0.5, 0}, 0.1);
+  sut.place({0.8, 0, 0});
+  drive(sut, {0.5, 0}, 0.1);
+  EXPECT_TRUE(sut.blocked());
+  EXPECT_EQ(sut.bumper(), centre_bit);
+}
+
 TEST(Body, LeavesAWallBackwards) {
   Body sut = facing_wall(1);
   drive(sut, {0.5, 0}, 4);

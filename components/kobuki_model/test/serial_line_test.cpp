@@ -55,6 +55,26 @@ TEST(SerialLine, HandsOverAtTheLatencyTimer) {
   EXPECT_EQ(got[0].size(), 23U);
 }
 
+TEST(SerialLine, IsDoneAtTheLastDeliveryWithNothingLateAndNothingLeft) {
+  for (const int timer_ms : {1, 2, 5, 16}) {
+    SerialLine each(latency(timer_ms), 1, t0);
+    SerialLine whole(latency(timer_ms), 1, t0);
+    const Bytes frame(86, 7);
+    for (SerialLine* line : {&each, &whole}) line->send({frame.data(), frame.size()}, t0);
+    Time last{};
+    while (each.next_delivery() != never)
+      each.deliver(last = each.next_delivery(), [](ByteView) {});
+    std::size_t bytes = 0;
+    Time at{};
+    while (whole.last_delivery() != never) {
+      at = whole.last_delivery();
+      whole.deliver(at, [&bytes](ByteView p) { bytes += p.size; });
+    }
+    EXPECT_EQ(at, last) << timer_ms;
+    EXPECT_EQ(bytes, frame.size());
+  }
+}
+
 /// 300 frames of a base through the line and a reassembler.
 std::uint64_t received_frames(const LineParams& params, std::uint64_t seed) {
   BaseModel model(ModelParams{}, open_floor(), {}, seed, t0);

@@ -3,16 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tocsin::navigation {
 namespace {
 
-/// A cell of the disc around a wall cell, with the cost that the wall gives to it.
-struct DiscCell {
-  int column;
-  int row;
-  std::uint16_t cost;
-};
+constexpr std::uint16_t nothing = 1;  // less than any cost
 
 std::uint16_t cost_at(double distance_m, const InflationParams& params) {
   const double blocked_m = params.robot_radius_m + params.margin_m;
@@ -21,19 +17,6 @@ std::uint16_t cost_at(double distance_m, const InflationParams& params) {
   const double share = (params.soft_radius_m - distance_m) / (params.soft_radius_m - blocked_m);
   return static_cast<std::uint16_t>(
       std::lround(CostMap::plain * (1 + std::min(params.soft_weight, 50.0) * share * share)));
-}
-
-std::vector<DiscCell> disc_of(double resolution_m, const InflationParams& params) {
-  const double reach_m = std::max(params.robot_radius_m + params.margin_m, params.soft_radius_m);
-  const int reach = static_cast<int>(std::ceil(reach_m / resolution_m));
-  std::vector<DiscCell> disc;
-  for (int row = -reach; row <= reach; ++row) {
-    for (int column = -reach; column <= reach; ++column) {
-      const double distance_m = std::hypot(column, row) * resolution_m;
-      if (distance_m <= reach_m) disc.push_back({column, row, cost_at(distance_m, params)});
-    }
-  }
-  return disc;
 }
 
 /// Cells in the middle of a wall add nothing to what the wall's rim inflates.
@@ -63,6 +46,28 @@ bool is_outermost(const Grid& grid, CellIndex c) {
 
 }  // namespace
 
+/// A row of the disc around a wall cell, with the costs that the wall gives to its cells; an odd
+/// number of them, the middle one in the wall's column.
+struct CostMap::DiscRow {
+  int row;
+  std::vector<std::uint16_t> costs;
+};
+
+std::vector<CostMap::DiscRow> CostMap::disc_of(double resolution_m, const InflationParams& params) {
+  const double reach_m = std::max(params.robot_radius_m + params.margin_m, params.soft_radius_m);
+  const int reach = static_cast<int>(std::ceil(reach_m / resolution_m));
+  std::vector<DiscRow> disc;
+  for (int row = -reach; row <= reach; ++row) {
+    DiscRow cells{row, {}};
+    for (int column = -reach; column <= reach; ++column) {
+      const double distance_m = std::hypot(column, row) * resolution_m;
+      cells.costs.push_back(distance_m <= reach_m ? cost_at(distance_m, params) : nothing);
+    }
+    disc.push_back(std::move(cells));
+  }
+  return disc;
+}
+
 CostMap::CostMap(const OccupancyMap& map, const InflationParams& params)
     : grid_(map.grid()), costs_(grid_.size(), 0) {
   for (int row = 0; row < grid_.height; ++row) {
@@ -73,14 +78,23 @@ CostMap::CostMap(const OccupancyMap& map, const InflationParams& params)
   }
   const auto disc = disc_of(grid_.resolution_m, params);
   for (const CellIndex wall : rim_of(map)) {
-    for (const DiscCell& d : disc) raise({wall.column + d.column, wall.row + d.row}, d.cost);
+    for (const DiscRow& row : disc) raise(wall, row);
   }
 }
 
-void CostMap::raise(CellIndex c, std::uint16_t cost) {
-  if (!grid_.contains(c)) return;
-  std::uint16_t& old = costs_[grid_.offset(c)];
-  old = cost == 0 || old == 0 ? std::uint16_t{0} : std::max(old, cost);
+void CostMap::raise(CellIndex wall, const DiscRow& disc) {
+  const int row = wall.row + disc.row;
+  if (row < 0 || row >= grid_.height) return;
+  const int half = static_cast<int>(disc.costs.size() / 2);
+  const int first = std::max(0, wall.column - half);
+  const int last = std::min(grid_.width - 1, wall.column + half);
+  std::uint16_t* const costs = &costs_[grid_.offset({first, row})];
+  const std::uint16_t* const asked =
+      &disc.costs[static_cast<std::size_t>(first - (wall.column - half))];
+  const auto rank = [](std::uint16_t cost) { return static_cast<std::uint16_t>(cost - 1U); };
+  for (int i = 0; i <= last - first; ++i) {  // 0 - 1 is the dearest rank
+    costs[i] = rank(asked[i]) > rank(costs[i]) ? asked[i] : costs[i];
+  }
 }
 
 bool CostMap::blocked(const Point2& p) const {

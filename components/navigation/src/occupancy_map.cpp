@@ -89,8 +89,9 @@ bool OccupancyMap::collides(double x, double y, double radius_m) const {
   for (int i = std::max(0, clamp(row - reach, grid_.height)); i <= last_row; ++i) {
     const double dy = distance_to_interval(y - grid_.origin.y, i * r, (i + 1) * r);
     for (int j = std::max(0, clamp(column - reach, grid_.width)); j <= last_column; ++j) {
+      if (at(CellIndex{j, i}) != Cell::occupied) continue;
       const double dx = distance_to_interval(x - grid_.origin.x, j * r, (j + 1) * r);
-      if (at(CellIndex{j, i}) == Cell::occupied && std::hypot(dx, dy) <= radius_m) return true;
+      if (std::hypot(dx, dy) <= radius_m) return true;
     }
   }
   return false;

@@ -13,36 +13,32 @@ constexpr int most_rounds = 10'000;
 }  // namespace
 
 void Scheduler::add(Component& component, std::function<bool()> running) {
-  entries_.push_back({&component, std::move(running)});
-}
-
-Time Scheduler::next() const {
-  Time next = never;
-  for (const Entry& entry : entries_) {
-    if (!entry.failed) next = std::min(next, entry.component->schedule().due());
-  }
-  return next;
-}
-
-bool Scheduler::due(Entry& entry, Time now) {
-  const Schedule& schedule = entry.component->schedule();
-  const bool wanted = !entry.started || schedule.input_pending || schedule.due() <= now;
-  return wanted && !entry.failed;
+  entries_.push_back({&component, &component.schedule(), std::move(running)});
+  next_ = Time::min();
 }
 
 void Scheduler::run(Time now) {
-  bool ticked = true;
-  for (int round = 0; ticked; ++round) {
-    ticked = false;
-    for (Entry& entry : entries_) {
-      if (!due(entry, now)) continue;
-      if (round == most_rounds) {
-        throw std::runtime_error(entry.component->name() + " never comes to rest at one instant");
-      }
-      tick(entry, now);
-      ticked = true;
-    }
+  for (int round = 0; run_round(now, round); ++round) {
   }
+}
+
+/// False when nobody was due; then the earliest deadline is known.
+bool Scheduler::run_round(Time now, int round) {
+  bool ticked = false;
+  next_ = never;
+  for (Entry& entry : entries_) {
+    if (entry.failed) continue;
+    if (entry.started && !entry.schedule->input_pending && entry.schedule->due() > now) {
+      next_ = std::min(next_, entry.schedule->due());
+      continue;
+    }
+    if (round == most_rounds) {
+      throw std::runtime_error(entry.component->name() + " never comes to rest at one instant");
+    }
+    tick(entry, now);
+    ticked = true;
+  }
+  return ticked;
 }
 
 void Scheduler::tick(Entry& entry, Time now) {
@@ -52,7 +48,7 @@ void Scheduler::tick(Entry& entry, Time now) {
   }
   ++ticks_;
   entry.started = true;
-  entry.component->schedule().begin_tick(now);
+  entry.schedule->begin_tick(now);
   try {
     entry.component->tick(now);
   } catch (const std::exception& error) {

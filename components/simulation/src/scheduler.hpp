@@ -19,8 +19,8 @@ class Scheduler {
   /// Is told of each component that threw.
   using Failure = std::function<void(const std::string& component, const char* what, Time now)>;
   void set_on_failure(Failure tell) { on_failure_ = std::move(tell); }
-  /// The earliest deadline of all.
-  [[nodiscard]] Time next() const;
+  /// The earliest deadline of all, as of the last run.
+  [[nodiscard]] Time next() const { return next_; }
   /// Ticks whoever is due at `now` until all are at rest. A component that throws is ticked no
   /// more. Throws std::runtime_error when one of them never comes to rest.
   void run(Time now);
@@ -29,15 +29,17 @@ class Scheduler {
  private:
   struct Entry {
     Component* component;
+    Schedule* schedule;
     std::function<bool()> running;
     bool started = false;
     bool failed = false;
   };
-  [[nodiscard]] static bool due(Entry& entry, Time now);
+  bool run_round(Time now, int round);
   void tick(Entry& entry, Time now);
   Failure on_failure_;
   std::vector<Entry> entries_;
   std::uint64_t ticks_ = 0;
+  Time next_ = never;
 };
 
 }  // namespace tocsin::simulation

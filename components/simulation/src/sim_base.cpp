@@ -97,11 +97,19 @@ SimBase::SimBase(Core& core, const BaseOptions& options)
       model_(options.model, surroundings(options), options.start, options.seed, core.now),
       line_(options.line, options.seed + 1, core.now) {}
 
-Time SimBase::next_event() const { return std::min(model_.next_frame(), line_.next_delivery()); }
+Time SimBase::next_event() const { return std::min(model_.next_frame(), line_.last_delivery()); }
 
 void SimBase::advance() {
   if (next_event() > core_.now) return;
+  if (model_.next_frame() <= core_.now) step_model();
+  if (line_.last_delivery() <= core_.now) deliver();
+}
+
+void SimBase::step_model() {
   model_.step(core_.now, [this](Time sent, kobuki::ByteView frame) { line_.send(frame, sent); });
+}
+
+void SimBase::deliver() {
   const std::size_t before = arrived_.size();
   line_.deliver(core_.now, [this](kobuki::ByteView packet) {
     if (readable_) arrived_.insert(arrived_.end(), packet.begin(), packet.end());

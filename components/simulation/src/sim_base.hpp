@@ -27,7 +27,8 @@ struct BaseOptions {
 /// Throws ConfigError for bad values and files.
 [[nodiscard]] BaseOptions read_base_options(const deployment::Program& program);
 
-/// The simulated base behind a serial port in virtual time.
+/// The simulated base behind a serial port in virtual time. The computer gets the bytes of a frame
+/// together, when the last of them has arrived: what it does with the first ones is nothing.
 class SimBase {
  public:
   SimBase(Core& core, const BaseOptions& options);
@@ -42,6 +43,8 @@ class SimBase {
 
  private:
   class Port;
+  void step_model();
+  void deliver();
   Core& core_;
   std::string path_;
   kobuki::BaseModel model_;

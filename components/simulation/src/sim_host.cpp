@@ -39,7 +39,8 @@ SimProcess& SimHost::add_process(const std::string& name) {
 }
 
 void SimHost::attach(SimProcess::Topic& topic) {
-  Topic& all = topics_[topic.endpoint.topic.name];
+  HostTopic& all = topics_[topic.endpoint.topic.name];
+  topic.on_host = &all;
   if (all.type == nullptr) all.type = topic.endpoint.type;
   if (all.type != topic.endpoint.type) {
     throw ConfigError(std::string("topic ") + topic.endpoint.topic.name + ": type " +
@@ -50,9 +51,10 @@ void SimHost::attach(SimProcess::Topic& topic) {
 }
 
 void SimHost::deliver(const SimProcess::Topic& from, const Sample& sample) {
-  Topic& all = topics_[from.endpoint.topic.name];
-  if (from.qos.keeps_last()) all.last = sample;
-  for (SimProcess::Topic* topic : all.processes) topic->exchange.deliver(sample);
+  if (from.qos.keeps_last()) from.on_host->last = sample;
+  for (SimProcess::Topic* topic : from.on_host->processes) {
+    if (topic->receivers > 0 || topic->qos.keeps_last()) topic->exchange.deliver(sample);
+  }
 }
 
 }  // namespace tocsin::simulation

@@ -16,6 +16,7 @@
 namespace tocsin::simulation {
 
 class SimHost;
+struct HostTopic;
 
 /// All link endpoints of the world, so that they find each other; in the order of their making.
 class LinkEndpoints {
@@ -68,6 +69,8 @@ class SimProcess final : public Bus {
     Origin origin;  ///< of the last write
     QosProfile qos;
     TopicExchange exchange;
+    std::size_t receivers = 0;
+    HostTopic* on_host = nullptr;
     std::unique_ptr<RtpsReader> reader;
     RtpsWriter* writer = nullptr;  ///< owned by `gated`
     std::unique_ptr<GatedWriter> gated;
@@ -91,6 +94,13 @@ class SimProcess final : public Bus {
   std::map<std::string, std::unique_ptr<Topic>> topics_;
 };
 
+/// One topic on a host.
+struct HostTopic {
+  const TypeInfo* type = nullptr;
+  std::vector<SimProcess::Topic*> processes;
+  Sample last;
+};
+
 /// One side of the radio link: its processes and what they tell each other.
 class SimHost {
  public:
@@ -105,19 +115,14 @@ class SimHost {
   /// A process has begun to read a topic; gets the last sample of those that are kept.
   void attach(SimProcess::Topic& topic);
   /// Hands a sample to every process of this host.
-  void deliver(const SimProcess::Topic& from, const Sample& sample);
+  static void deliver(const SimProcess::Topic& from, const Sample& sample);
 
  private:
-  struct Topic {
-    const TypeInfo* type = nullptr;
-    std::vector<SimProcess::Topic*> processes;
-    Sample last;
-  };
   Network& network_;
   std::string name_;
   std::string role_;
   TrafficRules rules_;
-  std::map<std::string, Topic> topics_;
+  std::map<std::string, HostTopic> topics_;
   std::list<SimProcess> processes_;
 };
 

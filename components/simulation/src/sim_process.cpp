@@ -10,13 +10,17 @@ namespace {
 /// Removes the receiver when it is destroyed.
 class Attached final : public Subscription {
  public:
-  Attached(TopicExchange& exchange, Receiver& receiver) : exchange_(exchange), receiver_(receiver) {
-    exchange_.attach(receiver_);
+  Attached(SimProcess::Topic& topic, Receiver& receiver) : topic_(topic), receiver_(receiver) {
+    topic_.exchange.attach(receiver_);
+    ++topic_.receivers;
   }
-  ~Attached() override { exchange_.detach(receiver_); }
+  ~Attached() override {
+    --topic_.receivers;
+    topic_.exchange.detach(receiver_);
+  }
 
  private:
-  TopicExchange& exchange_;
+  SimProcess::Topic& topic_;
   Receiver& receiver_;
 };
 
@@ -75,7 +79,7 @@ SimProcess::Topic& SimProcess::topic(const Endpoint& endpoint) {
 
 std::unique_ptr<Subscription> SimProcess::subscribe(const Endpoint& endpoint, Receiver& receiver) {
   Topic& its = topic(endpoint);
-  auto attached = std::make_unique<Attached>(its.exchange, receiver);
+  auto attached = std::make_unique<Attached>(its, receiver);
   if (endpoint.topic.scope == Scope::link && !its.reader) make_reader(its);
   return attached;
 }
@@ -140,7 +144,7 @@ Status SimProcess::write(Topic& its, const std::shared_ptr<const void>& message)
   sample.sent_wall_ns = sample.received_wall_ns = wall_ns(core.now);
   sample.sequence = ++its.written;
   sample.source = its.source;
-  host_.deliver(its, sample);
+  SimHost::deliver(its, sample);
   if (its.gated) its.origin = {message, its.written, core.now};
   const Status status = its.gated ? its.gated->write(message) : Status::ok;
   if (core.observer != nullptr) report(its, message.get(), status);

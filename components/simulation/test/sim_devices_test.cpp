@@ -99,7 +99,7 @@ TEST_F(SimDevicesTest, HasOnlyThePortsOfItsBases) {
 TEST_F(SimDevicesTest, SerialPortGivesTheFramesOfTheBase) {
   const auto port = sut_.open_serial("/dev/kobuki", count_);
   run_for(0.1);
-  EXPECT_GT(readable_, 4);
+  EXPECT_EQ(readable_, 4);  // the fifth is still on the wire
   std::array<std::uint8_t, 1024> bytes{};
   EXPECT_GT(port->read(bytes.data(), bytes.size()).value_or(0), 300U);
   EXPECT_EQ(bytes[0], 0xaa);  // header of the protocol

@@ -115,6 +115,7 @@ class BaseModel {
   Version firmware_;
   UniqueId unique_id_{};
   std::mt19937_64 random_;
+  std::normal_distribution<double> normal_{0, 1};
   Drive drive_;
   Body body_;
   Power power_;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "kobuki_model/walls.hpp"
 #include "kobuki_protocol/odometry.hpp"
@@ -27,7 +29,15 @@ class Body {
 
  private:
   [[nodiscard]] bool goes_into(double x_m, double y_m, double direction_rad) const;
+  [[nodiscard]] std::vector<double> contacts(double x_m, double y_m, double radius_m) const;
   Surroundings surroundings_;
+  /// Where walls were last looked for, and whether there was none within reach and some way more.
+  struct Look {
+    double x_m;
+    double y_m;
+    bool clear;
+  };
+  mutable std::optional<Look> look_;
   Pose pose_;
   bool blocked_ = false;
 };

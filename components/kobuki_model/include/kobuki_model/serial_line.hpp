@@ -47,6 +47,9 @@ class SerialLine {
   void deliver(Time now, const Sink& sink);
   /// When the next packet is due; `never` when nothing is on the way.
   [[nodiscard]] Time next_delivery() const;
+  /// When all that is on the way is handed over, if nothing follows; may be earlier, never later.
+  /// Who needs whole frames only calls `deliver` then.
+  [[nodiscard]] Time last_delivery() const;
   /// Loses everything on the way.
   void clear();
 

@@ -43,8 +43,11 @@ class CostMap {
   [[nodiscard]] bool blocked(const Point2& p) const;
 
  private:
+  struct DiscRow;
+  [[nodiscard]] static std::vector<DiscRow> disc_of(double resolution_m,
+                                                    const InflationParams& params);
   /// A cell is as dear as the dearest that was asked of it; 0, blocked, is the dearest of all.
-  void raise(CellIndex c, std::uint16_t cost);
+  void raise(CellIndex wall, const DiscRow& disc);
   Grid grid_;
   std::vector<std::uint16_t> costs_;
 };
