@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/metrics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "messages.hpp"
+#include "series.hpp"
+#include "truth.hpp"
+
+namespace tocsin::experiment {
+namespace {
+
+using report::Arrival;
+using report::Recording;
+
+constexpr double age_step_s = 0.5;
+
+/// The metrics of one run while they are computed.
+class Sheet {
+ public:
+  Sheet() : values_(metric_texts().size(), std::nan("")) {}
+  void set(const char* name, double value) { values_[metric_index(name)] = value; }
+  [[nodiscard]] const std::vector<double>& values() const { return values_; }
+
+ private:
+  std::vector<double> values_;
+};
+
+double lost_percent(const std::vector<Message>& messages) {
+  if (messages.empty()) return std::nan("");
+  const auto lost = std::count_if(messages.begin(), messages.end(),
+                                  [](const Message& message) { return message.lost(); });
+  return 100.0 * static_cast<double>(lost) / static_cast<double>(messages.size());
+}
+
+std::vector<double> latencies_ms(const std::vector<Message>& messages) {
+  std::vector<double> latencies;
+  for (const Message& message : messages) {
+    if (!message.lost()) latencies.push_back(1000 * message.latency_s);
+  }
+  return latencies;
+}
+
+/// Pictures, or everything else.
+std::vector<Message> only(const std::vector<Message>& messages, bool camera) {
+  std::vector<Message> result;
+  for (const Message& message : messages) {
+    if (message.camera == camera) result.push_back(message);
+  }
+  return result;
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return values.empty() ? std::nan("") : sum / static_cast<double>(values.size());
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? std::nan("") : *std::max_element(values.begin(), values.end());
+}
+
+void add_quality(const Recording& recording, const Window& window, Sheet& sheet) {
+  std::vector<double> qni;
+  std::vector<double> per;
+  for (const auto& decision : recording.decisions) {
+    if (window.holds(decision.time_s) && std::isfinite(decision.qni)) qni.push_back(decision.qni);
+  }
+  for (const auto& quality : recording.qualities) {
+    if (window.holds(quality.time_s) && std::isfinite(quality.per_percent)) {
+      per.push_back(quality.per_percent);
+    }
+  }
+  sheet.set("qni_mean", mean(qni));
+  sheet.set("qni_min", qni.empty() ? std::nan("") : *std::min_element(qni.begin(), qni.end()));
+  sheet.set("probe_per_mean", mean(per));
+  sheet.set("probe_per_max", largest(per));
+}
+
+void add_losses(const Traffic& traffic, Sheet& sheet) {
+  const auto& low = traffic.of("uxv low");
+  sheet.set("telemetry_per", lost_percent(traffic.telemetry()));
+  sheet.set("critical_lost", lost_percent(traffic.of("uxv critical")));
+  sheet.set("high_lost", lost_percent(traffic.of("uxv high")));
+  sheet.set("low_lost", lost_percent(only(low, false)));
+  sheet.set("camera_lost", lost_percent(only(low, true)));
+}
+
+void add_latencies(const Traffic& traffic, Sheet& sheet) {
+  const auto high = report::spread_of(latencies_ms(traffic.of("uxv high")));
+  const auto p99 = [](const std::vector<Message>& messages) {
+    return report::spread_of(latencies_ms(messages)).p99;
+  };
+  sheet.set("critical_latency_p99", p99(traffic.of("uxv critical")));
+  sheet.set("high_latency_median", high.median);
+  sheet.set("high_latency_p99", high.p99);
+  sheet.set("low_latency_p99", p99(only(traffic.of("uxv low"), false)));
+  sheet.set("goal_latency_p99", p99(traffic.of("gcs high")));
+}
+
+/// Share that arrived of what was written, over the whole run.
+void add_delivered(const Recording& recording, Sheet& sheet) {
+  const auto share = [&](const char* name) {
+    const auto written = recording.written.find(name);
+    const auto arrived = recording.arrivals.find(name);
+    if (written == recording.written.end() || written->second == 0) return std::nan("");
+    const std::size_t count = arrived == recording.arrivals.end() ? 0 : arrived->second.size();
+    return 100.0 * static_cast<double>(count) / static_cast<double>(written->second);
+  };
+  sheet.set("high_delivered", share("uxv high"));
+  sheet.set("low_delivered", share("uxv low"));
+}
+
+void add_age(const Recording& recording, const Window& window, const std::string& name,
+             const std::string& topic, Sheet& sheet) {
+  std::vector<Arrival> wanted;
+  for (const auto& [name_of_class, arrivals] : recording.arrivals) {
+    for (const Arrival& arrival : arrivals) {
+      if (arrival.topic == topic && window.holds(arrival.received_s)) wanted.push_back(arrival);
+    }
+  }
+  const std::vector<double> ages = report::ages(std::move(wanted), window.end_s, age_step_s);
+  sheet.set((name + "_age_mean").c_str(), mean(ages));
+  sheet.set((name + "_age_p95").c_str(), report::percentile(ages, 0.95));
+}
+
+void add_link(const Recording& recording, const Window& window, Sheet& sheet) {
+  const report::LinkState* first = nullptr;
+  const report::LinkState* last = nullptr;
+  for (const auto& state : recording.link) {
+    if (!window.holds(state.time_s)) continue;
+    if (first == nullptr) first = &state;
+    last = &state;
+  }
+  if (first == last) return;
+  sheet.set("link_bytes", (last->bytes - first->bytes) * 1e-6);
+  sheet.set("airtime", 100 * (last->airtime_s - first->airtime_s) / (last->time_s - first->time_s));
+}
+
+void add_silences(const std::vector<report::Interval>& pauses, Sheet& sheet) {
+  std::vector<double> lengths_s;
+  for (const auto& pause : pauses) lengths_s.push_back(pause.end_s - pause.begin_s);
+  sheet.set("pauses", static_cast<double>(pauses.size()));
+  sheet.set("silence_mean", mean(lengths_s));
+  sheet.set("silence_max", pauses.empty() ? 0 : largest(lengths_s));
+}
+
+void add_truth(const Recording& recording, const Window& window, const PoorLink& limits,
+               Sheet& sheet) {
+  const auto pauses = within(report::pauses_of(recording), window);
+  add_silences(pauses, sheet);
+  const auto poor = truly_poor(recording.link, limits, window.begin_s, window.end_s);
+  const AgainstTruth truth = compare(poor, pauses, window.begin_s, window.end_s);
+  sheet.set("poor_share", 100 * length_s(poor) / window.length_s());
+  sheet.set("poor_intervals", truth.intervals);
+  sheet.set("missed", truth.missed);
+  sheet.set("detect", truth.detect_s);
+  sheet.set("resume", truth.resume_s);
+  sheet.set("sent_in_poor", truth.sent_in_poor);
+  sheet.set("silent_in_good", truth.silent_in_good);
+}
+
+void add_series(const std::vector<Observation>& series, Sheet& sheet) {
+  std::vector<double> pers;
+  double stalled = 0;
+  for (const Observation& one : series) {
+    if (one.sent >= 10) pers.push_back(100 * one.lost / one.sent);
+    stalled += one.stalled ? 1 : 0;
+  }
+  sheet.set("telemetry_per_max", largest(pers));
+  sheet.set("stalled",
+            series.empty() ? std::nan("") : 100 * stalled / static_cast<double>(series.size()));
+}
+
+void add_mission(const Recording& recording, Sheet& sheet) {
+  const bool done = recording.mission.state == "done";
+  sheet.set("completed", done ? 1 : 0);
+  sheet.set("completion", done ? recording.mission.elapsed_s : std::nan(""));
+}
+
+}  // namespace
+
+Measures measure(const Recording& recording, const Timing& timing) {
+  const Window window{recording.begin_s + timing.warm_up_s, recording.end_s};
+  if (!(window.end_s > window.begin_s)) return {Sheet().values(), {}};
+  const Traffic traffic(recording, window);
+  Sheet sheet;
+  add_quality(recording, window, sheet);
+  add_losses(traffic, sheet);
+  add_latencies(traffic, sheet);
+  add_delivered(recording, sheet);
+  add_age(recording, window, "location", "location", sheet);
+  add_age(recording, window, "quality", "network_quality", sheet);
+  add_age(recording, window, "battery", "battery_state", sheet);
+  add_age(recording, window, "camera", camera_topic, sheet);
+  add_link(recording, window, sheet);
+  add_truth(recording, window, {timing.poor_below_snr_db, 2 * timing.observation_s}, sheet);
+  add_mission(recording, sheet);
+  auto series = observe(recording, traffic, window, timing.observation_s);
+  add_series(series, sheet);
+  return {sheet.values(), std::move(series)};
+}
+
+}  // namespace tocsin::experiment

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/plan.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::experiment {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class Entry>
+const Entry& named(const std::vector<Entry>& entries, const std::string& name) {
+  return *std::find_if(entries.begin(), entries.end(),
+                       [&](const Entry& entry) { return entry.name == name; });
+}
+
+/// The channel for one mission.
+Channel channel_for(Channel channel, const std::string& mission) {
+  const std::string variable = "${mission}";
+  const std::size_t at = channel.file.find(variable);
+  if (at != std::string::npos) channel.file.replace(at, variable.size(), mission);
+  if (fs::is_regular_file(channel.file)) return channel;
+  throw ConfigError("channels." + channel.name + ": no file '" + channel.file + "'");
+}
+
+/// "key=value" belongs to the transmission controller, "component.key=value" to the component.
+std::string setting(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const bool whole = text.find('.') < equals;
+  return whole ? text : "transmission_controller." + text;
+}
+
+std::string bringup_file(const std::string& name, const std::string& share) {
+  const fs::path shared = fs::path(share) / "bringup" / name;
+  const bool bare = name.find('/') == std::string::npos && !fs::exists(name);
+  return bare && fs::exists(shared) ? shared.string() : name;
+}
+
+/// The component of the experiment itself, with these parameters.
+void replace_component(const YAML::Node& parameters, deployment::ComponentInstance& instance) {
+  instance.component = "experiment";
+  instance.parameters = std::make_shared<const YAML::Node>(parameters);
+  instance.origins.clear();
+}
+
+YAML::Node picture_parameters(const Payload& payload) {
+  YAML::Node parameters(YAML::NodeType::Map);
+  parameters["picture_hz"] = payload.picture_hz;
+  parameters["picture_bytes"] = payload.picture_bytes;
+  return parameters;
+}
+
+YAML::Node listen_parameters() {
+  YAML::Node parameters(YAML::NodeType::Map);
+  parameters["listen"] = true;
+  return parameters;
+}
+
+/// Removes the camera when the payload has none.
+void drop_camera(deployment::Deployment& deployment) {
+  for (deployment::Host& host : deployment.hosts) {
+    for (deployment::Container& container : host.containers) {
+      auto& all = container.components;
+      const auto is_camera = [](const auto& one) { return one.component == "camera"; };
+      all.erase(std::remove_if(all.begin(), all.end(), is_camera), all.end());
+    }
+  }
+}
+
+/// Calls `add` for each combination of a set, seeds innermost.
+template <class Add>
+void for_each_combination(const RunSet& set, Add add) {
+  for (const std::string& mission : set.missions) {
+    for (const std::string& channel : set.channels) {
+      for (const std::string& payload : set.payloads) {
+        for (const std::string& policy : set.policies) add(mission, channel, payload, policy);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::string Run::id() const {
+  return set + "." + mission.name + "." + channel.name + "." + payload.name + "." + policy.name +
+         "." + std::to_string(index);
+}
+
+int seed_of(const std::string& mission, const std::string& channel, int index) {
+  // FNV-1a; the seed of a bringup file is a positive int.
+  std::uint32_t hash = 2166136261U;
+  for (const char c : mission + "/" + channel + "/" + std::to_string(index)) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  }
+  return static_cast<int>(hash % 1'000'000'000U) + 1;
+}
+
+std::vector<Run> make_plan(const Experiment& experiment) {
+  std::vector<Run> plan;
+  for (const RunSet& set : experiment.sets) {
+    for_each_combination(set, [&](const std::string& mission, const std::string& channel,
+                                  const std::string& payload, const std::string& policy) {
+      Run run;
+      run.set = set.name;
+      run.mission = named(experiment.missions, mission);
+      run.channel = channel_for(named(experiment.channels, channel), mission);
+      run.payload = named(experiment.payloads, payload);
+      run.policy = named(experiment.policies, policy);
+      for (int i = 0; i < set.seeds; ++i) {
+        run.number = plan.size();
+        run.index = set.first_seed + i;
+        run.seed = seed_of(mission, channel, run.index);
+        plan.push_back(run);
+      }
+    });
+  }
+  return plan;
+}
+
+deployment::Overrides overrides_of(const Run& run, const Timing& timing, const std::string& share,
+                                   const std::string& run_dir) {
+  deployment::Overrides overrides;
+  overrides.share = share;
+  overrides.run_dir = run_dir;
+  overrides.seed = run.seed;
+  overrides.channel = run.channel.file;
+  overrides.without = timing.without;
+  overrides.set.push_back("mission_control.mission_file=" + run.mission.file);
+  overrides.set.push_back("transmission_controller.policy=" + run.policy.policy);
+  for (const std::string& text : run.mission.set) overrides.set.push_back(text);
+  for (const std::string& text : run.payload.set) overrides.set.push_back(text);
+  for (const std::string& text : run.policy.set) overrides.set.push_back(setting(text));
+  return overrides;
+}
+
+deployment::Deployment deployment_of(const Run& run, const Timing& timing, const std::string& share,
+                                     const std::string& run_dir) {
+  auto deployment = deployment::load_deployment(bringup_file(timing.bringup, share),
+                                                overrides_of(run, timing, share, run_dir));
+  if (!run.payload.camera) drop_camera(deployment);
+  return deployment;
+}
+
+void instrument(const Payload& payload, deployment::Deployment& deployment) {
+  for (deployment::Host& host : deployment.hosts) {
+    for (deployment::Container& container : host.containers) {
+      for (deployment::ComponentInstance& one : container.components) {
+        if (one.component == "recorder") {
+          replace_component(listen_parameters(), one);
+        } else if (one.component == "camera") {
+          replace_component(picture_parameters(payload), one);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace tocsin::experiment

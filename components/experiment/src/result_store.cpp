@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "result_store.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::experiment {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* draft_ending = ".draft";
+
+[[noreturn]] void fail(const std::string& path) {
+  throw std::system_error(errno, std::generic_category(), path);
+}
+
+void write_all(int descriptor, const std::string& path, const std::string& text) {
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t count = ::write(descriptor, text.data() + done, text.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) {
+      const int error = errno;
+      ::close(descriptor);
+      ::unlink(path.c_str());
+      errno = error;
+      fail(path);
+    }
+    done += static_cast<std::size_t>(count);
+  }
+}
+
+std::optional<std::string> read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string head() {
+  std::string text = "number,set,mission,channel,payload,policy,index,seed,failure,seconds";
+  for (const MetricText& metric : metric_texts()) text += std::string(",") + metric.name;
+  return text + "\n";
+}
+
+std::string row(const Run& run, const RunResult& result) {
+  std::ostringstream text;
+  text << run.number << ',' << run.set << ',' << run.mission.name << ',' << run.channel.name << ','
+       << run.payload.name << ',' << run.policy.name << ',' << run.index << ',' << run.seed << ','
+       << cell(result.failure) << ',' << result.simulated_s;
+  for (std::size_t i = 0; i < metric_texts().size(); ++i) {
+    text << ',';
+    if (i < result.measures.values.size() && !std::isnan(result.measures.values[i])) {
+      text << result.measures.values[i];
+    }
+  }
+  text << '\n';
+  return text.str();
+}
+
+}  // namespace
+
+void replace_file(const std::string& path, const std::string& text) {
+  const std::string draft = path + draft_ending;
+  const int descriptor = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (descriptor < 0) fail(draft);
+  write_all(descriptor, draft, text);
+  if (::close(descriptor) != 0) fail(draft);
+  if (::rename(draft.c_str(), path.c_str()) != 0) fail(path);
+}
+
+ResultStore::ResultStore(std::string folder, std::string kind)
+    : folder_(std::move(folder)), kind_(std::move(kind)) {}
+
+std::string ResultStore::path(const Run& run) const {
+  return folder_ + "/" + kind_ + "/" + run.id() + ".csv";
+}
+
+std::string ResultStore::table_path() const {
+  return folder_ + (kind_ == "series" ? "/runs.csv" : "/" + kind_ + ".csv");
+}
+
+void ResultStore::open(const std::string& settings) const {
+  std::error_code error;
+  fs::create_directories(folder_ + "/" + kind_, error);
+  if (error) throw EnvironmentError(folder_ + ": cannot be made: " + error.message());
+  const std::string file = folder_ + "/settings.yaml";
+  if (const auto old = read_file(file)) {
+    if (*old == settings) return remove_drafts();
+    throw ConfigError(folder_ +
+                      ": holds an experiment with other settings (file, channels or build); give "
+                      "another --out, or remove it");
+  }
+  try {
+    replace_file(file, settings);
+  } catch (const std::system_error& failed) {
+    throw EnvironmentError(std::string("cannot be written: ") + failed.what());
+  }
+}
+
+void ResultStore::remove_drafts() const {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_ + "/" + kind_, error)) {
+    if (entry.path().extension() == draft_ending) fs::remove(entry.path(), error);
+  }
+}
+
+std::optional<RunResult> ResultStore::read(const Run& run) const {
+  const auto text = read_file(path(run));
+  return text ? parse_result(*text) : std::nullopt;
+}
+
+void ResultStore::write(const Run& run, const RunResult& result) const {
+  replace_file(path(run), to_text(result));
+}
+
+void ResultStore::write_table(const std::vector<Run>& plan) const {
+  std::string text = head();
+  for (const Run& run : plan) {
+    if (const auto result = read(run)) text += row(run, *result);
+  }
+  replace_file(table_path(), text);
+}
+
+}  // namespace tocsin::experiment
