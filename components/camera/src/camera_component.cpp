@@ -25,10 +25,13 @@ std::optional<camera::View> to_view(const topic::Location::Message& message) {
 
 CameraComponent::CameraComponent(Context& context, const Params& params)
     : Component(context),
+      params_(params),
+      walls_(camera::load_walls(params.walls_file)),
       period_(seconds(1 / params.rate_hz)),
-      pose_timeout_(seconds(params.pose_timeout_s)),
-      quality_(params.quality),
-      renderer_(params.camera, camera::load_walls(params.walls_file)) {}
+      pose_timeout_(seconds(params.pose_timeout_s)) {
+  const bool draws = context.devices == nullptr || params.in_simulated_time == "drawn";
+  if (draws) renderer_.emplace(params.camera, walls_);
+}
 
 void CameraComponent::tick(Time now) {
   take_location(now);
@@ -54,8 +57,23 @@ void CameraComponent::publish(Time now) {
   message.header().stamp(wall(now));
   message.header().frame_id("camera");
   message.format("jpeg");
-  message.data(camera::encode_jpeg(renderer_.render(*view_, frame_++), quality_));
+  message.data(renderer_ ? draw() : picture_of_size());
   if (image_.write(std::move(message)) == Status::failed) log().warn("a picture was not sent");
+}
+
+std::vector<std::uint8_t> CameraComponent::draw() {
+  return camera::encode_jpeg(renderer_->render(*view_, frame_++), params_.quality);
+}
+
+/// The first one is drawn, so that the size fits the parameters.
+std::vector<std::uint8_t> CameraComponent::picture_of_size() {
+  if (size_) return std::vector<std::uint8_t>(size_->bytes(*view_));
+  size_.emplace(params_.camera.field_of_view_deg, walls_);
+  renderer_.emplace(params_.camera, walls_);
+  std::vector<std::uint8_t> first = draw();
+  renderer_.reset();
+  size_->calibrate(*view_, first.size());
+  return first;
 }
 
 }  // namespace tocsin

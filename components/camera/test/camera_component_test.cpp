@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -126,6 +127,33 @@ TEST(CameraParams, KeepTheLensBelowTheTables) {
   };
   EXPECT_EQ(load("camera_height_m: 0.7").camera.camera_height_m, 0.7);
   EXPECT_THROW((void)load("camera_height_m: 0.71"), ConfigError);
+}
+
+/// A simulated computer without devices.
+class NoDevices : public Devices {
+ public:
+  std::unique_ptr<SerialDevice> open_serial(const std::string&, Readable) override {
+    return nullptr;
+  }
+  std::unique_ptr<EchoDevice> open_echo(const std::string&, std::size_t, Readable) override {
+    return nullptr;
+  }
+  std::optional<std::string> read_text(const std::string&) override { return std::nullopt; }
+};
+
+TEST_F(CameraTest, SendsZerosOfTheRightNumberInSimulatedTime) {
+  NoDevices devices;
+  context_.devices = &devices;
+  CameraComponent sized(context_, params_);
+  SimBus& bus = bus_;
+  bus.add(sized);
+  bus.publish<topic::Location>(location(0, 0));
+  const auto images = run(0.2);  // two of each camera
+  ASSERT_EQ(images.size(), 4U);
+  EXPECT_EQ(images[1].data(), images[0].data());  // the first is drawn
+  const auto& zeros = images[3].data();
+  EXPECT_EQ(std::count(zeros.begin(), zeros.end(), 0), static_cast<std::ptrdiff_t>(zeros.size()));
+  EXPECT_NEAR(static_cast<double>(zeros.size()), static_cast<double>(images[2].data().size()), 1);
 }
 
 TEST(CameraReadme, ShowsTheParameters) {
