@@ -21,6 +21,16 @@ std::optional<camera::View> to_view(const topic::Location::Message& message) {
   return finite ? std::optional(view) : std::nullopt;
 }
 
+/// Whether the law of picture sizes was fitted to these parameters.
+bool is_fitted(const CameraComponent::Params& params) {
+  const CameraComponent::Params fitted;
+  const camera::CameraParams& a = params.camera;
+  const camera::CameraParams& b = fitted.camera;
+  return params.quality == fitted.quality && a.width == b.width && a.height == b.height &&
+         a.field_of_view_deg == b.field_of_view_deg && a.camera_height_m == b.camera_height_m &&
+         a.sensor_noise == b.sensor_noise;
+}
+
 }  // namespace
 
 CameraComponent::CameraComponent(Context& context, const Params& params)
@@ -65,10 +75,16 @@ std::vector<std::uint8_t> CameraComponent::draw() {
   return camera::encode_jpeg(renderer_->render(*view_, frame_++), params_.quality);
 }
 
-/// The first one is drawn, so that the size fits the parameters.
+/// With other parameters than those of the law the first one is drawn to fit the size to them.
 std::vector<std::uint8_t> CameraComponent::picture_of_size() {
-  if (size_) return std::vector<std::uint8_t>(size_->bytes(*view_));
-  size_.emplace(params_.camera.field_of_view_deg, walls_);
+  if (!size_) {
+    size_.emplace(params_.camera.field_of_view_deg, walls_);
+    if (!is_fitted(params_)) return calibrate();
+  }
+  return std::vector<std::uint8_t>(size_->bytes(*view_));
+}
+
+std::vector<std::uint8_t> CameraComponent::calibrate() {
   renderer_.emplace(params_.camera, walls_);
   std::vector<std::uint8_t> first = draw();
   renderer_.reset();

@@ -14,13 +14,13 @@ constexpr double nearest_m = 0.05;
 std::optional<Hit> meet(const Ray& ray, const Wall& wall) {
   const double ex = wall.x2_m - wall.x1_m, ey = wall.y2_m - wall.y1_m;
   const double cross = ray.dx * ey - ray.dy * ex;
-  const double length_m = std::hypot(ex, ey);
+  const double length_m = std::sqrt(ex * ex + ey * ey);
   if (length_m == 0 || std::abs(cross) < 1e-12 * length_m) return std::nullopt;
   const double fx = wall.x1_m - ray.x_m, fy = wall.y1_m - ray.y_m;
   const double depth_m = (fx * ey - fy * ex) / cross;
   const double share = (fx * ray.dy - fy * ray.dx) / cross;
   if (depth_m < nearest_m || share < 0 || share > 1) return std::nullopt;
-  const double facing = std::abs(cross) / length_m / std::hypot(ray.dx, ray.dy);
+  const double facing = std::abs(cross) / length_m / std::sqrt(ray.dx * ray.dx + ray.dy * ray.dy);
   return Hit{depth_m, share * length_m, facing, wall.is_furniture};
 }
 

@@ -33,7 +33,8 @@ inline constexpr std::size_t longest_message = 1400;  ///< as FastDdsParticipant
 struct Change {
   std::uint64_t sequence;
   Time sent;
-  std::shared_ptr<const std::vector<std::uint8_t>> cdr;
+  std::shared_ptr<const void> message;  ///< shared by all readers, never changed
+  std::size_t bytes = 0;                ///< serialised
   const TopicEnd* from = nullptr;
   std::uint64_t written = 0;  ///< as in Written::sequence
   Time written_at{};
@@ -67,7 +68,7 @@ class RtpsReader {
  private:
   struct Source {
     std::uint64_t next = 1;
-    std::map<std::uint64_t, Change> early;  ///< without `cdr`: a gap
+    std::map<std::uint64_t, Change> early;  ///< without `message`: a gap
   };
   void release(std::uint64_t id, Source& source, Time now);
   void give(std::uint64_t id, const Change& change, Time now);

@@ -22,7 +22,7 @@ std::vector<std::uint64_t> RtpsReader::on_heartbeat(std::uint64_t source, std::u
   while (from.next < first) {
     const auto found = from.early.find(from.next++);
     if (found == from.early.end()) continue;
-    if (found->second.cdr) give(source, found->second, now);
+    if (found->second.message) give(source, found->second, now);
     from.early.erase(found);
   }
   release(source, from, now);
@@ -36,7 +36,7 @@ std::vector<std::uint64_t> RtpsReader::on_heartbeat(std::uint64_t source, std::u
 void RtpsReader::on_gap(std::uint64_t source, std::uint64_t sequence, Time now) {
   Source& from = sources_[source];
   if (sequence < from.next) return;
-  from.early.emplace(sequence, Change{sequence, now, nullptr, nullptr, 0, now});
+  from.early.emplace(sequence, Change{sequence, now, nullptr, 0, nullptr, 0, now});
   release(source, from, now);
 }
 
@@ -45,7 +45,7 @@ void RtpsReader::release(std::uint64_t id, Source& source, Time now) {
     const Change change = std::move(source.early.begin()->second);
     source.early.erase(source.early.begin());
     ++source.next;
-    if (change.cdr) give(id, change, now);
+    if (change.message) give(id, change, now);
   }
 }
 

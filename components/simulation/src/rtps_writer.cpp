@@ -18,6 +18,18 @@ std::vector<std::size_t> wire::packets_of(std::size_t bytes) {
   return packets;
 }
 
+namespace {
+
+/// What a gate hands back that is not the object of the last write.
+std::shared_ptr<const void> copy_of(const TypeInfo& type, const void* message, std::size_t size) {
+  std::vector<std::uint8_t> cdr(size);
+  if (type.serialize(message, cdr.data(), cdr.size()) == 0) return nullptr;
+  std::shared_ptr<void> copy = type.create();
+  return type.deserialize(cdr.data(), cdr.size(), copy.get()) ? copy : nullptr;
+}
+
+}  // namespace
+
 RtpsWriter::RtpsWriter(Core& core, RadioLink& link, const Owner& owner, const QosProfile& qos)
     : core_(core), link_(link), owner_(owner), qos_(qos) {}
 
@@ -34,15 +46,18 @@ void RtpsWriter::match(RtpsReader& reader) {
 
 bool RtpsWriter::send(const void* message) {
   const TypeInfo& type = *owner_.end->type;
-  auto cdr = std::make_shared<std::vector<std::uint8_t>>(type.serialized_size(message));
-  if (type.serialize(message, cdr->data(), cdr->size()) == 0) return false;
-  Change change{++sent_, core_.now, std::move(cdr), owner_.end, 0, core_.now};
-  if (owner_.origin->message.get() == message) {
+  const bool known = owner_.origin->message.get() == message;
+  Change change{sent_ + 1,  core_.now, nullptr,  type.serialized_size(message),
+                owner_.end, 0,         core_.now};
+  change.message = known ? owner_.origin->message : copy_of(type, message, change.bytes);
+  if (!change.message) return false;
+  ++sent_;
+  if (known) {
     change.written = owner_.origin->sequence;
     change.written_at = owner_.origin->time;
   }
   if (core_.observer != nullptr) {
-    core_.observer->on_sent({*owner_.end, core_.now, sent_, change.written, change.cdr->size()});
+    core_.observer->on_sent({*owner_.end, core_.now, sent_, change.written, change.bytes});
   }
   history_.push_back(std::move(change));
   if (history_.size() > static_cast<std::size_t>(qos_.depth)) history_.pop_front();
@@ -52,7 +67,7 @@ bool RtpsWriter::send(const void* message) {
 }
 
 void RtpsWriter::transmit(RtpsReader& reader, const Change& change) {
-  const auto packets = wire::packets_of(change.cdr->size());
+  const auto packets = wire::packets_of(change.bytes);
   const auto left = std::make_shared<std::size_t>(packets.size());
   for (const std::size_t bytes : packets) {
     link_.send(owner_.direction, bytes, [this, &reader, change, left] {

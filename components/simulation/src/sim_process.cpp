@@ -91,23 +91,19 @@ std::unique_ptr<Publication> SimProcess::advertise(const Endpoint& endpoint) {
 }
 
 void SimProcess::receive(Topic& its, const Change& change, std::uint64_t source) {
-  const std::shared_ptr<void> message = its.endpoint.type->create();
-  if (!its.endpoint.type->deserialize(change.cdr->data(), change.cdr->size(), message.get())) {
-    return;
-  }
   if (Observer* observer = network_.core.observer) {
     observer->on_delivered({*change.from, its.end, change.sequence, change.written,
-                            change.written_at, change.sent, now(), change.cdr->size(),
-                            message.get()});
+                            change.written_at, change.sent, now(), change.bytes,
+                            change.message.get()});
   }
   Sample sample;
-  sample.message = message;
+  sample.message = change.message;
   sample.received = now();
   sample.sent_wall_ns = wall_ns(change.sent);
   sample.received_wall_ns = wall_ns(now());
   sample.sequence = change.sequence;
   sample.source = source;
-  sample.bytes = static_cast<std::uint32_t>(change.cdr->size());
+  sample.bytes = static_cast<std::uint32_t>(change.bytes);
   its.exchange.deliver(sample);
 }
 

@@ -46,6 +46,7 @@ class CameraComponent final : public Component {
   void take_location(Time now);
   void publish(Time now);
   [[nodiscard]] std::vector<std::uint8_t> picture_of_size();
+  [[nodiscard]] std::vector<std::uint8_t> calibrate();
   [[nodiscard]] std::vector<std::uint8_t> draw();
 
   Input<topic::Location> location_{*this};
@@ -55,7 +56,7 @@ class CameraComponent final : public Component {
   Duration period_;
   Duration pose_timeout_;
   std::optional<camera::Renderer> renderer_;  ///< when something is drawn
-  std::optional<camera::PictureSize> size_;   ///< when nothing but the first is
+  std::optional<camera::PictureSize> size_;   ///< when they are not
   std::optional<camera::View> view_;
   Time view_time_{};
   Time next_picture_ = Time::min();
