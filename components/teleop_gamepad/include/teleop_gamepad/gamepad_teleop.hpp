@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "kobuki_protocol/velocity.hpp"
+
+namespace tocsin {
+
+/// One event of the kernel's input layer; the numbers are those of linux/input-event-codes.h.
+struct PadEvent {
+  std::uint16_t type = 0;
+  std::uint16_t code = 0;
+  std::int32_t value = 0;
+};
+
+/// What an axis can say.
+struct PadAxis {
+  std::int32_t min = 0;
+  std::int32_t max = 255;
+};
+using PadAxes = std::map<std::uint16_t, PadAxis>;  ///< by code
+
+/// Drives by a gamepad's stick while its dead-man button is held.
+///
+/// Layout `ps3`: left stick, L1 (in the numbering of old and of new kernels). Layout `generic`:
+/// left stick or cross, any shoulder button. Losing the pad, or events of it, releases the button;
+/// it must be pressed anew. Pure.
+class GamepadTeleop {
+ public:
+  struct Params {
+    std::string layout = "ps3";
+    double linear_mps = 0.5;
+    double angular_rad_s = 1.5;
+    double dead_zone = 0.12;
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("layout", layout, {"ps3", "generic"}, "stick and dead-man button");
+      v("linear_mps", linear_mps, {0.01, 2}, "[m/s] of the stick's whole way");
+      v("angular_rad_s", angular_rad_s, {0.05, 6}, "[rad/s] of the stick's whole way");
+      v("dead_zone", dead_zone, {0, 0.9}, "[1] share of the stick's way around its middle");
+    }
+  };
+
+  explicit GamepadTeleop(const Params& params) : params_(params) {}
+  void on_connect(const PadAxes& axes);
+  void on_disconnect();
+  void on_event(const PadEvent& event);
+  [[nodiscard]] kobuki::BodyVelocity velocity() const;
+
+ private:
+  [[nodiscard]] bool is_dead_man(std::uint16_t code) const;
+  [[nodiscard]] bool is_generic() const { return params_.layout == "generic"; }
+  /// [-1, 1], 0 in the dead zone and for an axis that the pad has not.
+  [[nodiscard]] double deflection(std::uint16_t axis) const;
+
+  Params params_;
+  PadAxes axes_;
+  std::map<std::uint16_t, std::int32_t> positions_;  ///< of axes that have moved
+  std::map<std::uint16_t, bool> buttons_;            ///< dead-man buttons since the connection
+};
+
+}  // namespace tocsin

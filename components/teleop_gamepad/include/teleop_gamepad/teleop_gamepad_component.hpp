@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "motion/teleop_sender.hpp"
+#include "runtime/component.hpp"
+#include "runtime/port.hpp"
+#include "teleop_gamepad/gamepad_port.hpp"
+#include "teleop_gamepad/gamepad_teleop.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// Manual driving with a gamepad, which may be plugged in and out at any time.
+class TeleopGamepadComponent final : public Component {
+ public:
+  struct Params {
+    std::string device;
+    double retry_s = 1;
+    GamepadTeleop::Params pad;
+    motion::TeleopSender::Params sender;
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("device", device, "path of the gamepad; empty: the first that is there");
+      v("retry_s", retry_s, {0.1, 60}, "[s] between looks for an absent gamepad");
+      pad.visit(v);
+      sender.visit(v);
+    }
+  };
+
+  /// Uses the gamepads of this computer; in simulated time there are none.
+  TeleopGamepadComponent(Context& context, const Params& params);
+  TeleopGamepadComponent(Context& context, const Params& params, GamepadOpener opener);
+  /// Leaves the vehicle standing.
+  ~TeleopGamepadComponent() override;
+  void tick(Time now) override;
+
+ private:
+  void look_for_pad(Time now);
+  void read_events();
+  void lose_pad();
+  void send(const kobuki::BodyVelocity& velocity, Time now);
+
+  Output<topic::TeleopCmdVel> command_{*this};
+  Params params_;
+  GamepadOpener opener_;
+  std::unique_ptr<GamepadPort> port_;
+  GamepadTeleop teleop_;
+  motion::TeleopSender sender_;
+  Time next_look_ = Time::min();
+  bool told_ = false;  ///< that there is no gamepad
+};
+
+}  // namespace tocsin

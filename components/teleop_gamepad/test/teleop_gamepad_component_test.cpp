@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "teleop_gamepad/teleop_gamepad_component.hpp"
+
+#include <gtest/gtest.h>
+#include <linux/input-event-codes.h>
+
+#include <deque>
+
+#include "runtime/sim_bus.hpp"
+
+namespace tocsin {
+namespace {
+
+/// What the component and its test share of a pad.
+struct Pad {
+  bool plugged = true;
+  std::deque<PadEvent> events;
+};
+
+class FakePad final : public GamepadPort {
+ public:
+  explicit FakePad(Pad& pad) : pad_(pad) {}
+  [[nodiscard]] int descriptor() const override { return -1; }
+  [[nodiscard]] std::string name() const override { return "fake"; }
+  [[nodiscard]] PadAxes axes() const override { return {{ABS_X, {0, 255}}, {ABS_Y, {0, 255}}}; }
+  [[nodiscard]] Read read(PadEvent& event) override {
+    if (!pad_.plugged) return Read::lost;
+    if (pad_.events.empty()) return Read::nothing;
+    event = pad_.events.front();
+    pad_.events.pop_front();
+    return Read::event;
+  }
+
+ private:
+  Pad& pad_;
+};
+
+class TeleopGamepadComponentTest : public ::testing::Test {
+ protected:
+  TeleopGamepadComponentTest() {
+    const auto open = [this](const std::string&) {
+      return pad_.plugged ? std::make_unique<FakePad>(pad_) : nullptr;
+    };
+    sut_ =
+        std::make_unique<TeleopGamepadComponent>(context_, TeleopGamepadComponent::Params{}, open);
+  }
+  /// Ticks as the runner would for `s` and returns the speeds that were sent.
+  std::vector<double> run(double s) {
+    const Time end = bus_.now() + seconds(s);
+    for (Time next = bus_.now(); next <= end;) {
+      bus_.run_until(next);
+      sut_->schedule().begin_tick(next);
+      sut_->tick(next);
+      next = sut_->schedule().due();
+    }
+    bus_.run_until(end);
+    return sent();
+  }
+  std::vector<double> sent() {
+    std::vector<double> speeds;
+    for (const auto& command : commands_.take()) speeds.push_back(command.twist().linear().x());
+    return speeds;
+  }
+  std::vector<double> drive(double s) {
+    pad_.events = {{EV_KEY, BTN_TL, 1}, {EV_ABS, ABS_Y, 0}};
+    return run(s);
+  }
+
+  SimBus bus_;
+  Context context_{bus_, "teleop_gamepad", "gcs", ""};
+  SimReader<topic::TeleopCmdVel> commands_{bus_};
+  Pad pad_;
+  std::unique_ptr<TeleopGamepadComponent> sut_;
+};
+
+using Speeds = std::vector<double>;
+
+TEST_F(TeleopGamepadComponentTest, SendsNothingWhileNothingIsHeld) {
+  EXPECT_TRUE(run(5).empty());
+  EXPECT_EQ(sut_->schedule().due(), never);
+}
+
+TEST_F(TeleopGamepadComponentTest, RepeatsWhatIsHeldAndSendsZeroAtRelease) {
+  EXPECT_EQ(drive(0.25), Speeds(3, 0.5));
+  pad_.events = {{EV_KEY, BTN_TL, 0}};
+  EXPECT_EQ(run(5), Speeds(3, 0));
+}
+
+TEST_F(TeleopGamepadComponentTest, SendsZeroWhenThePadIsPulledAndTakesItBack) {
+  drive(0.05);
+  pad_.plugged = false;
+  EXPECT_EQ(run(0), (Speeds{0}));
+  run(5);
+  pad_.plugged = true;
+  run(1.1);
+  EXPECT_EQ(drive(0), (Speeds{0.5}));
+}
+
+TEST_F(TeleopGamepadComponentTest, LooksForAnAbsentPadOnceASecond) {
+  pad_.plugged = false;
+  run(0);
+  EXPECT_EQ(sut_->schedule().due(), bus_.now() + seconds(1));
+}
+
+TEST_F(TeleopGamepadComponentTest, LeavesTheVehicleStandingWhenItEnds) {
+  drive(0.05);
+  sut_.reset();
+  EXPECT_EQ(sent(), (Speeds{0}));
+}
+
+}  // namespace
+}  // namespace tocsin

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "motion/teleop_sender.hpp"
+#include "runtime/component.hpp"
+#include "runtime/port.hpp"
+#include "teleop_keyboard/keyboard_teleop.hpp"
+#include "teleop_keyboard/terminal.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// Manual driving by the keys of the terminal that its process has.
+class TeleopKeyboardComponent final : public Component {
+ public:
+  struct Params {
+    KeyboardTeleop::Params keys;
+    motion::TeleopSender::Params sender;
+    template <class Visitor>
+    void visit(Visitor& v) {
+      keys.visit(v);
+      sender.visit(v);
+    }
+  };
+
+  /// Uses the terminal of this process; in simulated time there are no keys.
+  TeleopKeyboardComponent(Context& context, const Params& params);
+  /// `terminal` may be null: no keys.
+  TeleopKeyboardComponent(Context& context, const Params& params,
+                          std::unique_ptr<Terminal> terminal);
+  /// Leaves the vehicle standing.
+  ~TeleopKeyboardComponent() override;
+  void tick(Time now) override;
+
+ private:
+  void read_keys(Time now);
+  void send(const kobuki::BodyVelocity& velocity, Time now);
+  void show(const kobuki::BodyVelocity& velocity);
+
+  Input<topic::SafetyStatus> safety_{*this};
+  Input<topic::Location> location_{*this};
+  Output<topic::TeleopCmdVel> command_{*this};
+
+  std::unique_ptr<Terminal> terminal_;
+  KeyboardTeleop teleop_;
+  motion::TeleopSender sender_;
+  std::shared_ptr<const topic::SafetyStatus::Message> safety_seen_;
+  std::shared_ptr<const topic::Location::Message> location_seen_;
+  std::string shown_;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "teleop_keyboard/teleop_keyboard_component.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+namespace {
+
+/// What keeps the vehicle from driving, in a word; empty when nothing does.
+std::string hindrance(const topic::SafetyStatus::Message& status) {
+  if (status.emergency_stop()) return "  EMERGENCY STOP";
+  if (status.wheel_drop() != 0) return "  wheel drop";
+  if (status.cliff() != 0) return "  cliff";
+  return status.bumper() != 0 ? "  bumper" : "";
+}
+
+}  // namespace
+
+TeleopKeyboardComponent::TeleopKeyboardComponent(Context& context, const Params& params)
+    : TeleopKeyboardComponent(context, params,
+                              context.devices == nullptr ? open_terminal() : nullptr) {}
+
+TeleopKeyboardComponent::TeleopKeyboardComponent(Context& context, const Params& params,
+                                                 std::unique_ptr<Terminal> terminal)
+    : Component(context),
+      terminal_(std::move(terminal)),
+      teleop_(params.keys),
+      sender_(params.sender) {
+  if (!terminal_) return;
+  if (terminal_->descriptor() >= 0) wake_on(terminal_->descriptor());
+  terminal_->print(teleop_.help());
+}
+
+TeleopKeyboardComponent::~TeleopKeyboardComponent() {
+  if (sender_.driving()) send({}, bus().now());
+}
+
+void TeleopKeyboardComponent::tick(Time now) {
+  if (terminal_) read_keys(now);
+  if (auto safety = safety_.take_latest()) safety_seen_ = std::move(safety);
+  if (auto location = location_.take_latest()) location_seen_ = std::move(location);
+  const kobuki::BodyVelocity velocity = teleop_.velocity(now);
+  sender_.hold(velocity);
+  if (const auto command = sender_.update(now)) send(*command, now);
+  if (terminal_) show(velocity);
+  wake_at(std::min(sender_.next_deadline(), teleop_.next_deadline(now)));
+}
+
+void TeleopKeyboardComponent::read_keys(Time now) {
+  const auto bytes = terminal_->read();
+  if (bytes) return teleop_.on_bytes(*bytes, now);
+  log().warn("no keys come any more");
+  teleop_.on_end();
+  if (terminal_->descriptor() >= 0) forget(terminal_->descriptor());
+  terminal_.reset();
+}
+
+void TeleopKeyboardComponent::send(const kobuki::BodyVelocity& velocity, Time now) {
+  topic::TeleopCmdVel::Message message;
+  message.header().stamp(wall(now));
+  message.header().frame_id("keyboard");
+  message.twist().linear().x(velocity.linear_mps);
+  message.twist().angular().z(velocity.angular_rad_s);
+  if (command_.write(std::move(message)) == Status::failed) log().warn("a velocity was not sent");
+}
+
+void TeleopKeyboardComponent::show(const kobuki::BodyVelocity& velocity) {
+  std::string line =
+      fmt::format("{:+.2f} m/s {:+.2f} rad/s   speeds {:.2f} m/s {:.2f} rad/s", velocity.linear_mps,
+                  velocity.angular_rad_s, teleop_.linear_mps(), teleop_.angular_rad_s());
+  if (location_seen_) {
+    const auto& at = location_seen_->pose().pose().position();
+    line += fmt::format("   at ({:.2f}, {:.2f}) m", at.x(), at.y());
+  }
+  line += safety_seen_ ? hindrance(*safety_seen_) : "  vehicle not heard";
+  if (line == shown_) return;
+  terminal_->show(line);
+  shown_ = line;
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::TeleopKeyboardComponent)
