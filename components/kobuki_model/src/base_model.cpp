@@ -67,9 +67,7 @@ void BaseModel::power_cycle(Time now) {
   next_frame_ = now + frame_period;
 }
 
-double BaseModel::noise(double sigma) {
-  return sigma <= 0 ? 0 : sigma * normal_(random_);
-}
+double BaseModel::noise(double sigma) { return sigma <= 0 ? 0 : sigma * normal_(random_); }
 
 void BaseModel::receive(ByteView bytes, Time now) {
   reassembler_.feed(bytes, [&](ByteView payload) {

@@ -30,6 +30,12 @@ void SerialLine::put(std::uint8_t byte) {
 
 void SerialLine::send(ByteView bytes, Time now) {
   line_free_ = std::max(line_free_, now);
+  const double faults =
+      params_.noise_probability + params_.loss_probability + params_.flip_probability;
+  if (faults <= 0) {
+    std::for_each(bytes.begin(), bytes.end(), [this](std::uint8_t byte) { put(byte); });
+    return;
+  }
   for (std::uint8_t byte : bytes) {
     if (chance(params_.noise_probability)) put(static_cast<std::uint8_t>(random_() & 0xFFU));
     if (chance(params_.loss_probability)) continue;

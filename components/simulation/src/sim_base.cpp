@@ -95,14 +95,14 @@ SimBase::SimBase(Core& core, const BaseOptions& options)
     : core_(core),
       path_(options.link),
       model_(options.model, surroundings(options), options.start, options.seed, core.now),
-      line_(options.line, options.seed + 1, core.now) {}
-
-Time SimBase::next_event() const { return std::min(model_.next_frame(), line_.last_delivery()); }
+      line_(options.line, options.seed + 1, core.now),
+      next_(model_.next_frame()) {}
 
 void SimBase::advance() {
   if (next_event() > core_.now) return;
   if (model_.next_frame() <= core_.now) step_model();
   if (line_.last_delivery() <= core_.now) deliver();
+  next_ = std::min(model_.next_frame(), line_.last_delivery());
 }
 
 void SimBase::step_model() {
@@ -114,7 +114,9 @@ void SimBase::deliver() {
   line_.deliver(core_.now, [this](kobuki::ByteView packet) {
     if (readable_) arrived_.insert(arrived_.end(), packet.begin(), packet.end());
   });
-  if (arrived_.size() > before) readable_();
+  if (arrived_.size() == before) return;
+  core_.input = true;
+  readable_();
 }
 
 std::unique_ptr<SerialDevice> SimBase::open(Devices::Readable readable) {

@@ -35,7 +35,7 @@ class SimBase {
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const kobuki::BaseModel& model() const { return model_; }
-  [[nodiscard]] Time next_event() const;
+  [[nodiscard]] Time next_event() const { return next_; }
   /// Does what is due at the core's time.
   void advance();
   /// The computer's end of the line. It must not outlive the base; one at a time.
@@ -49,6 +49,7 @@ class SimBase {
   std::string path_;
   kobuki::BaseModel model_;
   kobuki::SerialLine line_;
+  Time next_;
   std::vector<std::uint8_t> arrived_;
   Devices::Readable readable_;
 };

@@ -53,7 +53,7 @@ void SimHost::attach(SimProcess::Topic& topic) {
 void SimHost::deliver(const SimProcess::Topic& from, const Sample& sample) {
   if (from.qos.keeps_last()) from.on_host->last = sample;
   for (SimProcess::Topic* topic : from.on_host->processes) {
-    if (topic->receivers > 0 || topic->qos.keeps_last()) topic->exchange.deliver(sample);
+    if (topic->receivers > 0 || topic->qos.keeps_last()) topic->deliver(sample);
   }
 }
 

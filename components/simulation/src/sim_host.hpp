@@ -69,6 +69,12 @@ class SimProcess final : public Bus {
     Origin origin;  ///< of the last write
     QosProfile qos;
     TopicExchange exchange;
+    /// To the components of this process.
+    void deliver(const Sample& sample) {
+      *input = true;
+      exchange.deliver(sample);
+    }
+    bool* input = nullptr;  ///< of the core
     std::size_t receivers = 0;
     HostTopic* on_host = nullptr;
     std::unique_ptr<RtpsReader> reader;

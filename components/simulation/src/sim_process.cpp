@@ -51,6 +51,7 @@ std::unique_ptr<SimProcess::Topic> SimProcess::make_topic(const Endpoint& endpoi
   auto made = std::make_unique<Topic>(endpoint, network_.qos.of(endpoint.topic.qos, name));
   made->label = host_.name() + "/" + name_ + "/" + name;
   made->source = hash_of(made->label);
+  made->input = &network_.core.input;
   made->end = {host_.name(),
                host_.role(),
                name_,
@@ -104,7 +105,7 @@ void SimProcess::receive(Topic& its, const Change& change, std::uint64_t source)
   sample.sequence = change.sequence;
   sample.source = source;
   sample.bytes = static_cast<std::uint32_t>(change.bytes);
-  its.exchange.deliver(sample);
+  its.deliver(sample);
 }
 
 void SimProcess::make_reader(Topic& its) {

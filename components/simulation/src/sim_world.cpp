@@ -202,7 +202,8 @@ void SimWorld::Parts::step(Time now) {
     for (SimBase& base : side.bases) base.advance();
   }
   link.advance();
-  scheduler.run(now);
+  if (core.input || scheduler.next() <= now) scheduler.run(now);
+  core.input = false;
   if (core.observer != nullptr) core.observer->on_step(now);
 }
 
