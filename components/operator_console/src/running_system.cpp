@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "running_system.hpp"
+
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <yaml-cpp/yaml.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "command_line/programs.hpp"
+#include "foundation/error.hpp"
+#include "namespaces.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* container_name = "operator";
+
+std::shared_ptr<const YAML::Node> parameters_of(const Guest& guest) {
+  auto node = std::make_shared<YAML::Node>(YAML::NodeType::Map);
+  for (const std::string& setting : guest.settings) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos) {
+      throw ConfigError("--set " + setting + ": is not key=value");
+    }
+    try {
+      (*node)[setting.substr(0, equals)] = YAML::Load(setting.substr(equals + 1));
+    } catch (const YAML::Exception& wrong) {
+      throw ConfigError("--set " + setting + ": " + wrong.msg);
+    }
+  }
+  return node;
+}
+
+/// A living process of this host, by the list that the launcher keeps.
+pid_t process_of(const fs::path& run, const std::string& host) {
+  std::ifstream file(run / "processes.json");
+  const auto pids = nlohmann::json::parse(file, nullptr, false);
+  if (pids.is_object()) {
+    for (const auto& [name, pid] : pids.items()) {
+      const bool ours = name.rfind(host + "/", 0) == 0 && pid.is_number_integer();
+      if (ours && ::kill(pid.get<pid_t>(), 0) == 0) return pid.get<pid_t>();
+    }
+  }
+  throw EnvironmentError("nothing runs on host " + host + " of " + run.string());
+}
+
+/// Becomes the process; only async-signal-safe calls between fork and here.
+[[noreturn]] void become(const std::vector<std::string>& command) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  ::signal(SIGINT, SIG_DFL);
+  std::vector<char*> words;
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  ::execv(words[0], words.data());
+  ::_exit(127);
+}
+
+/// Ctrl-C reaches both; the child ends by it, and then this program.
+int run_and_wait(const std::vector<std::string>& command) {
+  ::signal(SIGINT, SIG_IGN);
+  const pid_t child = ::fork();
+  if (child < 0) throw EnvironmentError("cannot start a process: fork failed");
+  if (child == 0) become(command);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+const deployment::Host& host_of(const deployment::Deployment& deployment, const std::string& role) {
+  for (const deployment::Host& host : deployment.hosts) {
+    if (host.role == role) return host;
+  }
+  throw ConfigError(deployment.file + ": has no host of role " + role);
+}
+
+}  // namespace
+
+void JoinOptions::declare(CLI::App& app) {
+  app.add_option("--run-dir", run_dir, "folder of the run to join [the newest in runs/]");
+  app.add_option("--on", role, "side of the link to join: gcs or uxv")
+      ->check(CLI::IsMember({"gcs", "uxv"}))
+      ->capture_default_str();
+}
+
+std::string newest_run(const std::string& runs) {
+  std::string newest;
+  std::error_code absent;
+  for (const auto& entry : fs::directory_iterator(runs, absent)) {
+    const bool is_run = fs::exists(entry.path() / "processes.json", absent);
+    if (is_run) newest = std::max(newest, entry.path().string());  // named by their time
+  }
+  if (newest.empty()) {
+    throw EnvironmentError("no run in " + runs + ": tocsin launch makes one, --run-dir names it");
+  }
+  return newest;
+}
+
+deployment::Deployment with_guest(deployment::Deployment deployment, const std::string& role,
+                                  const Guest& guest) {
+  const std::string host = host_of(deployment, role).name;
+  const auto found = std::find_if(deployment.hosts.begin(), deployment.hosts.end(),
+                                  [&](const auto& one) { return one.name == host; });
+  for (deployment::Container& container : found->containers) container.terminal = false;
+  found->containers.push_back(
+      {container_name,
+       false,
+       {{guest.component, guest.component + "_operator", parameters_of(guest), {}}}});
+  return deployment;
+}
+
+int run_guest(const JoinOptions& options, const Guest& guest) {
+  const fs::path run = fs::absolute(options.run_dir.empty() ? newest_run("runs") : options.run_dir);
+  const std::string original = (run / "deployment.yaml").string();
+  if (!fs::exists(original)) throw EnvironmentError(run.string() + ": holds no run");
+  const deployment::Deployment joined =
+      with_guest(deployment::load_resolved(original), options.role, guest);
+  const std::string host = host_of(joined, options.role).name;
+  const auto container = find_program("tocsin-container", program_folders());
+  if (!container) throw EnvironmentError("tocsin-container is not installed");
+  const pid_t process = process_of(run, host);
+  const std::string file = (run / ("operator-" + std::to_string(::getpid()) + ".yaml")).string();
+  deployment::write_resolved(joined, file);
+  if (joined.radio) enter_namespaces(process);
+  const int code = run_and_wait({container->string(), file, host, container_name});
+  std::error_code ignored;
+  fs::remove(file, ignored);
+  return code;
+}
+
+}  // namespace tocsin

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "running_system.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <yaml-cpp/yaml.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "foundation/error.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RunningSystemTest : public ::testing::Test {
+ protected:
+  RunningSystemTest() {
+    std::string name = "/tmp/tocsin_operator_XXXXXX";
+    folder_ = mkdtemp(name.data());
+  }
+  ~RunningSystemTest() override { fs::remove_all(folder_); }
+  static deployment::Deployment two_hosts() {
+    deployment::Deployment deployment;
+    deployment.hosts.resize(2);
+    deployment.hosts[0].name = "vehicle";
+    deployment.hosts[0].role = "uxv";
+    deployment.hosts[1].name = "station";
+    deployment.hosts[1].role = "gcs";
+    deployment.hosts[1].containers.push_back({"view", true, {}});
+    return deployment;
+  }
+  std::string folder_;
+};
+
+TEST_F(RunningSystemTest, FindsTheNewestRun) {
+  for (const char* run : {"20260101T000000Z", "20260102T000000Z"}) {
+    fs::create_directories(folder_ + "/" + run);
+    std::ofstream(folder_ + "/" + run + "/processes.json") << "{}";
+  }
+  fs::create_directories(folder_ + "/20260103T000000Z");  // holds no run
+  EXPECT_EQ(newest_run(folder_), folder_ + "/20260102T000000Z");
+}
+
+TEST_F(RunningSystemTest, SaysWhenThereIsNoRun) {
+  EXPECT_THROW((void)newest_run(folder_), EnvironmentError);
+  EXPECT_THROW((void)newest_run("/nowhere"), EnvironmentError);
+  EXPECT_THROW((void)run_guest({folder_, "gcs"}, {"teleop_keyboard", {}}), EnvironmentError);
+}
+
+TEST_F(RunningSystemTest, AddsAContainerToTheHostOfTheRole) {
+  const auto joined =
+      with_guest(two_hosts(), "gcs", {"teleop_keyboard", {"linear_mps=0.2", "layout=turtlebot"}});
+  EXPECT_TRUE(joined.hosts[0].containers.empty());
+  ASSERT_EQ(joined.hosts[1].containers.size(), 2U);
+  EXPECT_FALSE(joined.hosts[1].containers[0].terminal);
+  const deployment::Container& guest = joined.hosts[1].containers[1];
+  EXPECT_EQ(guest.name, "operator");
+  EXPECT_EQ(guest.components[0].component, "teleop_keyboard");
+  EXPECT_EQ((*guest.components[0].parameters)["linear_mps"].as<double>(), 0.2);
+}
+
+TEST_F(RunningSystemTest, RefusesWrongSettingsAndAbsentRoles) {
+  EXPECT_THROW((void)with_guest(two_hosts(), "gcs", {"teleop_keyboard", {"layout"}}), ConfigError);
+  EXPECT_THROW((void)with_guest(two_hosts(), "gcs", {"teleop_keyboard", {"a=[1"}}), ConfigError);
+  auto vehicle_only = two_hosts();
+  vehicle_only.hosts.pop_back();
+  EXPECT_THROW((void)with_guest(vehicle_only, "gcs", {"teleop_keyboard", {}}), ConfigError);
+}
+
+}  // namespace
+}  // namespace tocsin
