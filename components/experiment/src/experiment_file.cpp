@@ -24,8 +24,8 @@ bool is_name(const std::string& text) {
 /// One experiment file while it is read.
 class Reader {
  public:
-  explicit Reader(const std::string& path)
-      : path_(path), folder_(fs::absolute(path).parent_path()), root_(read_yaml_file(path)) {
+  Reader(const std::string& path, const YAML::Node& root)
+      : path_(path), folder_(fs::absolute(path).parent_path()), root_(root) {
     if (!root_.IsMap()) fail(root_, "experiment: is not a map");
   }
 
@@ -128,10 +128,7 @@ void resolve_sets(const Reader& reader, Experiment& experiment) {
   }
 }
 
-}  // namespace
-
-Experiment load_experiment(const std::string& path) {
-  const Reader reader(path);
+Experiment read(const Reader& reader, const std::string& path) {
   Experiment experiment;
   experiment.file = fs::absolute(path);
   experiment.timing = reader.timing();
@@ -143,12 +140,28 @@ Experiment load_experiment(const std::string& path) {
   for (PolicyChoice& choice : experiment.policies) {
     if (choice.policy.empty()) choice.policy = choice.name;
   }
-  resolve_files(reader, experiment);
   resolve_sets(reader, experiment);
   if (experiment.timing.warm_up_s >= experiment.timing.duration_s) {
     throw ConfigError("experiment.warm_up_s: must be less than duration_s (" + path + ")");
   }
   return experiment;
+}
+
+}  // namespace
+
+Experiment load_experiment(const std::string& path) {
+  const Reader reader(path, read_yaml_file(path));
+  Experiment experiment = read(reader, path);
+  resolve_files(reader, experiment);
+  return experiment;
+}
+
+Experiment parse_experiment(const std::string& text, const std::string& path) {
+  try {
+    return read(Reader(path, YAML::Load(text)), path);
+  } catch (const YAML::ParserException& error) {
+    throw ConfigError(path + ": " + error.what());
+  }
 }
 
 }  // namespace tocsin::experiment

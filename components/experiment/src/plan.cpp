@@ -41,26 +41,6 @@ std::string bringup_file(const std::string& name, const std::string& share) {
   return bare && fs::exists(shared) ? shared.string() : name;
 }
 
-/// The component of the experiment itself, with these parameters.
-void replace_component(const YAML::Node& parameters, deployment::ComponentInstance& instance) {
-  instance.component = "experiment";
-  instance.parameters = std::make_shared<const YAML::Node>(parameters);
-  instance.origins.clear();
-}
-
-YAML::Node picture_parameters(const Payload& payload) {
-  YAML::Node parameters(YAML::NodeType::Map);
-  parameters["picture_hz"] = payload.picture_hz;
-  parameters["picture_bytes"] = payload.picture_bytes;
-  return parameters;
-}
-
-YAML::Node listen_parameters() {
-  YAML::Node parameters(YAML::NodeType::Map);
-  parameters["listen"] = true;
-  return parameters;
-}
-
 /// Removes the camera when the payload has none.
 void drop_camera(deployment::Deployment& deployment) {
   for (deployment::Host& host : deployment.hosts) {
@@ -146,15 +126,14 @@ deployment::Deployment deployment_of(const Run& run, const Timing& timing, const
   return deployment;
 }
 
-void instrument(const Payload& payload, deployment::Deployment& deployment) {
+void instrument(deployment::Deployment& deployment) {
   for (deployment::Host& host : deployment.hosts) {
     for (deployment::Container& container : host.containers) {
       for (deployment::ComponentInstance& one : container.components) {
-        if (one.component == "recorder") {
-          replace_component(listen_parameters(), one);
-        } else if (one.component == "camera") {
-          replace_component(picture_parameters(payload), one);
-        }
+        if (one.component != "recorder") continue;
+        one.component = "experiment";
+        one.parameters = std::make_shared<const YAML::Node>(YAML::NodeType::Map);
+        one.origins.clear();
       }
     }
   }

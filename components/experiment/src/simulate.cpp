@@ -11,7 +11,7 @@ namespace {
 
 RunResult play(const Run& run, const Timing& timing, const Places& places) {
   auto deployment = deployment_of(run, timing, places.share, places.folder);
-  instrument(run.payload, deployment);
+  instrument(deployment);
   Tape tape;
   simulation::WorldOptions options;
   options.digest = false;

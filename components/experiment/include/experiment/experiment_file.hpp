@@ -34,15 +34,11 @@ struct Channel {
 struct Payload {
   std::string name;
   bool camera = false;
-  double picture_hz = 8;
-  int picture_bytes = 40000;
   std::vector<std::string> set;
   template <class Visitor>
   void visit(Visitor& v) {
     v("name", name, "word that names it in results");
-    v("camera", camera, "whether pictures are sent; in simulation bytes without a picture");
-    v("picture_hz", picture_hz, {0.1, 30}, "[1/s] pictures");
-    v("picture_bytes", picture_bytes, {1000, 1000000}, "[byte] of a picture, +-10 %");
+    v("camera", camera, "whether the vehicle has a camera");
     v("set", set, "component.key=value, as of tocsin launch");
   }
 };
@@ -118,5 +114,8 @@ struct Experiment {
 
 /// Throws ConfigError with file, line, key, value and what is allowed.
 [[nodiscard]] Experiment load_experiment(const std::string& path);
+
+/// The same of a text that was read from `path`; the files that it names need not be there.
+[[nodiscard]] Experiment parse_experiment(const std::string& text, const std::string& path);
 
 }  // namespace tocsin::experiment

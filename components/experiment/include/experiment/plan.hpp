@@ -42,7 +42,7 @@ struct Run {
                                                    const std::string& share,
                                                    const std::string& run_dir);
 
-/// Makes it a simulated run: recorders give way to readers that keep nothing, the camera to bytes.
-void instrument(const Payload& payload, deployment::Deployment& deployment);
+/// Makes it a simulated run: each recorder gives way to a Listener.
+void instrument(deployment::Deployment& deployment);
 
 }  // namespace tocsin::experiment

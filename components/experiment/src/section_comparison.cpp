@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "sections.hpp"
+#include "verdict.hpp"
+
+namespace tocsin::experiment {
+namespace {
+
+/// What the table of a comparison shows; runs.csv has them all.
+const std::vector<std::string> shown{"qni_mean",
+                                     "probe_per_mean",
+                                     "probe_per_max",
+                                     "telemetry_per",
+                                     "telemetry_per_max",
+                                     "critical_lost",
+                                     "high_lost",
+                                     "low_lost",
+                                     "camera_lost",
+                                     "high_delivered",
+                                     "low_delivered",
+                                     "high_latency_median",
+                                     "high_latency_p99",
+                                     "low_latency_p99",
+                                     "goal_latency_p99",
+                                     "location_age_mean",
+                                     "location_age_p95",
+                                     "battery_age_mean",
+                                     "battery_age_p95",
+                                     "camera_age_mean",
+                                     "link_bytes",
+                                     "airtime",
+                                     "detect",
+                                     "missed",
+                                     "resume",
+                                     "sent_in_poor",
+                                     "silent_in_good",
+                                     "pauses",
+                                     "silence_mean",
+                                     "silence_max",
+                                     "completion"};
+
+const std::vector<std::string> boxed{"telemetry_per_max", "probe_per_max", "high_latency_p99",
+                                     "location_age_p95", "silence_max"};
+
+std::string label_of(const std::string& metric) {
+  return metric + " [" + metric_texts()[metric_index(metric)].unit + "]";
+}
+
+void add_means(const std::vector<const Group*>& round, Document& document) {
+  std::vector<std::vector<std::string>> rows{{"mean over runs"}};
+  for (const Group* group : round) rows[0].push_back(display_name(group->policy));
+  for (const std::string& metric : shown) {
+    std::vector<std::string> row{label_of(metric)};
+    bool any = false;
+    for (const Group* group : round) {
+      const Estimate one = estimate(group->metric(metric));
+      any = any || one.runs > 0;
+      row.push_back(html::number(one));
+    }
+    if (any) rows.push_back(std::move(row));
+  }
+  document.table(rows);
+}
+
+void add_differences(const std::vector<const Group*>& round, const Group& ours,
+                     Document& document) {
+  std::vector<std::vector<std::string>> rows{{"TOCP-DSP minus ..."}};
+  for (const Group* group : round) {
+    if (group != &ours) rows[0].push_back(display_name(group->policy));
+  }
+  for (const std::string& metric : shown) {
+    std::vector<std::string> row{label_of(metric)};
+    for (const Group* group : round) {
+      if (group == &ours) continue;
+      const Estimate one = paired_difference(ours.metric(metric), group->metric(metric));
+      const Verdict verdict = judge(one, metric_texts()[metric_index(metric)].less_is_better);
+      const char* kind = verdict == Verdict::better ? "yes" : verdict == Verdict::worse ? "no" : "";
+      row.push_back(std::string("<span class=\"") + kind + "\">" + html::number(one) + "</span>");
+    }
+    rows.push_back(std::move(row));
+  }
+  document.add(
+      html::details("paired differences (green: better, red: worse, with 95 % "
+                    "confidence)",
+                    html::table(rows)));
+}
+
+void add_round(const std::vector<const Group*>& round, Document& document) {
+  document.heading(3, round_title(*round.front()) + ": " +
+                          std::to_string(round.front()->indices.size()) + " runs each");
+  add_means(round, document);
+  for (const Group* group : round) {
+    if (group->policy == "tocp_dsp" && round.size() > 1) {
+      add_differences(round, *group, document);
+    }
+  }
+}
+
+void add_boxes(const std::vector<const Group*>& round, const std::string& metric,
+               Document& document) {
+  Figure figure("box_" + round_id(*round.front()) + "_" + metric,
+                mission_name(round.front()->mission) + ": " + metric + " over runs");
+  const MetricText& text = metric_texts()[metric_index(metric)];
+  figure.axes("", metric + " [" + text.unit + "]");
+  figure.with(metric == "high_latency_p99" ? "set logscale y" : "set yrange [0:*]");
+  for (const Group* group : round) figure.box(display_name(group->policy), group->metric(metric));
+  document.figure(std::move(figure), std::string("Box: quartiles and median over ") +
+                                         std::to_string(round.front()->indices.size()) +
+                                         " runs; whiskers: 5th to 95th percentile. " +
+                                         html::escape(text.text) + ".");
+}
+
+}  // namespace
+
+void add_distributions(const Results& results, Document& document) {
+  const auto sets = sets_of(results, "thesis");
+  if (sets.empty()) return;
+  document.heading(2, "Distributions over runs");
+  for (const RunSet* set : sets) {
+    for (const auto& round : rounds_of(results.groups, set->name)) {
+      document.heading(3, round_title(*round.front()));
+      for (const std::string& metric : boxed) add_boxes(round, metric, document);
+    }
+  }
+}
+
+void add_comparisons(const Results& results, Document& document) {
+  for (const char* kind : {"thesis", "comparison"}) {
+    for (const RunSet* set : sets_of(results, kind)) {
+      document.heading(2, set->title);
+      for (const auto& round : rounds_of(results.groups, set->name)) add_round(round, document);
+    }
+  }
+}
+
+}  // namespace tocsin::experiment

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "sections.hpp"
+#include "verdict.hpp"
+
+namespace tocsin::experiment {
+namespace {
+
+const std::vector<std::string> shown{"qni_mean",         "probe_per_mean", "telemetry_per",
+                                     "high_delivered",   "low_delivered",  "high_latency_median",
+                                     "high_latency_p99", "link_bytes",     "airtime",
+                                     "completion",       "stalled"};
+
+/// The values of a simulated and of a real group, run by run.
+struct Pairs {
+  std::vector<double> simulated;
+  std::vector<double> real;
+};
+
+void add_pairs(const Group& simulated, const Group& real, const std::string& metric, Pairs& pairs) {
+  const auto a = simulated.metric(metric);
+  const auto b = real.metric(metric);
+  for (std::size_t i = 0; i < real.indices.size(); ++i) {
+    const auto found =
+        std::find(simulated.indices.begin(), simulated.indices.end(), real.indices[i]);
+    if (found == simulated.indices.end()) continue;
+    const double value = a[static_cast<std::size_t>(found - simulated.indices.begin())];
+    if (!std::isfinite(value) || !std::isfinite(b[i])) continue;
+    pairs.simulated.push_back(value);
+    pairs.real.push_back(b[i]);
+  }
+}
+
+Pairs pairs_of(const Results& results, const std::string& metric) {
+  Pairs pairs;
+  for (const Group& real : results.real) {
+    const Group* simulated = find_group(results.groups, real, real.policy);
+    if (simulated != nullptr) add_pairs(*simulated, real, metric, pairs);
+  }
+  return pairs;
+}
+
+void add_scatter(const Results& results, const std::string& metric, Document& document) {
+  const Pairs pairs = pairs_of(results, metric);
+  Figure figure("real_" + metric, "Simulated and real, run by run: " + metric);
+  figure.axes("simulated", "real").with("f(x) = x\nset key off");
+  figure.points("", pairs.simulated, pairs.real);
+  figure.points("", {}, {})
+      .with("set arrow from graph 0,0 to graph 1,1 nohead dt 2 lc rgb '#999999'");
+  document.figure(std::move(figure), html::escape(metric_texts()[metric_index(metric)].text) + ".");
+}
+
+std::string target(const Estimate& difference, double limit, const std::string& what) {
+  const bool met = std::fabs(difference.mean) <= limit;
+  return "<li><span class=\"" + std::string(met ? "yes" : "no") + "\">" +
+         (met ? "met" : "not met") + "</span>: " + what + " within " + html::number(limit) +
+         " over at least 20 paired runs; real minus simulated " + html::number(difference) +
+         " over " + std::to_string(difference.runs) + " pairs.</li>";
+}
+
+}  // namespace
+
+void add_reality(const Results& results, Document& document) {
+  if (results.real.empty()) return;
+  document.heading(2, "Simulated against real");
+  document.paragraph(
+      "The same seeds through the whole real stack: processes, Fast DDS, IP packets "
+      "through the link emulator, real time. Observations in which the emulator was "
+      "more than 50 ms late, because the machine froze, are marked (stalled).");
+  std::vector<std::vector<std::string>> rows{
+      {"metric", "simulated", "real", "real minus simulated", "pairs"}};
+  for (const std::string& metric : shown) {
+    const Pairs pairs = pairs_of(results, metric);
+    const Estimate difference = paired_difference(pairs.real, pairs.simulated);
+    rows.push_back({metric + " [" + metric_texts()[metric_index(metric)].unit + "]",
+                    html::number(estimate(pairs.simulated)), html::number(estimate(pairs.real)),
+                    html::number(difference), std::to_string(difference.runs)});
+  }
+  document.table(rows);
+  const auto difference = [&](const char* metric) {
+    const Pairs pairs = pairs_of(results, metric);
+    return paired_difference(pairs.real, pairs.simulated);
+  };
+  document.add("<ul>" + target(difference("qni_mean"), 2, "mean QNI") +
+               target(difference("high_delivered"), 2, "delivered share of class high") +
+               "</ul>\n");
+  add_scatter(results, "qni_mean", document);
+  add_scatter(results, "high_delivered", document);
+}
+
+}  // namespace tocsin::experiment
