@@ -20,6 +20,7 @@ bool CdrTopicType::serialize(void* data, Payload* payload) {
 
 bool CdrTopicType::deserialize(Payload* payload, void* data) {
   auto& incoming = *static_cast<IncomingSample*>(data);
+  if (incoming.skip) return true;
   incoming.message = type_.create();
   incoming.bytes = payload->length;
   incoming.valid = type_.deserialize(payload->data, payload->length, incoming.message.get());

@@ -13,6 +13,7 @@ struct IncomingSample {
   std::shared_ptr<void> message;
   std::uint32_t bytes = 0;
   bool valid = false;
+  bool skip = false;  ///< set before: take the sample off the reader without decoding it
 };
 
 /// Tells Fast DDS about a type by its TypeInfo. Writers pass `const void*` of the message itself,

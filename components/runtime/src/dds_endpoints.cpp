@@ -10,10 +10,11 @@ namespace tocsin {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
 using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
 
 /// FNV-1a over the GUID of the writer.
-std::uint64_t source_of(const eprosima::fastrtps::rtps::GUID_t& guid) {
+std::uint64_t source_of(const rtps::GUID_t& guid) {
   std::uint64_t hash = 1469598103934665603ULL;
   const auto add = [&hash](const auto& bytes, std::size_t size) {
     for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 1099511628211ULL;
@@ -23,9 +24,9 @@ std::uint64_t source_of(const eprosima::fastrtps::rtps::GUID_t& guid) {
   return hash;
 }
 
-Sample sample_of(const IncomingSample& incoming, const dds::SampleInfo& info) {
+Sample sample_of(IncomingSample& incoming, const dds::SampleInfo& info) {
   Sample sample;
-  sample.message = incoming.message;
+  sample.message = std::move(incoming.message);
   sample.received = std::chrono::steady_clock::now();
   sample.sent_wall_ns = info.source_timestamp.to_ns();
   sample.received_wall_ns = info.reception_timestamp.to_ns();
@@ -41,36 +42,68 @@ DdsReader::DdsReader(FastDdsParticipant& participant, const std::string& topic,
                      const TypeInfo& type, const QosProfile& qos, TopicExchange& exchange)
     : participant_(participant),
       exchange_(exchange),
-      log_("dds " + topic),
+      skips_own_(!qos.exclusive()),
+      account_(topic, false, participant.radio()),
       reader_(participant.create_reader(topic, type, qos, *this)) {
   if (reader_ == nullptr) throw EnvironmentError("DDS reader of " + topic + " cannot be created");
 }
 
 DdsReader::~DdsReader() { participant_.remove(reader_); }
 
+bool DdsReader::next_is_own(Reader* reader) const {
+  if (!skips_own_ || !own_matched_) return false;
+  dds::SampleInfo info;
+  return reader->get_first_untaken_info(&info) == ReturnCode::RETCODE_OK &&
+         participant_.owns(info.sample_identity.writer_guid());
+}
+
 void DdsReader::on_data_available(Reader* reader) {
   IncomingSample incoming;
   dds::SampleInfo info;
-  while (reader->take_next_sample(&incoming, &info) == ReturnCode::RETCODE_OK) {
-    if (!info.valid_data || participant_.owns(info.sample_identity.writer_guid())) continue;
+  for (;;) {
+    incoming.skip = next_is_own(reader);  // spares the decoding
+    if (reader->take_next_sample(&incoming, &info) != ReturnCode::RETCODE_OK) return;
+    if (!info.valid_data || incoming.skip) continue;
+    if (skips_own_ && participant_.owns(info.sample_identity.writer_guid())) continue;
     if (incoming.valid) {
       exchange_.deliver(sample_of(incoming, info));
     } else {
-      log_.error("a sample of {} bytes is not of this type; dropped", incoming.bytes);
+      account_.on_undecodable(incoming.bytes);
     }
   }
 }
 
+void DdsReader::on_subscription_matched(Reader*, const dds::SubscriptionMatchedStatus& status) {
+  const rtps::GUID_t writer = rtps::iHandle2GUID(status.last_publication_handle);
+  if (participant_.owns(writer)) {
+    own_matched_ = status.current_count_change > 0;
+    return;
+  }
+  account_.on_matched(status.current_count_change);
+  if (status.current_count_change < 0) exchange_.forget(source_of(writer));
+}
+
 void DdsReader::on_requested_incompatible_qos(Reader*,
                                               const dds::RequestedIncompatibleQosStatus& status) {
-  log_.error("a writer offers less than this reader requests (DDS policy {}): not matched",
-             status.last_policy_id);
+  account_.on_incompatible(status.last_policy_id, status.total_count_change);
+}
+
+void DdsReader::on_sample_lost(Reader*, const dds::SampleLostStatus& status) {
+  account_.on_lost(status.total_count_change);
+}
+
+void DdsReader::on_sample_rejected(Reader*, const dds::SampleRejectedStatus& status) {
+  account_.on_lost(static_cast<int>(status.total_count_change));
+}
+
+void DdsReader::on_liveliness_changed(Reader*, const dds::LivelinessChangedStatus& status) {
+  account_.on_liveliness_lost(status.not_alive_count_change);
 }
 
 DdsWriter::DdsWriter(FastDdsParticipant& participant, const std::string& topic,
                      const TypeInfo& type, const QosProfile& qos)
     : participant_(participant),
-      log_("dds " + topic),
+      account_(topic, true, participant.radio()),
       writer_(participant.create_writer(topic, type, qos, *this)) {
   if (writer_ == nullptr) throw EnvironmentError("DDS writer of " + topic + " cannot be created");
 }
@@ -79,7 +112,10 @@ DdsWriter::~DdsWriter() { participant_.remove(writer_); }
 
 bool DdsWriter::send(const void* message) {
   // The overload that returns a bool hides the reason; Fast DDS does not change the message.
-  return writer_->write(const_cast<void*>(message), dds::HANDLE_NIL) == ReturnCode::RETCODE_OK;
+  const bool ok =
+      writer_->write(const_cast<void*>(message), dds::HANDLE_NIL) == ReturnCode::RETCODE_OK;
+  (ok ? sent_ : refused_).fetch_add(1, std::memory_order_relaxed);
+  return ok;
 }
 
 void DdsWriter::silence() {
@@ -87,14 +123,26 @@ void DdsWriter::silence() {
   (void)writer_->clear_history(&removed);
 }
 
+EndpointHealth DdsWriter::health() const {
+  EndpointHealth health = account_.health();
+  health.samples = sent_;
+  health.lost = refused_;
+  return health;
+}
+
 void DdsWriter::on_publication_matched(Writer*, const dds::PublicationMatchedStatus& status) {
-  matched_ = status.current_count;
+  if (participant_.owns(rtps::iHandle2GUID(status.last_subscription_handle))) return;
+  matched_ += status.current_count_change;
+  account_.on_matched(status.current_count_change);
 }
 
 void DdsWriter::on_offered_incompatible_qos(Writer*,
                                             const dds::OfferedIncompatibleQosStatus& status) {
-  log_.error("a reader requests more than this writer offers (DDS policy {}): not matched",
-             status.last_policy_id);
+  account_.on_incompatible(status.last_policy_id, status.total_count_change);
+}
+
+void DdsWriter::on_liveliness_lost(Writer*, const dds::LivelinessLostStatus& status) {
+  account_.on_liveliness_lost(status.total_count_change);
 }
 
 }  // namespace tocsin

@@ -6,31 +6,45 @@
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <string>
 
+#include "endpoint_account.hpp"
 #include "fast_dds_participant.hpp"
-#include "runtime/logger.hpp"
 #include "runtime/middleware/gated_writer.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
 
 namespace tocsin {
 
 /// A DataReader that puts what it takes into an exchange. The listener only queues, it never
-/// writes: Fast DDS deadlocks when a callback writes. What this process wrote itself is skipped:
-/// the exchange has delivered it already.
+/// writes: Fast DDS deadlocks when a callback writes. What this process wrote itself is skipped,
+/// because the exchange has delivered it already; with exclusive ownership, where Fast DDS must
+/// choose among the writers, everything comes this way.
 class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
  public:
   DdsReader(FastDdsParticipant& participant, const std::string& topic, const TypeInfo& type,
             const QosProfile& qos, TopicExchange& exchange);
   ~DdsReader() override;
+  [[nodiscard]] EndpointHealth health() const { return account_.health(); }
 
  private:
   using Reader = eprosima::fastdds::dds::DataReader;
   void on_data_available(Reader* reader) override;
+  void on_subscription_matched(
+      Reader* reader, const eprosima::fastdds::dds::SubscriptionMatchedStatus& status) override;
   void on_requested_incompatible_qos(
       Reader* reader,
       const eprosima::fastdds::dds::RequestedIncompatibleQosStatus& status) override;
+  void on_sample_lost(Reader* reader,
+                      const eprosima::fastdds::dds::SampleLostStatus& status) override;
+  void on_sample_rejected(Reader* reader,
+                          const eprosima::fastdds::dds::SampleRejectedStatus& status) override;
+  void on_liveliness_changed(
+      Reader* reader, const eprosima::fastdds::dds::LivelinessChangedStatus& status) override;
+  [[nodiscard]] bool next_is_own(Reader* reader) const;
+
   FastDdsParticipant& participant_;
   TopicExchange& exchange_;
-  Logger log_;
+  const bool skips_own_;
+  EndpointAccount account_;
+  std::atomic<bool> own_matched_{false};
   Reader* reader_;
 };
 
@@ -43,7 +57,9 @@ class DdsWriter : public LinkWriter, private eprosima::fastdds::dds::DataWriterL
 
   bool send(const void* message) override;
   void silence() override;
-  [[nodiscard]] int matched_readers() const { return matched_; }
+  /// Readers in other processes.
+  [[nodiscard]] int matched_readers() const { return matched_.load(std::memory_order_relaxed); }
+  [[nodiscard]] EndpointHealth health() const;
 
  private:
   using Writer = eprosima::fastdds::dds::DataWriter;
@@ -51,9 +67,13 @@ class DdsWriter : public LinkWriter, private eprosima::fastdds::dds::DataWriterL
       Writer* writer, const eprosima::fastdds::dds::PublicationMatchedStatus& status) override;
   void on_offered_incompatible_qos(
       Writer* writer, const eprosima::fastdds::dds::OfferedIncompatibleQosStatus& status) override;
+  void on_liveliness_lost(Writer* writer,
+                          const eprosima::fastdds::dds::LivelinessLostStatus& status) override;
   FastDdsParticipant& participant_;
-  Logger log_;
+  EndpointAccount account_;
   std::atomic<int> matched_{0};
+  std::atomic<std::uint64_t> sent_{0};
+  std::atomic<std::uint64_t> refused_{0};
   Writer* writer_;
 };
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <random>
 #include <utility>
 
 #include "foundation/error.hpp"
@@ -14,6 +15,11 @@ namespace tocsin {
 namespace {
 
 const char* const loopback = "127.0.0.1";
+
+std::int64_t wall_now_ns() {
+  return std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
 
 class FastDdsBus : public Bus {
  public:
@@ -41,6 +47,7 @@ class FastDdsBus : public Bus {
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
   void set_gate(bool open) override;
   [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override;
+  [[nodiscard]] std::vector<EndpointHealth> health() const override;
 
  private:
   TopicChannel& channel(const Endpoint& endpoint);
@@ -59,9 +66,9 @@ class FastDdsBus : public Bus {
 /// Removes the receiver when it is destroyed.
 class ChannelSubscription : public Subscription {
  public:
-  ChannelSubscription(TopicChannel& channel, Receiver& receiver)
+  ChannelSubscription(TopicChannel& channel, Receiver& receiver, Time now)
       : channel_(channel), receiver_(receiver) {
-    channel_.attach(receiver_);
+    channel_.attach(receiver_, now);
   }
   ~ChannelSubscription() override { channel_.detach(receiver_); }
 
@@ -70,22 +77,32 @@ class ChannelSubscription : public Subscription {
   Receiver& receiver_;
 };
 
+/// A number that no other writer has, here or in another life of this process.
+std::uint64_t fresh_source() {
+  static std::atomic<std::uint64_t> next{
+      (static_cast<std::uint64_t>(std::random_device{}()) << 32U) + std::random_device{}()};
+  return next++;
+}
+
 class ChannelPublication : public Publication {
  public:
   ChannelPublication(const FastDdsBus& bus, TopicChannel& channel) : bus_(bus), channel_(channel) {}
+  ~ChannelPublication() override { channel_.forget(source_); }
 
   Status write(const std::shared_ptr<const void>& message) override {
     Sample sample;
     sample.message = message;
     sample.received = bus_.now();
-    sample.sent_wall_ns = sample.received_wall_ns = bus_.wall_ns(sample.received);
+    sample.sent_wall_ns = sample.received_wall_ns = wall_now_ns();
     sample.sequence = ++written_;
+    sample.source = source_;
     return channel_.write(sample);
   }
 
  private:
   const FastDdsBus& bus_;
   TopicChannel& channel_;
+  const std::uint64_t source_ = fresh_source();
   std::atomic<std::uint64_t> written_{0};
 };
 
@@ -110,7 +127,7 @@ TopicChannel& FastDdsBus::channel(const Endpoint& endpoint) {
 }
 
 std::unique_ptr<Subscription> FastDdsBus::subscribe(const Endpoint& endpoint, Receiver& receiver) {
-  return std::make_unique<ChannelSubscription>(channel(endpoint), receiver);
+  return std::make_unique<ChannelSubscription>(channel(endpoint), receiver, now());
 }
 
 std::unique_ptr<Publication> FastDdsBus::advertise(const Endpoint& endpoint) {
@@ -122,12 +139,7 @@ std::unique_ptr<Publication> FastDdsBus::advertise(const Endpoint& endpoint) {
   return std::make_unique<ChannelPublication>(*this, topic);
 }
 
-std::int64_t FastDdsBus::wall_ns(Time t) const {
-  const Duration ago = now() - t;
-  return std::chrono::duration_cast<Duration>(
-             (std::chrono::system_clock::now() - ago).time_since_epoch())
-      .count();
-}
+std::int64_t FastDdsBus::wall_ns(Time t) const { return wall_now_ns() - (now() - t).count(); }
 
 void FastDdsBus::set_gate(bool open) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -142,6 +154,15 @@ std::vector<TopicTraffic> FastDdsBus::link_traffic() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const auto& entry : channels_) {
     if (const GatedWriter* writer = entry.second->gated_writer()) all.push_back(writer->traffic());
+  }
+  return all;
+}
+
+std::vector<EndpointHealth> FastDdsBus::health() const {
+  std::vector<EndpointHealth> all;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& entry : channels_) {
+    for (EndpointHealth& one : entry.second->health(now())) all.push_back(std::move(one));
   }
   return all;
 }

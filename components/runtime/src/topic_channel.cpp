@@ -1,22 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topic_channel.hpp"
 
+#include <cmath>
 #include <utility>
+
+#include "foundation/error.hpp"
 
 namespace tocsin {
 
 TopicChannel::TopicChannel(ChannelOptions options, FastDdsParticipant& host,
                            FastDdsParticipant* link)
-    : options_(std::move(options)),
-      host_(host),
-      link_(link),
-      exchange_(options_.qos.keeps_last()) {}
+    : options_(std::move(options)), host_(host), link_(link), exchange_(options_.qos) {
+  if (options_.qos.exclusive() && options_.endpoint.topic.scope == Scope::link) {
+    throw ConfigError(std::string("topic ") + options_.endpoint.topic.name +
+                      ": crosses the link; ownership: exclusive is for host topics");
+  }
+  if (std::isfinite(options_.qos.max_rate_hz)) rate_.emplace(seconds(1 / options_.qos.max_rate_hz));
+  if (std::isfinite(options_.qos.deadline_s)) deadline_.emplace(seconds(options_.qos.deadline_s));
+}
 
-void TopicChannel::attach(Receiver& receiver) {
-  exchange_.attach(receiver);
+void TopicChannel::attach(Receiver& receiver, Time now) {
+  exchange_.attach(receiver, now);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (host_reader_) return;
-  reads_ = true;
   const auto make_reader = [this](FastDdsParticipant& participant) {
     return std::make_unique<DdsReader>(participant, options_.dds_name, *options_.endpoint.type,
                                        options_.qos, exchange_);
@@ -31,22 +37,64 @@ void TopicChannel::advertise(const TrafficRule& rule, bool open) {
   const TypeInfo& type = *options_.endpoint.type;
   host_writer_ = std::make_unique<DdsWriter>(host_, options_.dds_name, type, options_.qos);
   if (link_ == nullptr) return;
-  gated_ = std::make_unique<GatedWriter>(
-      options_.endpoint.topic.name, type, rule,
-      std::make_unique<DdsWriter>(*link_, options_.dds_name, type, options_.qos));
+  auto link_writer = std::make_unique<DdsWriter>(*link_, options_.dds_name, type, options_.qos);
+  link_writer_ = link_writer.get();
+  gated_ = std::make_unique<GatedWriter>(options_.endpoint.topic.name, type, rule,
+                                         std::move(link_writer));
   gated_->set_open(open);
 }
 
 bool TopicChannel::has_readers_on_host() const {
-  const int own = reads_ ? 1 : 0;
-  return options_.qos.keeps_last() || host_writer_->matched_readers() > own;
+  return options_.qos.keeps_last() || options_.qos.exclusive() ||
+         host_writer_->matched_readers() > 0;
+}
+
+bool TopicChannel::too_soon(Time now) {
+  if (!rate_ && !deadline_) return false;
+  const std::lock_guard<std::mutex> lock(written_mutex_);
+  if (rate_ && !rate_->pass(now)) return true;
+  if (deadline_) deadline_->on_sample(now);
+  return false;
 }
 
 Status TopicChannel::write(const Sample& sample) {
-  exchange_.deliver(sample);
+  if (too_soon(sample.received)) return Status::ok;  // the profile asks for no more
+  if (!options_.qos.exclusive()) exchange_.deliver(sample);
   const bool host_ok = !has_readers_on_host() || host_writer_->send(sample.message.get());
   const Status link = gated_ ? gated_->write(sample.message) : Status::ok;
   return host_ok ? link : Status::failed;
+}
+
+EndpointHealth TopicChannel::writer_health(const DdsWriter& writer, Time now) const {
+  EndpointHealth health = writer.health();
+  health.topic = options_.endpoint.topic.name;
+  const std::lock_guard<std::mutex> lock(written_mutex_);
+  if (rate_) health.thinned = rate_->dropped();
+  if (deadline_) health.deadlines_missed = deadline_->missed(now);
+  if (deadline_) health.last = deadline_->last();
+  return health;
+}
+
+EndpointHealth TopicChannel::reader_health(const DdsReader& reader,
+                                           const TopicExchange::Account& account) const {
+  EndpointHealth health = reader.health();
+  health.topic = options_.endpoint.topic.name;
+  health.samples = account.samples;
+  health.thinned = account.thinned;
+  health.deadlines_missed = account.deadlines_missed;
+  health.last = account.last;
+  return health;
+}
+
+std::vector<EndpointHealth> TopicChannel::health(Time now) const {
+  std::vector<EndpointHealth> all;
+  const TopicExchange::Account account = exchange_.account(now);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (host_writer_) all.push_back(writer_health(*host_writer_, now));
+  if (link_writer_ != nullptr) all.push_back(writer_health(*link_writer_, now));
+  if (host_reader_) all.push_back(reader_health(*host_reader_, account));
+  if (link_reader_) all.push_back(reader_health(*link_reader_, account));
+  return all;
 }
 
 }  // namespace tocsin

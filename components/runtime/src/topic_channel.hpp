@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "dds_endpoints.hpp"
 
@@ -23,32 +24,44 @@ struct ChannelOptions {
 /// sample twice, and the gate never keeps anything from readers on this host.
 class TopicChannel {
  public:
-  /// `link` is null when the process has no radio link or the topic stays on the host.
+  /// `link` is null when the process has no radio link or the topic stays on the host. Throws
+  /// ConfigError when the topic crosses and its writers have owners.
   TopicChannel(ChannelOptions options, FastDdsParticipant& host, FastDdsParticipant* link);
 
   [[nodiscard]] const TypeInfo* type() const { return options_.endpoint.type; }
   /// The gate of this topic, null when it has none.
   [[nodiscard]] GatedWriter* gated_writer() { return gated_.get(); }
 
-  void attach(Receiver& receiver);
+  void attach(Receiver& receiver, Time now);
   void detach(Receiver& receiver) { exchange_.detach(receiver); }
   /// Makes the writers, once. `rule` and `open` are those of the gate.
   void advertise(const TrafficRule& rule, bool open);
   Status write(const Sample& sample);
+  /// The writer with this source is gone.
+  void forget(std::uint64_t source) { exchange_.forget(source); }
+  /// Every DDS endpoint of this topic.
+  [[nodiscard]] std::vector<EndpointHealth> health(Time now) const;
 
  private:
   [[nodiscard]] bool has_readers_on_host() const;
+  [[nodiscard]] bool too_soon(Time now);
+  [[nodiscard]] EndpointHealth writer_health(const DdsWriter& writer, Time now) const;
+  [[nodiscard]] EndpointHealth reader_health(const DdsReader& reader,
+                                             const TopicExchange::Account& account) const;
 
   const ChannelOptions options_;
   FastDdsParticipant& host_;
   FastDdsParticipant* const link_;
   TopicExchange exchange_;
-  std::mutex mutex_;  // guards the creation of endpoints
+  mutable std::mutex mutex_;  // guards the creation of endpoints
+  mutable std::mutex written_mutex_;
+  std::optional<RateLimit> rate_;
+  std::optional<DeadlineWatch> deadline_;
   std::unique_ptr<DdsWriter> host_writer_;
   std::unique_ptr<GatedWriter> gated_;
+  DdsWriter* link_writer_ = nullptr;        // owned by gated_
   std::unique_ptr<DdsReader> host_reader_;  // readers last: destroyed first
   std::unique_ptr<DdsReader> link_reader_;
-  std::atomic<bool> reads_{false};
 };
 
 }  // namespace tocsin

@@ -4,11 +4,38 @@
 #include <algorithm>
 
 namespace tocsin {
+namespace {
 
-void TopicExchange::attach(Receiver& receiver) {
+QosProfile keeping_last(bool keeps_last) {
+  QosProfile qos;
+  if (keeps_last) qos.durability = "transient_local";
+  return qos;
+}
+
+}  // namespace
+
+TopicExchange::TopicExchange(const QosProfile& qos)
+    : kept_per_writer_(qos.keeps_last()
+                           ? static_cast<std::size_t>(qos.keeps_all() ? qos.room() : qos.depth)
+                           : 0),
+      lifespan_(seconds(qos.lifespan_s)),
+      separation_(seconds(qos.minimum_separation_s)),
+      deadline_(seconds(qos.deadline_s)) {}
+
+TopicExchange::TopicExchange(bool keeps_last) : TopicExchange(keeping_last(keeps_last)) {}
+
+bool TopicExchange::expired(const Sample& sample, Time now) const {
+  return now > sample.received && now - sample.received > lifespan_;
+}
+
+void TopicExchange::attach(Receiver& receiver, Time now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   receivers_.push_back(&receiver);
-  if (last_.message) receiver.receive(last_);
+  for (const auto& writer : kept_) {
+    for (const Sample& sample : writer.second) {
+      if (!expired(sample, now)) receiver.receive(sample);
+    }
+  }
 }
 
 void TopicExchange::detach(Receiver& receiver) {
@@ -18,8 +45,28 @@ void TopicExchange::detach(Receiver& receiver) {
 
 void TopicExchange::deliver(const Sample& sample) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (keeps_last_) last_ = sample;
+  deadline_.on_sample(sample.received);
+  if (!separation_.pass(sample.source, sample.received)) return;
+  ++samples_;
+  if (kept_per_writer_ > 0) keep(sample);
   for (Receiver* receiver : receivers_) receiver->receive(sample);
+}
+
+void TopicExchange::keep(const Sample& sample) {
+  std::deque<Sample>& kept = kept_[sample.source];
+  if (kept.size() == kept_per_writer_) kept.pop_front();
+  kept.push_back(sample);
+}
+
+void TopicExchange::forget(std::uint64_t source) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  kept_.erase(source);
+  separation_.forget(source);
+}
+
+TopicExchange::Account TopicExchange::account(Time now) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return {samples_, separation_.dropped(), deadline_.missed(now), deadline_.last()};
 }
 
 }  // namespace tocsin

@@ -83,6 +83,7 @@ struct EndpointHealth {
   std::string other_type;  ///< of an end that has another type or layout under this topic's name
   std::uint64_t deadlines_missed = 0;
   std::uint64_t liveliness_lost = 0;  ///< times that a writer stopped to be alive
+  std::uint64_t thinned = 0;          ///< dropped by max_rate_hz or minimum_separation_s
   Time last{};                        ///< of the last sample; zero: none yet
 };
 

@@ -1,30 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <deque>
+#include <map>
 #include <mutex>
 #include <vector>
 
 #include "runtime/bus.hpp"
+#include "runtime/middleware/qos_policies.hpp"
+#include "runtime/middleware/thinning.hpp"
 
 namespace tocsin {
 
 /// Hands the samples of one topic to its receivers in this process. Thread-safe; the order in
 /// which one writer delivers is the order in which every receiver gets it.
+///
+/// It keeps what the topic's profile promises wherever a sample came from: the last `depth`
+/// samples of each writer for late receivers of a transient_local topic, lifespan, minimum
+/// separation, deadline.
 class TopicExchange {
  public:
-  /// `keeps_last`: a receiver that attaches later gets the last sample at once.
-  explicit TopicExchange(bool keeps_last) : keeps_last_(keeps_last) {}
+  explicit TopicExchange(const QosProfile& qos);
+  /// `keeps_last`: a receiver that attaches later gets the last sample of each writer at once.
+  explicit TopicExchange(bool keeps_last);
 
-  void attach(Receiver& receiver);
+  /// `now`: kept samples that have outlived their lifespan are not delivered.
+  void attach(Receiver& receiver, Time now = Time{});
   /// Waits until `receiver` is not being called any more.
   void detach(Receiver& receiver);
   void deliver(const Sample& sample);
+  /// The writer is gone: what it wrote is not kept for late receivers any more.
+  void forget(std::uint64_t source);
+
+  struct Account {
+    std::uint64_t samples = 0;  ///< delivered
+    std::uint64_t thinned = 0;  ///< dropped by minimum_separation_s
+    std::uint64_t deadlines_missed = 0;
+    Time last{};
+  };
+  [[nodiscard]] Account account(Time now) const;
 
  private:
-  const bool keeps_last_;
-  std::mutex mutex_;
+  void keep(const Sample& sample);
+  [[nodiscard]] bool expired(const Sample& sample, Time now) const;
+
+  const std::size_t kept_per_writer_;
+  const Duration lifespan_;
+  mutable std::mutex mutex_;
   std::vector<Receiver*> receivers_;
-  Sample last_;
+  std::map<std::uint64_t, std::deque<Sample>> kept_;
+  Separation separation_;
+  DeadlineWatch deadline_;
+  std::uint64_t samples_ = 0;
 };
 
 }  // namespace tocsin

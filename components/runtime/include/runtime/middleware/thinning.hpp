@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+#include "foundation/time.hpp"
+
+namespace tocsin {
+
+/// `max_rate_hz`: passes so many samples a second at most, in the long run. One that comes up to
+/// an interval early passes, so that jitter does not halve a stream of exactly that rate. Pure.
+class RateLimit {
+ public:
+  /// `interval` > 0 between samples.
+  explicit RateLimit(Duration interval) : interval_(interval) {}
+  [[nodiscard]] bool pass(Time now);
+  [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  Duration interval_;
+  Time next_{};  ///< when the next sample is due at an even rate
+  std::uint64_t dropped_ = 0;
+};
+
+/// `minimum_separation_s`: of each writer, passes a sample only so long after the one that it
+/// passed before. Pure.
+class Separation {
+ public:
+  /// Zero passes everything.
+  explicit Separation(Duration least) : least_(least) {}
+  [[nodiscard]] bool pass(std::uint64_t source, Time now);
+  /// The writer is gone.
+  void forget(std::uint64_t source) { last_.erase(source); }
+  [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  Duration least_;
+  std::map<std::uint64_t, Time> last_;
+  std::uint64_t dropped_ = 0;
+};
+
+/// `deadline_s`: counts the periods that passed without a sample, from the first sample on. Pure.
+class DeadlineWatch {
+ public:
+  /// An infinite `period` (Duration::max()) is never missed.
+  explicit DeadlineWatch(Duration period) : period_(period) {}
+  void on_sample(Time now);
+  /// Whole periods without a sample up to `now`, since the start.
+  [[nodiscard]] std::uint64_t missed(Time now) const;
+  /// Of the last sample; zero: none yet.
+  [[nodiscard]] Time last() const { return last_; }
+
+ private:
+  Duration period_;
+  Time last_{};
+  std::uint64_t missed_ = 0;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/middleware/topic_exchange.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace tocsin {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+const Time t0{std::chrono::hours(1)};
+
+/// Notes the sequence numbers it gets.
+class Notes : public Receiver {
+ public:
+  void receive(const Sample& sample) override { sequences.push_back(sample.sequence); }
+  std::vector<std::uint64_t> sequences;
+};
+
+Sample sample(std::uint64_t source, std::uint64_t sequence, Time received = t0) {
+  Sample one;
+  one.message = std::make_shared<const int>(0);
+  one.source = source;
+  one.sequence = sequence;
+  one.received = received;
+  return one;
+}
+
+QosProfile keeping(int depth) {
+  QosProfile qos;
+  qos.durability = "transient_local";
+  qos.depth = depth;
+  return qos;
+}
+
+TEST(TopicExchange, DeliversInOrderToEveryReceiverUntilItDetaches) {
+  TopicExchange sut{QosProfile{}};
+  Notes a;
+  Notes b;
+  sut.attach(a);
+  sut.attach(b);
+  sut.deliver(sample(1, 1));
+  sut.detach(b);
+  sut.deliver(sample(1, 2));
+  EXPECT_THAT(a.sequences, ElementsAre(1, 2));
+  EXPECT_THAT(b.sequences, ElementsAre(1));
+}
+
+TEST(TopicExchange, AVolatileTopicKeepsNothingForLateReceivers) {
+  TopicExchange sut{QosProfile{}};
+  sut.deliver(sample(1, 1));
+  Notes late;
+  sut.attach(late);
+  EXPECT_THAT(late.sequences, IsEmpty());
+}
+
+TEST(TopicExchange, ALateReceiverGetsTheLastSamplesOfEachWriterUpToTheDepth) {
+  TopicExchange sut(keeping(2));
+  for (std::uint64_t i = 1; i <= 3; ++i) sut.deliver(sample(1, i));
+  sut.deliver(sample(2, 10));
+  Notes late;
+  sut.attach(late);
+  EXPECT_THAT(late.sequences, ElementsAre(2, 3, 10));
+}
+
+TEST(TopicExchange, WhatAGoneWriterWroteIsNotKept) {
+  TopicExchange sut(keeping(1));
+  sut.deliver(sample(1, 1));
+  sut.deliver(sample(2, 2));
+  sut.forget(1);
+  Notes late;
+  sut.attach(late);
+  EXPECT_THAT(late.sequences, ElementsAre(2));
+}
+
+TEST(TopicExchange, ALateReceiverGetsNothingOlderThanTheLifespan) {
+  QosProfile qos = keeping(2);
+  qos.lifespan_s = 1;
+  TopicExchange sut(qos);
+  sut.deliver(sample(1, 1, t0));
+  sut.deliver(sample(1, 2, t0 + Duration{1}));
+  Notes late;
+  sut.attach(late, t0 + Duration{1} + seconds(1));
+  EXPECT_THAT(late.sequences, ElementsAre(2));
+}
+
+TEST(TopicExchange, SeparationAndDeadlineCountWhereverASampleCameFrom) {
+  QosProfile qos;
+  qos.minimum_separation_s = 0.1;
+  qos.deadline_s = 0.5;
+  TopicExchange sut(qos);
+  Notes notes;
+  sut.attach(notes);
+  sut.deliver(sample(1, 1, t0));
+  sut.deliver(sample(1, 2, t0 + seconds(0.05)));
+  sut.deliver(sample(1, 3, t0 + seconds(0.1)));
+  EXPECT_THAT(notes.sequences, ElementsAre(1, 3));
+  const auto account = sut.account(t0 + seconds(0.1) + seconds(1.1));
+  EXPECT_EQ(account.samples, 2U);
+  EXPECT_EQ(account.thinned, 1U);
+  EXPECT_EQ(account.deadlines_missed, 2U);
+  EXPECT_EQ(account.last, t0 + seconds(0.1));
+}
+
+}  // namespace
+}  // namespace tocsin
