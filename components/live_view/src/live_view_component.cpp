@@ -14,7 +14,7 @@ LiveViewComponent::LiveViewComponent(Context& context, const Params& params)
       terminal_(isatty(STDOUT_FILENO) == 1),
       period_(seconds(terminal_ ? params.refresh_s : params.line_period_s)) {
   count(topic::List<topic::BatteryState, topic::MemoryUsage, topic::CpuLoad, topic::CpuTemperature,
-                    topic::CameraImage>{});
+                    topic::CameraImage, topic::SafetyStatus, topic::DockingStatus>{});
 }
 
 template <class... Topics>
