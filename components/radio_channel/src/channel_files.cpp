@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "radio_channel/channel_files.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
@@ -31,7 +36,54 @@ Wall wall_from(const YAML::Node& node, const std::string& path) {
   return wall;
 }
 
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream text(line.substr(0, line.find('\r')));
+  for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+/// The number of a cell; NaN when it is empty, missing or no number.
+double cell_number(const std::vector<std::string>& cells, std::size_t column) {
+  if (column >= cells.size() || cells[column].empty()) return std::nan("");
+  char* end = nullptr;
+  const double value = std::strtod(cells[column].c_str(), &end);
+  return *end == '\0' ? value : std::nan("");
+}
+
+std::size_t column_of(const std::vector<std::string>& head, const char* name,
+                      const std::string& path) {
+  const auto found = std::find(head.begin(), head.end(), name);
+  if (found == head.end()) {
+    throw ConfigError(std::string("radio_channel.trace_file: has no column ") + name + " (" + path +
+                      ":1)");
+  }
+  return static_cast<std::size_t>(found - head.begin());
+}
+
 }  // namespace
+
+Trace load_trace(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw ConfigError("radio_channel.trace_file: '" + path + "' cannot be read");
+  std::string line;
+  std::getline(file, line);
+  const auto head = cells_of(line);
+  const std::size_t time = column_of(head, "time_s", path);
+  const std::size_t signal = column_of(head, "rssi_dbm", path);
+  const std::size_t delay = column_of(head, "ping_delay_ms", path);
+  std::vector<TracePoint> points;
+  while (std::getline(file, line)) {
+    const auto cells = cells_of(line);
+    points.push_back(
+        {cell_number(cells, time), cell_number(cells, signal), cell_number(cells, delay) / 1000});
+  }
+  try {
+    return Trace(std::move(points));
+  } catch (const ConfigError& error) {
+    throw ConfigError(std::string(error.what()) + " (" + path + ")");
+  }
+}
 
 ChannelParams load_channel(const std::string& path) {
   const YAML::Node file = read_yaml_file(path);
@@ -40,6 +92,10 @@ ChannelParams load_channel(const std::string& path) {
   }
   auto params = load_parameters<ChannelParams>(file["radio_channel"], "radio_channel", path);
   (void)Outages(params.outages_s, Time{});  // throws on a bad script
+  if (!params.trace_file.empty()) {
+    const auto folder = std::filesystem::path(path).parent_path();
+    params.trace = std::make_shared<const Trace>(load_trace(folder / params.trace_file));
+  }
   return params;
 }
 

@@ -155,7 +155,8 @@ void Medium::contend(Time now, Duration occupied) {
 }
 
 double Medium::snr_db(Time now) {
-  if (outages_.active(now)) return -std::numeric_limits<double>::infinity();
+  if (outages_.active(now) || propagation_.dead(now))
+    return -std::numeric_limits<double>::infinity();
   return propagation_.rssi_dbm(now) - noise_dbm_ + snr_offset_db_;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "radio_channel/random.hpp"
+
 namespace tocsin::radio {
 namespace {
 
@@ -45,7 +47,26 @@ Propagation::Propagation(const ChannelParams& params, std::vector<Wall> walls, s
       shadowing_(params.shadowing_sigma_db, params.shadowing_distance_m, seed),
       fading_(299.792458 / params.frequency_mhz, params.environment_doppler_hz, seed),
       start_(start) {
+  if (params.trace && params.trace_random_start) {
+    RandomStream random(seed, 6);
+    trace_start_s_ = random.uniform() * params.trace->length_s();
+  }
   set_position(0, 0);
+  follow(start);
+}
+
+double Propagation::trace_s(Time now) const { return trace_start_s_ + to_seconds(now - start_); }
+
+void Propagation::follow(Time now) {
+  if (params_.trace) mean_rssi_dbm_ = params_.trace->rssi_dbm(trace_s(now));
+}
+
+bool Propagation::dead(Time now) const {
+  return params_.trace && params_.trace->dead(trace_s(now));
+}
+
+Duration Propagation::extra_delay(Time now) const {
+  return params_.trace ? seconds(params_.trace->one_way_s(trace_s(now))) : Duration::zero();
 }
 
 double Propagation::wall_loss_db() const {
@@ -65,7 +86,9 @@ void Propagation::set_position(double x_m, double y_m) {
   const double walls_db = wall_loss_db();
   path_loss_db_ = walls_db + log_distance_db(params_, std::hypot(x_m - params_.access_point_x_m,
                                                                  y_m - params_.access_point_y_m));
-  mean_rssi_dbm_ = params_.tx_dbm - path_loss_db_ + shadowing_.at(x_m, y_m);
+  if (!params_.trace) {
+    mean_rssi_dbm_ = params_.tx_dbm - path_loss_db_ + shadowing_.at(x_m, y_m);
+  }
   fading_.move_to(x_m, y_m, walls_db > 0 ? params_.rician_k_walled_db : params_.rician_k_clear_db);
   faded_step_ = -1;
 }
@@ -74,6 +97,7 @@ double Propagation::rssi_dbm(Time now) {
   const std::int64_t step = (now - start_) / fading_hold;
   if (step != faded_step_) {
     const double t_s = to_seconds(step * fading_hold);
+    follow(now);
     rssi_dbm_ = mean_rssi_dbm_ + fading_.gain_db(t_s);
     faded_step_ = step;
   }

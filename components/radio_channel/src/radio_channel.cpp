@@ -66,7 +66,7 @@ void RadioChannel::push_radio(Direction direction, const AirFrame& frame, Time n
     enqueue(direction, frame, now);
     return;
   }
-  Time at = now + seconds(params_.wire_delay_s);
+  Time at = now + seconds(params_.wire_delay_s) + propagation_.extra_delay(now);
   if (!wire_to_access_point_.empty()) at = std::max(at, wire_to_access_point_.back().at);
   wire_to_access_point_.push_back({at, frame});
 }
@@ -133,7 +133,8 @@ void RadioChannel::step_medium() {
     const Outcome outcome{result.id, up ? Direction::uplink : Direction::downlink, fate,
                           result.bytes, result.at};
     if (up && result.received) {
-      deliver_at(result.at + seconds(params_.wire_delay_s), outcome);
+      deliver_at(result.at + seconds(params_.wire_delay_s) + propagation_.extra_delay(result.at),
+                 outcome);
     } else {
       end(outcome);
     }
@@ -168,6 +169,7 @@ double RadioChannel::busy_share(Time now) {
 LinkReport RadioChannel::report(Time now) {
   advance(now);
   medium_.hear_beacons(now);
+  propagation_.follow(now);
   const SignalTracker& signal = medium_.signal();
   const bool associated =
       !std::isnan(signal.last_dbm()) && medium_.silence(now) <= association_lost_after;

@@ -32,6 +32,32 @@ std::string error_of(const Load& load, const std::string& text) {
   return "no error";
 }
 
+TEST(TraceFile, IsReadByTheNamesOfItsColumns) {
+  const std::string trace = written("time_s,x_m,ping_delay_ms,rssi_dbm\n0,1,20,-40\n2,1,,-60\n");
+  const Trace sut = load_trace(trace);
+  EXPECT_DOUBLE_EQ(sut.rssi_dbm(1), -50);
+  EXPECT_DOUBLE_EQ(sut.one_way_s(0), 0.01);
+}
+
+TEST(TraceFile, NamesTheColumnThatIsMissing) {
+  EXPECT_THAT(error_of(load_trace, "time_s,rssi_dbm\n0,-40\n"), HasSubstr("ping_delay_ms"));
+}
+
+TEST(TraceFile, NamesTheFileOfABadTrace) {
+  EXPECT_THAT(error_of(load_trace, "time_s,rssi_dbm,ping_delay_ms\n0,-40,\n1,x,\n"),
+              HasSubstr("channel_files_test_NamesTheFileOfABadTrace"));
+}
+
+TEST(ChannelFile, LoadsItsTraceFromBesideIt) {
+  std::ofstream(::testing::TempDir() + "beside.csv")
+      << "time_s,rssi_dbm,ping_delay_ms\n0,-40,1\n2,-60,1\n";
+  const auto sut = load_channel(written("radio_channel: {trace_file: beside.csv}"));
+  ASSERT_TRUE(sut.trace);
+  EXPECT_DOUBLE_EQ(sut.trace->length_s(), 2);
+  EXPECT_THAT(error_of(load_channel, "radio_channel: {trace_file: nowhere.csv}"),
+              HasSubstr("nowhere.csv"));
+}
+
 TEST(ChannelFile, KeepsDefaultsAndReadsWhatItNames) {
   const auto sut = load_channel(written("radio_channel: {mode: bernoulli, loss: 0.25}"));
   EXPECT_EQ(sut.mode, "bernoulli");

@@ -12,6 +12,10 @@ namespace tocsin::radio {
 /// ConfigError with file, key and range.
 [[nodiscard]] ChannelParams load_channel(const std::string& path);
 
+/// Reads a measured link: CSV whose first row names at least the columns `time_s`, `rssi_dbm` and
+/// `ping_delay_ms` (empty: no answer). Throws ConfigError with file and line.
+[[nodiscard]] Trace load_trace(const std::string& path);
+
 /// Reads a walls file: `walls: [[x1, y1, x2, y2, loss_db], ...]` in metres in the map frame, losses
 /// 0 to 100 dB. Other keys are ignored. Throws ConfigError with file and line.
 [[nodiscard]] std::vector<Wall> load_walls(const std::string& path);

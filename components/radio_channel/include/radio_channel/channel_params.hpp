@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "radio_channel/trace.hpp"
 
 namespace tocsin::radio {
 
@@ -50,6 +53,9 @@ struct ChannelParams {
   double good_s = 20;
   double bad_s = 5;
   std::vector<double> outages_s;
+  std::string trace_file;
+  bool trace_random_start = true;
+  std::shared_ptr<const Trace> trace;  ///< what load_channel read from trace_file
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -63,6 +69,9 @@ struct ChannelParams {
     v("good_s", good_s, {0.001, 1e6}, "[s] gilbert_elliott: mean stay in the good state");
     v("bad_s", bad_s, {0.001, 1e6}, "[s] gilbert_elliott: mean stay in the bad state");
     v("outages_s", outages_s, {0, 1e9}, "[s] dead intervals from the start: begin, length, ...");
+    v("trace_file", trace_file,
+      "radio: measured link in place of path loss and shadowing; CSV, relative to this file");
+    v("trace_random_start", trace_random_start, "whether the seed decides where the trace begins");
   }
 
  private:

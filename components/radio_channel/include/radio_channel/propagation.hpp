@@ -24,6 +24,12 @@ class Propagation {
 
   /// Loss of path and walls, without shadowing.
   [[nodiscard]] double path_loss_db() const { return path_loss_db_; }
+  /// Brings the mean up to `now`; only a trace changes it without a move.
+  void follow(Time now);
+  /// A trace says that nothing comes through at `now`.
+  [[nodiscard]] bool dead(Time now) const;
+  /// What a trace adds to the delay of one way at `now`.
+  [[nodiscard]] Duration extra_delay(Time now) const;
   /// Mean over fading.
   [[nodiscard]] double mean_rssi_dbm() const { return mean_rssi_dbm_; }
   [[nodiscard]] double mean_snr_db() const { return mean_rssi_dbm_ - params_.noise_dbm; }
@@ -34,12 +40,14 @@ class Propagation {
 
  private:
   [[nodiscard]] double wall_loss_db() const;
+  [[nodiscard]] double trace_s(Time now) const;
 
   ChannelParams params_;
   std::vector<Wall> walls_;
   ShadowingField shadowing_;
   RicianFading fading_;
   Time start_;
+  double trace_start_s_ = 0;
   double x_m_ = 0;
   double y_m_ = 0;
   double path_loss_db_ = 0;
