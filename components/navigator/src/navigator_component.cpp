@@ -45,7 +45,8 @@ OdometryLocaliser make_localiser(const LocaliserFile& file, const Pose2& start) 
 }
 
 std::string memory_path(const Context& context) {
-  const bool nowhere = context.run_dir.empty() || context.devices != nullptr;
+  const bool simulated = context.devices != nullptr && !context.devices->keeps_files();
+  const bool nowhere = context.run_dir.empty() || simulated;
   return nowhere ? "" : context.run_dir + "/" + context.name + ".pose";
 }
 

@@ -30,7 +30,7 @@ std::string proc_text(const radio::LinkReport& report) {
 
 RadioLink::RadioLink(Core& core, const radio::ChannelParams& params, std::vector<radio::Wall> walls,
                      std::uint64_t seed)
-    : core_(core), channel_(params, std::move(walls), seed, core.now) {
+    : core_(core), channel_(params, std::move(walls), seed, core.now), random_(seed) {
   report();
 }
 
@@ -51,7 +51,22 @@ void RadioLink::advance() {
       under_way_.pop_front();
       ++first_;
     }
-    if (outcome->fate == radio::Fate::delivered) arrival();
+    if (outcome->fate == radio::Fate::delivered) carry(arrival);
+  }
+}
+
+double RadioLink::share() { return static_cast<double>(random_() >> 11U) / 9007199254740992.0; }
+
+void RadioLink::carry(const Arrival& arrival) {
+  if (!faults_.any()) return arrival();
+  if (share() < faults_.loss) return;
+  const int copies = share() < faults_.duplication ? 2 : 1;
+  for (int i = 0; i < copies; ++i) {
+    if (faults_.delay_s <= 0) {
+      arrival();
+    } else {
+      core_.events.at(core_.now + seconds(faults_.delay_s * share()), arrival);
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,14 @@ namespace tocsin::simulation {
                                                : radio::Direction::uplink;
 }
 
+/// What goes wrong on the air besides what the channel does.
+struct AirFaults {
+  double loss = 0;         ///< [0, 1]
+  double duplication = 0;  ///< [0, 1]
+  double delay_s = 0;      ///< up to so much more, each packet on its own
+  [[nodiscard]] bool any() const { return loss > 0 || duplication > 0 || delay_s > 0; }
+};
+
 /// Carries packets between the vehicle and the ground station: one radio_channel for all.
 class RadioLink {
  public:
@@ -31,6 +40,8 @@ class RadioLink {
   [[nodiscard]] Time next_event() const { return sent_ ? core_.now : channel_.next_event(); }
   /// Does what is due at the core's time.
   void advance();
+  /// From now on; may be changed at any time.
+  [[nodiscard]] AirFaults& faults() { return faults_; }
 
   void set_position(double x_m, double y_m) { channel_.set_position(x_m, y_m); }
   /// The text of /proc/net/wireless on the vehicle, renewed each second as by the link emulator.
@@ -39,12 +50,16 @@ class RadioLink {
 
  private:
   void report();
+  void carry(const Arrival& arrival);
+  [[nodiscard]] double share();
   Core& core_;
   radio::RadioChannel channel_;
   std::deque<Arrival> under_way_;  ///< packets first_ to next_ - 1; empty when it has ended
   radio::FrameId first_ = 1;
   radio::FrameId next_ = 1;
-  bool sent_ = false;  ///< since the last advance: outcomes may wait
+  AirFaults faults_;
+  std::mt19937_64 random_;  ///< of the faults
+  bool sent_ = false;       ///< since the last advance: outcomes may wait
   std::string wireless_text_;
 };
 

@@ -38,6 +38,7 @@ struct Change {
   const TopicEnd* from = nullptr;
   std::uint64_t written = 0;  ///< as in Written::sequence
   Time written_at{};
+  std::int64_t sent_wall_ns = 0;  ///< by the writer's clock
 };
 
 /// A write that is going on or that the gate may still let through, so that its sample is known
@@ -64,6 +65,9 @@ class RtpsReader {
   /// The sample will never come.
   void on_gap(std::uint64_t source, std::uint64_t sequence, Time now);
   [[nodiscard]] const QosProfile& qos() const { return qos_; }
+  /// Its process has died: packets under way find nobody.
+  void die() { alive_ = false; }
+  [[nodiscard]] bool alive() const { return alive_; }
 
  private:
   struct Source {
@@ -73,6 +77,7 @@ class RtpsReader {
   void release(std::uint64_t id, Source& source, Time now);
   void give(std::uint64_t id, const Change& change, Time now);
   QosProfile qos_;
+  bool alive_ = true;
   Deliver deliver_;
   std::map<std::uint64_t, Source> sources_;
 };
@@ -88,6 +93,7 @@ class RtpsWriter final : public LinkWriter {
     std::uint64_t source;
     const TopicEnd* end;
     const Origin* origin;
+    std::function<std::int64_t(Time)> wall_ns = Core::wall_ns;  ///< of its host
   };
   RtpsWriter(Core& core, RadioLink& link, const Owner& owner, const QosProfile& qos);
 
@@ -95,6 +101,12 @@ class RtpsWriter final : public LinkWriter {
   void match(RtpsReader& reader);
   bool send(const void* message) override;
   void silence() override { history_.clear(); }
+  /// Its process has died: what is on the air may still arrive.
+  void die() {
+    alive_ = false;
+    history_.clear();
+  }
+  [[nodiscard]] bool alive() const { return alive_; }
 
  private:
   struct Proxy {
@@ -118,6 +130,7 @@ class RtpsWriter final : public LinkWriter {
   std::deque<Change> history_;
   std::deque<Proxy> proxies_;  ///< a deque: packets under way refer to its elements
   bool heartbeat_asked_ = false;
+  bool alive_ = true;
 };
 
 }  // namespace tocsin::simulation

@@ -7,7 +7,7 @@ namespace tocsin::simulation {
 
 void RtpsReader::on_data(std::uint64_t source, const Change& change, Time now) {
   Source& from = sources_[source];
-  if (change.sequence < from.next) return;
+  if (!alive_ || change.sequence < from.next) return;
   if (!qos_.reliable()) {
     from.next = change.sequence + 1;
     return give(source, change, now);
@@ -18,6 +18,7 @@ void RtpsReader::on_data(std::uint64_t source, const Change& change, Time now) {
 
 std::vector<std::uint64_t> RtpsReader::on_heartbeat(std::uint64_t source, std::uint64_t first,
                                                     std::uint64_t last, Time now) {
+  if (!alive_) return {};
   Source& from = sources_[source];
   while (from.next < first) {
     const auto found = from.early.find(from.next++);
@@ -35,8 +36,8 @@ std::vector<std::uint64_t> RtpsReader::on_heartbeat(std::uint64_t source, std::u
 
 void RtpsReader::on_gap(std::uint64_t source, std::uint64_t sequence, Time now) {
   Source& from = sources_[source];
-  if (sequence < from.next) return;
-  from.early.emplace(sequence, Change{sequence, now, nullptr, 0, nullptr, 0, now});
+  if (!alive_ || sequence < from.next) return;
+  from.early.emplace(sequence, Change{sequence, now, nullptr, 0, nullptr, 0, now, 0});
   release(source, from, now);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <set>
 
 #include "rtps.hpp"
 
@@ -47,11 +48,12 @@ void RtpsWriter::match(RtpsReader& reader) {
 bool RtpsWriter::send(const void* message) {
   const TypeInfo& type = *owner_.end->type;
   const bool known = owner_.origin->message.get() == message;
-  Change change{sent_ + 1,  core_.now, nullptr,  type.serialized_size(message),
-                owner_.end, 0,         core_.now};
+  Change change{sent_ + 1,  core_.now, nullptr,   type.serialized_size(message),
+                owner_.end, 0,         core_.now, 0};
   change.message = known ? owner_.origin->message : copy_of(type, message, change.bytes);
   if (!change.message) return false;
   ++sent_;
+  change.sent_wall_ns = owner_.wall_ns(core_.now);
   if (known) {
     change.written = owner_.origin->sequence;
     change.written_at = owner_.origin->time;
@@ -61,17 +63,26 @@ bool RtpsWriter::send(const void* message) {
   }
   history_.push_back(std::move(change));
   if (history_.size() > static_cast<std::size_t>(qos_.depth)) history_.pop_front();
-  for (Proxy& proxy : proxies_) transmit(*proxy.reader, history_.back());
+  for (Proxy& proxy : proxies_) {
+    if (proxy.reader->alive()) transmit(*proxy.reader, history_.back());
+  }
   ask_for_heartbeat();
   return true;
 }
 
 void RtpsWriter::transmit(RtpsReader& reader, const Change& change) {
   const auto packets = wire::packets_of(change.bytes);
-  const auto left = std::make_shared<std::size_t>(packets.size());
-  for (const std::size_t bytes : packets) {
-    link_.send(owner_.direction, bytes, [this, &reader, change, left] {
-      if (--*left == 0) reader.on_data(owner_.source, change, core_.now);
+  if (packets.size() == 1) {
+    return link_.send(owner_.direction, packets.front(), [this, &reader, change] {
+      reader.on_data(owner_.source, change, core_.now);
+    });
+  }
+  const auto missing = std::make_shared<std::set<std::size_t>>();
+  for (std::size_t i = 0; i < packets.size(); ++i) {
+    missing->insert(missing->end(), i);
+    link_.send(owner_.direction, packets[i], [this, &reader, change, missing, i] {
+      if (missing->erase(i) == 0 || !missing->empty()) return;
+      reader.on_data(owner_.source, change, core_.now);
     });
   }
 }
@@ -91,11 +102,12 @@ void RtpsWriter::ask_for_heartbeat() {
 
 void RtpsWriter::heartbeat() {
   heartbeat_asked_ = false;
+  if (!alive_) return;
   forget_expired();
   if (history_.empty()) return;
   bool all_have_it = true;
   for (Proxy& proxy : proxies_) {
-    if (proxy.acknowledged >= sent_) continue;
+    if (proxy.acknowledged >= sent_ || !proxy.reader->alive()) continue;
     all_have_it = false;
     send_heartbeat(proxy);
   }
@@ -110,6 +122,7 @@ void RtpsWriter::send_heartbeat(Proxy& proxy) {
     const Time answer_at = core_.now + seconds(proxy.reader->qos().heartbeat_response_delay_s);
     core_.events.at(answer_at, [this, &proxy, first, last] {
       constexpr std::size_t size = wire::ip_and_udp + wire::message_header + wire::acknack;
+      if (!proxy.reader->alive()) return;
       auto missing = proxy.reader->on_heartbeat(owner_.source, first, last, core_.now);
       link_.send(back(owner_.direction), size, [this, &proxy, last, missing = std::move(missing)] {
         on_acknack(proxy, last, missing);
@@ -120,10 +133,12 @@ void RtpsWriter::send_heartbeat(Proxy& proxy) {
 
 void RtpsWriter::on_acknack(Proxy& proxy, std::uint64_t last,
                             const std::vector<std::uint64_t>& missing) {
+  if (!alive_) return;
   const std::uint64_t acknowledged = missing.empty() ? last : missing.front() - 1;
   proxy.acknowledged = std::max(proxy.acknowledged, acknowledged);
   if (missing.empty()) return;
   core_.events.at(core_.now + seconds(qos_.nack_response_delay_s), [this, &proxy, missing] {
+    if (!alive_ || !proxy.reader->alive()) return;
     forget_expired();
     for (const std::uint64_t sequence : missing) repair(*proxy.reader, sequence);
   });

@@ -17,6 +17,12 @@ void Scheduler::add(Component& component, std::function<bool()> running) {
   next_ = Time::min();
 }
 
+void Scheduler::remove(const Component& component) {
+  entries_.erase(std::remove_if(entries_.begin(), entries_.end(),
+                                [&](const Entry& one) { return one.component == &component; }),
+                 entries_.end());
+}
+
 void Scheduler::run(Time now) {
   for (int round = 0; run_round(now, round); ++round) {
   }

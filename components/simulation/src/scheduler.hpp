@@ -16,6 +16,8 @@ class Scheduler {
  public:
   /// `running` tells whether the component's process still runs.
   void add(Component& component, std::function<bool()> running);
+  /// Ticks it no more. Not during a run.
+  void remove(const Component& component);
   /// Is told of each component that threw.
   using Failure = std::function<void(const std::string& component, const char* what, Time now)>;
   void set_on_failure(Failure tell) { on_failure_ = std::move(tell); }

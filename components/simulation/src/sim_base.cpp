@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <utility>
 
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
@@ -25,12 +26,13 @@ Arguments arguments_of(const deployment::Program& program) {
   return arguments;
 }
 
-kobuki::Pose pose_of(const std::string& text) {
+kobuki::Pose pose_of(const char* option, const std::string& text) {
   kobuki::Pose pose;
   const int read =
       std::sscanf(text.c_str(), "%lf,%lf,%lf", &pose.x_m, &pose.y_m, &pose.heading_rad);
   if (read == 3 && std::isfinite(pose.x_m + pose.y_m + pose.heading_rad)) return pose;
-  throw ConfigError("kobuki_simulator --start: '" + text + "' is not X,Y,YAW in m, m, rad");
+  throw ConfigError(std::string("kobuki_simulator ") + option + ": '" + text +
+                    "' is not X,Y,YAW in m, m, rad");
 }
 
 std::uint64_t seed_of(const std::string& text) {
@@ -49,11 +51,14 @@ void read_config(const std::string& path, BaseOptions& options) {
 }
 
 kobuki::Surroundings surroundings(const BaseOptions& options) {
-  if (options.walls.empty()) return kobuki::open_floor();
   std::vector<kobuki::Wall> walls;
-  for (const radio::Wall& wall : radio::load_walls(options.walls)) {
-    walls.push_back({wall.x1_m, wall.y1_m, wall.x2_m, wall.y2_m, wall.loss_db});
+  if (options.dock) walls.push_back(kobuki::Dock(*options.dock).front());
+  if (!options.walls.empty()) {
+    for (const radio::Wall& wall : radio::load_walls(options.walls)) {
+      walls.push_back({wall.x1_m, wall.y1_m, wall.x2_m, wall.y2_m, wall.loss_db});
+    }
   }
+  if (walls.empty()) return kobuki::open_floor();
   return kobuki::walled(std::move(walls));
 }
 
@@ -65,7 +70,8 @@ BaseOptions read_base_options(const deployment::Program& program) {
   options.link = arguments["--link"];
   if (options.link.empty()) throw ConfigError(program.name + ": kobuki_simulator needs --link");
   options.walls = arguments["--walls"];
-  if (arguments.count("--start") > 0) options.start = pose_of(arguments["--start"]);
+  if (arguments.count("--start") > 0) options.start = pose_of("--start", arguments["--start"]);
+  if (arguments.count("--dock") > 0) options.dock = pose_of("--dock", arguments["--dock"]);
   if (arguments.count("--seed") > 0) options.seed = seed_of(arguments["--seed"]);
   if (arguments.count("--config") > 0) read_config(arguments["--config"], options);
   return options;
@@ -73,9 +79,12 @@ BaseOptions read_base_options(const deployment::Program& program) {
 
 class SimBase::Port final : public SerialDevice {
  public:
-  explicit Port(SimBase& base) : base_(base) {}
-  ~Port() override { base_.readable_ = nullptr; }
+  explicit Port(SimBase& base) : base_(base), plugged_(base.plugged_) {}
+  ~Port() override {
+    if (!lost()) base_.readable_ = nullptr;
+  }
   std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override {
+    if (lost()) return std::nullopt;
     auto& arrived = base_.arrived_;
     const std::size_t count = std::min(size, arrived.size());
     std::copy_n(arrived.begin(), count, to);
@@ -83,12 +92,17 @@ class SimBase::Port final : public SerialDevice {
     return count;
   }
   bool write(const std::uint8_t* bytes, std::size_t size) override {
+    if (lost()) return false;
+    if (base_.core_.dying) return true;
+    base_.commanded_ = base_.core_.now;
     base_.model_.receive({bytes, size}, base_.core_.now);
     return true;
   }
 
  private:
+  [[nodiscard]] bool lost() const { return base_.unplugged_ || plugged_ != base_.plugged_; }
   SimBase& base_;
+  int plugged_;  ///< how often it was plugged in when this was opened
 };
 
 SimBase::SimBase(Core& core, const BaseOptions& options)
@@ -96,7 +110,10 @@ SimBase::SimBase(Core& core, const BaseOptions& options)
       path_(options.link),
       model_(options.model, surroundings(options), options.start, options.seed, core.now),
       line_(options.line, options.seed + 1, core.now),
-      next_(model_.next_frame()) {}
+      quiet_line_(options.line),
+      next_(model_.next_frame()) {
+  if (options.dock) model_.set_dock(kobuki::Dock(*options.dock));
+}
 
 void SimBase::advance() {
   if (next_event() > core_.now) return;
@@ -119,7 +136,27 @@ void SimBase::deliver() {
   readable_();
 }
 
+void SimBase::unplug() {
+  unplugged_ = true;
+  line_.clear();
+  arrived_.clear();
+  core_.input = true;
+  if (const auto tell = std::exchange(readable_, nullptr)) tell();
+}
+
+void SimBase::plug() {
+  unplugged_ = false;
+  ++plugged_;
+}
+
+void SimBase::set_noise(double share) {
+  kobuki::LineParams params = quiet_line_;
+  params.flip_probability = params.loss_probability = params.noise_probability = share / 3;
+  line_.configure(share > 0 ? params : quiet_line_);
+}
+
 std::unique_ptr<SerialDevice> SimBase::open(Devices::Readable readable) {
+  if (unplugged_) return nullptr;
   arrived_.clear();
   readable_ = std::move(readable);
   return std::make_unique<Port>(*this);

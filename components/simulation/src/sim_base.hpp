@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct BaseOptions {
   std::string link;  ///< path of the serial port
   std::string walls;
   kobuki::Pose start;
+  std::optional<kobuki::Pose> dock;  ///< middle of its front, facing the room
   std::uint64_t seed = 1;
   kobuki::ModelParams model;
   kobuki::LineParams line;
@@ -38,7 +40,15 @@ class SimBase {
   [[nodiscard]] Time next_event() const { return next_; }
   /// Does what is due at the core's time.
   void advance();
-  /// The computer's end of the line. It must not outlive the base; one at a time.
+  /// Takes the cable out: what was opened is lost for good, and nothing can be opened.
+  void unplug();
+  void plug();
+  /// So many of the bytes to the computer [0, 1] are flipped, lost or invented; 0: as configured.
+  void set_noise(double share);
+  /// When the computer last sent something; Time::min() never.
+  [[nodiscard]] Time commanded() const { return commanded_; }
+  /// The computer's end of the line. It must not outlive the base; one at a time. Null while it is
+  /// unplugged.
   [[nodiscard]] std::unique_ptr<SerialDevice> open(Devices::Readable readable);
 
  private:
@@ -49,7 +59,11 @@ class SimBase {
   std::string path_;
   kobuki::BaseModel model_;
   kobuki::SerialLine line_;
+  kobuki::LineParams quiet_line_;
   Time next_;
+  Time commanded_ = Time::min();
+  bool unplugged_ = false;
+  int plugged_ = 0;
   std::vector<std::uint8_t> arrived_;
   Devices::Readable readable_;
 };

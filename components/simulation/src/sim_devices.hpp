@@ -23,6 +23,9 @@ class SimDevices final : public Devices {
   /// `wireless_file`: second path of the text of /proc/net/wireless.
   SimDevices(Core& core, RadioLink& link, const Place& place, std::string wireless_file);
 
+  /// Components keep files for a restart.
+  void keep_files() { keeps_files_ = true; }
+  [[nodiscard]] bool keeps_files() const override { return keeps_files_; }
   void add_base(SimBase& base) { bases_.push_back(&base); }
   /// Echo requests to this address are answered by the other side.
   void add_peer(const std::string& address) { peers_.push_back(address); }
@@ -40,6 +43,7 @@ class SimDevices final : public Devices {
   RadioLink& link_;
   Place place_;
   std::string wireless_file_;
+  bool keeps_files_ = false;
   std::vector<SimBase*> bases_;
   std::vector<std::string> peers_;
 };

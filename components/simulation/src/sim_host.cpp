@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_host.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "foundation/error.hpp"
@@ -11,7 +12,7 @@ void LinkEndpoints::add(const std::string& topic, const SimHost& host, RtpsWrite
   Topic& all = topics_[topic];
   all.writers.push_back({&host, &writer});
   for (const auto& reader : all.readers) {
-    if (reader.host != &host) writer.match(*reader.end);
+    if (reader.host != &host) match(writer, *reader.end);
   }
 }
 
@@ -19,8 +20,27 @@ void LinkEndpoints::add(const std::string& topic, const SimHost& host, RtpsReade
   Topic& all = topics_[topic];
   all.readers.push_back({&host, &reader});
   for (const auto& writer : all.writers) {
-    if (writer.host != &host) writer.end->match(reader);
+    if (writer.host != &host) match(*writer.end, reader);
   }
+}
+
+void LinkEndpoints::match(RtpsWriter& writer, RtpsReader& reader) {
+  if (core_ == nullptr) return writer.match(reader);
+  core_->events.at(core_->now + discovery_, [&writer, &reader] {
+    if (writer.alive() && reader.alive()) writer.match(reader);
+  });
+}
+
+void LinkEndpoints::remove(const std::string& topic, const RtpsWriter& writer) {
+  auto& all = topics_[topic].writers;
+  all.erase(std::remove_if(all.begin(), all.end(), [&](auto& one) { return one.end == &writer; }),
+            all.end());
+}
+
+void LinkEndpoints::remove(const std::string& topic, const RtpsReader& reader) {
+  auto& all = topics_[topic].readers;
+  all.erase(std::remove_if(all.begin(), all.end(), [&](auto& one) { return one.end == &reader; }),
+            all.end());
 }
 
 SimHost::SimHost(Network& network, std::string name, std::string role,
@@ -34,8 +54,14 @@ radio::Direction SimHost::direction() const {
   return role_ == "uxv" ? radio::Direction::uplink : radio::Direction::downlink;
 }
 
-SimProcess& SimHost::add_process(const std::string& name) {
-  return processes_.emplace_back(network_, *this, name);
+SimProcess& SimHost::add_process(const std::string& name, int life) {
+  return processes_.emplace_back(network_, *this, name, life);
+}
+
+void SimHost::detach(SimProcess::Topic& topic) {
+  auto& processes = topic.on_host->processes;
+  processes.erase(std::remove(processes.begin(), processes.end(), &topic), processes.end());
+  if (topic.on_host->last.source == topic.source) topic.on_host->last = {};  // it died with it
 }
 
 void SimHost::attach(SimProcess::Topic& topic) {

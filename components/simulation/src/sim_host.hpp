@@ -23,6 +23,13 @@ class LinkEndpoints {
  public:
   void add(const std::string& topic, const SimHost& host, RtpsWriter& writer);
   void add(const std::string& topic, const SimHost& host, RtpsReader& reader);
+  void remove(const std::string& topic, const RtpsWriter& writer);
+  void remove(const std::string& topic, const RtpsReader& reader);
+  /// Those that are added from now on find the others after this time only.
+  void set_discovery(Core& core, Duration takes) {
+    core_ = &core;
+    discovery_ = takes;
+  }
 
  private:
   template <class End>
@@ -34,7 +41,10 @@ class LinkEndpoints {
     std::vector<Entry<RtpsWriter>> writers;
     std::vector<Entry<RtpsReader>> readers;
   };
+  void match(RtpsWriter& writer, RtpsReader& reader);
   std::map<std::string, Topic> topics_;
+  Core* core_ = nullptr;
+  Duration discovery_{0};
 };
 
 /// What the hosts of a world have in common.
@@ -51,13 +61,14 @@ struct Network {
 /// the gate of this process, as CDR in packets, to each process with a reader on another host.
 class SimProcess final : public Bus {
  public:
-  SimProcess(Network& network, SimHost& host, std::string name);
+  /// `life`: how often it was started before.
+  SimProcess(Network& network, SimHost& host, std::string name, int life);
   ~SimProcess() override;
 
   std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
   [[nodiscard]] Time now() const override { return network_.core.now; }
-  [[nodiscard]] std::int64_t wall_ns(Time t) const override { return Core::wall_ns(t); }
+  [[nodiscard]] std::int64_t wall_ns(Time t) const override;
   void set_gate(bool open) override;
   [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override;
 
@@ -85,6 +96,8 @@ class SimProcess final : public Bus {
     std::string label;  ///< host/process/topic
   };
   Status write(Topic& topic, const std::shared_ptr<const void>& message);
+  /// All that it had is lost, and nobody hears of it any more. Its components are gone before.
+  void die();
 
  private:
   Topic& topic(const Endpoint& endpoint);
@@ -96,6 +109,7 @@ class SimProcess final : public Bus {
   Network& network_;
   SimHost& host_;
   std::string name_;
+  int life_;
   bool gate_open_ = true;
   std::map<std::string, std::unique_ptr<Topic>> topics_;
 };
@@ -117,7 +131,12 @@ class SimHost {
   [[nodiscard]] const TrafficRules& rules() const { return rules_; }
   [[nodiscard]] radio::Direction direction() const;
 
-  SimProcess& add_process(const std::string& name);
+  SimProcess& add_process(const std::string& name, int life = 0);
+  /// Sets the wall clock of this host so much on.
+  void jump(Duration by) { clock_offset_ += by; }
+  [[nodiscard]] Duration clock_offset() const { return clock_offset_; }
+  /// A process that read and wrote a topic has died.
+  static void detach(SimProcess::Topic& topic);
   /// A process has begun to read a topic; gets the last sample of those that are kept.
   void attach(SimProcess::Topic& topic);
   /// Hands a sample to every process of this host.
@@ -129,7 +148,8 @@ class SimHost {
   std::string role_;
   TrafficRules rules_;
   std::map<std::string, HostTopic> topics_;
-  std::list<SimProcess> processes_;
+  std::list<SimProcess> processes_;  ///< the dead too, since packets on the air refer to them
+  Duration clock_offset_{0};
 };
 
 }  // namespace tocsin::simulation

@@ -1,31 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <time.h>
-
 #include <CLI/CLI.hpp>
-#include <chrono>
-#include <cstdio>
-#include <ctime>
+#include <algorithm>
 #include <filesystem>
-#include <future>
+#include <thread>
 
-#include "deployment/deployment.hpp"
 #include "foundation/error.hpp"
 #include "foundation/program.hpp"
-#include "simulation/sim_world.hpp"
+#include "sim_command.hpp"
 
 namespace tocsin::simulation {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
-  std::string file;
-  deployment::Overrides overrides;
-  double duration_s = 3600;
-  bool verify = false;
-};
-
-void declare(CLI::App& app, Options& options) {
+void declare_run(CLI::App& app, Options& options) {
   app.add_option("FILE", options.file, "bringup file; a bare name is also looked for in the share")
       ->required();
   app.add_option("--seed", options.overrides.seed, "value of ${seed}; decides everything random")
@@ -47,6 +35,21 @@ void declare(CLI::App& app, Options& options) {
                  "folder of the run, new or empty [runs/sim_<UTC time>]");
 }
 
+void declare_faults(CLI::App& app, Options& options) {
+  app.add_option("--faults", options.faults, "'random' from the seed, or a file of faults");
+  app.add_flag("--check", options.check,
+               "check the promises after every event until the mission is over, at most 300 s "
+               "after the last fault; exit code 1 for a broken one");
+  auto* seeds =
+      app.add_option("--seeds", options.seeds, "A..B: check these, print those that fail");
+  auto* search = app.add_flag("--until-failure", options.until_failure,
+                              "check seeds (1..1000) until one fails");
+  app.add_option("--jobs", options.jobs, "runs side by side [cores]")->check(CLI::Range(1, 256));
+  for (auto* many : {static_cast<CLI::Option*>(seeds), static_cast<CLI::Option*>(search)}) {
+    many->excludes("--verify")->excludes("--run-dir")->excludes("--seed");
+  }
+}
+
 /// bringup's share folder, installed in one folder with this program or in one per package.
 fs::path share_folder() {
   const fs::path prefix = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
@@ -60,80 +63,23 @@ std::string locate(const std::string& file, const fs::path& share) {
   return bare && fs::exists(shared) ? shared.string() : file;
 }
 
-/// Recorders append, so an old folder would mix two runs.
-std::string make_run_folder(const std::string& wanted) {
-  char stamp[40];
-  const std::time_t now = std::time(nullptr);
-  std::strftime(stamp, sizeof stamp, "runs/sim_%Y%m%dT%H%M%SZ", std::gmtime(&now));
-  const fs::path folder = fs::absolute(wanted.empty() ? stamp : wanted).lexically_normal();
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw EnvironmentError(folder.string() + ": cannot be made: " + error.message());
-  if (!fs::is_empty(folder)) throw ConfigError("--run-dir " + folder.string() + ": is not empty");
-  return folder;
-}
-
-double thread_cpu_s() {
-  timespec used{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
-}
-
-/// How long a run took.
-struct Effort {
-  double wall_s;
-  double cpu_s;
-};
-
-void print(const Outcome& outcome, const Effort& effort, const std::string& run_dir) {
-  const double simulated_s = to_seconds(outcome.simulated);
-  const std::string end = outcome.exit_code ? "exit code " + std::to_string(*outcome.exit_code)
-                                            : std::string("not over");
-  std::printf(
-      "%.3f s simulated (%s) in %.3f s (CPU %.3f s), %.0f times real time; %llu samples, %llu "
-      "packets, "
-      "%llu ticks; digest %016llx; %s\n",
-      simulated_s, end.c_str(), effort.wall_s, effort.cpu_s, simulated_s / effort.wall_s,
-      static_cast<unsigned long long>(outcome.samples),
-      static_cast<unsigned long long>(outcome.packets),
-      static_cast<unsigned long long>(outcome.ticks),
-      static_cast<unsigned long long>(outcome.digest), run_dir.c_str());
-}
-
-Outcome simulate(const Options& options, const std::string& run_dir) {
-  deployment::Overrides overrides = options.overrides;
-  overrides.run_dir = make_run_folder(run_dir);
-  const auto deployment = deployment::load_deployment(options.file, overrides);
-  deployment::write_resolved(deployment, overrides.run_dir + "/deployment.yaml");
-  SimWorld world(deployment);
-  const auto begin = std::chrono::steady_clock::now();
-  const double cpu_begin_s = thread_cpu_s();
-  const Outcome outcome = world.run(seconds(options.duration_s));
-  const auto wall = std::chrono::steady_clock::now() - begin;
-  print(outcome, {to_seconds(Duration(wall)), thread_cpu_s() - cpu_begin_s}, overrides.run_dir);
-  return outcome;
-}
-
-int simulate(Options& options) {
-  deployment::Overrides& overrides = options.overrides;
-  overrides.share = share_folder().string();
-  options.file = locate(options.file, overrides.share);
-  // Checked before the folder of the run is made: a wrong file leaves nothing behind.
-  (void)deployment::load_deployment(options.file, overrides);
-  const std::string run_dir = make_run_folder(overrides.run_dir);
-  if (!options.verify) return simulate(options, run_dir).exit_code.value_or(0);
-  const auto run = [&](const char* name) { return simulate(options, run_dir + name); };
-  auto second = std::async(std::launch::async, run, "/second");
-  const Outcome first = run("/first");
-  if (first.digest == second.get().digest) return 0;
-  throw EnvironmentError("two runs with the same seed differ");
+/// The command without what chooses the seeds.
+std::string replay_of(const Options& options, const std::string& file) {
+  std::string words = "tocsin sim " + file;
+  for (const std::string& set : options.overrides.set) words += " --set '" + set + "'";
+  for (const std::string& one : options.overrides.without) words += " --without " + one;
+  if (!options.overrides.channel.empty()) words += " --channel " + options.overrides.channel;
+  if (!options.faults.empty()) words += " --faults " + options.faults;
+  return words;
 }
 
 int body(int argc, char** argv) {
   CLI::App app{"Run a bringup file in simulated time, faster than real time and repeatable"};
   app.name("tocsin sim");
   Options options;
-  declare(app, options);
+  options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  declare_run(app, options);
+  declare_faults(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
@@ -141,7 +87,11 @@ int body(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw ConfigError(error.what());
   }
-  return simulate(options);
+  options.replay = replay_of(options, options.file);
+  options.overrides.share = share_folder().string();
+  options.file = locate(options.file, options.overrides.share);
+  const bool many = options.until_failure || !options.seeds.empty();
+  return many ? search_seeds(options) : simulate(options);
 }
 
 }  // namespace

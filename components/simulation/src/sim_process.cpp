@@ -41,8 +41,8 @@ class OpenWriter final : public Publication {
 SimProcess::Topic::Topic(const Endpoint& its, const QosProfile& profile)
     : endpoint(its), qos(profile), exchange(profile.keeps_last()) {}
 
-SimProcess::SimProcess(Network& network, SimHost& host, std::string name)
-    : network_(network), host_(host), name_(std::move(name)) {}
+SimProcess::SimProcess(Network& network, SimHost& host, std::string name, int life)
+    : network_(network), host_(host), name_(std::move(name)), life_(life) {}
 
 SimProcess::~SimProcess() = default;
 
@@ -50,7 +50,7 @@ std::unique_ptr<SimProcess::Topic> SimProcess::make_topic(const Endpoint& endpoi
   const std::string name = endpoint.topic.name;
   auto made = std::make_unique<Topic>(endpoint, network_.qos.of(endpoint.topic.qos, name));
   made->label = host_.name() + "/" + name_ + "/" + name;
-  made->source = hash_of(made->label);
+  made->source = hash_of(life_ == 0 ? made->label : made->label + "#" + std::to_string(life_));
   made->input = &network_.core.input;
   made->end = {host_.name(),
                host_.role(),
@@ -100,7 +100,7 @@ void SimProcess::receive(Topic& its, const Change& change, std::uint64_t source)
   Sample sample;
   sample.message = change.message;
   sample.received = now();
-  sample.sent_wall_ns = wall_ns(change.sent);
+  sample.sent_wall_ns = change.sent_wall_ns;
   sample.received_wall_ns = wall_ns(now());
   sample.sequence = change.sequence;
   sample.source = source;
@@ -120,7 +120,9 @@ void SimProcess::make_writer(Topic& its) {
   const TrafficRule& rule = host_.rules().of(its.endpoint.topic.name);
   its.end.traffic_class = rule.traffic_class;
   its.end.pausable = rule.while_poor != WhilePoor::send;
-  const RtpsWriter::Owner owner{host_.direction(), its.source, &its.end, &its.origin};
+  its.end.drops = rule.while_poor == WhilePoor::drop;
+  const RtpsWriter::Owner owner{host_.direction(), its.source, &its.end, &its.origin,
+                                [this](Time t) { return wall_ns(t); }};
   auto writer = std::make_unique<RtpsWriter>(network_.core, network_.link, owner, its.qos);
   its.writer = writer.get();
   its.gated = std::make_unique<GatedWriter>(its.endpoint.topic.name, *its.endpoint.type, rule,
@@ -131,6 +133,7 @@ void SimProcess::make_writer(Topic& its) {
 
 Status SimProcess::write(Topic& its, const std::shared_ptr<const void>& message) {
   Core& core = network_.core;
+  if (core.dying) return Status::failed;
   ++core.samples;
   if (core.digest_wanted) {
     core.digest.add_sample(core.now, its.label, *its.endpoint.type, message.get());
@@ -152,6 +155,23 @@ void SimProcess::report(const Topic& its, const void* message, Status status) co
   const Core& core = network_.core;
   const std::size_t bytes = its.gated ? its.endpoint.type->serialized_size(message) : 0;
   core.observer->on_written({its.end, core.now, its.written, bytes, message, status});
+}
+
+std::int64_t SimProcess::wall_ns(Time t) const {
+  return Core::wall_ns(t) + host_.clock_offset().count();
+}
+
+void SimProcess::die() {
+  for (const auto& [name, its] : topics_) {
+    SimHost::detach(*its);
+    if (its->reader) {
+      its->reader->die();
+      network_.endpoints.remove(name, *its->reader);
+    }
+    if (its->writer == nullptr) continue;
+    its->writer->die();
+    network_.endpoints.remove(name, *its->writer);
+  }
 }
 
 void SimProcess::set_gate(bool open) {

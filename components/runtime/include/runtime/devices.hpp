@@ -52,6 +52,9 @@ class Devices {
                                                               Readable readable) = 0;
   /// The text of a device file, as in /proc; empty when there is none.
   [[nodiscard]] virtual std::optional<std::string> read_text(const std::string& path) = 0;
+  /// Whether components keep their files for a restart, in the folder of the run; only useful
+  /// when processes can crash.
+  [[nodiscard]] virtual bool keeps_files() const { return false; }
 };
 
 }  // namespace tocsin

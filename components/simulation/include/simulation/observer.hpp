@@ -25,6 +25,7 @@ struct TopicEnd {
   double lifespan_s = 0;  ///< infinity: none
   bool reliable = false;
   bool pausable = false;  ///< its gate can close
+  bool drops = false;     ///< and then its samples are dropped
 };
 
 /// A sample that a component wrote. Its readers on the same host have it already.
@@ -76,6 +77,16 @@ struct BasePosition {
   double heading_rad;
   double speed_mps;
   double turn_rate_radps;
+  Time commanded;  ///< when bytes last came from the computer; Time::min() never
+};
+
+enum class ProcessEvent : std::uint8_t { started, killed, exited };
+
+struct ProcessChange {
+  const std::string& process;  ///< host/name
+  ProcessEvent event;
+  Time time;
+  int exit_code;  ///< of one that exited
 };
 
 /// The gate of a process after it opened or closed.
@@ -100,6 +111,8 @@ class Observer {
   /// Ten times a second.
   virtual void on_position(const BasePosition&) {}
   virtual void on_gate(const GateChange&) {}
+  /// Not at the start of the world.
+  virtual void on_process(const ProcessChange&) {}
   /// A component threw `what` and is ticked no more.
   virtual void on_failure(const std::string& /*component*/, const std::string& /*what*/, Time) {}
   /// Everything due at this instant is done.

@@ -9,6 +9,7 @@
 
 #include "deployment/deployment.hpp"
 #include "foundation/time.hpp"
+#include "simulation/faults.hpp"
 #include "simulation/observer.hpp"
 
 namespace tocsin::simulation {
@@ -33,7 +34,10 @@ struct WorldOptions {
   std::vector<std::string> without;
   /// False: the run goes on when the process of `stop_when_exits` has ended.
   bool ends_with_mission = true;
+  FaultPlan faults;  ///< with crashes, components keep files for a restart in the run folder
 };
+
+class World;
 
 /// A whole bringup in virtual time, on one thread: its unmodified components, the base's model in
 /// place of the kobuki_simulator program, the radio channel's model in place of the link emulator.
@@ -60,8 +64,7 @@ class SimWorld {
   Outcome run(Duration limit);
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<World> world_;
 };
 
 }  // namespace tocsin::simulation

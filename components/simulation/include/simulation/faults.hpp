@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "deployment/deployment.hpp"
+
+namespace tocsin::simulation {
+
+/// What goes wrong.
+enum class FaultKind : std::uint8_t {
+  crash,         ///< the process host/name dies like by kill -9, and is started again after `for_s`
+  loss,          ///< a share `amount` of the packets of the radio is lost in addition
+  delay,         ///< packets come up to `amount` seconds later, and so in another order
+  duplication,   ///< a share `amount` of the packets comes twice
+  clock_jump,    ///< the wall clock of the host `target` is put `amount` seconds on, for good
+  serial_noise,  ///< a share `amount` of the bytes from the base is flipped, lost or invented
+  unplug,        ///< the base's serial port is gone
+};
+
+/// One fault, at a time after the start of the run.
+struct Fault {
+  FaultKind kind = FaultKind::loss;
+  double at_s = 0;   ///< [s] from 0
+  double for_s = 0;  ///< [s] more than 0
+  std::string target;
+  double amount = 0;
+};
+
+/// Sorted by time.
+using FaultPlan = std::vector<Fault>;
+
+/// One to six faults between 2 s and 60 s, each over after at most 10 s; the same for the same seed
+/// and processes. Processes that own the terminal do not crash.
+[[nodiscard]] FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment);
+
+/// Reads `faults: [{kind: crash, at_s: 12, for_s: 1, target: uxv/drive}, ...]`. Throws ConfigError
+/// naming file, line, key and value.
+[[nodiscard]] FaultPlan load_faults(const std::string& path);
+
+/// The text that load_faults reads, one fault a line.
+[[nodiscard]] std::string to_yaml(const FaultPlan& plan);
+
+/// When the last one is over [s]; 0 for an empty plan.
+[[nodiscard]] double end_of(const FaultPlan& plan);
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "simulation/observer.hpp"
+#include "simulation/sim_world.hpp"
+
+namespace tocsin::simulation {
+
+/// A promise that was not kept.
+struct Violation {
+  double at_s = 0;  ///< [s] since the start of the run
+  std::string text;
+};
+
+/// How much time the promises leave.
+struct PromiseLimits {
+  /// [s] the base stands this long after the last byte from the computer: its own timeout of 0.5 s
+  /// (config/base.yaml), 0.1 s of dead time, 0.47 s from full speed at 1.5 m/s2, position period.
+  double base_stops_s = 1.2;
+  /// [s] and this long after the last velocity that anybody wanted: the driver's hold besides.
+  double vehicle_stops_s = 2.0;
+  /// [s] the mission is over so long after the last fault.
+  double recovers_s = 300;
+};
+
+/// Checks what the stack promises while a world runs:
+/// the gate keeps no sample of a class that is always active off the air, and lets none of a paused
+/// one on it; what it kept it sends when it opens; the base stops whatever dies; nothing comes
+/// later than its lifespan; the samples of a writer come in order and once; network quality is in
+/// its range; no component throws; the mission is over in time.
+class Promises : public Observer {
+ public:
+  explicit Promises(const PromiseLimits& limits = {}) : limits_(limits) {}
+
+  void on_written(const Written& written) override;
+  void on_sent(const Sent& sent) override;
+  void on_delivered(const Delivered& delivered) override;
+  void on_position(const BasePosition& base) override;
+  void on_gate(const GateChange& change) override;
+  void on_process(const ProcessChange& change) override;
+  void on_failure(const std::string& component, const std::string& what, Time now) override;
+  void on_step(Time now) override;
+  /// After the run.
+  void on_end(const Outcome& outcome);
+
+  /// The first 20.
+  [[nodiscard]] const std::vector<Violation>& violations() const { return violations_; }
+  [[nodiscard]] std::uint64_t checks() const { return checks_; }
+
+ private:
+  void expect(bool kept, Time now, const char* promise, const std::string& detail);
+  void check_message(const Written& written);
+  PromiseLimits limits_;
+  std::vector<Violation> violations_;
+  std::uint64_t checks_ = 0;
+  std::set<std::string> closed_;                   ///< host/process whose gate is closed
+  std::map<const TopicEnd*, std::uint64_t> kept_;  ///< last sample that its gate holds
+  std::set<const TopicEnd*> owed_;                 ///< whose gate has opened at this instant
+  std::map<std::pair<const TopicEnd*, const TopicEnd*>, std::uint64_t> last_;
+  Time wanted_ = Time::min();  ///< when a velocity was last wanted
+};
+
+}  // namespace tocsin::simulation

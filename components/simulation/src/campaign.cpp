@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/campaign.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace tocsin::simulation {
+namespace {
+
+/// What the threads of a search share.
+class Work {
+ public:
+  Work(const Search& wanted, const std::function<Verdict(std::uint64_t)>& run)
+      : wanted_(wanted), run_(run), next_(wanted.first) {}
+
+  void work() {
+    while (const auto seed = take()) {
+      try {
+        put(run_(*seed));
+      } catch (...) {
+        stop(std::current_exception());
+      }
+    }
+  }
+  SearchResult result() {
+    if (error_) std::rethrow_exception(error_);
+    auto& broken = result_.broken;
+    std::sort(broken.begin(), broken.end(),
+              [](const Verdict& a, const Verdict& b) { return a.seed < b.seed; });
+    if (wanted_.until_failure && broken.size() > 1) broken.resize(1);
+    return std::move(result_);
+  }
+
+ private:
+  std::optional<std::uint64_t> take() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool found = wanted_.until_failure && !result_.broken.empty();
+    if (found || error_ || next_ > wanted_.last) return std::nullopt;
+    return next_++;
+  }
+  void put(Verdict verdict) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++result_.runs;
+    result_.checks += verdict.checks;
+    result_.simulated += verdict.outcome.simulated;
+    if (!verdict.violations.empty()) result_.broken.push_back(std::move(verdict));
+  }
+  void stop(std::exception_ptr error) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    error_ = std::move(error);
+  }
+
+  const Search wanted_;
+  const std::function<Verdict(std::uint64_t)>& run_;
+  std::mutex mutex_;
+  std::uint64_t next_;
+  SearchResult result_;
+  std::exception_ptr error_;
+};
+
+}  // namespace
+
+Verdict run_checked(deployment::Deployment deployment, WorldOptions options,
+                    const PromiseLimits& limits) {
+  Promises promises(limits);
+  options.observer = &promises;
+  Verdict verdict;
+  verdict.seed = static_cast<std::uint64_t>(deployment.seed);
+  verdict.faults = options.faults;
+  SimWorld world(std::move(deployment), options);
+  verdict.outcome = world.run(seconds(end_of(options.faults) + limits.recovers_s));
+  promises.on_end(verdict.outcome);
+  verdict.violations = promises.violations();
+  verdict.checks = promises.checks();
+  return verdict;
+}
+
+std::string to_text(const Verdict& verdict) {
+  std::string text;
+  for (const Violation& violation : verdict.violations) {
+    char time[40];
+    std::snprintf(time, sizeof time, "%10.3f s  ", violation.at_s);
+    text += time + violation.text + "\n";
+  }
+  return text;
+}
+
+SearchResult search(const Search& search, const std::function<Verdict(std::uint64_t)>& run) {
+  Work work(search, run);
+  std::vector<std::thread> others;
+  for (unsigned i = 1; i < search.jobs; ++i) others.emplace_back([&work] { work.work(); });
+  work.work();
+  for (std::thread& other : others) other.join();
+  return work.result();
+}
+
+}  // namespace tocsin::simulation

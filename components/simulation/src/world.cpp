@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "radio_channel/channel_files.hpp"
+#include "runtime/middleware/component_library.hpp"
+#include "runtime/middleware/gate_component.hpp"
+
+namespace tocsin::simulation {
+namespace {
+
+constexpr Duration position_period = std::chrono::milliseconds(100);  // of kobuki_simulator
+
+/// Without a radio the sides are joined by a wire.
+radio::ChannelParams channel_of(const deployment::Deployment& deployment) {
+  if (deployment.radio) return radio::load_channel(deployment.radio->channel);
+  radio::ChannelParams wire;
+  wire.mode = "bernoulli";
+  wire.loss = 0;
+  wire.delay_s = 0.0001;
+  return wire;
+}
+
+std::vector<radio::Wall> walls_of(const deployment::Deployment& deployment) {
+  if (!deployment.radio || deployment.radio->walls.empty()) return {};
+  return radio::load_walls(deployment.radio->walls);
+}
+
+Core core_of(const WorldOptions& options) {
+  Core core;
+  core.digest_wanted = options.digest;
+  core.observer = options.observer;
+  return core;
+}
+
+bool is_base(const deployment::Program& program) {
+  return std::filesystem::path(program.command.front()).filename() == "kobuki_simulator";
+}
+
+}  // namespace
+
+World::World(deployment::Deployment deployment, const WorldOptions& options)
+    : core(core_of(options)),
+      deployment_(std::move(deployment)),
+      options_(options),
+      link_(core, channel_of(deployment_), walls_of(deployment_),
+            static_cast<std::uint64_t>(deployment_.seed)),
+      network_{core, link_, QosProfiles(deployment_.qos), {}} {
+  if (core.observer != nullptr) {
+    scheduler_.set_on_failure([this](const std::string& component, const char* what, Time now) {
+      core.observer->on_failure(component, what, now);
+    });
+  }
+  for (const deployment::Host& host : deployment_.hosts) add(host);
+  plan_faults();
+}
+
+World::~World() {
+  core.observer = nullptr;  // it need not see the end
+  while (!processes_.empty()) {
+    auto& instances = processes_.back().instances;
+    while (!instances.empty()) instances.pop_back();
+    processes_.pop_back();
+  }
+}
+
+void World::add(const deployment::Host& host) {
+  Side& side = sides_.emplace_back();
+  side.host = std::make_unique<SimHost>(network_, host.name, host.role, deployment_.traffic);
+  side.devices = std::make_unique<SimDevices>(core, link_,
+                                              SimDevices::Place{host.name, side.host->direction()},
+                                              deployment_.run_dir + "/wireless");
+  if (!options_.faults.empty()) side.devices->keep_files();
+  for (const deployment::Host& other : deployment_.hosts) {
+    if (&other != &host) side.devices->add_peer(other.address);
+  }
+  add_bases(host, side);
+  for (const deployment::Container& container : host.containers) add(container, side);
+}
+
+bool World::wanted(const deployment::ComponentInstance& one) const {
+  const auto& without = options_.without;
+  return std::find(without.begin(), without.end(), one.component) == without.end();
+}
+
+void World::add_bases(const deployment::Host& host, Side& side) {
+  for (const deployment::Program& program : host.programs) {
+    if (!is_base(program)) {
+      throw ConfigError(host.name + "/" + program.name + ": the program " +
+                        program.command.front() + " has no model; leave it out with --without");
+    }
+    SimBase& base = side.bases.emplace_back(core, read_base_options(program));
+    side.devices->add_base(base);
+    feed_position(host.name, base);
+  }
+}
+
+void World::add(const deployment::Container& container, Side& side) {
+  const auto& components = container.components;
+  const bool any = std::any_of(components.begin(), components.end(),
+                               [this](const auto& one) { return wanted(one); });
+  if (!any && !components.empty()) return;
+  processes_.push_back(
+      {side.host->name() + "/" + container.name, &container, &side, nullptr, 0, {}, {}});
+  start(processes_.back());
+}
+
+void World::start(Process& process) {
+  process.bus = &process.side->host->add_process(process.container->name, process.lives++);
+  for (const deployment::ComponentInstance& one : process.container->components) {
+    if (!wanted(one)) continue;
+    Instance& instance = add_instance(one.name, process);
+    const ComponentEntry& entry = load_component(one.component);
+    instance.component = entry.create(instance.context, *one.parameters, deployment_.file);
+    // What is for a person's eyes only is not ticked; that it reads costs packets all the same.
+    if (!process.container->terminal) schedule(instance, process);
+  }
+  Instance& gate = add_instance("gate", process);
+  gate.component = std::make_unique<GateComponent>(gate.context, GateComponent::Params{},
+                                                   process.container->name);
+  schedule(gate, process);
+}
+
+World::Instance& World::add_instance(const std::string& name, Process& process) {
+  process.instances.push_back(
+      {{*process.bus, name, process.side->host->role(), deployment_.run_dir,
+        [this, &process](int code) { exit(process, code); }, process.side->devices.get()},
+       nullptr});
+  return process.instances.back();
+}
+
+void World::schedule(Instance& instance, const Process& process) {
+  scheduler_.add(*instance.component, [&process] { return !process.exit_code; });
+}
+
+void World::exit(Process& process, int code) {
+  process.exit_code = code;
+  if (process.path == deployment_.stop_when_exits) exit_code_ = code;
+  tell(process, ProcessEvent::exited);
+}
+
+void World::tell(const Process& process, ProcessEvent event) const {
+  if (core.observer == nullptr) return;
+  core.observer->on_process({process.path, event, core.now, process.exit_code.value_or(0)});
+}
+
+void World::feed_position(const std::string& host, const SimBase& base) {
+  const kobuki::Pose& pose = base.model().pose();
+  link_.set_position(pose.x_m, pose.y_m);
+  if (core.observer != nullptr) {
+    const kobuki::BodyVelocity& velocity = base.model().velocity();
+    core.observer->on_position({host, core.now, pose.x_m, pose.y_m, pose.heading_rad,
+                                velocity.linear_mps, velocity.angular_rad_s, base.commanded()});
+  }
+  core.events.at(core.now + position_period, [this, &host, &base] { feed_position(host, base); });
+}
+
+Time World::next() const {
+  Time next = std::min({core.events.next(), link_.next_event(), scheduler_.next()});
+  for (const Side& side : sides_) {
+    for (const SimBase& base : side.bases) next = std::min(next, base.next_event());
+  }
+  return std::max(next, core.now);
+}
+
+void World::step(Time now) {
+  core.now = now;
+  core.events.run(now);
+  for (Side& side : sides_) {
+    for (SimBase& base : side.bases) base.advance();
+  }
+  link_.advance();
+  if (core.input || scheduler_.next() <= now) scheduler_.run(now);
+  core.input = false;
+  if (core.observer != nullptr) core.observer->on_step(now);
+}
+
+Outcome World::outcome(Time begin) const {
+  return {core.now - begin, exit_code_,         core.samples,
+          link_.pushed(),   scheduler_.ticks(), core.digest_wanted ? core.digest.value() : 0};
+}
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "scheduler.hpp"
+#include "sim_devices.hpp"
+#include "sim_host.hpp"
+#include "simulation/sim_world.hpp"
+
+namespace tocsin::simulation {
+
+/// Everything of one host. Components are destroyed before the devices that they use.
+struct Side {
+  std::unique_ptr<SimHost> host;
+  std::unique_ptr<SimDevices> devices;
+  std::list<SimBase> bases;
+};
+
+/// All of a simulated world: hosts, processes and components of a bringup file.
+class World {
+ public:
+  World(deployment::Deployment deployment, const WorldOptions& options);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// When something is to be done next.
+  [[nodiscard]] Time next() const;
+  /// Does all that is due at `now`.
+  void step(Time now);
+  [[nodiscard]] bool over() const { return exit_code_ && options_.ends_with_mission; }
+  [[nodiscard]] Outcome outcome(Time begin) const;
+  Core core;
+
+ private:
+  struct Instance {
+    Context context;
+    std::unique_ptr<Component> component;
+  };
+  /// A container; its life begins anew after each crash.
+  struct Process {
+    std::string path;  ///< host/name
+    const deployment::Container* container;
+    Side* side;
+    SimProcess* bus = nullptr;  ///< null: dead
+    int lives = 0;
+    std::optional<int> exit_code;
+    std::list<Instance> instances;
+  };
+
+  [[nodiscard]] bool wanted(const deployment::ComponentInstance& one) const;
+  void add(const deployment::Host& host);
+  void add_bases(const deployment::Host& host, Side& side);
+  void add(const deployment::Container& container, Side& side);
+  void start(Process& process);
+  Instance& add_instance(const std::string& name, Process& process);
+  void schedule(Instance& instance, const Process& process);
+  void exit(Process& process, int code);
+  void feed_position(const std::string& host, const SimBase& base);
+  void tell(const Process& process, ProcessEvent event) const;
+
+  // Faults.
+  void plan_faults();
+  void plan(const Fault& fault);
+  void plan_crash(const Fault& fault);
+  void plan_air(const Fault& fault);
+  void plan_serial(const Fault& fault);
+  void kill(Process& process);
+  void revive(Process& process);
+  void at(double time_s, std::function<void()> action);
+  [[nodiscard]] Process* find_process(const std::string& path);
+  [[nodiscard]] Side* find_side(const std::string& host);
+
+  deployment::Deployment deployment_;
+  WorldOptions options_;
+  RadioLink link_;
+  Network network_;
+  Scheduler scheduler_;
+  std::list<Side> sides_;
+  std::list<Process> processes_;
+  std::optional<int> exit_code_;
+};
+
+}  // namespace tocsin::simulation
