@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <thread>
 
 #include "foundation/error.hpp"
 #include "foundation/program.hpp"
 #include "page.hpp"
+#include "report/recording.hpp"
 #include "run_experiment.hpp"
+#include "trace_export.hpp"
 
 namespace tocsin::experiment {
 namespace {
@@ -52,6 +55,9 @@ int body(int argc, char** argv) {
   std::string folder;
   CLI::App& report = *app.add_subcommand("report", "Write report.html and figures of the results");
   report.add_option("DIR", folder, "folder of the results")->required();
+  CLI::App& trace =
+      *app.add_subcommand("trace", "Print a recorded run's link as a trace to replay");
+  trace.add_option("RUN", folder, "folder of a recorded run")->required();
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
@@ -60,6 +66,10 @@ int body(int argc, char** argv) {
     throw ConfigError(error.what());
   }
   if (report.parsed()) return write_page(folder);
+  if (trace.parsed()) {
+    std::fputs(trace_text(report::load_recording(folder)).c_str(), stdout);
+    return 0;
+  }
   return run(options, run_command.count("--jobs") > 0);
 }
 

@@ -101,7 +101,8 @@ TEST(Readme, ShowsTheParametersAsTheyAre) {
 
 TEST(ShippedFiles, AllLoad) {
   const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config/";
-  for (const char* name : {"classroom", "classroom_mission_b", "open", "bernoulli"}) {
+  for (const char* name : {"classroom", "classroom_mission_b", "open", "bernoulli", "thesis_a",
+                           "thesis_b", "weak_a", "weak_b", "replay"}) {
     EXPECT_NO_THROW((void)load_channel(config + "radio/" + name + ".yaml")) << name;
   }
   EXPECT_GT(load_walls(config + "maps/classroom.walls.yaml").size(), 5u);
