@@ -78,6 +78,10 @@ Stack::~Stack() {
   if (!keep_) fs::remove_all(folder_);
 }
 
+std::string Stack::program(const std::string& package, const std::string& name) {
+  return installed(package, "bin/" + name);
+}
+
 std::string Stack::share(const std::string& name) {
   return installed("bringup", "share/tocsin/" + name);
 }

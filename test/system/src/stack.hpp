@@ -20,6 +20,8 @@ class Stack {
   Stack(const Stack&) = delete;
   Stack& operator=(const Stack&) = delete;
 
+  /// Path of an installed program.
+  [[nodiscard]] static std::string program(const std::string& package, const std::string& name);
   /// Path of an installed file below share/tocsin.
   [[nodiscard]] static std::string share(const std::string& name);
   /// True as soon as `condition` holds; false when `limit` passes before.
