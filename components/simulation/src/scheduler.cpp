@@ -12,8 +12,8 @@ constexpr int most_rounds = 10'000;
 
 }  // namespace
 
-void Scheduler::add(Component& component, std::function<bool()> running) {
-  entries_.push_back({&component, &component.schedule(), std::move(running)});
+void Scheduler::add(Component& component, std::function<bool()> running, Time first) {
+  entries_.push_back({&component, &component.schedule(), std::move(running), first});
   next_ = Time::min();
 }
 
@@ -34,6 +34,10 @@ bool Scheduler::run_round(Time now, int round) {
   next_ = never;
   for (Entry& entry : entries_) {
     if (entry.failed) continue;
+    if (now < entry.first) {
+      next_ = std::min(next_, entry.first);
+      continue;
+    }
     if (entry.started && !entry.schedule->input_pending && entry.schedule->due() > now) {
       next_ = std::min(next_, entry.schedule->due());
       continue;

@@ -14,8 +14,9 @@ namespace tocsin::simulation {
 /// Ticks components in a fixed order when they have input or a deadline has passed.
 class Scheduler {
  public:
-  /// `running` tells whether the component's process still runs.
-  void add(Component& component, std::function<bool()> running);
+  /// `running` tells whether the component's process still runs; it ticks for the first time at
+  /// `first`.
+  void add(Component& component, std::function<bool()> running, Time first = Time::min());
   /// Ticks it no more. Not during a run.
   void remove(const Component& component);
   /// Is told of each component that threw.
@@ -33,6 +34,7 @@ class Scheduler {
     Component* component;
     Schedule* schedule;
     std::function<bool()> running;
+    Time first;
     bool started = false;
     bool failed = false;
   };

@@ -134,7 +134,13 @@ World::Instance& World::add_instance(const std::string& name, Process& process) 
 }
 
 void World::schedule(Instance& instance, const Process& process) {
-  scheduler_.add(*instance.component, [&process] { return !process.exit_code; });
+  // Components of a real vehicle do not tick in step: each has started at an instant of its own.
+  // In step, one writer's samples would always or never meet the queue that another has filled.
+  const std::string name = process.path + "/" + instance.context.name + "/";
+  const std::uint64_t mixed = hash_of(name + std::to_string(deployment_.seed));
+  const Duration wait(static_cast<std::int64_t>(mixed % 1'000'000'000));
+  scheduler_.add(
+      *instance.component, [&process] { return !process.exit_code; }, core.now + wait);
 }
 
 void World::exit(Process& process, int code) {

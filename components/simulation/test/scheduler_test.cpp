@@ -50,6 +50,18 @@ TEST_F(SchedulerTest, TicksOnceAtTheStart) {
   EXPECT_EQ(sut_.next(), never);
 }
 
+TEST_F(SchedulerTest, TicksForTheFirstTimeWhenItShall) {
+  Puppet puppet(context_, [](Puppet&, Time) {});
+  sut_.add(
+      puppet, [] { return true; }, begin + seconds(1));
+  sut_.run(begin);
+  sut_.run(begin + seconds(1) - Duration{1});
+  EXPECT_EQ(puppet.ticks, 0);
+  EXPECT_EQ(sut_.next(), begin + seconds(1));
+  sut_.run(begin + seconds(1));
+  EXPECT_EQ(puppet.ticks, 1);
+}
+
 TEST_F(SchedulerTest, TicksAtADeadlineAndNotBefore) {
   Puppet puppet(context_, [](Puppet& p, Time now) { p.wake_at(now + seconds(1)); });
   add(puppet);
