@@ -26,6 +26,8 @@ class TrafficRules {
   TrafficRules(const std::string& path, const std::string& role);
   /// Throws ConfigError when the role's rules do not name the topic.
   [[nodiscard]] const TrafficRule& of(const std::string& topic) const;
+  /// By topic.
+  [[nodiscard]] const std::map<std::string, TrafficRule>& all() const { return rules_; }
 
  private:
   std::string path_;
