@@ -65,11 +65,29 @@ Program read_program(const YAML::Node& node, const std::string& owner, const Sou
   return program;
 }
 
+/// `shared` or `one_each`.
+bool read_shared_thread(Section& section) {
+  const std::string threads = section.text("threads", "one_each");
+  if (threads != "shared" && threads != "one_each") {
+    section.fail("threads", "'" + threads + "' is not one of: one_each, shared");
+  }
+  return threads == "shared";
+}
+
+std::shared_ptr<const YAML::Node> read_map(Section& section, const std::string& key) {
+  const YAML::Node found = section.find(key);
+  if (!found.IsDefined()) return std::make_shared<const YAML::Node>(YAML::NodeType::Map);
+  if (!found.IsMap()) section.fail(key, "must be a map");
+  return std::make_shared<const YAML::Node>(found);
+}
+
 Container read_container(const YAML::Node& node, const std::string& owner, const Source& source) {
   Section section(node, owner, source);
   Container container;
   container.name = section.required_name("name");
   container.terminal = section.flag("terminal", false);
+  container.shared_thread = read_shared_thread(section);
+  container.health = read_map(section, "health");
   for (const YAML::Node& item : section.items("components")) {
     container.components.push_back(read_instance(item, owner + ".components", source));
   }

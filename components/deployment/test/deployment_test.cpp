@@ -188,6 +188,19 @@ TEST_F(DeploymentTest, RejectsStopWhenExitsThatNamesNoProcess) {
                         "gcs/mission]"));
 }
 
+TEST_F(DeploymentTest, AContainerHasOneThreadEachUnlessItSharesOne) {
+  EXPECT_FALSE(load(whole).hosts[0].containers[0].shared_thread);
+  const auto shared = with(whole, "- name: drive", "- name: drive\n        threads: shared");
+  EXPECT_TRUE(load(shared).hosts[0].containers[0].shared_thread);
+  EXPECT_THAT(error_of(with(whole, "- name: drive", "- name: drive\n        threads: two")),
+              HasSubstr("threads: 'two' is not one of: one_each, shared"));
+}
+
+TEST_F(DeploymentTest, TheLimitsOfAContainersWatchAreAMap) {
+  EXPECT_THAT(error_of(with(whole, "- name: drive", "- name: drive\n        health: 3")),
+              HasSubstr("hosts.uxv.containers.health: must be a map"));
+}
+
 TEST_F(DeploymentTest, RejectsTwoTerminals) {
   EXPECT_THAT(error_of(with(whole, "- name: drive", "- name: drive\n        terminal: true")),
               HasSubstr("terminal: true in more than one container"));

@@ -54,6 +54,17 @@ TEST_F(ResolvedTest, KeepsHostsAndTheirProcesses) {
   EXPECT_EQ(sut.hosts[0].containers[0].components[1].name, "pilot");
 }
 
+TEST_F(ResolvedTest, KeepsThreadsAndLimitsOfAContainer) {
+  std::string yaml = whole;
+  const std::string at = "- name: drive";
+  yaml.replace(yaml.find(at), at.size(),
+               at + "\n        threads: shared\n        health: {period_s: 2}");
+  const Deployment sut = through_file(yaml);
+  EXPECT_TRUE(sut.hosts[0].containers[0].shared_thread);
+  EXPECT_EQ((*sut.hosts[0].containers[0].health)["period_s"].as<int>(), 2);
+  EXPECT_FALSE(sut.hosts[1].containers[0].shared_thread);
+}
+
 TEST_F(ResolvedTest, KeepsHostsWithoutProcesses) {
   EXPECT_EQ(through_file("hosts: {a: {role: uxv, address: 1.1.1.1}}").hosts.size(), 1U);
 }
