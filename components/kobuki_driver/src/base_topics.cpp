@@ -3,6 +3,10 @@
 
 #include <utility>
 
+#include "base_commands.hpp"
+#include "kobuki_protocol/gyro.hpp"
+#include "messages.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -80,7 +84,8 @@ struct BaseTopics::EventWriter {
 };
 
 BaseTopics::BaseTopics(Component& owner)
-    : sensors_(owner),
+    : bus_(owner.bus()),
+      sensors_(owner),
       dock_(owner),
       buttons_(owner),
       bumpers_(owner),
@@ -89,20 +94,38 @@ BaseTopics::BaseTopics(Component& owner)
       power_(owner),
       inputs_(owner),
       robot_state_(owner),
-      versions_(owner) {}
+      versions_(owner),
+      gains_(owner),
+      gyro_(owner) {}
 
-bool BaseTopics::publish(const kobuki::Reading& reading, const std_msgs::msg::Header& header) {
+bool BaseTopics::publish(const kobuki::Reading& reading, const std_msgs::msg::Header& header,
+                         Time now) {
   bool ok = sensors_.write(sensor_message(reading.feedback, header)) != Status::failed;
-  if (const auto& infrared = reading.feedback.dock_infrared) {
-    DockInfraRed message;
-    message.header(header);
-    message.data({infrared->right, infrared->centre, infrared->left});
-    ok &= dock_.write(std::move(message)) != Status::failed;
-  }
+  if (const auto& gyro = reading.feedback.gyro) ok &= publish_gyro(*gyro, now);
+  if (const auto& dock = reading.feedback.dock_infrared) ok &= publish_dock(*dock, header);
   for (const kobuki::Event& event : reading.events) {
     ok &= std::visit(EventWriter{*this}, event) != Status::failed;
   }
   return ok;
+}
+
+bool BaseTopics::publish_gyro(const kobuki::RawGyro& gyro, Time now) {
+  bool ok = true;
+  for (int i = 0; i < gyro.count; ++i) {
+    const Time taken = kobuki::gyro_sample_time(now, i, gyro.count);
+    ok &= gyro_.write(kobuki::raw_imu_message(gyro.samples[static_cast<std::size_t>(i)],
+                                              bus_.wall_ns(taken))) != Status::failed;
+  }
+  return ok;
+}
+
+bool BaseTopics::publish_dock(const kobuki::DockInfrared& dock,
+                              const std_msgs::msg::Header& header) {
+  DockInfraRed message;
+  message.header(header);
+  message.header().frame_id("dock_ir_link");
+  message.data({dock.right, dock.centre, dock.left});
+  return dock_.write(std::move(message)) != Status::failed;
 }
 
 bool BaseTopics::publish_state(bool online) {
@@ -119,6 +142,10 @@ bool BaseTopics::publish_versions(const kobuki::Inquiry& inquiry) {
   message.udid({inquiry.unique_id()->begin(), inquiry.unique_id()->end()});
   message.features(feature_bits(*inquiry.firmware()));
   return versions_.write(std::move(message)) != Status::failed;
+}
+
+bool BaseTopics::publish_gains(const kobuki::ControllerGains& gains) {
+  return gains_.write(kobuki::to_message(gains)) != Status::failed;
 }
 
 }  // namespace tocsin

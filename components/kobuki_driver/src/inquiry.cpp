@@ -22,6 +22,11 @@ void Inquiry::on_feedback(const Feedback& feedback) {
   if (feedback.gains) gains_ = feedback.gains;
 }
 
+void Inquiry::forget_gains() {
+  gains_.reset();
+  asked_for_gains_ = false;
+}
+
 std::optional<Command> Inquiry::missing() const {
   if (!hardware_ || !firmware_ || !unique_id_) {
     return RequestExtra{RequestExtra::hardware | RequestExtra::firmware | RequestExtra::unique_id};

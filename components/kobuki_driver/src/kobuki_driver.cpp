@@ -69,6 +69,8 @@ Reading KobukiDriver::read(const Feedback& feedback) {
   reading.pose = odometry_.pose();
   reading.linear_mps = odometry_.linear_mps();
   reading.angular_rad_s = odometry_.angular_rad_s();
+  reading.gyro_heading_rad = odometry_.gyro_heading_rad();
+  reading.gyro_rate_rad_s = odometry_.gyro_rate_rad_s();
   reading.left = odometry_.left();
   reading.right = odometry_.right();
   reading.events = events_.update(feedback);
@@ -76,7 +78,19 @@ Reading KobukiDriver::read(const Feedback& feedback) {
 }
 
 void KobukiDriver::on_velocity(const BodyVelocity& velocity, Time now) {
-  if (state_ == BaseState::online) velocity_.on_command(velocity, now);
+  if (state_ == BaseState::online && motor_power_) velocity_.on_command(velocity, now);
+}
+
+void KobukiDriver::set_motor_power(bool on) {
+  motor_power_ = on;
+  velocity_.stop();
+}
+
+bool KobukiDriver::set_gains(const ControllerGains& gains) {
+  const auto& firmware = inquiry_.firmware();
+  if (!firmware || !has_gains(*firmware) || !send_once(SetGains{gains})) return false;
+  inquiry_.forget_gains();
+  return true;
 }
 
 void KobukiDriver::set_outputs(const OutputRegister& outputs) {
@@ -115,13 +129,13 @@ void KobukiDriver::run(Time now, const ByteSink& sink) {
 void KobukiDriver::send_commands(Time now, const ByteSink& sink) {
   sink(encode_command(velocity_command(now)).bytes());
   if (state_ != BaseState::online) return;
-  if (const auto request = inquiry_.due(now)) sink(encode_command(*request).bytes());
   for (const Command& command : waiting_) sink(encode_command(command).bytes());
   waiting_.clear();
+  if (const auto request = inquiry_.due(now)) sink(encode_command(*request).bytes());
 }
 
 BaseControl KobukiDriver::velocity_command(Time now) const {
-  if (state_ != BaseState::online || !motor_power_) return {};
+  if (state_ != BaseState::online) return {};
   BodyVelocity velocity = velocity_.velocity(now);
   // The firmware computes wheel speeds with its nominal separation.
   velocity.angular_rad_s *= params_.odometry.wheel_separation_m / wheel_separation_m;

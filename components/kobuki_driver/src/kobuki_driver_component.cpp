@@ -7,7 +7,6 @@
 
 #include "foundation/error.hpp"
 #include "kobuki_driver/serial_port.hpp"
-#include "messages.hpp"
 #include "runtime/component_entry.hpp"
 #include "simulated_port.hpp"
 
@@ -36,7 +35,8 @@ const char* text_of(BaseState state) {
 }
 
 std::string memory_path(const Context& context) {
-  const bool nowhere = context.run_dir.empty() || context.devices != nullptr;
+  const bool simulated = context.devices != nullptr && !context.devices->keeps_files();
+  const bool nowhere = context.run_dir.empty() || simulated;
   return nowhere ? "" : context.run_dir + "/" + context.name + ".odometry";
 }
 
@@ -57,9 +57,11 @@ KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& par
 KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& params, Opener opener)
     : Component(context),
       params_(params),
+      frame_topics_(*this, params.frame, params.driver.odometry.use_gyro_heading),
       opener_(std::move(opener)),
       driver_(params.driver),
       file_(memory_path(context)) {
+  if (params.publish_serial_bytes) serial_topics_.emplace(*this);
   if (const auto snapshot = file_.load()) driver_.odometry().restore(*snapshot);
   open_at_start();
 }
@@ -107,14 +109,18 @@ void KobukiDriverComponent::tick(Time now) {
   if (port_ && write_failed_) close("cannot be written");
   report_state();
   report_versions();
+  report_gains();
+  if (!frame_topics_.publish_diagnostics(driver_, now)) log().warn("no diagnostics published");
   remember(now);
-  wake_at(port_ ? driver_.next_deadline() : next_retry_);
+  wake_at(
+      std::min(port_ ? driver_.next_deadline() : next_retry_, frame_topics_.next_diagnostics()));
 }
 
 void KobukiDriverComponent::take_commands(Time now) {
   while (const auto command = cmd_vel_.take()) {
     driver_.on_velocity({command->linear().x(), command->angular().z()}, now);
   }
+  if (const int refused = commands_.apply(driver_)) log().warn("{} commands refused", refused);
 }
 
 void KobukiDriverComponent::read_port(Time now) {
@@ -123,37 +129,26 @@ void KobukiDriverComponent::read_port(Time now) {
     const auto count = port_->read(bytes.data(), bytes.size());
     if (!count) return close("was lost");
     if (*count == 0) return;
+    if (serial_topics_ && !serial_topics_->received({bytes.data(), *count})) {
+      log().warn("received bytes were not published");
+    }
     driver_.on_bytes({bytes.data(), *count}, now,
                      [&](const Reading& reading) { publish(reading, now); });
   }
 }
 
 void KobukiDriverComponent::send(kobuki::ByteView bytes) {
-  if (port_ && !port_->write(bytes)) write_failed_ = true;
+  if (!port_) return;
+  if (!port_->write(bytes)) write_failed_ = true;
+  if (serial_topics_ && !serial_topics_->sent(bytes)) log().warn("sent bytes were not published");
 }
 
 void KobukiDriverComponent::publish(const Reading& reading, Time now) {
-  const kobuki::Labels labels{wall(now), params_.odom_frame, params_.base_frame};
-  const bool by_gyro = params_.driver.odometry.use_gyro_heading;
-  bool ok = odom_.write(kobuki::odom_message(reading, labels, by_gyro)) != Status::failed;
-  ok &= imu_.write(kobuki::imu_message(reading, labels)) != Status::failed;
-  ok &= joints_.write(kobuki::joint_message(reading, labels)) != Status::failed;
-  if (params_.publish_tf) {
-    ok &= tf_.write(kobuki::tf_message(reading, labels)) != Status::failed;
-  }
+  bool ok = frame_topics_.publish(reading, now);
   if (params_.publish_base_topics) {
-    ok &= base_topics_.publish(reading, kobuki::sensor_header(labels));
+    ok &= base_topics_.publish(reading, frame_topics_.header(now), now);
   }
   if (!ok) log().warn("a reading was not published");
-  if (now >= next_battery_) publish_battery(reading, now);
-}
-
-void KobukiDriverComponent::publish_battery(const Reading& reading, Time now) {
-  next_battery_ = now + seconds(params_.battery_period_s);
-  const kobuki::Labels labels{wall(now), params_.odom_frame, params_.base_frame};
-  if (battery_.write(kobuki::battery_message(reading, labels)) == Status::failed) {
-    log().warn("a battery state was not published");
-  }
 }
 
 void KobukiDriverComponent::report_state() {
@@ -178,10 +173,21 @@ void KobukiDriverComponent::report_versions() {
   if (!known) return;
   log().info("hardware {}, firmware {}", to_text(*inquiry.hardware()),
              to_text(*inquiry.firmware()));
-  if (judge_firmware(*inquiry.firmware()) == kobuki::FirmwareVerdict::replace) {
+  const auto verdict = judge_firmware(*inquiry.firmware());
+  if (verdict == kobuki::FirmwareVerdict::replace) {
     log().warn("this firmware should be replaced by 1.1.4 or 1.2.0");
   }
+  if (verdict == kobuki::FirmwareVerdict::software_behind) {
+    log().warn("this firmware is newer than any that this software knows");
+  }
   if (!base_topics_.publish_versions(inquiry)) log().warn("the versions were not published");
+}
+
+void KobukiDriverComponent::report_gains() {
+  const auto& gains = driver_.inquiry().gains();
+  if (gains.has_value() == gains_reported_) return;
+  gains_reported_ = gains.has_value();
+  if (gains && !base_topics_.publish_gains(*gains)) log().warn("the gains were not published");
 }
 
 void KobukiDriverComponent::remember(Time now) {

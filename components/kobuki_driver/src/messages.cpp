@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kobuki_protocol/gyro.hpp"
+
 namespace tocsin::kobuki {
 namespace {
 
@@ -41,10 +43,6 @@ std::uint8_t status_of(ChargingState state) {
 
 }  // namespace
 
-std_msgs::msg::Header sensor_header(const Labels& labels) {
-  return header(labels.stamp, labels.base_frame);
-}
-
 topic::Odom::Message odom_message(const Reading& reading, const Labels& labels, bool gyro_heading) {
   topic::Odom::Message message;
   message.header(header(labels.stamp, labels.odom_frame));
@@ -79,7 +77,7 @@ topic::Tf::Message tf_message(const Reading& reading, const Labels& labels) {
 topic::JointStates::Message joint_message(const Reading& reading, const Labels& labels) {
   topic::JointStates::Message message;
   message.header(header(labels.stamp, ""));
-  message.name({"wheel_left_joint", "wheel_right_joint"});
+  message.name({labels.left_joint, labels.right_joint});
   message.position({reading.left.angle_rad, reading.right.angle_rad});
   message.velocity({reading.left.rate_rad_s, reading.right.rate_rad_s});
   return message;
@@ -88,8 +86,8 @@ topic::JointStates::Message joint_message(const Reading& reading, const Labels& 
 topic::Imu::Message imu_message(const Reading& reading, const Labels& labels) {
   topic::Imu::Message message;
   message.header(header(labels.stamp, "gyro_link"));
-  message.orientation(quaternion(reading.pose.heading_rad));
-  message.angular_velocity().z(reading.angular_rad_s);
+  message.orientation(quaternion(reading.gyro_heading_rad));
+  message.angular_velocity().z(reading.gyro_rate_rad_s);
   for (auto* covariance :
        {&message.orientation_covariance(), &message.angular_velocity_covariance()}) {
     covariance->fill(0);
@@ -101,10 +99,46 @@ topic::Imu::Message imu_message(const Reading& reading, const Labels& labels) {
   return message;
 }
 
-topic::BatteryState::Message battery_message(const Reading& reading, const Labels& labels) {
+topic::Imu::Message raw_imu_message(const RawGyro::Sample& sample, std::int64_t wall_ns) {
+  const AngularVelocity rate = angular_velocity(sample);
+  topic::Imu::Message message;
+  message.header().stamp().sec(static_cast<std::int32_t>(wall_ns / 1'000'000'000));
+  message.header().stamp().nanosec(static_cast<std::uint32_t>(wall_ns % 1'000'000'000));
+  message.header().frame_id("gyro_link");
+  message.angular_velocity().x(rate.x_rad_s);
+  message.angular_velocity().y(rate.y_rad_s);
+  message.angular_velocity().z(rate.z_rad_s);
+  message.angular_velocity_covariance().fill(0);
+  for (auto* absent :
+       {&message.orientation_covariance(), &message.linear_acceleration_covariance()}) {
+    absent->fill(0);
+    (*absent)[0] = -1;  // ROS: there is no such measurement
+  }
+  return message;
+}
+
+diagnostic_msgs::msg::DiagnosticStatus to_message(const Diagnosis& diagnosis,
+                                                  const std::string& owner,
+                                                  const std::string& hardware_id) {
+  diagnostic_msgs::msg::DiagnosticStatus status;
+  status.level(static_cast<std::uint8_t>(diagnosis.level));
+  status.name(owner + ": " + diagnosis.name);
+  status.message(diagnosis.message);
+  status.hardware_id(hardware_id);
+  for (const auto& [key, value] : diagnosis.values) {
+    diagnostic_msgs::msg::KeyValue entry;
+    entry.key(key);
+    entry.value(value);
+    status.values().push_back(std::move(entry));
+  }
+  return status;
+}
+
+topic::BatteryState::Message battery_message(const Reading& reading,
+                                             const std_msgs::msg::Header& header) {
   constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
   topic::BatteryState::Message message;
-  message.header(header(labels.stamp, labels.base_frame));
+  message.header(header);
   message.voltage(static_cast<float>(reading.battery.voltage_v));
   message.percentage(static_cast<float>(reading.battery.percentage));
   message.temperature(unknown);

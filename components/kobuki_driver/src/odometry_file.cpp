@@ -17,9 +17,10 @@ std::optional<OdometrySnapshot> OdometryFile::load() const {
   Inertia inertia;
   in >> parent >> s.pose.x_m >> s.pose.y_m >> s.pose.heading_rad >> s.left.angle_rad >>
       s.right.angle_rad >> s.core.timestamp_ms >> s.core.left_encoder >> s.core.right_encoder >>
-      inertia.angle_cdeg;
+      inertia.angle_cdeg >> s.gyro_heading_rad;
   if (!in || parent != ::getppid()) return std::nullopt;
-  if (!std::isfinite(s.pose.x_m + s.pose.y_m + s.pose.heading_rad)) return std::nullopt;
+  if (!std::isfinite(s.pose.x_m + s.pose.y_m + s.pose.heading_rad + s.gyro_heading_rad))
+    return std::nullopt;
   s.inertia = inertia;
   return s;
 }
@@ -32,8 +33,8 @@ bool OdometryFile::save(const OdometrySnapshot& s) const {
     out.precision(std::numeric_limits<double>::max_digits10);
     out << ::getppid() << ' ' << s.pose.x_m << ' ' << s.pose.y_m << ' ' << s.pose.heading_rad << ' '
         << s.left.angle_rad << ' ' << s.right.angle_rad << ' ' << s.core.timestamp_ms << ' '
-        << s.core.left_encoder << ' ' << s.core.right_encoder << ' ' << s.inertia->angle_cdeg
-        << '\n';
+        << s.core.left_encoder << ' ' << s.core.right_encoder << ' ' << s.inertia->angle_cdeg << ' '
+        << s.gyro_heading_rad << '\n';
     if (!out.flush()) return false;
   }
   return std::rename(fresh.c_str(), path_.c_str()) == 0;

@@ -63,7 +63,7 @@ TEST_F(KobukiDriverComponentTest, PublishesTransformAndJointsUnlessTurnedOff) {
   EXPECT_GT(tf_.take().size(), 40U);
   EXPECT_EQ(joints_.take().back().name()[0], "wheel_left_joint");
   sut_.reset();
-  params_.publish_tf = false;
+  params_.frame.publish_tf = false;
   start();
   run(1);
   EXPECT_TRUE(tf_.take().empty());

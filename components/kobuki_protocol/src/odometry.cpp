@@ -7,6 +7,9 @@
 namespace tocsin::kobuki {
 namespace {
 
+/// In a longer pause a damaged sample may look possible, and the good ones after it like a restart.
+constexpr double trusted_gap_s = 0.1;
+
 /// Signed distance between two 16-bit counters.
 double tick_difference(std::uint16_t now, std::uint16_t last) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(now - last));
@@ -27,18 +30,21 @@ Odometry::Odometry(const OdometryParams& params) : params_(params) {}
 
 void Odometry::update(const CoreSensors& core, const std::optional<Inertia>& inertia) {
   const Sample now{core, inertia};
-  if (last_) {
-    Step step = measure(*last_, now);
-    if (!plausible(step)) {
-      ++rejected_jumps_;
-      const auto other = std::exchange(suspect_, now);
-      if (!other) return;
-      step = measure(*other, now);
-      if (!plausible(step)) return;
-    }
-    apply(step);
-    apply_rates(step, inertia);
+  if (!last_) {
+    last_ = now;
+    return;
   }
+  Step step = measure(*last_, now);
+  const bool possible = plausible(step);
+  if (!possible) ++rejected_jumps_;
+  if (!possible || step.dt_s > trusted_gap_s) {
+    const auto other = std::exchange(suspect_, now);
+    const Step since = measure(other.value_or(now), now);
+    if (!other || !plausible(since)) return;  // the next sample may confirm this one
+    if (!possible) step = since;              // the base was restarted
+  }
+  apply(step);
+  apply_rates(step, inertia);
   last_ = now;
   suspect_.reset();
 }
@@ -51,7 +57,7 @@ Odometry::Step Odometry::measure(const Sample& from, const Sample& to) const {
                  params_.right_wheel_scale;
   step.turn_rad = (step.right_m - step.left_m) / params_.wheel_separation_m;
   step.dt_s = static_cast<std::uint16_t>(to.core.timestamp_ms - from.core.timestamp_ms) / 1000.0;
-  if (params_.use_gyro_heading && from.inertia && to.inertia) {
+  if (from.inertia && to.inertia) {
     step.gyro_turn_rad = params_.gyro_scale * (gyro_turn(*from.inertia, *to.inertia) -
                                                params_.gyro_bias_rad_s * step.dt_s);
   }
@@ -75,44 +81,50 @@ void Odometry::apply(const Step& step) {
   const double forward_m = (step.left_m + step.right_m) / 2.0;
   pose_.x_m += forward_m * std::cos(pose_.heading_rad);
   pose_.y_m += forward_m * std::sin(pose_.heading_rad);
-  pose_.heading_rad = wrap_angle(pose_.heading_rad + step.gyro_turn_rad.value_or(step.turn_rad));
+  const bool by_gyro = params_.use_gyro_heading && step.gyro_turn_rad;
+  pose_.heading_rad =
+      wrap_angle(pose_.heading_rad + (by_gyro ? *step.gyro_turn_rad : step.turn_rad));
+  gyro_heading_rad_ = wrap_angle(gyro_heading_rad_ + step.gyro_turn_rad.value_or(0));
   left_.angle_rad += step.left_m / wheel_radius_m;
   right_.angle_rad += step.right_m / wheel_radius_m;
 }
 
 void Odometry::apply_rates(const Step& step, const std::optional<Inertia>& inertia) {
+  if (inertia) {
+    const double reported = inertia->angle_rate_cdps * centidegree_rad;
+    gyro_rate_rad_s_ = params_.gyro_scale * (reported - params_.gyro_bias_rad_s);
+  }
   if (step.dt_s <= 0) return;  // the stamp did not move: the old rates are the better guess
   linear_mps_ = (step.left_m + step.right_m) / 2.0 / step.dt_s;
   angular_rad_s_ = step.turn_rad / step.dt_s;
   left_.rate_rad_s = step.left_m / wheel_radius_m / step.dt_s;
   right_.rate_rad_s = step.right_m / wheel_radius_m / step.dt_s;
-  if (params_.use_gyro_heading && inertia) {
-    const double reported = inertia->angle_rate_cdps * centidegree_rad;
-    angular_rad_s_ = params_.gyro_scale * (reported - params_.gyro_bias_rad_s);
-  }
+  if (params_.use_gyro_heading && inertia) angular_rad_s_ = gyro_rate_rad_s_;
 }
 
 void Odometry::reinitialise() {
   last_.reset();
   suspect_.reset();
-  linear_mps_ = angular_rad_s_ = 0;
+  linear_mps_ = angular_rad_s_ = gyro_rate_rad_s_ = 0;
   left_.rate_rad_s = right_.rate_rad_s = 0;
 }
 
 void Odometry::reset() {
   pose_ = Pose{};
+  gyro_heading_rad_ = 0;
   left_ = right_ = WheelState{};
 }
 
 std::optional<OdometrySnapshot> Odometry::snapshot() const {
   if (!last_) return std::nullopt;
-  return OdometrySnapshot{pose_, left_, right_, last_->core, last_->inertia};
+  return OdometrySnapshot{pose_, left_, right_, last_->core, last_->inertia, gyro_heading_rad_};
 }
 
 void Odometry::restore(const OdometrySnapshot& snapshot) {
   pose_ = snapshot.pose;
   left_ = snapshot.left;
   right_ = snapshot.right;
+  gyro_heading_rad_ = snapshot.gyro_heading_rad;
   last_ = Sample{snapshot.core, snapshot.inertia};
   suspect_.reset();
 }

@@ -105,9 +105,9 @@ TEST(Odometry, AppliesScales) {
   params.wheel_separation_m = 0.246;
   Odometry sut{params};
   sut.update(core(0, 0, 0), {});
-  sut.update(core(1000, 1000, 1000), {});
-  EXPECT_NEAR(sut.pose().x_m, 1000 * tick_m, 1e-12);
-  EXPECT_NEAR(sut.pose().heading_rad, -0.04 * 1000 * tick_m / 0.246, 1e-12);
+  for (int ms = 100; ms <= 1000; ms += 100) sut.update(core(ms, ms, ms), {});
+  EXPECT_NEAR(sut.pose().x_m, 1000 * tick_m, 1e-3);
+  EXPECT_NEAR(sut.pose().heading_rad, -0.04 * 1000 * tick_m / 0.246, 1e-9);
 }
 
 TEST(Odometry, AppliesGyroScaleAndBias) {
@@ -116,7 +116,9 @@ TEST(Odometry, AppliesGyroScaleAndBias) {
   params.gyro_bias_rad_s = 1 * degree_rad;
   Odometry sut{params};
   sut.update(core(0, 0, 0), inertia(0));
-  sut.update(core(1000, 0, 0), inertia(1100, 1100));
+  for (int i = 1; i <= 10; ++i) {
+    sut.update(core(100 * i, 0, 0), inertia(static_cast<std::int16_t>(110 * i), 1100));
+  }
   EXPECT_NEAR(sut.pose().heading_rad, 11 * degree_rad, 1e-9);
   EXPECT_NEAR(sut.angular_rad_s(), 11 * degree_rad, 1e-9);
 }
@@ -159,8 +161,41 @@ TEST(Odometry, TakesMotionAcrossLostFrames) {
   Odometry sut{by_encoder()};
   sut.update(core(0, 0, 0), {});
   sut.update(core(2000, 16400, 16400), {});  // 0.7 m/s for 2 s
+  sut.update(core(2000, 16400, 16400), {});  // confirms it
   EXPECT_NEAR(sut.pose().x_m, 1.399, 1e-3);
   EXPECT_EQ(sut.rejected_jumps(), 0U);
+}
+
+TEST(Odometry, IsNotTurnedByADamagedSampleAfterAPause) {
+  Odometry sut{OdometryParams{}};
+  sut.update(core(0, 0, 0), inertia(0));
+  sut.update(core(20, 0, 0), inertia(0));
+  sut.update(core(1000, 0, 0), inertia(3328));  // possible in a second, but wrong
+  sut.update(core(1020, 0, 0), inertia(0));
+  sut.update(core(1040, 0, 0), inertia(0));
+  EXPECT_NEAR(sut.pose().heading_rad, 0, 1e-9);
+}
+
+TEST(Odometry, TakesTheFirstSampleAfterAShortPauseAtOnce) {
+  Odometry sut{by_encoder()};
+  sut.update(core(0, 0, 0), {});
+  sut.update(core(100, 100, 100), {});
+  EXPECT_NEAR(sut.pose().x_m, 100 * tick_m, 1e-9);
+  sut.update(core(201, 200, 200), {});
+  EXPECT_NEAR(sut.pose().x_m, 100 * tick_m, 1e-9);
+  sut.update(core(221, 220, 220), {});
+  EXPECT_NEAR(sut.pose().x_m, 220 * tick_m, 1e-9);
+}
+
+TEST(Odometry, KeepsTheGyroHeadingBesideEncoderOdometry) {
+  Odometry sut{by_encoder()};
+  sut.update(core(0, 0, 0), inertia(0));
+  sut.update(core(100, 0, 0), inertia(500, 5000));
+  EXPECT_EQ(sut.pose().heading_rad, 0);
+  EXPECT_NEAR(sut.gyro_heading_rad(), 5 * degree_rad, 1e-9);
+  EXPECT_NEAR(sut.gyro_rate_rad_s(), 50 * degree_rad, 1e-9);
+  sut.reset();
+  EXPECT_EQ(sut.gyro_heading_rad(), 0);
 }
 
 TEST(Odometry, DoesNotTakeAStampThatWentBackForALongDrive) {

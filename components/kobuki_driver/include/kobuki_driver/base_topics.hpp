@@ -8,20 +8,27 @@
 
 namespace tocsin {
 
-/// What only a Kobuki has, as topics with the names and types of its ROS driver: raw sensors, dock
-/// infrared, events, versions. Part of the driver's component.
+/// What only a Kobuki has, as topics with the names and types of its ROS driver: raw sensors, raw
+/// gyro, dock infrared, events, versions, gains. Part of the driver's component.
 class BaseTopics {
  public:
   explicit BaseTopics(Component& owner);
-  /// Writes one frame's sensors and events. False when one of them was refused.
-  [[nodiscard]] bool publish(const kobuki::Reading& reading, const std_msgs::msg::Header& header);
+  /// Writes the sensors and events of a frame that came at `now`. False when one was refused.
+  [[nodiscard]] bool publish(const kobuki::Reading& reading, const std_msgs::msg::Header& header,
+                             Time now);
   /// Writes whether the base is online.
   [[nodiscard]] bool publish_state(bool online);
-  /// Writes the versions once they are known.
+  /// Writes the versions; all of them must be known.
   [[nodiscard]] bool publish_versions(const kobuki::Inquiry& inquiry);
+  [[nodiscard]] bool publish_gains(const kobuki::ControllerGains& gains);
 
  private:
   struct EventWriter;
+  [[nodiscard]] bool publish_gyro(const kobuki::RawGyro& gyro, Time now);
+  [[nodiscard]] bool publish_dock(const kobuki::DockInfrared& dock,
+                                  const std_msgs::msg::Header& header);
+
+  Bus& bus_;
   Output<topic::SensorsCore> sensors_;
   Output<topic::DockInfrared> dock_;
   Output<topic::ButtonEvents> buttons_;
@@ -32,6 +39,8 @@ class BaseTopics {
   Output<topic::InputEvents> inputs_;
   Output<topic::RobotState> robot_state_;
   Output<topic::VersionInfo> versions_;
+  Output<topic::ControllerInfo> gains_;
+  Output<topic::ImuRaw> gyro_;
 };
 
 }  // namespace tocsin

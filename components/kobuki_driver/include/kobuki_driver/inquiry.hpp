@@ -21,6 +21,8 @@ class Inquiry {
   /// A base has been heard for the first time, or again after a silence: ask anew.
   void begin(Time now);
   void on_feedback(const Feedback& feedback);
+  /// They were set: what was known is old.
+  void forget_gains();
   /// The request that is due now, if any. Call when it can be sent.
   [[nodiscard]] std::optional<Command> due(Time now);
 

@@ -23,6 +23,8 @@ struct Reading {
   Pose pose;
   double linear_mps = 0;
   double angular_rad_s = 0;
+  double gyro_heading_rad = 0;  ///< by the gyro, whatever `pose` comes from
+  double gyro_rate_rad_s = 0;
   WheelState left;
   WheelState right;
   Events events;
@@ -70,13 +72,17 @@ class KobukiDriver {
   /// Takes what was read from the port, cut anywhere, and hands over a reading per frame.
   void on_bytes(ByteView bytes, Time now, const ReadingSink& sink);
   void on_velocity(const BodyVelocity& velocity, Time now);
-  /// Off keeps the base standing whatever is commanded.
-  void set_motor_power(bool on) { motor_power_ = on; }
+  /// Off keeps the base standing whatever is commanded; on waits for the next velocity.
+  void set_motor_power(bool on);
+  [[nodiscard]] bool motor_power() const { return motor_power_; }
   /// LEDs, outputs and supplies; sent now and again after every reconnection.
   void set_outputs(const OutputRegister& outputs);
   [[nodiscard]] const OutputRegister& outputs() const { return outputs_; }
-  /// A sound or a gain command for the next period. Dropped and false when too many wait.
+  /// A sound for the next period. Dropped and false when too many wait.
   [[nodiscard]] bool send_once(const Command& command);
+  /// Gains of the wheel controllers, asked for again afterwards. Dropped and false unless the
+  /// firmware is known to have them (1.2).
+  [[nodiscard]] bool set_gains(const ControllerGains& gains);
   void reset_odometry() { odometry_.reset(); }
 
   /// Sends what is due; call when `next_deadline` has passed, or more often.
@@ -91,6 +97,7 @@ class KobukiDriver {
   [[nodiscard]] const Reassembler::Counts& frame_counts() const { return reassembler_.counts(); }
   [[nodiscard]] const DecodeCounts& decode_counts() const { return decode_counts_; }
   [[nodiscard]] Odometry& odometry() { return odometry_; }
+  [[nodiscard]] const Odometry& odometry() const { return odometry_; }
 
  private:
   void on_frame(ByteView payload, Time now, const ReadingSink& sink);

@@ -50,6 +50,7 @@ struct OdometrySnapshot {
   WheelState right;
   CoreSensors core;
   std::optional<Inertia> inertia;
+  double gyro_heading_rad = 0;
 };
 
 /// `angle` wrapped to (-pi, pi].
@@ -61,7 +62,8 @@ struct OdometrySnapshot {
 /// the millisecond stamp are differences modulo 65536. A sample with a jump that no wheel and no
 /// turn can do, or with a stamp that went back or on by more than 3.5 s, is left out: the checksum
 /// lets some damaged frames through. When the next one agrees with it, the base was restarted, and
-/// motion counts from there.
+/// motion counts from there. The first sample after a pause of more than 0.1 s waits in the same
+/// way for the next one, which brings the motion of the pause.
 class Odometry {
  public:
   explicit Odometry(const OdometryParams& params);
@@ -77,6 +79,10 @@ class Odometry {
   /// Rates of the body; 0 until the second sample.
   [[nodiscard]] double linear_mps() const { return linear_mps_; }
   [[nodiscard]] double angular_rad_s() const { return angular_rad_s_; }
+  /// Turned since the first sample or the last reset, by the gyro with scale and bias, whatever the
+  /// pose is computed from. Stands while no inertia comes.
+  [[nodiscard]] double gyro_heading_rad() const { return gyro_heading_rad_; }
+  [[nodiscard]] double gyro_rate_rad_s() const { return gyro_rate_rad_s_; }
   [[nodiscard]] const WheelState& left() const { return left_; }
   [[nodiscard]] const WheelState& right() const { return right_; }
   /// Samples that were left out.
@@ -107,10 +113,12 @@ class Odometry {
   Pose pose_;
   double linear_mps_ = 0;
   double angular_rad_s_ = 0;
+  double gyro_heading_rad_ = 0;
+  double gyro_rate_rad_s_ = 0;
   WheelState left_;
   WheelState right_;
   std::optional<Sample> last_;
-  std::optional<Sample> suspect_;  ///< left out just now
+  std::optional<Sample> suspect_;  ///< waits for the next one to agree
   std::uint64_t rejected_jumps_ = 0;
 };
 

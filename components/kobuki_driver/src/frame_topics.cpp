@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kobuki_driver/frame_topics.hpp"
+
+#include <utility>
+
+#include "kobuki_driver/diagnostics.hpp"
+#include "messages.hpp"
+
+namespace tocsin {
+namespace {
+
+/// The id of the base as kobuki_node shows it: three decimal numbers.
+std::string hardware_id(const kobuki::Inquiry& inquiry) {
+  const auto& id = inquiry.unique_id();
+  if (!id) return "Kobuki";
+  return std::to_string((*id)[0]) + "-" + std::to_string((*id)[1]) + "-" + std::to_string((*id)[2]);
+}
+
+}  // namespace
+
+FrameTopics::FrameTopics(Component& owner, const FrameParams& params, bool gyro_heading)
+    : owner_(owner),
+      params_(params),
+      gyro_heading_(gyro_heading),
+      odom_(owner),
+      tf_(owner),
+      joints_(owner),
+      imu_(owner),
+      battery_(owner),
+      charger_(owner),
+      diagnostics_(owner) {}
+
+builtin_interfaces::msg::Time FrameTopics::stamp(Time now) const {
+  const std::int64_t ns = owner_.bus().wall_ns(now);
+  builtin_interfaces::msg::Time stamp;
+  stamp.sec(static_cast<std::int32_t>(ns / 1'000'000'000));
+  stamp.nanosec(static_cast<std::uint32_t>(ns % 1'000'000'000));
+  return stamp;
+}
+
+std_msgs::msg::Header FrameTopics::header(Time now) const {
+  std_msgs::msg::Header header;
+  header.stamp(stamp(now));
+  header.frame_id(params_.base_frame);
+  return header;
+}
+
+bool FrameTopics::publish(const kobuki::Reading& reading, Time now) {
+  last_ = reading;
+  heard_ = true;
+  const kobuki::Labels labels{stamp(now), params_.odom_frame, params_.base_frame,
+                              params_.wheel_left_joint_name, params_.wheel_right_joint_name};
+  bool ok = odom_.write(kobuki::odom_message(reading, labels, gyro_heading_)) != Status::failed;
+  ok &= imu_.write(kobuki::imu_message(reading, labels)) != Status::failed;
+  ok &= joints_.write(kobuki::joint_message(reading, labels)) != Status::failed;
+  if (params_.publish_tf) {
+    ok &= tf_.write(kobuki::tf_message(reading, labels)) != Status::failed;
+  }
+  if (now >= next_battery_) ok &= publish_battery(reading, now);
+  return ok;
+}
+
+bool FrameTopics::publish_battery(const kobuki::Reading& reading, Time now) {
+  next_battery_ = now + seconds(params_.battery_period_s);
+  auto message = kobuki::battery_message(reading, header(now));
+  bool ok = charger_.write(message) != Status::failed;
+  ok &= battery_.write(std::move(message)) != Status::failed;
+  return ok;
+}
+
+bool FrameTopics::publish_diagnostics(const kobuki::KobukiDriver& driver, Time now) {
+  if (now < next_diagnostics_) return true;
+  next_diagnostics_ = now + seconds(params_.diagnostics_period_s);
+  topic::Diagnostics::Message message;
+  message.header().stamp(stamp(now));
+  const std::string id = hardware_id(driver.inquiry());
+  for (const auto& diagnosis : kobuki::diagnose(driver, heard_ ? &last_ : nullptr)) {
+    message.status().push_back(kobuki::to_message(diagnosis, owner_.name(), id));
+  }
+  return diagnostics_.write(std::move(message)) != Status::failed;
+}
+
+}  // namespace tocsin
