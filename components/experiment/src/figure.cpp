@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "figure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -28,6 +29,11 @@ std::string row(const std::vector<double>& values) {
   std::string text;
   for (const double value : values) text += number(value) + " ";
   return text + "\n";
+}
+
+/// gnuplot refuses to draw nothing.
+bool any_finite(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
 std::string quoted(std::string text) {
@@ -62,6 +68,7 @@ std::string Figure::colour() const {
 }
 
 Figure& Figure::line(const std::string& title, const std::vector<double>& y, double x_step) {
+  if (!any_finite(y)) return *this;
   std::string rows;
   for (std::size_t i = 0; i < y.size(); ++i) rows += row({static_cast<double>(i) * x_step, y[i]});
   plots_.push_back(block(rows) + " using 1:2 with lines lw 2 lc " + colour() +
@@ -72,6 +79,7 @@ Figure& Figure::line(const std::string& title, const std::vector<double>& y, dou
 
 Figure& Figure::band(const std::vector<double>& low, const std::vector<double>& high,
                      double x_step) {
+  if (!any_finite(low) || !any_finite(high)) return *this;
   std::string rows;
   for (std::size_t i = 0; i < low.size() && i < high.size(); ++i) {
     rows += row({static_cast<double>(i) * x_step, low[i], high[i]});
@@ -115,6 +123,7 @@ Figure& Figure::interval(const std::string& label, double mean, double low, doub
 
 Figure& Figure::points(const std::string& title, const std::vector<double>& x,
                        const std::vector<double>& y) {
+  if (!any_finite(x) || !any_finite(y)) return *this;
   std::string rows;
   for (std::size_t i = 0; i < x.size() && i < y.size(); ++i) rows += row({x[i], y[i]});
   plots_.push_back(block(rows) + " using 1:2 with points pt 7 ps 0.8 lc " + colour() +
@@ -136,7 +145,7 @@ std::string Figure::labels() const {
 std::string Figure::script(const std::string& folder) const {
   std::string plot = "plot ";
   for (std::size_t i = 0; i < plots_.size(); ++i) plot += (i > 0 ? ", \\\n  " : "") + plots_[i];
-  if (plots_.empty()) plot += "NaN notitle";
+  if (plots_.empty()) plot += "[0:1] [0:1] 2 notitle";
   const std::string body = "set title " + quoted(title_) +
                            " noenhanced\nset grid lc rgb '#dddddd'\n"
                            "set key outside bottom center horizontal noenhanced\nset border 3\n"

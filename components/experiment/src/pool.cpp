@@ -49,7 +49,15 @@ bool Pool::interrupted() const { return interrupt_seen != 0; }
 void Pool::start(std::size_t job) {
   std::fflush(nullptr);
   const pid_t parent = ::getpid();
+  // Until the child has its own answers to them, signals wait.
+  sigset_t both;
+  sigset_t before;
+  sigemptyset(&both);
+  sigaddset(&both, SIGINT);
+  sigaddset(&both, SIGTERM);
+  ::sigprocmask(SIG_BLOCK, &both, &before);
   const pid_t child = ::fork();
+  if (child != 0) ::sigprocmask(SIG_SETMASK, &before, nullptr);
   if (child < 0) throw EnvironmentError(std::string("fork: ") + std::strerror(errno));
   if (child > 0) {
     running_[child] = job;
@@ -59,6 +67,7 @@ void Pool::start(std::size_t job) {
   if (::getppid() != parent) ::_exit(0);
   std::signal(SIGINT, SIG_IGN);  // the parent decides
   std::signal(SIGTERM, SIG_DFL);
+  ::sigprocmask(SIG_SETMASK, &before, nullptr);
   silence_output();
   ::_exit(body_(job));
 }

@@ -39,6 +39,11 @@ void set_mission(const simulation::Written& written, report::Recording& recordin
                        message.elapsed_s()};
 }
 
+/// Whether the traffic file puts it into a class; a recording is read by classes, too.
+bool is_classified(const simulation::TopicEnd& end) {
+  return !end.traffic_class.empty() && end.traffic_class != "none";
+}
+
 /// Airtime and bytes of both directions.
 report::LinkState state_of(const radio::LinkReport& report, Time now) {
   const auto& up = report.uplink;
@@ -55,7 +60,7 @@ report::LinkState state_of(const radio::LinkReport& report, Time now) {
 
 void Tape::on_written(const simulation::Written& written) {
   const simulation::TopicEnd& from = written.from;
-  if (from.traffic_class.empty()) return;
+  if (!is_classified(from)) return;
   ++recording_.written[from.role + " " + from.traffic_class];
   if (from.role == "gcs") {
     if (from.topic == topic::MissionStatus::info.name) set_mission(written, recording_);
@@ -68,7 +73,7 @@ void Tape::on_written(const simulation::Written& written) {
 
 void Tape::on_delivered(const simulation::Delivered& delivered) {
   const simulation::TopicEnd& from = delivered.from;
-  if (delivered.to.process != "recorder" || from.traffic_class.empty()) return;
+  if (delivered.to.process != "recorder" || !is_classified(from)) return;
   recording_.arrivals[from.role + " " + from.traffic_class].push_back(
       {to_seconds(delivered.sent_at), to_seconds(delivered.received), from.topic, from.process,
        delivered.sequence, static_cast<double>(delivered.bytes)});

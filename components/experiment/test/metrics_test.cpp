@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/metrics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "messages.hpp"
+#include "toy_recording.hpp"
+
+namespace tocsin::experiment {
+namespace {
+
+double value(const report::Recording& recording, const char* name,
+             const Timing& timing = toy_timing()) {
+  return measure(recording, timing).values[metric_index(name)];
+}
+
+TEST(MetricTexts, NameEachMetricOnce) {
+  std::set<std::string> names;
+  for (const MetricText& text : metric_texts()) EXPECT_TRUE(names.insert(text.name).second);
+  EXPECT_EQ(metric_index("qni_mean"), 0U);
+}
+
+TEST(Metrics, OfQuality) {
+  const auto recording = toy_recording();
+  EXPECT_DOUBLE_EQ(value(recording, "qni_mean"), 70);
+  EXPECT_EQ(value(recording, "qni_min"), 30);
+  EXPECT_DOUBLE_EQ(value(recording, "probe_per_mean"), 10);
+  EXPECT_EQ(value(recording, "probe_per_max"), 50);
+}
+
+TEST(Metrics, OfLossTellSentFromWritten) {
+  const auto recording = toy_recording();
+  EXPECT_NEAR(value(recording, "high_lost"), 10, 0.2);
+  EXPECT_NEAR(value(recording, "telemetry_per"), 10, 0.2);
+  EXPECT_DOUBLE_EQ(value(recording, "high_delivered"), 90);
+  EXPECT_TRUE(std::isnan(value(recording, "low_delivered")));
+}
+
+TEST(Metrics, OfTelemetryLeavePicturesOut) {
+  auto recording = toy_recording();
+  recording.arrivals["uxv low"] = {{1001, 1002, camera_topic, "2", 1, 9},
+                                   {1050, 1051, camera_topic, "2", 3, 9}};
+  EXPECT_NEAR(value(recording, "telemetry_per"), 10, 0.2);
+  EXPECT_NEAR(value(recording, "camera_lost"), 33.3, 0.1);
+  EXPECT_TRUE(std::isnan(value(recording, "low_lost")));
+}
+
+TEST(Metrics, OfTheWorstObservationNeedTenSamplesInIt) {
+  auto recording = toy_recording();
+  EXPECT_DOUBLE_EQ(value(recording, "telemetry_per_max"), 10);
+  Timing timing = toy_timing();
+  timing.observation_s = 5;
+  EXPECT_TRUE(std::isnan(value(recording, "telemetry_per_max", timing)));
+}
+
+TEST(Metrics, OfLatency) {
+  const auto recording = toy_recording();
+  EXPECT_NEAR(value(recording, "high_latency_median"), 20, 1e-3);
+  EXPECT_NEAR(value(recording, "high_latency_p99"), 20, 1e-3);
+}
+
+TEST(Metrics, OfAge) {
+  const auto recording = toy_recording();
+  EXPECT_GT(value(recording, "quality_age_mean"), 0.2);
+  EXPECT_LT(value(recording, "quality_age_mean"), 1.0);
+  EXPECT_TRUE(std::isnan(value(recording, "camera_age_mean")));
+}
+
+TEST(Metrics, OfTheLink) {
+  const auto recording = toy_recording();
+  EXPECT_NEAR(value(recording, "link_bytes"), 0.099, 1e-9);
+  EXPECT_NEAR(value(recording, "airtime"), 10, 1e-6);
+}
+
+TEST(Metrics, AgainstTheTruth) {
+  const auto recording = toy_recording();
+  Timing timing = toy_timing();
+  EXPECT_NEAR(value(recording, "poor_share", timing), 20, 1e-9);
+  EXPECT_EQ(value(recording, "detect"), 0);
+  EXPECT_EQ(value(recording, "missed"), 0);
+  EXPECT_EQ(value(recording, "pauses"), 1);
+  EXPECT_DOUBLE_EQ(value(recording, "silence_max"), 20);
+}
+
+TEST(Metrics, OfTheMission) {
+  auto recording = toy_recording();
+  EXPECT_EQ(value(recording, "completion"), 88.5);
+  EXPECT_EQ(value(recording, "completed"), 1);
+  recording.mission.state = "running";
+  EXPECT_TRUE(std::isnan(value(recording, "completion")));
+  EXPECT_EQ(value(recording, "completed"), 0);
+}
+
+TEST(Metrics, DoNotCountTheWarmUp) {
+  Timing timing = toy_timing();
+  timing.warm_up_s = 60;
+  EXPECT_EQ(value(toy_recording(), "qni_min", timing), 80);
+  EXPECT_EQ(value(toy_recording(), "pauses", timing), 0);
+}
+
+TEST(Metrics, OfARunShorterThanItsWarmUpHaveNoAnswer) {
+  Timing timing = toy_timing();
+  timing.warm_up_s = 200;
+  const Measures sut = measure(toy_recording(), timing);
+  EXPECT_TRUE(std::isnan(sut.values[metric_index("qni_mean")]));
+  EXPECT_TRUE(sut.series.empty());
+}
+
+TEST(Metrics, OfAnEmptyRecordingHaveNoAnswer) {
+  report::Recording nothing;
+  nothing.end_s = 100;
+  const Measures sut = measure(nothing, toy_timing());
+  EXPECT_TRUE(std::isnan(sut.values[metric_index("telemetry_per")]));
+  EXPECT_EQ(sut.values[metric_index("pauses")], 0);
+}
+
+TEST(Observations, CoverTheRunInSteps) {
+  const auto series = measure(toy_recording(), toy_timing()).series;
+  ASSERT_EQ(series.size(), 10U);
+  EXPECT_EQ(series[3].time_s, 30);
+  EXPECT_EQ(series[3].qni, 80);
+  EXPECT_EQ(series[4].qni, 30);
+  EXPECT_EQ(series[4].probe_per, 50);
+  EXPECT_EQ(series[4].snr_db, 5);
+  EXPECT_EQ(series[4].active, 0);
+  EXPECT_EQ(series[3].active, 1);
+  EXPECT_EQ(series[3].sent, 10);
+  EXPECT_EQ(series[3].lost, 1);
+  EXPECT_NEAR(series[3].latency_ms, 20, 1e-3);
+}
+
+TEST(Observations, LeaveOutARestAtTheEnd) {
+  Timing timing = toy_timing();
+  timing.observation_s = 30;
+  EXPECT_EQ(measure(toy_recording(), timing).series.size(), 3U);
+}
+
+TEST(Observations, MarkWhenTheMachineFroze) {
+  auto recording = toy_recording();
+  recording.link[25].late_ms = stall_ms;
+  recording.link[35].late_ms = stall_ms + 1;
+  const Measures sut = measure(recording, toy_timing());
+  EXPECT_FALSE(sut.series[2].stalled);
+  EXPECT_TRUE(sut.series[3].stalled);
+  EXPECT_DOUBLE_EQ(sut.values[metric_index("stalled")], 10);
+}
+
+}  // namespace
+}  // namespace tocsin::experiment

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "page.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "figure.hpp"
+#include "html.hpp"
+#include "toy_results.hpp"
+
+namespace tocsin::experiment {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// The page of a toy experiment.
+std::string page_of(const ToyResults& toy) {
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(write_page(toy.folder()), 0);
+  EXPECT_THAT(::testing::internal::GetCapturedStdout(), HasSubstr("report.html"));
+  return toy.read("out/report.html");
+}
+
+TEST(Page, IsWholeAndNeedsNothingElse) {
+  const ToyResults toy;
+  const std::string sut = page_of(toy);
+  EXPECT_THAT(sut, AllOf(HasSubstr("</html>"), HasSubstr("<svg"), HasSubstr("0.1.0+toy")));
+  EXPECT_THAT(sut, Not(HasSubstr("<!-- figure")));
+  EXPECT_THAT(sut, Not(HasSubstr("src=")));
+  EXPECT_TRUE(std::filesystem::exists(toy.path("out/figures/fig43_main_a_near_camera_none.png")));
+}
+
+TEST(Page, IsTheSameEachTime) {
+  const ToyResults toy;
+  const std::string first = page_of(toy);
+  EXPECT_EQ(first, page_of(toy));
+}
+
+TEST(Page, JudgesByTheIntervals) {
+  const ToyResults toy;
+  const std::string sut = page_of(toy);
+  EXPECT_THAT(sut, HasSubstr("Mission A: TOCP-DSP <span class=\"yes\">beats</span> no policy on "
+                             "probe_per_max: 52.0 against 72.0 %"));
+  EXPECT_THAT(sut, HasSubstr("TOCP-DSP <span class=\"open\">does not beat</span> no policy on "
+                             "high_latency_p99"));
+}
+
+TEST(Page, PutsTheThesisBesideOurs) {
+  const ToyResults toy;
+  EXPECT_THAT(page_of(toy), HasSubstr("<td>TOCP-DSP</td><td>10.0</td><td>52.0 [49.5, 54.5]</td>"));
+}
+
+TEST(Page, DefinesEveryMetric) {
+  const ToyResults toy;
+  const std::string sut = page_of(toy);
+  for (const MetricText& text : metric_texts()) {
+    EXPECT_THAT(sut, HasSubstr(std::string("<td>") + text.name + "</td>"));
+  }
+}
+
+TEST(Page, ComparesSimulatedAndRealWhenBothAreThere) {
+  const ToyResults toy;
+  EXPECT_THAT(page_of(toy), Not(HasSubstr("Simulated against real")));
+  toy.add_real();
+  EXPECT_THAT(page_of(toy), AllOf(HasSubstr("Simulated against real"),
+                                  HasSubstr("mean QNI within 2.00 over at least 20 paired runs; "
+                                            "real minus simulated 1.00")));
+}
+
+TEST(Page, ShowsSensitivityOfSetsOfThatKind) {
+  const ToyResults toy(with(toy_text, "kind: thesis", "kind: sensitivity"));
+  const std::string sut = page_of(toy);
+  EXPECT_THAT(sut, HasSubstr("alpha=3 network_monitor.window=10"));
+  EXPECT_THAT(sut, Not(HasSubstr("figures 43 to 52")));
+}
+
+TEST(Figure, DrawsLinesInOrder) {
+  const std::string sut = Figure("f", "It's a title")
+                              .axes("time [s]", "QNI [%]")
+                              .line("one", {1, std::nan(""), 3}, 2)
+                              .line("two", {4}, 2)
+                              .script("/out");
+  EXPECT_THAT(sut, HasSubstr("$data0 << EOD\n0 1 \n2 NaN \n4 3 \nEOD\n"));
+  EXPECT_THAT(sut, HasSubstr("set ylabel 'QNI [%]'"));
+  EXPECT_THAT(sut, HasSubstr("title 'one'"));
+  EXPECT_THAT(sut, HasSubstr("set title 'It s a title'"));
+  EXPECT_THAT(sut, HasSubstr("set output '/out/f.svg'"));
+}
+
+TEST(Figure, DrawsEveryKindWithoutComplaint) {
+  const ToyFolder folder;
+  Figure figure("all", "All kinds");
+  figure.axes("x", "y").band({1, 2}, {3, 4}, 1).line("", {2, 3}, 1);
+  Figure boxes("boxes", "Boxes");
+  figure.line("nothing", {NAN, NAN}, 1).points("", {}, {}).band({NAN}, {NAN}, 1);
+  boxes.box("a", {1, 2, 3, 4}).box("none", {}).interval("i", 2, 1, 3).interval("n", 2, NAN, NAN);
+  Figure empty("empty", "Nothing");
+  try {
+    draw({figure, boxes, empty}, folder.path());
+  } catch (...) {
+    ADD_FAILURE() << folder.read("gnuplot.log");
+  }
+  EXPECT_THAT(folder.read("boxes.svg"), HasSubstr("</svg>"));
+}
+
+TEST(Draw, SaysThatGnuplotFailed) {
+  const ToyFolder folder;
+  EXPECT_THROW(draw({Figure("bad", "Bad").with("no such command")}, folder.path()),
+               EnvironmentError);
+}
+
+TEST(Html, EscapesWhatItIsGiven) {
+  EXPECT_EQ(html::escape("<a & \"b\">"), "&lt;a &amp; &quot;b&quot;&gt;");
+}
+
+TEST(Html, RoundsToThreeDigits) {
+  EXPECT_EQ(html::number(1234.5), "1234");
+  EXPECT_EQ(html::number(12.345), "12.3");
+  EXPECT_EQ(html::number(1.2345), "1.23");
+  EXPECT_EQ(html::number(-0.12345), "-0.123");
+  EXPECT_EQ(html::number(std::nan("")), "-");
+  EXPECT_EQ(html::number(Estimate{2, 1, 3, 5}), "2.00 [1.00, 3.00]");
+  EXPECT_EQ(html::number(Estimate{2, std::nan(""), std::nan(""), 1}), "2.00");
+}
+
+}  // namespace
+}  // namespace tocsin::experiment

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "result_store.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <csignal>
+#include <system_error>
+
+#include "toy.hpp"
+#include "toy_recording.hpp"
+
+namespace tocsin::experiment {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+RunResult good() { return {"", 100, measure(toy_recording(), toy_timing())}; }
+
+/// Every file of this process is at most one byte long, as on a full disk.
+class FullDisk {
+ public:
+  FullDisk() {
+    std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit tiny{1, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &tiny);
+  }
+  ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST(ResultText, ComesBack) {
+  const RunResult result = good();
+  const auto sut = parse_result(to_text(result));
+  ASSERT_TRUE(sut);
+  EXPECT_EQ(sut->simulated_s, 100);
+  EXPECT_NEAR(sut->measures.values[0], result.measures.values[0], 1e-3);
+  ASSERT_EQ(sut->measures.series.size(), 10U);
+  EXPECT_EQ(sut->measures.series[4].qni, 30);
+  EXPECT_EQ(sut->measures.series[4].active, 0);
+}
+
+TEST(ResultText, KeepsWhatHasNoAnswer) {
+  const auto sut = parse_result(to_text(good()));
+  ASSERT_TRUE(sut);
+  EXPECT_TRUE(std::isnan(sut->measures.values[metric_index("camera_lost")]));
+}
+
+TEST(ResultText, OfAFailedRunIsOneLineOfReason) {
+  const auto sut = parse_result(to_text({"policy: threw\nbadly", 0, {}}));
+  ASSERT_TRUE(sut);
+  EXPECT_EQ(sut->failure, "policy: threw badly");
+  EXPECT_TRUE(sut->measures.series.empty());
+}
+
+TEST(ResultText, ThatWasCutOffAnywhereIsNoResult) {
+  const std::string text = to_text(good());
+  for (std::size_t length = 0; length + 1 < text.size(); length += 7) {
+    EXPECT_FALSE(parse_result(text.substr(0, length))) << length;
+  }
+}
+
+TEST(ResultStore, KeepsRunsAndTellsThemInTheOrderOfThePlan) {
+  const ToyExperiment toy;
+  const auto plan = make_plan(toy.load());
+  const ResultStore sut(toy.path("out"), "series");
+  sut.open("settings: 1\n");
+  sut.write(plan[3], good());
+  sut.write(plan[1], {"went, wrong", 0, {}});
+  sut.write_table(plan);
+  const std::string table = toy.read("out/runs.csv");
+  EXPECT_THAT(table, StartsWith("number,set,mission,"));
+  EXPECT_LT(table.find("\n1,main,a,near,camera,none,2,"), table.find("\n3,main,a,near,camera,"));
+  EXPECT_THAT(table, HasSubstr(",\"went, wrong\",0,"));
+}
+
+TEST(ResultStore, GivesTheSameBytesWhateverFinishedFirst) {
+  const ToyExperiment toy;
+  const auto plan = make_plan(toy.load());
+  const ResultStore one(toy.path("one"), "series");
+  const ResultStore other(toy.path("other"), "series");
+  one.open("s");
+  other.open("s");
+  for (const int i : {0, 1, 2}) one.write(plan[static_cast<std::size_t>(i)], good());
+  for (const int i : {2, 0, 1}) other.write(plan[static_cast<std::size_t>(i)], good());
+  one.write_table(plan);
+  other.write_table(plan);
+  EXPECT_EQ(toy.read("one/runs.csv"), toy.read("other/runs.csv"));
+}
+
+TEST(ResultStore, GoesOnWithTheSameSettingsOnly) {
+  const ToyExperiment toy;
+  const auto plan = make_plan(toy.load());
+  const ResultStore sut(toy.path("out"), "series");
+  sut.open("settings: 1\n");
+  sut.write(plan[0], good());
+  EXPECT_NO_THROW(sut.open("settings: 1\n"));
+  EXPECT_TRUE(sut.read(plan[0]));
+  EXPECT_FALSE(sut.read(plan[1]));
+  EXPECT_THAT(error_of([&] { sut.open("settings: 2\n"); }), HasSubstr("other settings"));
+}
+
+TEST(ResultStore, RemovesDraftsOfKilledRuns) {
+  const ToyExperiment toy;
+  const auto plan = make_plan(toy.load());
+  const ResultStore sut(toy.path("out"), "series");
+  sut.open("s");
+  toy.write("out/series/x.csv.draft", "half");
+  sut.open("s");
+  EXPECT_FALSE(std::filesystem::exists(toy.path("out/series/x.csv.draft")));
+}
+
+TEST(ResultStore, DoesNotTakeADamagedFileForAResult) {
+  const ToyExperiment toy;
+  const auto plan = make_plan(toy.load());
+  const ResultStore sut(toy.path("out"), "series");
+  sut.open("s");
+  toy.write("out/series/" + plan[0].id() + ".csv", "failure \nseconds 3\n");
+  EXPECT_FALSE(sut.read(plan[0]));
+}
+
+TEST(ResultStore, SaysThatAFolderCannotBeMade) {
+  EXPECT_THROW(ResultStore("/proc/nowhere", "series").open("s"), EnvironmentError);
+}
+
+TEST(ReplaceFile, LeavesTheOldOneWhenTheDiskIsFull) {
+  const ToyFolder folder;
+  const std::string path = folder.path("file");
+  replace_file(path, "old");
+  {
+    const FullDisk full;
+    EXPECT_THROW(replace_file(path, "new text"), std::system_error);
+  }
+  EXPECT_EQ(folder.read("file"), "old");
+  EXPECT_FALSE(std::filesystem::exists(path + ".draft"));
+}
+
+}  // namespace
+}  // namespace tocsin::experiment

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/tape.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin::experiment {
+namespace {
+
+const Time t0{std::chrono::seconds(100)};
+
+simulation::TopicEnd end_of(const char* role, const char* process, const char* topic,
+                            const char* traffic_class) {
+  simulation::TopicEnd end;
+  end.host = end.role = role;
+  end.process = process;
+  end.topic = topic;
+  end.traffic_class = traffic_class;
+  end.scope = Scope::link;
+  return end;
+}
+
+TEST(Tape, KeepsTheVehiclesDecisions) {
+  topic::TransmissionState::Message message;
+  message.active(false);
+  message.policy("tocp");
+  message.reason("cusum_alarm");
+  message.qni(30);
+  const auto vehicle = end_of("uxv", "link", "transmission_state", "critical");
+  const auto ground = end_of("gcs", "link", "transmission_state", "critical");
+  Tape sut;
+  sut.on_written({vehicle, t0, 1, 50, &message, Status::ok});
+  sut.on_written({ground, t0, 1, 50, &message, Status::ok});
+  ASSERT_EQ(sut.recording().decisions.size(), 1U);
+  EXPECT_EQ(sut.recording().decisions[0].time_s, 100);
+  EXPECT_FALSE(sut.recording().decisions[0].active);
+  EXPECT_EQ(sut.recording().decisions[0].qni, 30);
+}
+
+TEST(Tape, CountsWhatWasWrittenPausedOrNot) {
+  topic::BatteryState::Message message;
+  const auto from = end_of("uxv", "drive", "battery_state", "low");
+  Tape sut;
+  sut.on_written({from, t0, 1, 50, &message, Status::ok});
+  sut.on_written({from, t0, 2, 50, &message, Status::paused});
+  EXPECT_EQ(sut.recording().written.at("uxv low"), 2U);
+}
+
+TEST(Tape, TakesArrivalsAtTheRecorderOnly) {
+  const auto from = end_of("uxv", "drive", "location", "high");
+  const auto recorder = end_of("gcs", "recorder", "location", "");
+  const auto other = end_of("gcs", "mission", "location", "");
+  Tape sut;
+  sut.on_delivered({from, recorder, 7, 7, t0, t0, t0 + seconds(0.5), 300, nullptr});
+  sut.on_delivered({from, other, 7, 7, t0, t0, t0 + seconds(0.5), 300, nullptr});
+  const auto& arrivals = sut.recording().arrivals.at("uxv high");
+  ASSERT_EQ(arrivals.size(), 1U);
+  EXPECT_EQ(arrivals[0].sequence, 7U);
+  EXPECT_DOUBLE_EQ(arrivals[0].received_s - arrivals[0].sent_s, 0.5);
+  EXPECT_EQ(arrivals[0].bytes, 300);
+}
+
+TEST(Tape, IgnoresTopicsThatStayOnTheirHost) {
+  topic::Odom::Message message;
+  const auto from = end_of("uxv", "drive", "odom", "");
+  Tape sut;
+  sut.on_written({from, t0, 1, 0, &message, Status::ok});
+  EXPECT_TRUE(sut.recording().written.empty());
+}
+
+TEST(Tape, FollowsTheChannel) {
+  radio::LinkReport report{};
+  report.mean_snr_db = 12;
+  report.uplink.bytes_pushed = 100;
+  report.downlink.bytes_pushed = 20;
+  report.uplink.air.airtime = seconds(1);
+  report.downlink.air.airtime = seconds(0.5);
+  Tape sut;
+  sut.on_channel(report, t0);
+  ASSERT_EQ(sut.recording().link.size(), 1U);
+  EXPECT_EQ(sut.recording().link[0].bytes, 120);
+  EXPECT_DOUBLE_EQ(sut.recording().link[0].airtime_s, 1.5);
+}
+
+TEST(Tape, NamesTheFirstComponentThatThrew) {
+  Tape sut;
+  EXPECT_EQ(sut.failure(), "");
+  sut.on_failure("policy", "one", t0);
+  sut.on_failure("driver", "two", t0);
+  EXPECT_EQ(sut.failure(), "policy: one");
+}
+
+}  // namespace
+}  // namespace tocsin::experiment
