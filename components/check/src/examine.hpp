@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "graph.hpp"
+#include "runtime/middleware/qos_profile.hpp"
+#include "runtime/middleware/traffic_rules.hpp"
+
+namespace tocsin::check {
+
+/// What holds for all nodes of a graph.
+struct Rules {
+  const QosProfiles& qos;
+  const std::map<std::string, TrafficRules>& traffic;  ///< by role
+};
+
+/// What is wrong with a graph, in the order of its nodes:
+/// - error: a topic with two types, QoS profile or scope clash, a pair of ends whose QoS will not
+///   match (policy by policy), a missing profile, a link topic without a traffic class;
+/// - warning: a reader without a writer, or with writers only where the topic's scope does not
+///   reach; a traffic rule or QoS override for a topic that nobody has;
+/// - note: a writer without a reader.
+[[nodiscard]] std::vector<Finding> examine(const Graph& graph, const Rules& rules);
+
+}  // namespace tocsin::check

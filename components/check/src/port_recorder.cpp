@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "port_recorder.hpp"
+
+#include <algorithm>
+#include <cerrno>
+
+namespace tocsin::check {
+namespace {
+
+struct Silent : Subscription {};
+
+struct Deaf : Publication {
+  Status write(const std::shared_ptr<const void>& message) override {
+    (void)message;
+    return Status::ok;
+  }
+};
+
+struct NoEcho : EchoDevice {
+  int send(std::uint16_t sequence) override {
+    (void)sequence;
+    return ENETUNREACH;
+  }
+  std::optional<Reply> receive() override { return std::nullopt; }
+};
+
+}  // namespace
+
+void PortRecorder::record(const Endpoint& endpoint, bool writes) {
+  const auto same = [&](const Port& port) {
+    return port.topic == endpoint.topic.name && port.writes == writes;
+  };
+  if (std::any_of(ports_.begin(), ports_.end(), same)) return;
+  ports_.push_back(
+      {endpoint.topic.name, endpoint.type->name, endpoint.topic.qos, endpoint.topic.scope, writes});
+}
+
+std::unique_ptr<Subscription> PortRecorder::subscribe(const Endpoint& endpoint,
+                                                      Receiver& receiver) {
+  (void)receiver;
+  record(endpoint, false);
+  return std::make_unique<Silent>();
+}
+
+std::unique_ptr<Publication> PortRecorder::advertise(const Endpoint& endpoint) {
+  record(endpoint, true);
+  return std::make_unique<Deaf>();
+}
+
+std::unique_ptr<SerialDevice> NoDevices::open_serial(const std::string& path, Readable readable) {
+  (void)path;
+  (void)readable;
+  return nullptr;
+}
+
+std::unique_ptr<EchoDevice> NoDevices::open_echo(const std::string& target,
+                                                 std::size_t payload_bytes, Readable readable) {
+  (void)target;
+  (void)payload_bytes;
+  (void)readable;
+  return std::make_unique<NoEcho>();
+}
+
+std::optional<std::string> NoDevices::read_text(const std::string& path) {
+  (void)path;
+  return std::nullopt;
+}
+
+}  // namespace tocsin::check

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "port_recorder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin::check {
+namespace {
+
+class Toy : public Component {
+ public:
+  explicit Toy(Context& context) : Component(context) {}
+  void tick(Time now) override { (void)now; }
+
+ private:
+  Input<topic::Odom> odom_{*this};
+  Input<topic::Odom> again_{*this};
+  Output<topic::Location> location_{*this};
+};
+
+TEST(PortRecorder, WritesDownEachPortOnce) {
+  PortRecorder sut;
+  Context context{sut, "toy", "uxv", ""};
+  const Toy toy(context);
+  ASSERT_EQ(sut.ports().size(), 2U);
+  EXPECT_EQ(sut.ports()[0].topic, "odom");
+  EXPECT_FALSE(sut.ports()[0].writes);
+  EXPECT_EQ(sut.ports()[0].type, "nav_msgs::msg::dds_::Odometry_");
+  EXPECT_EQ(sut.ports()[1].topic, "location");
+  EXPECT_TRUE(sut.ports()[1].writes);
+  EXPECT_EQ(sut.ports()[1].scope, Scope::link);
+}
+
+TEST(NoDevices, OpensNothing) {
+  NoDevices sut;
+  EXPECT_EQ(sut.open_serial("/dev/kobuki", [] {}), nullptr);
+  EXPECT_NE(sut.open_echo("10.0.0.1", 64, [] {})->send(1), 0);
+  EXPECT_FALSE(sut.read_text("/proc/meminfo").has_value());
+}
+
+}  // namespace
+}  // namespace tocsin::check

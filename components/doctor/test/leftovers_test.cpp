@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "leftovers.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include "foundation/toy_folder.hpp"
+
+namespace tocsin::doctor {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+TEST(Leftovers, FindsFilesOfFastDdsThatNobodyUses) {
+  const ToyFolder folder;
+  const std::string segment = folder.write("fastrtps_1234", "12345");
+  const std::string sharing = folder.write("fast_datasharing_a_b", "678");
+  const std::string lock = folder.write("sem.fastrtps_port7410_mutex", "");
+  const Leftovers found = find_leftovers(folder.path(""));
+  EXPECT_THAT(found.files, ElementsAre(sharing, segment, lock));
+  EXPECT_EQ(found.bytes, 8U);
+}
+
+TEST(Leftovers, LeavesOtherFilesAlone) {
+  const ToyFolder folder;
+  folder.write("somebody_else", "1");
+  EXPECT_THAT(find_leftovers(folder.path("")).files, IsEmpty());
+}
+
+TEST(Leftovers, LeavesAFileAloneThatAProcessHasOpen) {
+  const ToyFolder folder;
+  const int open_file = ::open(folder.write("fastrtps_port7410_el", "").c_str(), O_RDONLY);
+  EXPECT_THAT(find_leftovers(folder.path("")).files, IsEmpty());
+  ::close(open_file);
+  EXPECT_EQ(find_leftovers(folder.path("")).files.size(), 1U);
+}
+
+TEST(Leftovers, LeavesAFileAloneThatAProcessHasMapped) {
+  const ToyFolder folder;
+  const int file = ::open(folder.write("fastrtps_1234", "12345").c_str(), O_RDONLY);
+  void* const memory = ::mmap(nullptr, 5, PROT_READ, MAP_SHARED, file, 0);
+  ::close(file);
+  ASSERT_NE(memory, MAP_FAILED);
+  EXPECT_THAT(find_leftovers(folder.path("")).files, IsEmpty());
+  ::munmap(memory, 5);
+  EXPECT_EQ(find_leftovers(folder.path("")).files.size(), 1U);
+}
+
+TEST(Leftovers, AreRemovedAndCounted) {
+  const ToyFolder folder;
+  folder.write("fastrtps_1234", "12345");
+  EXPECT_EQ(remove(find_leftovers(folder.path(""))), 1U);
+  EXPECT_THAT(find_leftovers(folder.path("")).files, IsEmpty());
+}
+
+TEST(Leftovers, AMissingFolderHasNone) {
+  EXPECT_THAT(find_leftovers("/no/such/folder").files, IsEmpty());
+}
+
+}  // namespace
+}  // namespace tocsin::doctor
