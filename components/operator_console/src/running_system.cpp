@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "command_line/programs.hpp"
 #include "foundation/error.hpp"
@@ -111,11 +112,12 @@ deployment::Deployment with_guest(deployment::Deployment deployment, const std::
   const std::string host = host_of(deployment, role).name;
   const auto found = std::find_if(deployment.hosts.begin(), deployment.hosts.end(),
                                   [&](const auto& one) { return one.name == host; });
-  for (deployment::Container& container : found->containers) container.terminal = false;
-  found->containers.push_back(
-      {container_name,
-       false,
-       {{guest.component, guest.component + "_operator", parameters_of(guest), {}}}});
+  for (deployment::Container& other : found->containers) other.terminal = false;
+  deployment::Container container;
+  container.name = container_name;
+  container.components.push_back(
+      {guest.component, guest.component + "_operator", parameters_of(guest), {}});
+  found->containers.push_back(std::move(container));
   return deployment;
 }
 
