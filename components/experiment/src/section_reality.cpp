@@ -17,16 +17,25 @@ const std::vector<std::string> shown{"qni_mean",         "probe_per_mean", "tele
 struct Pairs {
   std::vector<double> simulated;
   std::vector<double> real;
+  std::vector<std::string> left_out;
 };
 
+/// Adds the pairs in which both vehicles did their mission; names the others in `left_out`.
 void add_pairs(const Group& simulated, const Group& real, const std::string& metric, Pairs& pairs) {
   const auto a = simulated.metric(metric);
   const auto b = real.metric(metric);
+  const auto done_a = simulated.metric("completed");
+  const auto done_b = real.metric("completed");
   for (std::size_t i = 0; i < real.indices.size(); ++i) {
     const auto found =
         std::find(simulated.indices.begin(), simulated.indices.end(), real.indices[i]);
     if (found == simulated.indices.end()) continue;
-    const double value = a[static_cast<std::size_t>(found - simulated.indices.begin())];
+    const auto place = static_cast<std::size_t>(found - simulated.indices.begin());
+    const double value = a[place];
+    if (!(done_a[place] == 1 && done_b[i] == 1)) {
+      pairs.left_out.push_back(real.policy + " " + std::to_string(real.indices[i]));
+      continue;
+    }
     if (!std::isfinite(value) || !std::isfinite(b[i])) continue;
     pairs.simulated.push_back(value);
     pairs.real.push_back(b[i]);
@@ -60,6 +69,15 @@ std::string target(const Estimate& difference, double limit, const std::string& 
          " over " + std::to_string(difference.runs) + " pairs.</li>";
 }
 
+void add_left_out(const Pairs& pairs, Document& document) {
+  std::string names;
+  for (const std::string& name : pairs.left_out) names += (names.empty() ? "" : ", ") + name;
+  document.paragraph(
+      "Left out of the table, because one of the two did not finish its mission (a vehicle that "
+      "stands where the radio is dead measures that place for minutes): " +
+      (names.empty() ? std::string("none") : names) + ".");
+}
+
 }  // namespace
 
 void add_reality(const Results& results, Document& document) {
@@ -79,6 +97,7 @@ void add_reality(const Results& results, Document& document) {
                     html::number(difference), std::to_string(difference.runs)});
   }
   document.table(rows);
+  add_left_out(pairs_of(results, "qni_mean"), document);
   const auto difference = [&](const char* metric) {
     const Pairs pairs = pairs_of(results, metric);
     return paired_difference(pairs.real, pairs.simulated);

@@ -71,6 +71,12 @@ TEST(Page, ComparesSimulatedAndRealWhenBothAreThere) {
                                             "real minus simulated 1.00")));
 }
 
+TEST(Page, LeavesOutPairsOfMissionsThatWereNotDone) {
+  const ToyResults toy;
+  toy.add_real();
+  EXPECT_THAT(page_of(toy), AllOf(HasSubstr("for minutes): none 1."), HasSubstr("over 11 pairs")));
+}
+
 TEST(Page, ShowsSensitivityOfSetsOfThatKind) {
   const ToyResults toy(with(toy_text, "kind: thesis", "kind: sensitivity"));
   const std::string sut = page_of(toy);
