@@ -30,7 +30,9 @@ class RunningSystemTest : public ::testing::Test {
     deployment.hosts[0].role = "uxv";
     deployment.hosts[1].name = "station";
     deployment.hosts[1].role = "gcs";
-    deployment.hosts[1].containers.push_back({"view", true, {}});
+    deployment.hosts[1].containers.resize(1);
+    deployment.hosts[1].containers[0].name = "view";
+    deployment.hosts[1].containers[0].terminal = true;
     return deployment;
   }
   std::string folder_;
