@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
@@ -76,7 +78,7 @@ int print(const Advices& advices) {
 }
 
 int examine(BringupOptions& bringup, bool clean) {
-  Advices advices = judge_limits(read_sysctl);
+  Advices advices = judge_limits(read_sysctl, ::geteuid() == 0);
   advices.push_back(judge_loopback(interfaces()));
   advices.push_back(judge_shared_memory(clean));
   if (!bringup.file.empty()) {

@@ -13,7 +13,7 @@ namespace tocsin::doctor {
 using ReadSysctl = std::function<std::optional<std::string>(const std::string& name)>;
 
 /// What the kernel's settings mean for the stack: socket buffers, echo requests without
-/// privileges.
-[[nodiscard]] Advices judge_limits(const ReadSysctl& read);
+/// privileges, which `root` does not need.
+[[nodiscard]] Advices judge_limits(const ReadSysctl& read, bool root);
 
 }  // namespace tocsin::doctor

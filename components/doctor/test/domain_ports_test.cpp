@@ -25,7 +25,11 @@ TEST(DomainPorts, CountsParticipantsByTheirDiscoveryPort) {
   EXPECT_EQ(participants({7400 + 250 * 40 + 10}, 40), 1);
 }
 
-TEST(DomainPorts, TheNextDomainsPortsDoNotCount) { EXPECT_EQ(participants({7650, 7660}, 0), 1); }
+TEST(DomainPorts, TheNextDomainsPortsDoNotCount) {
+  EXPECT_EQ(participants({7648}, 0), 1);  // id 119
+  EXPECT_EQ(participants({7650, 7660}, 0), 0);
+  EXPECT_EQ(participants({7650, 7660}, 1), 1);
+}
 
 }  // namespace
 }  // namespace tocsin::doctor

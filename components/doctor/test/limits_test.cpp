@@ -13,9 +13,10 @@ using ::testing::HasSubstr;
 
 /// The advice on one setting, all others unreadable.
 Advice judged(const std::string& name, const std::string& value, std::size_t index) {
-  return judge_limits([&](const std::string& wanted) {
+  const auto read = [&](const std::string& wanted) {
     return wanted == name ? std::optional<std::string>(value) : std::nullopt;
-  })[index];
+  };
+  return judge_limits(read, false)[index];
 }
 
 TEST(Limits, ABufferOfAMebibyteIsEnough) {
@@ -34,8 +35,14 @@ TEST(Limits, AnEmptyPingRangeIsBad) {
   EXPECT_EQ(judged("net.ipv4.ping_group_range", "0\t2147483647\n", 2).verdict, Verdict::good);
 }
 
+TEST(Limits, RootNeedsNoPingRange) {
+  const auto read = [](const std::string&) { return std::nullopt; };
+  EXPECT_EQ(judge_limits(read, true)[2].verdict, Verdict::good);
+}
+
 TEST(Limits, WhatCannotBeReadIsUnknown) {
-  for (const Advice& advice : judge_limits([](const std::string&) { return std::nullopt; })) {
+  const auto read = [](const std::string&) { return std::nullopt; };
+  for (const Advice& advice : judge_limits(read, false)) {
     EXPECT_EQ(advice.verdict, Verdict::unknown);
     EXPECT_THAT(advice.text, HasSubstr("cannot be read"));
   }
