@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "container.hpp"
 
+#include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
 #include "runtime/fast_dds_bus.hpp"
 #include "runtime/middleware/component_library.hpp"
 
@@ -38,44 +40,62 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
           processes_of(deployment)};
 }
 
-}  // namespace
-
-Container::Container(const deployment::Deployment& deployment, const deployment::Host& host,
-                     const deployment::Container& container, std::function<void(int)> request_exit)
-    : deployment_(deployment), host_(host), request_exit_(std::move(request_exit)) {
+std::unique_ptr<Bus> make_bus(const deployment::Deployment& deployment,
+                              const deployment::Host& host,
+                              const deployment::Container& container) {
   if (!host.address.empty() && !wait_for_interface(host.address, interface_timeout)) {
     throw EnvironmentError(host.name + ".address: no interface with " + host.address +
                            " came up within 30 s");
   }
-  bus_ = make_fast_dds_bus(bus_options(deployment, host, container));
-  for (const deployment::ComponentInstance& one : container.components) {
-    const ComponentEntry& entry = load_component(one.component);
-    Instance& instance = add_instance(one.name);
-    instance.component = entry.create(*instance.context, *one.parameters, deployment.file);
-  }
-  Instance& gate = add_instance("gate");
-  gate.component =
-      std::make_unique<GateComponent>(*gate.context, GateComponent::Params{}, container.name);
+  return make_fast_dds_bus(bus_options(deployment, host, container));
 }
 
-Container::Instance& Container::add_instance(const std::string& name) {
-  Instance& instance = instances_.emplace_back();
-  instance.context = std::make_unique<Context>(
-      Context{*bus_, name, host_.role, deployment_.run_dir, request_exit_});
-  return instance;
+HealthLimits limits_of(const deployment::Deployment& deployment,
+                       const deployment::Container& container) {
+  const YAML::Node none(YAML::NodeType::Map);
+  return load_parameters<HealthLimits>(container.health ? *container.health : none,
+                                       container.name + ".health", deployment.file);
+}
+
+}  // namespace
+
+Container::Container(const deployment::Deployment& deployment, const deployment::Host& host,
+                     const deployment::Container& container, std::function<void(int)> request_exit)
+    : bus_(make_bus(deployment, host, container)),
+      gate_context_{*bus_, "gate", host.role, deployment.run_dir, std::move(request_exit)},
+      control_context_(gate_context_) {
+  control_context_.name = "control";
+  const auto notice_failure = [this] { control_->schedule().input_arrived(); };
+  threads_ = std::make_unique<RunnerThreads>(*bus_, container.shared_thread, container.name,
+                                             notice_failure);
+  instances_ = std::make_unique<Instances>(gate_context_, *threads_, load_component);
+  gate_ = std::make_unique<GateComponent>(gate_context_, GateComponent::Params{}, container.name);
+  control_ = std::make_unique<ControlComponent>(
+      control_context_, limits_of(deployment, container),
+      ProcessName{host.name, container.name, static_cast<int>(getpid())}, *instances_,
+      resident_bytes);
+  for (const deployment::ComponentInstance& one : container.components) {
+    instances_->add(one.component, one.name, one.parameters, deployment.file);
+  }
 }
 
 Container::~Container() {
-  for (Instance& instance : instances_) instance.runner.reset();
-  while (!instances_.empty()) instances_.pop_back();
+  control_runner_.reset();
+  gate_runner_.reset();
+  instances_.reset();
+  threads_.reset();
 }
 
 void Container::start() {
-  for (Instance& instance : instances_) {
-    instance.runner = std::make_unique<Runner>(instance.context->name, *bus_);
-    instance.runner->add(*instance.component, instance.account);
-  }
-  for (Instance& instance : instances_) instance.runner->start();
+  instances_->activate_all();
+  const auto run = [this](Component& component, TickAccount& account) {
+    auto runner = std::make_unique<Runner>(component.name(), *bus_);
+    runner->add(component, account);
+    runner->start();
+    return runner;
+  };
+  gate_runner_ = run(*gate_, gate_account_);
+  control_runner_ = run(*control_, control_account_);
 }
 
 }  // namespace tocsin

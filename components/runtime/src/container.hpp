@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
-#include <list>
+#include <functional>
 #include <memory>
-#include <vector>
 
+#include "control_component.hpp"
 #include "deployment/deployment.hpp"
-#include "runner.hpp"
+#include "runner_threads.hpp"
 #include "runtime/middleware/gate_component.hpp"
 
 namespace tocsin {
 
-/// The components of one process, each on a thread of its own.
+/// The components of one process, with a gate and a control on threads of their own.
 class Container {
  public:
   /// Builds every component. Throws ConfigError or EnvironmentError; nothing runs then.
@@ -25,19 +24,17 @@ class Container {
   void start();
 
  private:
-  struct Instance {
-    std::unique_ptr<Context> context;
-    std::unique_ptr<Component> component;
-    TickAccount account;
-    std::unique_ptr<Runner> runner;
-  };
-  Instance& add_instance(const std::string& name);
-
-  const deployment::Deployment& deployment_;
-  const deployment::Host& host_;
-  std::function<void(int)> request_exit_;
-  std::unique_ptr<Bus> bus_;
-  std::list<Instance> instances_;
+  const std::unique_ptr<Bus> bus_;
+  Context gate_context_;
+  Context control_context_;
+  std::unique_ptr<RunnerThreads> threads_;
+  std::unique_ptr<Instances> instances_;
+  std::unique_ptr<GateComponent> gate_;
+  std::unique_ptr<ControlComponent> control_;
+  TickAccount gate_account_;
+  TickAccount control_account_;
+  std::unique_ptr<Runner> gate_runner_;
+  std::unique_ptr<Runner> control_runner_;
 };
 
 }  // namespace tocsin
