@@ -46,8 +46,8 @@ std::string quoted(std::string text) {
 }  // namespace
 
 Figure& Figure::axes(const std::string& x, const std::string& y) {
-  if (!x.empty()) commands_ += "set xlabel " + quoted(x) + "\n";
-  commands_ += "set ylabel " + quoted(y) + "\n";
+  if (!x.empty()) commands_ += "set xlabel " + quoted(x) + " noenhanced\n";
+  commands_ += "set ylabel " + quoted(y) + " noenhanced\n";
   return *this;
 }
 
@@ -121,6 +121,11 @@ Figure& Figure::interval(const std::string& label, double mean, double low, doub
   return *this;
 }
 
+Figure& Figure::diagonal() {
+  plots_.emplace_back("x with lines lw 1 dt 2 lc rgb '#999999' notitle");
+  return *this;
+}
+
 Figure& Figure::points(const std::string& title, const std::vector<double>& x,
                        const std::vector<double>& y) {
   if (!any_finite(x) || !any_finite(y)) return *this;
@@ -139,7 +144,7 @@ std::string Figure::labels() const {
   for (std::size_t i = 0; i < labels_.size(); ++i) {
     text += (i > 0 ? ", " : "") + quoted(labels_[i]) + " " + std::to_string(i + 1);
   }
-  return text + ") noenhanced" + (labels_.size() > 5 ? " rotate by -30" : "") + "\n";
+  return text + ") noenhanced" + (labels_.size() > 5 ? " rotate by -30" : "") + "\nset rmargin 9\n";
 }
 
 std::string Figure::script(const std::string& folder) const {
@@ -148,7 +153,7 @@ std::string Figure::script(const std::string& folder) const {
   if (plots_.empty()) plot += "[0:1] [0:1] 2 notitle";
   const std::string body = "set title " + quoted(title_) +
                            " noenhanced\nset grid lc rgb '#dddddd'\n"
-                           "set key outside bottom center horizontal noenhanced\nset border 3\n"
+                           "set key outside top center horizontal noenhanced\nset border 3\n"
                            "set tics nomirror\n" +
                            labels() + commands_ + plot + "\n";
   const std::string path = folder + "/" + name_;

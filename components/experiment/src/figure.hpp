@@ -27,6 +27,9 @@ class Figure {
   Figure& points(const std::string& title, const std::vector<double>& x,
                  const std::vector<double>& y);
 
+  /// The line on which y equals x.
+  Figure& diagonal();
+
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::string& title() const { return title_; }
   /// The whole gnuplot program that writes `<folder>/<name>.svg` and `.png`.

@@ -103,7 +103,7 @@ void add_boxes(const std::vector<const Group*>& round, const std::string& metric
                 mission_name(round.front()->mission) + ": " + metric + " over runs");
   const MetricText& text = metric_texts()[metric_index(metric)];
   figure.axes("", metric + " [" + text.unit + "]");
-  figure.with(metric == "high_latency_p99" ? "set logscale y" : "set yrange [0:*]");
+  figure.with("set yrange [0:*]");
   for (const Group* group : round) figure.box(display_name(group->policy), group->metric(metric));
   document.figure(std::move(figure), std::string("Box: quartiles and median over ") +
                                          std::to_string(round.front()->indices.size()) +

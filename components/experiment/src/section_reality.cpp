@@ -53,11 +53,11 @@ Pairs pairs_of(const Results& results, const std::string& metric) {
 
 void add_scatter(const Results& results, const std::string& metric, Document& document) {
   const Pairs pairs = pairs_of(results, metric);
+  const std::string unit = metric_texts()[metric_index(metric)].unit;
   Figure figure("real_" + metric, "Simulated and real, run by run: " + metric);
-  figure.axes("simulated", "real").with("f(x) = x\nset key off");
+  figure.axes("simulated [" + unit + "]", "real [" + unit + "]");
   figure.points("", pairs.simulated, pairs.real);
-  figure.points("", {}, {})
-      .with("set arrow from graph 0,0 to graph 1,1 nohead dt 2 lc rgb '#999999'");
+  if (!pairs.real.empty()) figure.diagonal();
   document.figure(std::move(figure), html::escape(metric_texts()[metric_index(metric)].text) + ".");
 }
 

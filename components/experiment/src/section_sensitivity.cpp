@@ -48,6 +48,7 @@ void add_figure(const std::vector<const Group*>& round, const std::string& metri
   Figure figure("sensitivity_" + round_id(*round.front()) + "_" + metric,
                 mission_name(round.front()->mission) + ": " + metric + " of the variants");
   figure.axes("", metric + " [" + metric_texts()[metric_index(metric)].unit + "]");
+  figure.with("set yrange [0:*]");
   for (const Group* group : round) {
     const Estimate one = estimate(group->metric(metric));
     figure.interval(group->policy, one.mean, one.low, one.high);

@@ -91,7 +91,7 @@ TEST(Figure, DrawsLinesInOrder) {
                               .line("two", {4}, 2)
                               .script("/out");
   EXPECT_THAT(sut, HasSubstr("$data0 << EOD\n0 1 \n2 NaN \n4 3 \nEOD\n"));
-  EXPECT_THAT(sut, HasSubstr("set ylabel 'QNI [%]'"));
+  EXPECT_THAT(sut, HasSubstr("set ylabel 'QNI [%]' noenhanced"));
   EXPECT_THAT(sut, HasSubstr("title 'one'"));
   EXPECT_THAT(sut, HasSubstr("set title 'It s a title'"));
   EXPECT_THAT(sut, HasSubstr("set output '/out/f.svg'"));
