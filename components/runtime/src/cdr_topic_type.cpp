@@ -12,7 +12,9 @@ CdrTopicType::CdrTopicType(const TypeInfo& type) : type_(type) {
 }
 
 bool CdrTopicType::serialize(void* data, Payload* payload) {
-  const std::size_t written = type_.serialize(data, payload->data, payload->max_size);
+  auto& outgoing = *static_cast<OutgoingSample*>(data);
+  const std::size_t written = type_.serialize(outgoing.message, payload->data, payload->max_size);
+  outgoing.bytes = written;
   payload->length = static_cast<std::uint32_t>(written);
   payload->encapsulation = CDR_LE;
   return written > 0;
@@ -21,14 +23,15 @@ bool CdrTopicType::serialize(void* data, Payload* payload) {
 bool CdrTopicType::deserialize(Payload* payload, void* data) {
   auto& incoming = *static_cast<IncomingSample*>(data);
   if (incoming.skip) return true;
-  incoming.message = type_.create();
+  if (!incoming.message) incoming.message = type_.create();
   incoming.bytes = payload->length;
   incoming.valid = type_.deserialize(payload->data, payload->length, incoming.message.get());
   return true;  // a sample that cannot be decoded is taken and dropped, not offered again
 }
 
 std::function<std::uint32_t()> CdrTopicType::getSerializedSizeProvider(void* data) {
-  return [this, data] { return static_cast<std::uint32_t>(type_.serialized_size(data)); };
+  const void* const message = static_cast<OutgoingSample*>(data)->message;
+  return [this, message] { return static_cast<std::uint32_t>(type_.serialized_size(message)); };
 }
 
 }  // namespace tocsin

@@ -10,14 +10,20 @@ namespace tocsin {
 
 /// What take_next_sample fills.
 struct IncomingSample {
-  std::shared_ptr<void> message;
+  std::shared_ptr<void> message;  ///< set before: decode into it; else a new one is made
   std::uint32_t bytes = 0;
   bool valid = false;
   bool skip = false;  ///< set before: take the sample off the reader without decoding it
 };
 
-/// Tells Fast DDS about a type by its TypeInfo. Writers pass `const void*` of the message itself,
-/// readers an IncomingSample. Unkeyed; no type object, so that every vendor matches by name.
+/// What `write` is given; it fills in the size.
+struct OutgoingSample {
+  const void* message;
+  std::size_t bytes = 0;
+};
+
+/// Tells Fast DDS about a type by its TypeInfo. Writers pass an OutgoingSample, readers an
+/// IncomingSample. Unkeyed; no type object, so that every vendor matches by name.
 class CdrTopicType : public eprosima::fastdds::dds::TopicDataType {
  public:
   using Payload = eprosima::fastrtps::rtps::SerializedPayload_t;

@@ -44,6 +44,7 @@ DdsReader::DdsReader(FastDdsParticipant& participant, const std::string& topic,
       exchange_(exchange),
       skips_own_(!qos.exclusive()),
       account_(topic, false, participant.radio()),
+      pool_(type),
       reader_(participant.create_reader(topic, type, qos, *this)) {
   if (reader_ == nullptr) throw EnvironmentError("DDS reader of " + topic + " cannot be created");
 }
@@ -57,11 +58,23 @@ bool DdsReader::next_is_own(Reader* reader) const {
          participant_.owns(info.sample_identity.writer_guid());
 }
 
+// Fast DDS has a receiving thread for each transport, and writers of this process call, too. One
+// of them takes for all, so that samples stay in order; waiting for it with a lock could deadlock
+// with the locks of Fast DDS.
 void DdsReader::on_data_available(Reader* reader) {
+  unsigned seen = calls_.fetch_add(1) + 1;
+  if (seen != 1) return;
+  do {
+    drain(reader);
+  } while (!calls_.compare_exchange_weak(seen, 0));
+}
+
+void DdsReader::drain(Reader* reader) {
   IncomingSample incoming;
   dds::SampleInfo info;
   for (;;) {
     incoming.skip = next_is_own(reader);  // spares the decoding
+    if (!incoming.skip) incoming.message = pool_.take();
     if (reader->take_next_sample(&incoming, &info) != ReturnCode::RETCODE_OK) return;
     if (!info.valid_data || incoming.skip) continue;
     if (skips_own_ && participant_.owns(info.sample_identity.writer_guid())) continue;
@@ -110,12 +123,11 @@ DdsWriter::DdsWriter(FastDdsParticipant& participant, const std::string& topic,
 
 DdsWriter::~DdsWriter() { participant_.remove(writer_); }
 
-bool DdsWriter::send(const void* message) {
-  // The overload that returns a bool hides the reason; Fast DDS does not change the message.
-  const bool ok =
-      writer_->write(const_cast<void*>(message), dds::HANDLE_NIL) == ReturnCode::RETCODE_OK;
+std::size_t DdsWriter::send(const void* message) {
+  OutgoingSample outgoing{message};  // the overload of write that returns a bool hides the reason
+  const bool ok = writer_->write(&outgoing, dds::HANDLE_NIL) == ReturnCode::RETCODE_OK;
   (ok ? sent_ : refused_).fetch_add(1, std::memory_order_relaxed);
-  return ok;
+  return ok ? outgoing.bytes : 0;
 }
 
 void DdsWriter::silence() {

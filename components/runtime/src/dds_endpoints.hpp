@@ -8,6 +8,7 @@
 
 #include "endpoint_account.hpp"
 #include "fast_dds_participant.hpp"
+#include "message_pool.hpp"
 #include "runtime/middleware/gated_writer.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
 
@@ -27,6 +28,7 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
  private:
   using Reader = eprosima::fastdds::dds::DataReader;
   void on_data_available(Reader* reader) override;
+  void drain(Reader* reader);
   void on_subscription_matched(
       Reader* reader, const eprosima::fastdds::dds::SubscriptionMatchedStatus& status) override;
   void on_requested_incompatible_qos(
@@ -45,6 +47,8 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   const bool skips_own_;
   EndpointAccount account_;
   std::atomic<bool> own_matched_{false};
+  std::atomic<unsigned> calls_{0};  // of on_data_available that wait for the one that drains
+  MessagePool pool_;
   Reader* reader_;
 };
 
@@ -55,7 +59,7 @@ class DdsWriter : public LinkWriter, private eprosima::fastdds::dds::DataWriterL
             const QosProfile& qos);
   ~DdsWriter() override;
 
-  bool send(const void* message) override;
+  std::size_t send(const void* message) override;
   void silence() override;
   /// Readers in other processes.
   [[nodiscard]] int matched_readers() const { return matched_.load(std::memory_order_relaxed); }

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <random>
@@ -20,6 +21,23 @@ std::int64_t wall_now_ns() {
   return std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())
       .count();
 }
+
+/// Wall time of an instant close to now, at the price of one clock reading in 10 ms. Any thread.
+class WallClock {
+ public:
+  [[nodiscard]] std::int64_t at(Time now) {
+    const std::int64_t ns = now.time_since_epoch().count();
+    if (ns - read_ns_.load(std::memory_order_relaxed) > 10'000'000) {
+      offset_ns_.store(wall_now_ns() - ns, std::memory_order_relaxed);
+      read_ns_.store(ns, std::memory_order_relaxed);
+    }
+    return ns + offset_ns_.load(std::memory_order_relaxed);
+  }
+
+ private:
+  std::atomic<std::int64_t> read_ns_{std::numeric_limits<std::int64_t>::min() / 2};
+  std::atomic<std::int64_t> offset_ns_{0};
+};
 
 class FastDdsBus : public Bus {
  public:
@@ -93,7 +111,7 @@ class ChannelPublication : public Publication {
     Sample sample;
     sample.message = message;
     sample.received = bus_.now();
-    sample.sent_wall_ns = sample.received_wall_ns = wall_now_ns();
+    sample.sent_wall_ns = sample.received_wall_ns = wall_.at(sample.received);
     sample.sequence = ++written_;
     sample.source = source_;
     return channel_.write(sample);
@@ -104,6 +122,7 @@ class ChannelPublication : public Publication {
   TopicChannel& channel_;
   const std::uint64_t source_ = fresh_source();
   std::atomic<std::uint64_t> written_{0};
+  WallClock wall_;
 };
 
 std::unique_ptr<TopicChannel> FastDdsBus::make_channel(const Endpoint& endpoint) {

@@ -5,9 +5,9 @@
 
 namespace tocsin {
 
-GatedWriter::GatedWriter(std::string topic, const TypeInfo& type, const TrafficRule& rule,
+GatedWriter::GatedWriter(std::string topic, const TrafficRule& rule,
                          std::unique_ptr<LinkWriter> writer)
-    : type_(type), while_poor_(rule.while_poor), writer_(std::move(writer)) {
+    : while_poor_(rule.while_poor), writer_(std::move(writer)) {
   traffic_.topic = std::move(topic);
   traffic_.traffic_class = rule.traffic_class;
 }
@@ -19,9 +19,10 @@ Status GatedWriter::write(const std::shared_ptr<const void>& message) {
 }
 
 Status GatedWriter::send(const void* message) {
-  if (!writer_->send(message)) return Status::failed;
+  const std::size_t bytes = writer_->send(message);
+  if (bytes == 0) return Status::failed;
   ++traffic_.sent;
-  traffic_.sent_bytes += type_.serialized_size(message);
+  traffic_.sent_bytes += bytes;
   return Status::ok;
 }
 

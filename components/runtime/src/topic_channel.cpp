@@ -39,8 +39,8 @@ void TopicChannel::advertise(const TrafficRule& rule, bool open) {
   if (link_ == nullptr) return;
   auto link_writer = std::make_unique<DdsWriter>(*link_, options_.dds_name, type, options_.qos);
   link_writer_ = link_writer.get();
-  gated_ = std::make_unique<GatedWriter>(options_.endpoint.topic.name, type, rule,
-                                         std::move(link_writer));
+  gated_ =
+      std::make_unique<GatedWriter>(options_.endpoint.topic.name, rule, std::move(link_writer));
   gated_->set_open(open);
 }
 

@@ -19,10 +19,10 @@ using String = std_msgs::msg::String;
 class Recorder : public LinkWriter {
  public:
   explicit Recorder(std::vector<std::string>& log) : log_(log) {}
-  bool send(const void* message) override {
-    if (refuse) return false;
+  std::size_t send(const void* message) override {
+    if (refuse) return 0;
     log_.push_back(static_cast<const String*>(message)->data());
-    return true;
+    return 10;
   }
   void silence() override { log_.emplace_back("(silence)"); }
   bool refuse = false;
@@ -36,7 +36,7 @@ class GateTest : public ::testing::Test {
   GatedWriter make(WhilePoor while_poor) {
     auto writer = std::make_unique<Recorder>(log_);
     recorder_ = writer.get();
-    return {"topic", type_info<String>(), {"low", while_poor}, std::move(writer)};
+    return {"topic", {"low", while_poor}, std::move(writer)};
   }
   static std::shared_ptr<const String> text(const std::string& data) {
     auto message = std::make_shared<String>();
@@ -52,7 +52,7 @@ TEST_F(GateTest, OpenGateSendsAndCounts) {
   EXPECT_EQ(sut.write(text("a")), Status::ok);
   EXPECT_EQ(log_, std::vector<std::string>{"a"});
   EXPECT_EQ(sut.traffic().sent, 1U);
-  EXPECT_EQ(sut.traffic().sent_bytes, 4U + 4U + 2U);
+  EXPECT_EQ(sut.traffic().sent_bytes, 10U);
 }
 
 TEST_F(GateTest, ClosedGateSilencesTheWriterAndDrops) {

@@ -99,7 +99,7 @@ class RtpsWriter final : public LinkWriter {
 
   /// A transient local writer sends its history to a late reader. Both live as long as the core.
   void match(RtpsReader& reader);
-  bool send(const void* message) override;
+  std::size_t send(const void* message) override;
   void silence() override { history_.clear(); }
   /// Its process has died: what is on the air may still arrive.
   void die() {

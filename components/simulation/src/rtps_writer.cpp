@@ -45,13 +45,14 @@ void RtpsWriter::match(RtpsReader& reader) {
   ask_for_heartbeat();
 }
 
-bool RtpsWriter::send(const void* message) {
+std::size_t RtpsWriter::send(const void* message) {
   const TypeInfo& type = *owner_.end->type;
   const bool known = owner_.origin->message.get() == message;
   Change change{sent_ + 1,  core_.now, nullptr,   type.serialized_size(message),
                 owner_.end, 0,         core_.now, 0};
   change.message = known ? owner_.origin->message : copy_of(type, message, change.bytes);
-  if (!change.message) return false;
+  if (!change.message) return 0;
+  const std::size_t bytes = change.bytes;
   ++sent_;
   change.sent_wall_ns = owner_.wall_ns(core_.now);
   if (known) {
@@ -67,7 +68,7 @@ bool RtpsWriter::send(const void* message) {
     if (proxy.reader->alive()) transmit(*proxy.reader, history_.back());
   }
   ask_for_heartbeat();
-  return true;
+  return bytes;
 }
 
 void RtpsWriter::transmit(RtpsReader& reader, const Change& change) {

@@ -125,8 +125,7 @@ void SimProcess::make_writer(Topic& its) {
                                 [this](Time t) { return wall_ns(t); }};
   auto writer = std::make_unique<RtpsWriter>(network_.core, network_.link, owner, its.qos);
   its.writer = writer.get();
-  its.gated = std::make_unique<GatedWriter>(its.endpoint.topic.name, *its.endpoint.type, rule,
-                                            std::move(writer));
+  its.gated = std::make_unique<GatedWriter>(its.endpoint.topic.name, rule, std::move(writer));
   its.gated->set_open(gate_open_);
   network_.endpoints.add(its.endpoint.topic.name, host_, *its.writer);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <string>
 
-#include "idl_support/type_info.hpp"
 #include "runtime/bus.hpp"
 #include "runtime/middleware/traffic_rules.hpp"
 
@@ -15,8 +15,8 @@ namespace tocsin {
 class LinkWriter {
  public:
   virtual ~LinkWriter() = default;
-  /// False when the middleware refused the sample.
-  virtual bool send(const void* message) = 0;
+  /// Bytes of the encoded sample; 0 when the middleware refused it.
+  virtual std::size_t send(const void* message) = 0;
   /// Forgets every sample, so that nothing more is sent for them, no heartbeat either.
   virtual void silence() = 0;
 };
@@ -25,8 +25,7 @@ class LinkWriter {
 /// that nothing slips out after set_open(false) has returned.
 class GatedWriter {
  public:
-  GatedWriter(std::string topic, const TypeInfo& type, const TrafficRule& rule,
-              std::unique_ptr<LinkWriter> writer);
+  GatedWriter(std::string topic, const TrafficRule& rule, std::unique_ptr<LinkWriter> writer);
 
   Status write(const std::shared_ptr<const void>& message);
   /// Topics that are always active ignore it. Opening sends what `latest` has kept.
@@ -37,7 +36,6 @@ class GatedWriter {
   Status send(const void* message);
   Status keep(const std::shared_ptr<const void>& message);
 
-  const TypeInfo& type_;
   const WhilePoor while_poor_;
   const std::unique_ptr<LinkWriter> writer_;
   mutable std::mutex mutex_;

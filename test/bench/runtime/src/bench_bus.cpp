@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench_bus.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "runtime/fast_dds_bus.hpp"
+
+namespace tocsin::bench {
+namespace {
+
+std::string file(const std::string& name, const std::string& text) {
+  std::string path = "/tmp/runtime_bench_" + std::to_string(getpid()) + name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+}  // namespace
+
+std::unique_ptr<Bus> make_bench_bus(const std::string& name, int domain, bool shared_memory) {
+  BusOptions options;
+  options.name = name;
+  options.role = "uxv";
+  options.qos_file = file("qos.yaml", "bench: {reliability: reliable, depth: 4}\n");
+  options.traffic_file = file("traffic.yaml", "uxv: {}\n");
+  options.host_domain = domain;
+  options.shared_memory = shared_memory;
+  auto bus = make_fast_dds_bus(options);
+  unlink(options.qos_file.c_str());
+  unlink(options.traffic_file.c_str());
+  return bus;
+}
+
+std::shared_ptr<const Blob> blob(std::size_t bytes) {
+  auto message = std::make_shared<Blob>();
+  message->data().resize(bytes);
+  return message;
+}
+
+void Ping::send() {
+  sent_ns_ = now_ns();
+  (void)ping_.write(message_);
+}
+
+void Ping::tick(Time) {
+  if (start_.exchange(false)) send();
+  while (pong_.take()) {
+    const int left = wanted_.load(std::memory_order_relaxed);
+    if (left == 0) continue;  // an answer to an earlier try
+    series_->add(now_ns() - sent_ns_);
+    wanted_.store(left - 1, std::memory_order_release);
+    if (left > 1) send();
+  }
+}
+
+bool Ping::run(int count, Series& series) {
+  series_ = &series;
+  wanted_ = count;
+  start_ = true;
+  schedule().input_arrived();
+  int before = count;
+  int still = 0;
+  while (wanted_.load(std::memory_order_acquire) > 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    still = wanted_ == before ? still + 1 : 0;
+    before = wanted_;
+    if (still == 400) {
+      wanted_ = 0;
+      return false;
+    }
+  }
+  return true;
+}
+
+void Pong::tick(Time) {
+  while (const auto message = ping_.take()) {
+    if (!silent_) (void)pong_.write(message);
+  }
+}
+
+}  // namespace tocsin::bench

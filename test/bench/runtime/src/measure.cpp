@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace tocsin::bench {
+
+std::int64_t now_ns() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
+
+double Series::percentile(double share) const {
+  if (values_.empty()) return 0;
+  std::vector<std::int64_t> sorted = values_;
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
+  std::nth_element(sorted.begin(), sorted.begin() + at, sorted.end());
+  return static_cast<double>(sorted[static_cast<std::size_t>(at)]);
+}
+
+std::string Series::text() const {
+  if (empty()) return "no samples";
+  std::array<char, 64> text{};
+  (void)std::snprintf(text.data(), text.size(), "%9.2f / %9.2f", percentile(0.5) / 1000,
+                      percentile(0.99) / 1000);
+  return text.data();
+}
+
+long proc_number(const std::string& file, const std::string& key) {
+  std::ifstream in(file);
+  std::string line;
+  while (std::getline(in, line)) {
+    if (line.compare(0, key.size() + 1, key + ":") != 0) continue;
+    std::istringstream rest(line.substr(key.size() + 1));
+    long value = 0;
+    rest >> value;
+    return value;
+  }
+  return 0;
+}
+
+std::string output_of(const std::string& command) {
+  std::string text;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return text;
+  std::array<char, 512> buffer{};
+  while (fgets(buffer.data(), buffer.size(), pipe) != nullptr) text += buffer.data();
+  pclose(pipe);
+  return text;
+}
+
+}  // namespace tocsin::bench

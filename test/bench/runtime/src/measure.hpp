@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tocsin::bench {
+
+/// [ns] of the steady clock.
+[[nodiscard]] std::int64_t now_ns();
+
+/// Durations in nanoseconds, for the median and the 99th percentile.
+class Series {
+ public:
+  void add(std::int64_t ns) { values_.push_back(ns); }
+  [[nodiscard]] bool empty() const { return values_.empty(); }
+  /// [ns], `share` in [0, 1]; 0 when there is none.
+  [[nodiscard]] double percentile(double share) const;
+  /// "median / p99" in microseconds.
+  [[nodiscard]] std::string text() const;
+
+ private:
+  std::vector<std::int64_t> values_;
+};
+
+/// A number of /proc/self/smaps_rollup or status: "Pss" [kB], "Threads".
+[[nodiscard]] long proc_number(const std::string& file, const std::string& key);
+
+/// What `command` printed.
+[[nodiscard]] std::string output_of(const std::string& command);
+
+}  // namespace tocsin::bench

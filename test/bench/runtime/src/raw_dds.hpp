@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <fastdds/dds/core/condition/WaitSet.hpp>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "measure.hpp"
+
+namespace tocsin::bench {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// The rival: Fast DDS as its manual shows it, reliable, depth 4, buffers that are reused, large
+/// socket buffers and segments.
+class RawParticipant {
+ public:
+  enum class Transport { udp, shared_memory };
+  RawParticipant(int domain, Transport transport);
+  ~RawParticipant();
+  RawParticipant(const RawParticipant&) = delete;
+  RawParticipant& operator=(const RawParticipant&) = delete;
+
+  [[nodiscard]] eprosima::fastdds::dds::DataWriter* writer(const std::string& topic);
+  eprosima::fastdds::dds::DataReader* reader(
+      const std::string& topic, eprosima::fastdds::dds::DataReaderListener* listener = nullptr);
+
+ private:
+  eprosima::fastdds::dds::Topic* topic(const std::string& name);
+  eprosima::fastdds::dds::DomainParticipant* participant_;
+};
+
+/// Takes all that waits; `bytes` holds the last.
+int take_all(eprosima::fastdds::dds::DataReader& reader, Bytes& bytes);
+
+/// Calls `on_sample` inside the middleware's thread: what a listener is.
+class RawListener : public eprosima::fastdds::dds::DataReaderListener {
+ public:
+  explicit RawListener(std::function<void(const Bytes&)> on_sample)
+      : on_sample_(std::move(on_sample)) {}
+  void on_data_available(eprosima::fastdds::dds::DataReader* reader) override;
+
+ private:
+  std::function<void(const Bytes&)> on_sample_;
+  Bytes bytes_;
+};
+
+/// Waits for samples of one reader on the caller's thread.
+class RawWaiter {
+ public:
+  explicit RawWaiter(eprosima::fastdds::dds::DataReader& reader);
+  /// The number of samples taken; 0 when none came within 100 ms.
+  int wait(Bytes& bytes);
+
+ private:
+  eprosima::fastdds::dds::DataReader& reader_;
+  eprosima::fastdds::dds::WaitSet waits_;
+};
+
+/// Answers pings on a thread of its own, read by a wait-set.
+class RawEcho {
+ public:
+  explicit RawEcho(RawParticipant& participant, bool silent = false);
+  ~RawEcho();
+  void run();
+
+ private:
+  bool silent_;
+  eprosima::fastdds::dds::DataReader* reader_;
+  eprosima::fastdds::dds::DataWriter* writer_;
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+/// Writes pings and waits for the pongs on the caller's thread.
+class RawPing {
+ public:
+  RawPing(RawParticipant& participant, std::size_t bytes);
+  [[nodiscard]] bool run(int count, Series& series);
+
+ private:
+  Bytes bytes_;
+  eprosima::fastdds::dds::DataWriter* writer_;
+  eprosima::fastdds::dds::DataReader* reader_;
+  RawWaiter waiter_;
+};
+
+}  // namespace tocsin::bench

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "start_cost.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <list>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bench_bus.hpp"
+#include "runner.hpp"
+
+namespace tocsin::bench {
+namespace {
+
+constexpr int start_domain = 80;
+constexpr int restart_domain = 81;
+
+/// Names that live as long as the program: a topic keeps pointers.
+const char* numbered(const char* word, int number) {
+  static std::list<std::string> all;
+  return all.emplace_back(word + std::to_string(number)).c_str();
+}
+
+Endpoint topic(const char* word, int number) {
+  return {{numbered(word, number), "bench", Scope::host}, &type_info<Blob>()};
+}
+
+/// Reads one topic and writes another, both of which nobody else has in this process.
+class Station : public Component {
+ public:
+  Station(Context& context, const Endpoint& in, const Endpoint& out)
+      : Component(context), in_(*this, in), out_(context.bus.advertise(out)) {
+    wake_every(std::chrono::milliseconds(20));
+  }
+  void tick(Time) override {
+    while (in_.take_sample()) heard_ = true;
+    (void)out_->write(message_);
+  }
+  [[nodiscard]] bool heard() const { return heard_; }
+
+ private:
+  InputPort in_;
+  std::unique_ptr<Publication> out_;
+  std::shared_ptr<const Blob> message_ = blob(64);
+  std::atomic<bool> heard_{false};
+};
+
+/// A process with `count` components, each of which talks to its fellow in the other process.
+class Crowd {
+ public:
+  Crowd(const char* mine, const char* theirs, int count)
+      : bus_(make_bench_bus(mine, start_domain, false)), context_{*bus_, mine, "uxv", ""} {
+    for (int i = 0; i < count; ++i) {
+      stations_.emplace_back(context_, topic(theirs, i), topic(mine, i));
+    }
+    for (Station& station : stations_) {
+      runners_.emplace_back("station", *bus_);
+      runners_.back().add(station, accounts_.emplace_back());
+      runners_.back().start();
+    }
+  }
+  ~Crowd() { runners_.clear(); }
+  [[nodiscard]] bool wait_until_heard(int patience_ms) const {
+    for (int ms = 0; ms < patience_ms; ++ms) {
+      bool all = true;
+      for (const Station& station : stations_) all = all && station.heard();
+      if (all) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+  }
+
+ private:
+  std::unique_ptr<Bus> bus_;
+  Context context_;
+  std::list<Station> stations_;
+  std::list<TickAccount> accounts_;
+  std::list<Runner> runners_;
+};
+
+int crowd_child(const char* mine, const char* theirs, int count, bool quiet) {
+  const long before = proc_number("/proc/self/smaps_rollup", "Pss");
+  const std::int64_t start = now_ns();
+  const Crowd crowd(mine, theirs, count);
+  if (quiet) pause();
+  const double made_ms = static_cast<double>(now_ns() - start) / 1e6;
+  const bool heard = crowd.wait_until_heard(20000);
+  const double heard_ms = static_cast<double>(now_ns() - start) / 1e6;
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  std::printf(
+      "%3d components, %3d endpoints: made in %6.1f ms, %s %7.1f ms; PSS %5.1f MB (%4.1f before), "
+      "%ld threads\n",
+      count, 2 * count, made_ms, heard ? "all heard the other process after" : "NOT ALL HEARD in",
+      heard_ms, static_cast<double>(proc_number("/proc/self/smaps_rollup", "Pss")) / 1024,
+      static_cast<double>(before) / 1024, proc_number("/proc/self/status", "Threads"));
+  std::fflush(stdout);
+  return 0;
+}
+
+pid_t start(std::vector<const char*> arguments) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  arguments.insert(arguments.begin(), {"runtime_cost", "--child"});
+  arguments.push_back(nullptr);
+  execv("/proc/self/exe", const_cast<char**>(arguments.data()));
+  _exit(1);
+}
+
+void end(pid_t child, int signal) {
+  kill(child, signal);
+  waitpid(child, nullptr, 0);
+}
+
+/// Writes without end, and says in every sample which life it is.
+int writer_child(bool shared_memory) {
+  const auto bus = make_bench_bus("writer", restart_domain, shared_memory);
+  const auto writer = bus->advertise(topic("restart", 0));
+  const auto message = blob(64);
+  for (;;) {
+    (void)writer->write(message);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
+/// Notes when a writer was first heard that was not heard before.
+class NewWriters : public Receiver {
+ public:
+  void receive(const Sample& sample) override {
+    if (sample.source == source_) return;
+    source_ = sample.source;
+    heard_ns_ = now_ns();
+  }
+  /// [ns] steady clock; 0 when no new one came within 10 s.
+  [[nodiscard]] std::int64_t wait_for_new() {
+    for (int ms = 0; ms < 10000; ++ms) {
+      if (const std::int64_t heard = heard_ns_.exchange(0)) return heard;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return 0;
+  }
+
+ private:
+  std::uint64_t source_ = 0;
+  std::atomic<std::int64_t> heard_ns_{0};
+};
+
+void print_restart(const char* way, int times) {
+  NewWriters ears;
+  const auto bus = make_bench_bus("reader", restart_domain, std::string(way) == "shm");
+  const auto reader = bus->subscribe(topic("restart", 0), ears);
+  pid_t child = start({"writer", way});
+  (void)ears.wait_for_new();
+  Series series;
+  int silent = 0;
+  for (int i = 0; i < times; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    end(child, SIGKILL);
+    const std::int64_t restarted = now_ns();
+    child = start({"writer", way});
+    const std::int64_t heard = ears.wait_for_new();
+    if (heard == 0) {
+      ++silent;
+    } else {
+      series.add(heard - restarted);
+    }
+  }
+  end(child, SIGKILL);
+  std::printf("restart after kill -9, %s: heard again after median %.1f ms, longest %.1f ms", way,
+              series.percentile(0.5) / 1e6, series.percentile(1) / 1e6);
+  std::printf("; %d of %d never within 10 s\n", silent, times);
+}
+
+}  // namespace
+
+void print_restarts(int times) {
+  print_restart("udp", times);
+  print_restart("shm", times);
+}
+
+void print_start_costs() {
+  for (const char* count : {"10", "15", "50", "100"}) {
+    const pid_t other = start({"left", "right", count, "quiet"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    waitpid(start({"right", "left", count}), nullptr, 0);
+    end(other, SIGKILL);
+  }
+}
+
+int run_child(int argc, char** argv) {
+  if (argc < 2) return 2;
+  if (std::string(argv[0]) == "writer") return writer_child(std::string(argv[1]) == "shm");
+  const bool quiet = argc > 3;
+  return crowd_child(argv[0], argv[1], std::atoi(argv[2]), quiet);
+}
+
+}  // namespace tocsin::bench
