@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -115,6 +116,7 @@ deployment::Deployment with_guest(deployment::Deployment deployment, const std::
   for (deployment::Container& other : found->containers) other.terminal = false;
   deployment::Container container;
   container.name = container_name;
+  container.health = std::make_shared<YAML::Node>(YAML::NodeType::Map);
   container.components.push_back(
       {guest.component, guest.component + "_operator", parameters_of(guest), {}});
   found->containers.push_back(std::move(container));

@@ -65,6 +65,24 @@ TEST_F(RunningSystemTest, AddsAContainerToTheHostOfTheRole) {
   EXPECT_EQ((*guest.components[0].parameters)["linear_mps"].as<double>(), 0.2);
 }
 
+TEST_F(RunningSystemTest, WritesWhatTheContainerReadsAgain) {
+  const std::string text =
+      "qos: q.yaml\ntraffic: t.yaml\ndomain: 10\nhosts:\n  station:\n    role: gcs\n    address: "
+      "10.0.0.2\n    peers: []\n"
+      "    containers:\n      - name: view\n        components: [live_view]\n";
+  for (const char* name : {"q.yaml", "t.yaml"}) std::ofstream(folder_ + "/" + name) << "{}\n";
+  std::ofstream(folder_ + "/bringup.yaml") << text;
+  deployment::Overrides overrides;
+  overrides.run_dir = overrides.share = folder_;
+  const auto loaded = deployment::load_deployment(folder_ + "/bringup.yaml", overrides);
+  const std::string file = folder_ + "/operator.yaml";
+  deployment::write_resolved(with_guest(loaded, "gcs", {"teleop_keyboard", {"rate_hz=20"}}), file);
+  const auto read = deployment::load_resolved(file);
+  const auto* guest = deployment::find_container(read.hosts[0], "operator");
+  ASSERT_NE(guest, nullptr);
+  EXPECT_EQ((*guest->components[0].parameters)["rate_hz"].as<int>(), 20);
+}
+
 TEST_F(RunningSystemTest, RefusesWrongSettingsAndAbsentRoles) {
   EXPECT_THROW((void)with_guest(two_hosts(), "gcs", {"teleop_keyboard", {"layout"}}), ConfigError);
   EXPECT_THROW((void)with_guest(two_hosts(), "gcs", {"teleop_keyboard", {"a=[1"}}), ConfigError);
