@@ -54,6 +54,18 @@ BaseModel::BaseModel(const ModelParams& params, Surroundings surroundings, const
   power_cycle(now);
 }
 
+bool BaseModel::set_versions(const std::string& hardware, const std::string& firmware,
+                             bool old_form) {
+  try {
+    const Version new_hardware = parse_version("hardware", hardware, old_form);
+    firmware_ = parse_firmware(firmware, old_form);
+    hardware_ = new_hardware;
+    return true;
+  } catch (const ConfigError&) {
+    return false;
+  }
+}
+
 void BaseModel::power_cycle(Time now) {
   drive_.reset();
   reassembler_.clear();

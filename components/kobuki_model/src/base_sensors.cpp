@@ -30,6 +30,7 @@ std::uint8_t current_byte(double current_a) {  // 10 mA units
 Feedback BaseModel::sense(Time now) {
   Feedback feedback;
   feedback.core = core_sensors(now);
+  disturb_encoders(*feedback.core);
   feedback.dock_infrared = dock_infrared();
   feedback.inertia = inertia();
   feedback.cliff_adc = cliff_adc();
@@ -42,6 +43,14 @@ Feedback BaseModel::sense(Time now) {
   feedback.input = general_input();
   answer(feedback);
   return feedback;
+}
+
+void BaseModel::disturb_encoders(CoreSensors& core) {
+  if (params_.encoder_noise_ticks <= 0) return;
+  for (std::uint16_t* encoder : {&core.left_encoder, &core.right_encoder}) {
+    const auto off = std::lround(noise(params_.encoder_noise_ticks));
+    *encoder = static_cast<std::uint16_t>(*encoder + off);
+  }
 }
 
 CoreSensors BaseModel::core_sensors(Time now) const {
@@ -105,7 +114,7 @@ DockInfrared BaseModel::dock_infrared() const {
 GeneralInput BaseModel::general_input() const {
   GeneralInput input;
   input.digital = inputs_.digital;
-  input.analog = {4060, 4060, 4060, 4060};  // open inputs, as in real captures
+  input.analog = inputs_.analog;
   input.unused = {0x0FF0, 0, 0};
   return input;
 }

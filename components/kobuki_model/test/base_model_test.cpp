@@ -224,6 +224,21 @@ TEST(BaseModel, SlipsAwayFromItsEncoders) {
   EXPECT_NEAR(sut.model.pose().x_m, 6, 0.3);
 }
 
+TEST(BaseModel, ReportsEncodersWithNoiseWhenAskedTo) {
+  ModelParams params;
+  params.encoder_noise_ticks = 3;
+  BaseModel sut(params, open_floor(), {}, 1, t0);
+  std::vector<int> ticks;
+  DecodeCounts counts;
+  sut.step(t0 + seconds(2), [&](Time, ByteView frame) {
+    const Feedback feedback = decode_feedback(frame.part(3, frame.size - 4), counts);
+    ticks.push_back(feedback.core->left_encoder);
+  });
+  const auto [low, high] = std::minmax_element(ticks.begin(), ticks.end());
+  EXPECT_GT(*high - *low, 5);
+  EXPECT_LT(*high - *low, 40);
+}
+
 TEST(BaseModel, TakesCommandsCutAnywhereAmongNoise) {
   Rig sut{exact()};
   const Frame frame = encode_command(BaseControl{200, 0});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
@@ -50,6 +51,13 @@ Settings load_settings(const std::string& path) {
   }
   return {load_parameters<ModelParams>(file["model"], "kobuki_simulator.model", path),
           load_parameters<LineParams>(file["line"], "kobuki_simulator.line", path)};
+}
+
+std::string load_text(const std::string& path) {
+  std::ifstream in(path);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!in) throw ConfigError(path + ": cannot be read");
+  return text;
 }
 
 Pose parse_pose(const std::string& name, const std::string& text) {

@@ -21,6 +21,9 @@ struct Settings {
 /// Reads `model:` and `line:`, both optional. Throws ConfigError.
 [[nodiscard]] Settings load_settings(const std::string& path);
 
+/// The whole file. Throws ConfigError when it cannot be read.
+[[nodiscard]] std::string load_text(const std::string& path);
+
 /// "X,Y,YAW" of the option `name`. Throws ConfigError.
 [[nodiscard]] Pose parse_pose(const std::string& name, const std::string& text);
 

@@ -23,6 +23,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   app.add_option("--position", options.position, "socket that gets 'pos X Y' at 10 Hz");
   app.add_option("--control", options.control, "socket that takes commands (get, set, unplug ...)");
   app.add_option("--state", options.state, "file to resume from after a restart");
+  app.add_option("--script", options.script_file, "file of lines 'SECONDS COMMAND'");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -32,6 +33,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   options.start = parse_pose("--start", start);
   if (!dock.empty()) options.dock = parse_pose("--dock", dock);
   if (!config.empty()) options.settings = load_settings(config);
+  if (!options.script_file.empty()) options.script = load_text(options.script_file);
   return options;
 }
 

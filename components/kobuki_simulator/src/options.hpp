@@ -20,6 +20,8 @@ struct Options {
   std::string position;
   std::string control;
   std::string state;
+  std::string script;  ///< the text of the file
+  std::string script_file;
 };
 
 /// Empty with an exit code in `exit_code` when the program shall end at once (help, bad usage).

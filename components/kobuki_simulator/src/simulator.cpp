@@ -39,6 +39,7 @@ SimulatedBase make_base(const Options& options) {
 Simulator::Simulator(const Options& options)
     : options_(options),
       base_(make_base(options)),
+      script_(options.script, options.script_file, monotonic_now()),
       epoll_(::epoll_create1(EPOLL_CLOEXEC)),
       timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK)),
       signals_(open_signals()) {
@@ -83,11 +84,21 @@ void Simulator::run() {
 }
 
 Time Simulator::next_wake() const {
-  const Time soonest = std::min(base_.next_event(), next_report_);
+  const Time soonest = std::min({base_.next_event(), next_report_, script_.next()});
   return options_.state.empty() ? soonest : std::min(soonest, next_save_);
 }
 
+void Simulator::play_script(Time now) {
+  while (const auto command = script_.due(now)) {
+    const std::string answer = obey_control(base_, *command, now);
+    if (answer.rfind("error", 0) != 0) continue;
+    std::fprintf(stderr, "kobuki_simulator: %s: %s\n", options_.script_file.c_str(),
+                 answer.c_str());
+  }
+}
+
 void Simulator::step(Time now) {
+  play_script(now);
   base_.step(now, [this](ByteView packet) {
     if (terminal_->is_open()) terminal_->send(packet);
   });

@@ -7,6 +7,7 @@
 #include "datagram_socket.hpp"
 #include "options.hpp"
 #include "pseudo_terminal.hpp"
+#include "script.hpp"
 #include "simulated_base.hpp"
 
 namespace tocsin::kobuki {
@@ -25,6 +26,7 @@ class Simulator {
   void read_terminal(Time now);
   void read_control(Time now);
   void step(Time now);
+  void play_script(Time now);
   void handle_cable(Time now);
   void report(Time now);
   void save(Time now);
@@ -32,6 +34,7 @@ class Simulator {
 
   Options options_;
   SimulatedBase base_;
+  Script script_;
   std::optional<PseudoTerminal> terminal_;
   bool was_in_use_ = false;
   DatagramSocket position_;

@@ -54,6 +54,46 @@ TEST_F(Control, ChangesNothingWhenOneEntryIsBad) {
   }
 }
 
+TEST_F(Control, ShowsLedsSoundsAndEncoders) {
+  OutputRegister outputs;
+  outputs.set_led(1, true, true);
+  outputs.set_led(2, false, true);
+  for (const Command& command : {Command{outputs}, Command{Tune::error}, Command{Tone{826, 50}}}) {
+    sut.receive(encode_command(command).bytes(), t0);
+  }
+  EXPECT_EQ(state()["led1"], "orange");
+  EXPECT_EQ(state()["led2"], "green");
+  EXPECT_EQ(state()["tune"], 4);
+  EXPECT_NEAR(state()["tone_hz"].get<double>(), 440, 1);
+  EXPECT_TRUE(state()["left_ticks"].is_number());
+  EXPECT_EQ(state()["line"]["usb_latency_ms"], 1);
+}
+
+TEST_F(Control, SetsAnalogInputs) {
+  EXPECT_EQ(say("set analog0=1 analog3=4095"), "ok");
+  EXPECT_EQ(state()["analog"][0], 1);
+  EXPECT_EQ(state()["analog"][3], 4095);
+  EXPECT_EQ(say("set analog4=1"), "error: cannot set 'analog4=1'");
+  EXPECT_EQ(say("set analog0=4096"), "error: cannot set 'analog0=4096'");
+}
+
+TEST_F(Control, SetsVersionsAlsoOldOnes) {
+  EXPECT_EQ(say("version 1.0.3 1.1.4"), "ok");
+  EXPECT_EQ(state()["firmware"], "1.1.4");
+  EXPECT_FALSE(sut.model().firmware().old_code);
+  EXPECT_EQ(say("version 1.0.3 1.0.0 old"), "ok");
+  EXPECT_EQ(sut.model().firmware().old_code, 123);
+  EXPECT_EQ(say("version 1.0.3 new").substr(0, 6), "error:");
+  EXPECT_EQ(state()["firmware"], "1.0.0");
+}
+
+TEST_F(Control, SetsGains) {
+  EXPECT_EQ(say("gains 50 0.2 3"), "ok");
+  EXPECT_EQ(state()["kp"], 50.0);
+  EXPECT_EQ(say("gains 50 -1 3"), "error: gains P I D");
+  EXPECT_EQ(say("gains 50"), "error: gains P I D");
+}
+
 TEST_F(Control, PlacesTheBase) {
   EXPECT_EQ(say("place 3 -4 1.5"), "ok");
   EXPECT_EQ(state()["y"], -4.0);

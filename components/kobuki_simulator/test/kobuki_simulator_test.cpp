@@ -154,6 +154,15 @@ TEST_F(Program, TakesControlCommands) {
   EXPECT_EQ(ask("get").front(), '{');
 }
 
+TEST_F(Program, PlaysAScriptOfFaults) {
+  std::ofstream(folder + "/walls") << "0.1 set bumper=4\n0.2 set cliff=1\n";
+  start({"--script", folder + "/walls"});
+  ASSERT_TRUE(open_port());
+  EXPECT_TRUE(wait_for(port.get(), 5, [&] {
+    return receive_frames(1) && last.core && last.core->bumper == 4 && last.core->cliff == 1;
+  }));
+}
+
 TEST_F(Program, RemovesItsLinkAndSocketsOnSigterm) {
   start();
   ASSERT_TRUE(open_port());
@@ -209,6 +218,9 @@ TEST_F(Program, GivesAFreshTerminalAfterAnExclusiveUserDied) {
 
 TEST_F(Program, EndsWithCode2ForBadFiles) {
   start({"--walls", "/nonexistent.yaml"});
+  EXPECT_EQ(end(0), 2);
+  std::ofstream(folder + "/walls") << "soon reset\n";
+  start({"--script", folder + "/walls"});
   EXPECT_EQ(end(0), 2);
   start({"--start", "here"});
   EXPECT_EQ(end(0), 2);

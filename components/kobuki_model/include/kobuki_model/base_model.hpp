@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <random>
+#include <string>
 
 #include "foundation/time.hpp"
 #include "kobuki_model/body.hpp"
@@ -25,6 +27,7 @@ struct BaseInputs {
   std::uint8_t wheel_drop = 0;
   std::uint8_t over_current = 0;
   std::uint16_t digital = 0;
+  std::array<std::uint16_t, 4> analog{4060, 4060, 4060, 4060};  ///< open, as in real captures
   DockInfrared dock;  ///< in addition to what a dock in the room shines
 };
 
@@ -71,6 +74,14 @@ class BaseModel {
   /// Stands a dock into the room; its front must also be in the surroundings to stop the base.
   void set_dock(const Dock& dock) { dock_ = dock; }
 
+  /// What it answers to version requests from now on. False, and nothing changed, when a text is no
+  /// version like "1.2.0".
+  [[nodiscard]] bool set_versions(const std::string& hardware, const std::string& firmware,
+                                  bool old_form);
+  [[nodiscard]] const Version& hardware() const { return hardware_; }
+  [[nodiscard]] const Version& firmware() const { return firmware_; }
+  void set_gains(const ControllerGains& gains) { outputs_.gains = gains; }
+
   [[nodiscard]] BaseInputs& inputs() { return inputs_; }
   [[nodiscard]] Power& power() { return power_; }
   [[nodiscard]] const BaseOutputs& outputs() const { return outputs_; }
@@ -103,6 +114,7 @@ class BaseModel {
 
   [[nodiscard]] Feedback sense(Time now);
   [[nodiscard]] CoreSensors core_sensors(Time now) const;
+  void disturb_encoders(CoreSensors& core);
   [[nodiscard]] Inertia inertia();
   [[nodiscard]] RawGyro raw_gyro();
   [[nodiscard]] DockInfrared dock_infrared() const;

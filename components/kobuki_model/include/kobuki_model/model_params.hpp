@@ -15,6 +15,7 @@ struct ModelParams {
   double slip_sigma = 0.01;
   double left_wheel_scale = 1.0;
   double right_wheel_scale = 1.0;
+  double encoder_noise_ticks = 0;
   double gyro_drift_deg_per_sqrt_s = 0.01;
   double gyro_scale = 1.0;
   double gyro_bias_dps = 0;
@@ -34,6 +35,8 @@ struct ModelParams {
     v("slip_sigma", slip_sigma, {0, 0.5}, "[1] deviation of true from rolled distance per 20 ms");
     v("left_wheel_scale", left_wheel_scale, {0.8, 1.2}, "[1] true over nominal distance, left");
     v("right_wheel_scale", right_wheel_scale, {0.8, 1.2}, "[1] true over nominal distance, right");
+    v("encoder_noise_ticks", encoder_noise_ticks, {0, 100},
+      "[tick] deviation of each reported encoder, beside rounding to whole ticks");
     v("gyro_drift_deg_per_sqrt_s", gyro_drift_deg_per_sqrt_s, {0, 10},
       "[deg/sqrt(s)] random walk of the reported angle");
     v("gyro_scale", gyro_scale, {0.8, 1.2}, "[1] reported over true turn");
