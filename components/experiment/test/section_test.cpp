@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sections.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tocsin::experiment {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Results of one set with these groups; values by metric.
+class SectionTest : public ::testing::Test {
+ protected:
+  SectionTest() {
+    RunSet set;
+    set.name = "main";
+    set.kind = "comparison";
+    set.title = "The main set";
+    results_.experiment.sets = {set};
+  }
+  Group& add(const std::string& policy, const std::string& payload = "camera") {
+    Group group;
+    group.set = "main";
+    group.mission = "a";
+    group.channel = "near";
+    group.payload = payload;
+    group.policy = policy;
+    for (int i = 1; i <= 5; ++i) {
+      group.indices.push_back(i);
+      group.values.emplace_back(metric_texts().size(), std::nan(""));
+      group.series.emplace_back();
+    }
+    results_.groups.push_back(group);
+    return results_.groups.back();
+  }
+  static void set(Group& group, const std::string& metric, double first) {
+    double value = first;
+    for (auto& run : group.values) run[metric_index(metric)] = value += 0.01;
+  }
+  /// Both policies, with the highest PER and the p99 latency of each.
+  void pair(double none_per, double dsp_per, double none_ms, double dsp_ms) {
+    Group& none = add("none");
+    set(none, "telemetry_per_max", none_per);
+    set(none, "high_latency_p99", none_ms);
+    Group& dsp = add("tocp_dsp");
+    set(dsp, "telemetry_per_max", dsp_per);
+    set(dsp, "high_latency_p99", dsp_ms);
+  }
+  template <class Add>
+  std::string text(Add add_section) {
+    Document document;
+    add_section(results_, document);
+    std::string body;
+    for (const Figure& figure : document.figures()) body += figure.title() + "\n";
+    figures_ = body;
+    return text_of(document);
+  }
+  /// The HTML without its figures.
+  static std::string text_of(const Document& document) {
+    Document empty = document;
+    return empty.figures().empty() ? empty.body("") : "";
+  }
+  Results results_;
+  std::string figures_;
+};
+
+TEST_F(SectionTest, SaysWhereAPolicyHelps) {
+  pair(30, 20, 900, 500);
+  EXPECT_THAT(text(add_regimes), HasSubstr("<td>helps</td>"));
+}
+
+TEST_F(SectionTest, SaysWhereItHarms) {
+  pair(20, 30, 500, 500);
+  EXPECT_THAT(text(add_regimes), HasSubstr("<td>harms</td>"));
+}
+
+TEST_F(SectionTest, SaysWhereItDoesBoth) {
+  pair(20, 30, 900, 500);
+  EXPECT_THAT(text(add_regimes), HasSubstr("<td>helps and harms</td>"));
+}
+
+TEST_F(SectionTest, SaysWhereNothingIsShown) {
+  pair(20, 20, 500, 500);
+  EXPECT_THAT(text(add_regimes), HasSubstr("<td>no difference shown</td>"));
+}
+
+TEST_F(SectionTest, ComparesRegimesOnlyWithNoPolicyBesideIt) {
+  add("tocp_dsp");
+  EXPECT_EQ(text(add_regimes), "");
+}
+
+TEST_F(SectionTest, ShowsMeansAndDifferences) {
+  pair(30, 20, 900, 500);
+  const std::string sut = text(add_comparisons);
+  EXPECT_THAT(sut, AllOf(HasSubstr("The main set"), HasSubstr("telemetry_per_max [%]"),
+                         HasSubstr("30.0 [30.0, 30.0]"), HasSubstr("TOCP-DSP minus ...")));
+  EXPECT_THAT(sut, Not(HasSubstr("<td>camera_lost [%]</td><td>-</td><td>-</td>")));
+}
+
+TEST_F(SectionTest, KeepsToTheKindsOfTheSets) {
+  pair(30, 20, 900, 500);
+  EXPECT_EQ(text(add_thesis), "");
+  EXPECT_EQ(text(add_sensitivity), "");
+  EXPECT_EQ(text(add_verdicts), "");
+  EXPECT_EQ(text(add_distributions), "");
+  EXPECT_EQ(text(add_reality), "");
+}
+
+TEST_F(SectionTest, DrawsABoxFigureForEachMetricOfTheThesisSet) {
+  results_.experiment.sets[0].kind = "thesis";
+  pair(30, 20, 900, 500);
+  (void)text(add_distributions);
+  EXPECT_THAT(figures_,
+              AllOf(HasSubstr("telemetry_per_max over runs"), HasSubstr("silence_max over runs")));
+}
+
+TEST_F(SectionTest, TellsTheChannelOnceForEachMission) {
+  pair(30, 20, 900, 500);
+  (void)text(add_channels);
+  EXPECT_EQ(figures_, "Mission A, channel near: mean SNR on the way\n");
+}
+
+TEST_F(SectionTest, ListsFailures) {
+  results_.failures = {"main.a.none.1: threw <badly>"};
+  EXPECT_THAT(text(add_overview), AllOf(HasSubstr("1 runs failed"), HasSubstr("&lt;badly&gt;")));
+}
+
+TEST_F(SectionTest, VerdictsGoThroughAllOtherPolicies) {
+  results_.experiment.sets[0].kind = "thesis";
+  pair(30, 20, 900, 500);
+  const std::string sut = text(add_verdicts);
+  EXPECT_THAT(sut, HasSubstr("beats</span> no policy on telemetry_per_max"));
+  EXPECT_THAT(sut, HasSubstr("beats</span> no policy on high_latency_p99"));
+}
+
+}  // namespace
+}  // namespace tocsin::experiment
