@@ -35,4 +35,17 @@ void BringupOptions::locate() {
   if (bare && !fs::exists(file) && fs::exists(shared)) file = shared.string();
 }
 
+std::vector<std::string> BringupOptions::arguments() const {
+  std::vector<std::string> words{file, "--seed", std::to_string(overrides.seed)};
+  const auto add = [&](const char* option, const std::string& value) {
+    words.emplace_back(option);
+    words.push_back(value);
+  };
+  for (const std::string& setting : overrides.set) add("--set", setting);
+  for (const std::string& process : overrides.without) add("--without", process);
+  if (!overrides.channel.empty()) add("--channel", overrides.channel);
+  if (domain >= 0) add("--domain", std::to_string(domain));
+  return words;
+}
+
 }  // namespace tocsin

@@ -39,6 +39,16 @@ TEST(BringupOptions, WithoutADomainTheFilesIsKept) {
   EXPECT_FALSE(sut.overrides.domain.has_value());
 }
 
+TEST(BringupOptions, CanBeGivenOnToAnotherCommand) {
+  const std::string line =
+      "a.yaml --seed 7 --set x.a=1 --set x.b=2 --without uxv/payload --channel c.yaml --domain 9";
+  std::string joined;
+  for (const std::string& word : parsed(line).arguments()) {
+    joined += (joined.empty() ? "" : " ") + word;
+  }
+  EXPECT_EQ(joined, line);
+}
+
 TEST(BringupOptions, AFileThatIsThereIsTakenAsItIs) {
   const ToyFolder folder;
   BringupOptions sut = parsed(folder.write("a.yaml", ""));

@@ -2,8 +2,10 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
+#include "check_first.hpp"
 #include "command_line/bringup_options.hpp"
 #include "command_line/command.hpp"
 #include "command_line/programs.hpp"
@@ -23,15 +25,23 @@ bool owns_terminal(const deployment::Deployment& deployment) {
   return false;
 }
 
+bool has_containers(const deployment::Deployment& deployment) {
+  return std::any_of(deployment.hosts.begin(), deployment.hosts.end(),
+                     [](const deployment::Host& host) { return !host.containers.empty(); });
+}
+
 int launch(BringupOptions& options) {
   options.locate();
   deployment::Overrides& overrides = options.overrides;
   const std::string& file = options.file;
   // Checked before the folder of the run is made: a wrong file leaves nothing behind.
-  (void)deployment::load_deployment(file, overrides);
+  const Folders folders = program_folders();
+  if (has_containers(deployment::load_deployment(file, overrides)) &&
+      !check_first(options, folders)) {
+    return 2;
+  }
   overrides.run_dir = make_run_folder(overrides.run_dir).string();
   const deployment::Deployment deployment = deployment::load_deployment(file, overrides);
-  const Folders folders = program_folders();
   const std::string resolved = overrides.run_dir + "/deployment.yaml";
   const auto specs = plan_processes(deployment, resolved, folders);
   std::vector<HostNetwork> networks;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "deployment/deployment.hpp"
 
@@ -22,6 +23,8 @@ struct BringupOptions {
   /// After parsing: fills in the installed share folder, and looks for a bare file name there when
   /// it is not in the working folder.
   void locate();
+  /// The options that `declare` reads, for a command that is given them on.
+  [[nodiscard]] std::vector<std::string> arguments() const;
 };
 
 }  // namespace tocsin
