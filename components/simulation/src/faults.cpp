@@ -90,7 +90,7 @@ Fault draw_fault(Draw& draw, const deployment::Deployment& deployment) {
   }
   if (fault.kind == FaultKind::clock_jump) {
     fault.target = deployment.hosts[draw.below(deployment.hosts.size())].name;
-    fault.amount = draw.between(-3600, 3600);
+    fault.amount = draw.between(-2, 2);  // a step of NTP; goals need clocks that agree
   }
   if (fault.kind == FaultKind::serial_noise) fault.amount = draw.between(0.0001, 0.05);
   return fault;

@@ -37,7 +37,7 @@ class Quiet {
 class ScratchFolder {
  public:
   explicit ScratchFolder(std::uint64_t seed)
-      : path_(fs::temp_directory_path() /
+      : path_(memory_or_disk() /
               ("tocsin_sim_" + std::to_string(::getpid()) + "_" + std::to_string(seed))) {
     fs::create_directories(path_);
   }
@@ -50,6 +50,12 @@ class ScratchFolder {
   [[nodiscard]] std::string path() const { return path_.string(); }
 
  private:
+  /// In memory where there is such a place: components save their state several times a second,
+  /// and a disk may make each of them wait.
+  static fs::path memory_or_disk() {
+    const fs::path memory = "/dev/shm";
+    return fs::is_directory(memory) ? memory : fs::temp_directory_path();
+  }
   fs::path path_;
 };
 
@@ -101,9 +107,12 @@ int search_seeds(const Options& options) {
   }
   for (const Verdict& verdict : result.broken) print(verdict, options);
   const double wall_s = to_seconds(Duration(std::chrono::steady_clock::now() - begin));
-  std::printf("%llu runs, %.0f s simulated in %.1f s, %llu checks: %zu runs broke a promise\n",
-              static_cast<unsigned long long>(result.runs), to_seconds(result.simulated), wall_s,
-              static_cast<unsigned long long>(result.checks), result.broken.size());
+  std::printf(
+      "%llu runs, %.0f s simulated in %.1f s, %llu checks: %zu runs broke a promise, %llu ended "
+      "where the radio is dead\n",
+      static_cast<unsigned long long>(result.runs), to_seconds(result.simulated), wall_s,
+      static_cast<unsigned long long>(result.checks), result.broken.size(),
+      static_cast<unsigned long long>(result.stranded));
   return result.broken.empty() ? 0 : 1;
 }
 

@@ -13,6 +13,12 @@ namespace {
 
 const std::string config = TOCSIN_SOURCE_DIR "/../../config/";
 
+deployment::Container container(const char* name) {
+  deployment::Container made;
+  made.name = name;
+  return made;
+}
+
 /// A base and the gate of one process on each side.
 deployment::Deployment small() {
   deployment::Deployment deployment;
@@ -21,10 +27,10 @@ deployment::Deployment small() {
   deployment::Host uxv;
   uxv.name = uxv.role = "uxv";
   uxv.programs = {{"base", {"kobuki_simulator", "--link", "/dev/kobuki"}}};
-  uxv.containers = {{"drive", false, {}}};
+  uxv.containers = {container("drive")};
   deployment::Host gcs;
   gcs.name = gcs.role = "gcs";
-  gcs.containers = {{"mission", false, {}}};
+  gcs.containers = {container("mission")};
   deployment.hosts = {uxv, gcs};
   return deployment;
 }

@@ -25,22 +25,28 @@ struct PromiseLimits {
   double base_stops_s = 1.2;
   /// [s] and this long after the last velocity that anybody wanted: the driver's hold besides.
   double vehicle_stops_s = 2.0;
-  /// [s] the mission is over so long after the last fault.
-  double recovers_s = 300;
+  /// [s] the mission is over so long after the last fault, not counting seconds without radio: a
+  /// vehicle that waits where the radio is dead hears of no goal.
+  double recovers_s = 150;
+  /// [s] nor is more waited for than this.
+  double waits_s = 450;
 };
 
 /// Checks what the stack promises while a world runs:
 /// the gate keeps no sample of a class that is always active off the air, and lets none of a paused
 /// one on it; what it kept it sends when it opens; the base stops whatever dies; nothing comes
-/// later than its lifespan; the samples of a writer come in order and once; network quality is in
-/// its range; no component throws; the mission is over in time.
+/// later than its lifespan after it left the gate; the samples of a writer come in order and once;
+/// network quality is in its range; no component throws; the mission is over in time.
 class Promises : public Observer {
  public:
-  explicit Promises(const PromiseLimits& limits = {}) : limits_(limits) {}
+  /// `last_fault_s`: when the last fault of the run is over.
+  explicit Promises(double last_fault_s = 0, const PromiseLimits& limits = {})
+      : last_fault_s_(last_fault_s), limits_(limits) {}
 
   void on_written(const Written& written) override;
   void on_sent(const Sent& sent) override;
   void on_delivered(const Delivered& delivered) override;
+  void on_channel(const radio::LinkReport& report, Time now) override;
   void on_position(const BasePosition& base) override;
   void on_gate(const GateChange& change) override;
   void on_process(const ProcessChange& change) override;
@@ -48,6 +54,8 @@ class Promises : public Observer {
   void on_step(Time now) override;
   /// After the run.
   void on_end(const Outcome& outcome);
+  /// The run says nothing about the mission: not over, but not long enough with radio either.
+  [[nodiscard]] bool stranded(const Outcome& outcome) const;
 
   /// The first 20.
   [[nodiscard]] const std::vector<Violation>& violations() const { return violations_; }
@@ -56,7 +64,11 @@ class Promises : public Observer {
  private:
   void expect(bool kept, Time now, const char* promise, const std::string& detail);
   void check_message(const Written& written);
+  double last_fault_s_;
   PromiseLimits limits_;
+  double with_radio_s_ = 0;  ///< since the last fault
+  double x_m_ = 0;
+  double y_m_ = 0;
   std::vector<Violation> violations_;
   std::uint64_t checks_ = 0;
   std::set<std::string> closed_;                   ///< host/process whose gate is closed
