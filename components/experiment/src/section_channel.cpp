@@ -97,8 +97,13 @@ void add_regimes(const Results& results, Document& document) {
   document.paragraph(
       "TOCP-DSP minus no policy, paired. Pausing a few kbit/s of telemetry does not make a link "
       "lose less: without the camera nothing is relieved, and what is paused is simply late. With "
-      "the camera the queue before a poor link is full of pictures, so that their silence gives "
-      "the other classes room.");
+      "the camera on a channel that is busy already, the queue before a poor link is full of "
+      "pictures, and their silence gives the other classes room: they come sooner. Where the "
+      "signal is weak but the channel not full, silence can even raise the loss of what is still "
+      "sent; probably because the rate control then has only a few small packets to learn from.");
+  document.paragraph(
+      "Latency and age alone favour whoever says least: a policy that is silent half of the time "
+      "has the emptiest queue. Read them together with the share of class low that was delivered.");
   std::vector<std::vector<std::string>> rows{
       {"set and round", "TOCP-DSP", "max PER of telemetry [%]", "lost, class high [%]",
        "p99 latency, high [ms]", "delivered, class low [%]", "location age p95 [s]"}};
