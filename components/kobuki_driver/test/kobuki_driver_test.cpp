@@ -250,42 +250,5 @@ TEST(KobukiDriver, RefusesBatteryLimitsOutOfOrder) {
   EXPECT_THROW(KobukiDriver{params}, ConfigError);
 }
 
-// What the base does when nothing comes any more (driver killed): it drives on unless it has a
-// timeout of its own; the deployment sets one.
-TEST(StoppingDistance, AfterDriverDeathIsBoundedByTheTimeoutOfTheBase) {
-  ModelParams base;  // realistic: dead time 0.1 s, 1.5 m/s2
-  base.command_timeout_s = 0.5;
-  ModelRig sut({}, base);
-  sut.run(2, BodyVelocity{0.5, 0});
-  sut.connected = false;
-  const double x_m = sut.model.pose().x_m;
-  double stopped_s = 0;
-  while (sut.model.velocity().linear_mps > 0 && stopped_s < 5) {
-    sut.run(0.01, BodyVelocity{0.5, 0});
-    stopped_s += 0.01;
-  }
-  const double stopping_m = sut.model.pose().x_m - x_m;
-  RecordProperty("stopping_m", std::to_string(stopping_m));
-  RecordProperty("stopping_s", std::to_string(stopped_s));
-  std::printf("driver killed at 0.5 m/s: stops after %.2f s and %.3f m\n", stopped_s, stopping_m);
-  EXPECT_LT(stopped_s, 0.95);
-  EXPECT_LT(stopping_m, 0.36);
-}
-
-TEST(StoppingDistance, AfterDeathOfTheCommanderIsBoundedByTheStaleStop) {
-  ModelRig sut({}, ModelParams{});
-  sut.run(2, BodyVelocity{0.5, 0});
-  const double x_m = sut.model.pose().x_m;
-  double stopped_s = 0;
-  while (sut.model.velocity().linear_mps > 0 && stopped_s < 5) {
-    sut.run(0.01);
-    stopped_s += 0.01;
-  }
-  std::printf("commander dead at 0.5 m/s: stops after %.2f s and %.3f m\n", stopped_s,
-              sut.model.pose().x_m - x_m);
-  EXPECT_LT(stopped_s, 1.1);
-  EXPECT_LT(sut.model.pose().x_m - x_m, 0.46);
-}
-
 }  // namespace
 }  // namespace tocsin::kobuki

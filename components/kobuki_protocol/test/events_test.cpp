@@ -118,6 +118,14 @@ TEST(Events, ReportLowAndCriticalOnce) {
   EXPECT_EQ(power_events(sut, charged_for(0, 132)), Power{PowerEvent::battery_critical});
 }
 
+// The reference driver sends an event with an uninitialised code here.
+TEST(Events, AreSilentWhenTheLevelFallsFromFullToHealthy) {
+  EventDetector sut{BatteryParams{}};
+  (void)power_events(sut, charged_for(18), 100);
+  EXPECT_EQ(power_events(sut, charged_for(0, 158)), Power{PowerEvent::unplugged});
+  EXPECT_EQ(power_events(sut, charged_for(0, 150), 10), Power{});
+}
+
 TEST(Events, ReportLowAgainAfterCharging) {
   EventDetector sut{BatteryParams{}};
   EXPECT_EQ(power_events(sut, charged_for(0, 140)), Power{PowerEvent::battery_low});

@@ -84,7 +84,23 @@ TEST(Golden, BatteryIsEqualWhereTheReferenceIsSound) {
     EXPECT_NEAR(100 * got.percentage, percent, 1e-4) << line;
     EXPECT_EQ(static_cast<int>(got.level), level) << line;
     EXPECT_EQ(static_cast<int>(got.state), state) << line;
+    EXPECT_EQ(static_cast<int>(got.source), source) << line;
   }
+}
+
+void expect_wheels(const Odometry& sut, const std::string& line) {
+  double left = 0;
+  double left_rate = 0;
+  double right = 0;
+  double right_rate = 0;
+  const std::string wheel = line.substr(line.find("wheel="));
+  ASSERT_EQ(
+      std::sscanf(wheel.c_str(), "wheel=%lf,%lf,%lf,%lf", &left, &left_rate, &right, &right_rate),
+      4);
+  EXPECT_NEAR(sut.left().angle_rad, left, 1e-6) << line;
+  EXPECT_NEAR(sut.left().rate_rad_s, left_rate, 2e-6) << line;
+  EXPECT_NEAR(sut.right().angle_rad, right, 1e-6) << line;
+  EXPECT_NEAR(sut.right().rate_rad_s, right_rate, 2e-6) << line;
 }
 
 TEST(Golden, OdometryIsEqual) {
@@ -112,6 +128,7 @@ TEST(Golden, OdometryIsEqual) {
     EXPECT_NEAR(sut.pose().x_m, x, 1e-7) << line;
     EXPECT_NEAR(sut.pose().y_m, y, 1e-7) << line;
     EXPECT_NEAR(sut.pose().heading_rad, heading, 1e-7) << line;
+    expect_wheels(sut, line);
   }
   EXPECT_EQ(fed, 55);
 }
