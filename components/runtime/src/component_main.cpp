@@ -1,18 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// tocsin component list | info NAME
+// tocsin component types | info | list | load | unload | configure | activate | ...
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <string>
+#include <vector>
 
+#include "command_line/command.hpp"
+#include "container_client.hpp"
 #include "foundation/error.hpp"
-#include "foundation/program.hpp"
 #include "runtime/middleware/component_library.hpp"
+#include "runtime/middleware/host_bus.hpp"
+#include "settings.hpp"
 
 namespace tocsin {
 namespace {
 
-int list() {
+using Known = ContainerClient::Known;
+
+struct Options {
+  HostChoice host;
+  std::string container;
+  std::string component;
+  std::string name;
+  std::vector<std::string> set;
+  double timeout_s = 5;
+};
+
+int types() {
   for (const std::string& name : installed_components()) std::printf("%s\n", name.c_str());
   return 0;
 }
@@ -28,26 +42,119 @@ int info(const std::string& name) {
   return 0;
 }
 
-int run(int argc, char** argv) {
-  CLI::App app("Lists the installed components; prints the parameters of one", "tocsin component");
-  app.require_subcommand(1);
-  const CLI::App* list_command = app.add_subcommand("list", "names of all installed components");
-  CLI::App* info_command = app.add_subcommand("info", "parameters with default, unit and range");
-  std::string name;
-  info_command->add_option("NAME", name, "component")->required();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    throw ConfigError(error.what());
+void print(const ContainerClient::State& state) {
+  std::printf("/%s/%s  process %d\n", state.host().c_str(), state.container().c_str(), state.pid());
+  for (const auto& one : state.components()) {
+    const std::string error = one.error().empty() ? "" : ": " + one.error();
+    std::printf("  %u  /%s  %s  %s%s\n", one.id(), one.name().c_str(), one.library().c_str(),
+                one.state().c_str(), error.c_str());
   }
-  return list_command->parsed() ? list() : info(name);
+}
+
+/// Every container tells its state once a second.
+int list(const Options& options) {
+  const auto bus = open_host_bus(options.host, "tocsin_component");
+  ContainerClient client(*bus);
+  const Known known = client.wait(seconds(1.5), [](const Known&) { return false; });
+  if (known.empty()) throw EnvironmentError("no container runs on this host");
+  for (const auto& one : known) print(one.second);
+  return 0;
+}
+
+std::string names_of(const Known& known) {
+  std::string text;
+  for (const auto& one : known) text += (text.empty() ? "" : ", ") + one.first.first;
+  return "[" + text + "]";
+}
+
+bool has_container(const Known& known, const std::string& name) {
+  return known.lower_bound({name, 0}) != known.end() &&
+         known.lower_bound({name, 0})->first.first == name;
+}
+
+/// The container that the command is for, once it has been heard.
+std::string find_container(ContainerClient& client, const Options& options) {
+  const auto found = [&](const Known& known) {
+    return options.container.empty()                 ? container_of(known, options.name)
+           : has_container(known, options.container) ? options.container
+                                                     : std::string();
+  };
+  const Known known = client.wait(seconds(options.timeout_s),
+                                  [&](const Known& heard) { return !found(heard).empty(); });
+  if (!found(known).empty()) return found(known);
+  throw ConfigError(options.container.empty()
+                        ? options.name + ": no such component in the containers " + names_of(known)
+                        : "no such container '" + options.container + "'; running are " +
+                              names_of(known));
+}
+
+int ask(const std::string& verb, const Options& options) {
+  const auto bus = open_host_bus(options.host, "tocsin_component");
+  ContainerClient client(*bus);
+  ContainerClient::Command command;
+  command.container(find_container(client, options));
+  command.verb(verb);
+  command.library(options.component);
+  command.name(options.name.empty() ? options.component : options.name);
+  command.parameters(settings_text(options.set));
+  const auto answer = client.ask(command, seconds(options.timeout_s));
+  if (!answer.done()) throw ConfigError(answer.text());
+  std::string text = answer.text();
+  if (verb == "load" || verb == "unload") {
+    text += (verb == "load" ? " into container " : " from container ") + command.container();
+  }
+  std::printf("%s\n", text.c_str());
+  return 0;
+}
+
+CLI::App* declare(CLI::App& app, const std::string& verb, const std::string& text,
+                  Options& options) {
+  CLI::App* const command = app.add_subcommand(verb, text);
+  options.host.declare(*command);
+  command->add_option("--timeout", options.timeout_s, "[s] for an answer")
+      ->check(CLI::Range(0.1, 60.0));
+  return command;
+}
+
+void declare_load(CLI::App& app, Options& options) {
+  CLI::App* const load = declare(app, "load", "put a component into a running container", options);
+  load->add_option("CONTAINER", options.container, "see list")->required();
+  load->add_option("COMPONENT", options.component, "see types")->required();
+  load->add_option("--name", options.name, "of the instance [COMPONENT]");
+  load->add_option("--set", options.set, "parameter: key=value")->expected(1)->take_all();
+}
+
+void declare_changes(CLI::App& app, Options& options) {
+  for (const char* verb : {"configure", "activate", "deactivate", "cleanup", "shutdown"}) {
+    CLI::App* const one = declare(app, verb, "lifecycle transition of a component", options);
+    one->add_option("NAME", options.name, "instance, see list")->required();
+    one->add_option("--container", options.container, "that has it [found by the name]");
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Components: installed ones, and those of running containers", "tocsin component");
+  app.require_subcommand(1);
+  Options options;
+  app.add_subcommand("types", "names of all installed components");
+  app.add_subcommand("info", "parameters with default, unit and range")
+      ->add_option("COMPONENT", options.component, "see types")
+      ->required();
+  declare(app, "list", "running containers with their components and states", options);
+  declare_load(app, options);
+  CLI::App* const unload = declare(app, "unload", "take a component out of its container", options);
+  unload->add_option("CONTAINER", options.container, "see list")->required();
+  unload->add_option("NAME", options.name, "instance or its number, see list")->required();
+  declare_changes(app, options);
+  return run_command(app, argc, argv, [&] {
+    const std::string verb = app.get_subcommands().front()->get_name();
+    if (verb == "types") return types();
+    if (verb == "info") return info(options.component);
+    return verb == "list" ? list(options) : ask(verb, options);
+  });
 }
 
 }  // namespace
 }  // namespace tocsin
 
-int main(int argc, char** argv) {
-  return tocsin::run_program("tocsin component", [&] { return tocsin::run(argc, argv); });
-}
+int main(int argc, char** argv) { return tocsin::run(argc, argv); }

@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // tocsin-container FILE HOST CONTAINER: runs one container process of a resolved bringup file.
-#include <signal.h>
-#include <unistd.h>
-
-#include <atomic>
 #include <cstdio>
 #include <string>
 
-#include "container.hpp"
 #include "foundation/error.hpp"
 #include "foundation/program.hpp"
+#include "run_container.hpp"
 
 namespace tocsin {
 namespace {
-
-/// Blocks the signals that end the process, in this and all later threads.
-sigset_t block_end_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  signal(SIGPIPE, SIG_IGN);
-  return signals;
-}
 
 int run(const std::string& file, const std::string& host_name, const std::string& name) {
   const deployment::Deployment deployment = deployment::load_resolved(file);
@@ -31,16 +16,7 @@ int run(const std::string& file, const std::string& host_name, const std::string
   if (host == nullptr) throw ConfigError(file + ": has no host '" + host_name + "'");
   const deployment::Container* found = deployment::find_container(*host, name);
   if (found == nullptr) throw ConfigError(file + ": " + host_name + " has no container " + name);
-  const sigset_t signals = block_end_signals();
-  std::atomic<int> code{0};
-  Container container(deployment, *host, *found, [&code](int wanted) {
-    code = wanted;
-    kill(getpid(), SIGTERM);
-  });
-  container.start();
-  int received = 0;
-  sigwait(&signals, &received);
-  return code;
+  return run_container(deployment, *host, *found);
 }
 
 }  // namespace

@@ -53,6 +53,8 @@ void ControlComponent::tick(Time now) {
 }
 
 void ControlComponent::obey(const Command& command) {
+  const auto is_it = [&](const auto& answer) { return answer.id() == command.id(); };
+  if (std::any_of(answers_.begin(), answers_.end(), is_it)) return;  // a repetition
   const Outcome outcome = carry_out(command);
   if (!outcome.done) log().warn("{}: {}", command.verb(), outcome.text);
   tocsin_msgs::msg::ContainerAnswer answer;

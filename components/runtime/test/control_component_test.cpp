@@ -40,9 +40,9 @@ class NoTicker : public Ticker {
 class ControlTest : public ::testing::Test {
  protected:
   ControlTest() { bus_.add(sut_); }
-  static Command command(const std::string& verb, const std::string& name) {
+  Command command(const std::string& verb, const std::string& name) {
     Command message;
-    message.id(7);
+    message.id(next_id_++);
     message.container("drive");
     message.verb(verb);
     message.library("idle");
@@ -71,6 +71,7 @@ class ControlTest : public ::testing::Test {
     return reports_.take().back();
   }
 
+  std::uint64_t next_id_ = 7;
   SimBus bus_;
   SimReader<topic::ContainerState> states_{bus_};
   SimReader<topic::Diagnostics> reports_{bus_};
@@ -97,6 +98,14 @@ TEST_F(ControlTest, AnswersWithTheReasonOfARefusal) {
   unknown.library("idel");
   EXPECT_THAT(ask(unknown).answers()[0].text(), HasSubstr("component 'idel': no library"));
   EXPECT_FALSE(ask(command("dance", "a")).answers()[1].done());
+}
+
+TEST_F(ControlTest, ObeysARepeatedCommandOnce) {
+  const Command load = command("load", "a");
+  (void)ask(load);
+  const State state = ask(load);
+  EXPECT_EQ(state.answers().size(), 1U);
+  EXPECT_EQ(state.components().size(), 1U);
 }
 
 TEST_F(ControlTest, LeavesTheCommandsOfOthersAlone) {

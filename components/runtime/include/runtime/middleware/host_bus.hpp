@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "runtime/bus.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace tocsin {
+
+/// Which running host a command of the user talks to.
+struct HostChoice {
+  int domain = -1;      ///< its host domain; -1: of `run_dir`, else $ROS_DOMAIN_ID, else 0
+  std::string run_dir;  ///< of a `tocsin launch`; empty: none
+  std::string host;     ///< of that run; empty: the first one
+  std::string ros_namespace;
+
+  /// Adds --domain, --run-dir, --host and --namespace to a command.
+  void declare(CLI::App& app);
+};
+
+/// $ROS_DOMAIN_ID, or 0. Throws ConfigError when it is no domain id.
+[[nodiscard]] int default_domain();
+
+/// Joins the host's domain as `name`, in the host's network namespace when the run gave it one.
+/// Call it before the program has a second thread. Throws ConfigError for a wrong choice,
+/// EnvironmentError when the namespace cannot be entered.
+[[nodiscard]] std::unique_ptr<Bus> open_host_bus(const HostChoice& choice, const std::string& name);
+
+}  // namespace tocsin

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/middleware/host_bus.hpp"
+
+#include <fcntl.h>
+#include <sched.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <filesystem>
+
+#include "command_line/programs.hpp"
+#include "deployment/deployment.hpp"
+#include "foundation/error.hpp"
+#include "foundation/yaml_file.hpp"
+#include "runtime/fast_dds_bus.hpp"
+
+namespace tocsin {
+namespace {
+
+constexpr int processes = 16;
+
+bool enter(const std::string& path, int kind) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool entered = ::setns(descriptor, kind) == 0;
+  ::close(descriptor);
+  return entered;
+}
+
+/// The network namespace of a process of the host; without privileges by its user namespace.
+void enter_network(const std::string& run_dir, const std::string& host) {
+  const std::string file = run_dir + "/processes.json";
+  const YAML::Node pids = read_yaml_file(file);
+  for (const auto& entry : pids) {
+    if (entry.first.Scalar().rfind(host + "/", 0) != 0) continue;
+    const std::string folder = "/proc/" + entry.second.Scalar() + "/ns/";
+    if (enter(folder + "net", CLONE_NEWNET)) return;
+    if (enter(folder + "user", CLONE_NEWUSER) && enter(folder + "net", CLONE_NEWNET)) return;
+  }
+  throw EnvironmentError(file + ": cannot enter the network of " + host + "; does the run go on?");
+}
+
+BusOptions options_of_run(const HostChoice& choice) {
+  const auto run = deployment::load_resolved(choice.run_dir + "/deployment.yaml");
+  const deployment::Host* host =
+      choice.host.empty() ? &run.hosts.front() : deployment::find_host(run, choice.host);
+  if (host == nullptr) throw ConfigError(run.file + ": has no host '" + choice.host + "'");
+  if (run.radio) enter_network(choice.run_dir, host->name);
+  BusOptions options;
+  options.role = host->role;
+  options.ros_namespace = run.ros_namespace;
+  options.qos_file = run.qos;
+  options.traffic_file = run.traffic;
+  options.host_domain = host->local_domain;
+  return options;
+}
+
+BusOptions installed_options(const HostChoice& choice) {
+  const std::string config = share_folder(own_program()).string() + "/config/";
+  BusOptions options;
+  options.role = "uxv";
+  options.ros_namespace = choice.ros_namespace;
+  options.qos_file = config + "qos.yaml";
+  options.traffic_file = config + "traffic.yaml";
+  options.host_domain = default_domain();
+  return options;
+}
+
+}  // namespace
+
+void HostChoice::declare(CLI::App& app) {
+  app.add_option("--domain", domain, "DDS domain of the host [of --run-dir, or $ROS_DOMAIN_ID, 0]")
+      ->check(CLI::Range(0, 231));
+  app.add_option("--run-dir", run_dir, "folder of a run of tocsin launch");
+  app.add_option("--host", host, "host of that run [its first]");
+  app.add_option("--namespace", ros_namespace, "ROS namespace of the topics, without --run-dir");
+}
+
+int default_domain() {
+  const char* const text = std::getenv("ROS_DOMAIN_ID");
+  if (text == nullptr || *text == '\0') return 0;
+  char* end = nullptr;
+  const long domain = std::strtol(text, &end, 10);
+  if (*end != '\0' || domain < 0 || domain > 231) {
+    throw ConfigError(std::string("ROS_DOMAIN_ID: '") + text + "' is not a number in [0, 231]");
+  }
+  return static_cast<int>(domain);
+}
+
+std::unique_ptr<Bus> open_host_bus(const HostChoice& choice, const std::string& name) {
+  BusOptions options = choice.run_dir.empty() ? installed_options(choice) : options_of_run(choice);
+  options.name = name;
+  options.processes = processes;
+  if (choice.domain >= 0) options.host_domain = choice.domain;
+  return make_fast_dds_bus(options);
+}
+
+}  // namespace tocsin
