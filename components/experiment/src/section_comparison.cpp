@@ -63,6 +63,14 @@ void add_means(const std::vector<const Group*>& round, Document& document) {
   document.table(rows);
 }
 
+/// Ours minus the other's, coloured where the interval leaves out zero.
+std::string difference_cell(const Group& ours, const Group& other, const std::string& metric) {
+  const Estimate one = paired_difference(ours.metric(metric), other.metric(metric));
+  const Verdict verdict = judge(one, metric_texts()[metric_index(metric)].less_is_better);
+  const char* kind = verdict == Verdict::better ? "yes" : verdict == Verdict::worse ? "no" : "";
+  return std::string("<span class=\"") + kind + "\">" + html::number(one) + "</span>";
+}
+
 void add_differences(const std::vector<const Group*>& round, const Group& ours,
                      Document& document) {
   std::vector<std::vector<std::string>> rows{{"TOCP-DSP minus ..."}};
@@ -73,10 +81,7 @@ void add_differences(const std::vector<const Group*>& round, const Group& ours,
     std::vector<std::string> row{label_of(metric)};
     for (const Group* group : round) {
       if (group == &ours) continue;
-      const Estimate one = paired_difference(ours.metric(metric), group->metric(metric));
-      const Verdict verdict = judge(one, metric_texts()[metric_index(metric)].less_is_better);
-      const char* kind = verdict == Verdict::better ? "yes" : verdict == Verdict::worse ? "no" : "";
-      row.push_back(std::string("<span class=\"") + kind + "\">" + html::number(one) + "</span>");
+      row.push_back(difference_cell(ours, *group, metric));
     }
     rows.push_back(std::move(row));
   }
