@@ -10,6 +10,7 @@
 #include "cdr_topic_type.hpp"
 #include "fast_dds_qos.hpp"
 #include "foundation/error.hpp"
+#include "shared_memory_leftovers.hpp"
 
 namespace tocsin {
 namespace {
@@ -25,6 +26,7 @@ Qos in_partition(Qos qos, const std::vector<std::string>& partition) {
 }  // namespace
 
 FastDdsParticipant::FastDdsParticipant(ParticipantOptions options) : options_(std::move(options)) {
+  if (options_.shared_memory) remove_shared_memory_leftovers();
   participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
       static_cast<std::uint32_t>(options_.domain), participant_qos(options_), nullptr,
       dds::StatusMask::none());
