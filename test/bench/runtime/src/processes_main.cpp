@@ -127,11 +127,13 @@ void compare(std::size_t bytes, int count, int rounds) {
 void cyclone(std::size_t bytes) {
   const std::string config =
       "CYCLONEDDS_URI='<General><Interfaces><NetworkInterface name=\"lo\"/></Interfaces>"
-      "<AllowMulticast>false</AllowMulticast></General><Discovery><Peers>"
+      "<AllowMulticast>false</AllowMulticast></General><Discovery><ParticipantIndex>auto</"
+      "ParticipantIndex><Peers>"
       "<Peer address=\"127.0.0.1\"/></Peers></Discovery>' ";
-  const std::string text = output_of(
-      "(" + config + "timeout 4 ddsperf -i 90 -D3 pong >/dev/null 2>&1 &) ; " + config +
-      "timeout 5 ddsperf -i 90 -D3 ping size " + std::to_string(bytes) + " 2>&1 | grep mean");
+  const std::string text =
+      output_of("(" + config + "timeout 5 ddsperf -i 90 -D4 pong >/dev/null 2>&1 &) ; sleep 0.3; " +
+                config + "timeout 5 ddsperf -i 90 -D3 ping size " + std::to_string(bytes) +
+                " 2>/dev/null | grep mean");
   const std::size_t last = text.rfind("mean", text.size() - 1);
   std::printf("%8zu B  ddsperf (half a round trip): %s", bytes,
               last == std::string::npos ? "not installed\n" : text.substr(last).c_str());
