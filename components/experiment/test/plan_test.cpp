@@ -72,11 +72,20 @@ TEST(Plan, SetsPolicyMissionAndWhatTheEntriesSay) {
   EXPECT_EQ(sut.channel, toy.path("near_a.yaml"));
 }
 
+/// A container with one component of its own name.
+deployment::Container container_of(const std::string& name) {
+  deployment::ComponentInstance instance;
+  instance.component = instance.name = name;
+  deployment::Container container;
+  container.name = name;
+  container.components = {instance};
+  return container;
+}
+
 TEST(Instrument, PutsAListenerInPlaceOfEachRecorder) {
   deployment::Deployment sut;
   sut.hosts.resize(1);
-  sut.hosts[0].containers = {{"recorder", false, {{"recorder", "recorder", nullptr, {}}}},
-                             {"payload", false, {{"camera", "camera", nullptr, {}}}}};
+  sut.hosts[0].containers = {container_of("recorder"), container_of("camera")};
   instrument(sut);
   EXPECT_EQ(sut.hosts[0].containers[0].components[0].component, "experiment");
   EXPECT_EQ(sut.hosts[0].containers[0].components[0].name, "recorder");
