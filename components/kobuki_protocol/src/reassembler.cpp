@@ -5,9 +5,17 @@
 
 namespace tocsin::kobuki {
 
-void Reassembler::append(std::uint8_t byte) {
-  assert(size_ < buffer_.size());  // find_frame() accepts or rejects every full buffer
-  buffer_[size_++] = byte;
+std::size_t Reassembler::missing() const {
+  if (size_ < 3) return 1;
+  const std::size_t whole = std::size_t{buffer_[2]} + 4;
+  assert(size_ < whole);  // find_frame() accepts or rejects every whole frame
+  return whole - size_;
+}
+
+void Reassembler::append(ByteView bytes) {
+  assert(bytes.size <= buffer_.size() - size_);
+  std::copy(bytes.begin(), bytes.end(), buffer_.data() + size_);
+  size_ += bytes.size;
 }
 
 bool Reassembler::starts_frame_at(std::size_t i) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -28,8 +29,10 @@ class Reassembler {
   /// The view is valid during the call only.
   template <class Sink>
   void feed(ByteView bytes, Sink&& sink) {
-    for (const std::uint8_t byte : bytes) {
-      append(byte);
+    for (std::size_t at = 0; at < bytes.size;) {
+      const std::size_t count = std::min(missing(), bytes.size - at);
+      append(bytes.part(at, count));
+      at += count;
       while (const auto payload = find_frame()) {
         sink(*payload);
         remove_frame();
@@ -45,7 +48,9 @@ class Reassembler {
   [[nodiscard]] std::size_t pending() const { return size_; }
 
  private:
-  void append(std::uint8_t byte);
+  /// How many bytes can come before there is anything to decide; at least 1.
+  [[nodiscard]] std::size_t missing() const;
+  void append(ByteView bytes);
   [[nodiscard]] std::optional<ByteView> find_frame();
   void remove_frame();
   void drop(std::size_t count);
