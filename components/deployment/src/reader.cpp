@@ -74,9 +74,10 @@ bool read_shared_thread(Section& section) {
   return threads == "shared";
 }
 
+/// Null when the key is absent.
 std::shared_ptr<const YAML::Node> read_map(Section& section, const std::string& key) {
   const YAML::Node found = section.find(key);
-  if (!found.IsDefined()) return std::make_shared<const YAML::Node>(YAML::NodeType::Map);
+  if (!found.IsDefined()) return nullptr;
   if (!found.IsMap()) section.fail(key, "must be a map");
   return std::make_shared<const YAML::Node>(found);
 }

@@ -59,7 +59,7 @@ void write(YAML::Emitter& out, const Container& container) {
   pair(out, "name", container.name);
   pair(out, "terminal", container.terminal);
   pair(out, "threads", container.shared_thread ? "shared" : "one_each");
-  if (container.health->size() > 0) pair(out, "health", *container.health);
+  if (container.health) pair(out, "health", *container.health);
   out << YAML::Key << "components" << YAML::Value << BeginSeq;
   for (const ComponentInstance& instance : container.components) write(out, instance);
   out << EndSeq << EndMap;

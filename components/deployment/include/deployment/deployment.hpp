@@ -30,11 +30,11 @@ struct ComponentInstance {
 struct Container {
   std::string name;       ///< unique among the programs and containers of its host
   bool terminal = false;  ///< owns the terminal; at most one of a deployment
+  std::vector<ComponentInstance> components;
   /// All components on one thread, which hand over without a system call; else one thread each.
   bool shared_thread = false;
-  /// A map of limits of the container's own watch, never null, possibly empty.
-  std::shared_ptr<const YAML::Node> health;
-  std::vector<ComponentInstance> components;
+  /// A map of limits of the container's own watch; null: all defaults.
+  std::shared_ptr<const YAML::Node> health = nullptr;
 };
 
 /// One plain process without DDS.
