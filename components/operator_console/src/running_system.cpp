@@ -25,7 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* container_name = "operator";
+/// Of the guest's process; several commands may run at a time.
+std::string guest_name() { return "console_" + std::to_string(::getpid()); }
 
 std::shared_ptr<const YAML::Node> parameters_of(const Guest& guest) {
   auto node = std::make_shared<YAML::Node>(YAML::NodeType::Map);
@@ -115,7 +116,7 @@ deployment::Deployment with_guest(deployment::Deployment deployment, const std::
                                   [&](const auto& one) { return one.name == host; });
   for (deployment::Container& other : found->containers) other.terminal = false;
   deployment::Container container;
-  container.name = container_name;
+  container.name = guest_name();
   container.health = std::make_shared<YAML::Node>(YAML::NodeType::Map);
   container.components.push_back(
       {guest.component, guest.component + "_operator", parameters_of(guest), {}});
@@ -136,7 +137,7 @@ int run_guest(const JoinOptions& options, const Guest& guest) {
   const std::string file = (run / ("operator-" + std::to_string(::getpid()) + ".yaml")).string();
   deployment::write_resolved(joined, file);
   if (joined.radio) enter_namespaces(process);
-  const int code = run_and_wait({container->string(), file, host, container_name});
+  const int code = run_and_wait({container->string(), file, host, guest_name()});
   std::error_code ignored;
   fs::remove(file, ignored);
   return code;

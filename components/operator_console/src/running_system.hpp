@@ -30,7 +30,7 @@ struct Guest {
 /// The folder of the newest run under `runs`. Throws EnvironmentError when there is none.
 [[nodiscard]] std::string newest_run(const std::string& runs);
 
-/// The deployment with one more container, named operator, on the host of that role.
+/// The deployment with one more container on the host of that role, the last one there.
 /// Throws ConfigError for a role without host and for a setting that is not key=value.
 [[nodiscard]] deployment::Deployment with_guest(deployment::Deployment deployment,
                                                 const std::string& role, const Guest& guest);
