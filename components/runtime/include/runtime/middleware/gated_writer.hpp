@@ -33,7 +33,6 @@ class GatedWriter {
   [[nodiscard]] TopicTraffic traffic() const;
 
  private:
-  Status send(const void* message);
   Status keep(const std::shared_ptr<const void>& message);
 
   const WhilePoor while_poor_;
