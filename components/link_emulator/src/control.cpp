@@ -64,6 +64,7 @@ class Setter {
     if (done_) value = command_.value;
   }
   void operator()(const char*, std::vector<double>&, Range, const char*) {}
+  void operator()(const char*, std::string&, const char*) {}  // a file is read at start only
 
  private:
   std::optional<double> number(const char* name, Range range) {
