@@ -64,6 +64,11 @@ class Setter {
     if (done_) value = command_.value;
   }
   void operator()(const char*, std::vector<double>&, Range, const char*) {}
+  void operator()(const char* name, bool& value, const char*) {
+    if (command_.key != name) return;
+    done_ = command_.value == "true" || command_.value == "false";
+    if (done_) value = command_.value == "true";
+  }
   void operator()(const char*, std::string&, const char*) {}  // a file is read at start only
 
  private:
