@@ -8,7 +8,6 @@
 #include <sys/wait.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -22,6 +21,7 @@ namespace tocsin::cli {
 /// Runs `tocsin-launch` on deployments of toy programs.
 class LaunchTest : public ::testing::Test {
  protected:
+  LaunchTest() { folder_.write_program("bin/tocsin-check", "exit 0"); }
   ~LaunchTest() override {
     if (pid_ > 0) ::kill(pid_, SIGKILL), ::waitpid(pid_, nullptr, 0);
   }
@@ -41,7 +41,7 @@ class LaunchTest : public ::testing::Test {
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     const std::string out = folder_.path("out");
-    const std::string search = folder_.path("bin") + ":" + std::getenv("PATH");
+    const std::string search = folder_.path("bin") + ":/usr/sbin:/usr/bin:/sbin:/bin";
     pid_ = ::fork();
     if (pid_ != 0) return;
     ::setenv("PATH", search.c_str(), 1);

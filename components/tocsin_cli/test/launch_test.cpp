@@ -148,6 +148,17 @@ TEST_F(LaunchTest, StartsContainersWithTheResolvedFile) {
   EXPECT_THAT(output(), HasSubstr("[a/c] " + folder_.path("run/deployment.yaml") + " a c"));
 }
 
+TEST_F(LaunchTest, StartsNothingThatTheCheckRefuses) {
+  folder_.write_program("bin/tocsin-check", "echo \"error: $*\"; exit 2");
+  folder_.write("bin/tocsin-container", "");
+  launch_file(
+      "qos: d.yaml\ntraffic: d.yaml\n"
+      "hosts: {a: {role: uxv, address: 127.0.0.1, containers: [{name: c, components: [x]}]}}\n");
+  EXPECT_EQ(exit_code(), 2);
+  EXPECT_EQ(output(), "error: --quiet " + folder_.path("d.yaml") + " --seed 1\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("run")));
+}
+
 TEST_F(LaunchTest, GivesTheTerminalToOneContainer) {
   folder_.write_program("bin/tocsin-container", "echo $3 speaks");
   folder_.write("f.yaml", "{}");

@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Runs `tocsin` with two toy verbs in $PATH.
+/// Runs `tocsin` with two toy verbs in $PATH, and no installed ones.
 class TocsinTest : public ::testing::Test {
  protected:
   TocsinTest() {
@@ -20,8 +20,9 @@ class TocsinTest : public ::testing::Test {
     folder_.write_program("bin/tocsin-fail", "exit 7");
   }
   int run(const std::string& arguments) const {
-    const std::string command = "PATH=" + folder_.path("bin") + ":$PATH " TOCSIN_PROGRAM " " +
-                                arguments + " >" + folder_.path("out") + " 2>&1";
+    const std::string command = "PATH=" + folder_.path("bin") +
+                                ":/usr/bin:/bin " TOCSIN_PROGRAM " " + arguments + " >" +
+                                folder_.path("out") + " 2>&1";
     return WEXITSTATUS(std::system(command.c_str()));
   }
   [[nodiscard]] std::string output() const { return folder_.read("out"); }
