@@ -30,8 +30,8 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--svg", options.svg, "write the picture itself to this file");
   app.add_flag("--all", options.all,
                "show notes, and draw recorders, views and unread topics, too");
-  app.add_flag("--quiet", options.quiet, "print only what is wrong");
-  app.add_flag("--strict", options.strict, "warnings count as errors");
+  app.add_flag("--quiet", options.quiet, "print errors only");
+  app.add_flag("--strict", options.strict, "warnings count as errors")->excludes("--quiet");
 }
 
 /// Needs only what the files say, so that a wrong component does not hide it.
@@ -42,8 +42,10 @@ void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) 
     for (const deployment::Host& host : deployment.hosts) {
       traffic.emplace(host.role, TrafficRules(deployment.traffic, host.role));
     }
-    for (Finding& finding : examine(built.graph, {qos, traffic})) {
-      built.findings.push_back(std::move(finding));
+    const bool whole = built.findings.empty();
+    for (const Finding& finding : examine(built.graph, {qos, traffic})) {
+      // A component that could not be built leaves its readers and writers alone.
+      if (whole || finding.severity == Severity::error) built.findings.push_back(finding);
     }
   } catch (const ConfigError& error) {
     built.findings.push_back({Severity::error, error.what()});
@@ -87,7 +89,8 @@ int check(Options& options) {
   BuiltGraph built = build_graph(deployment);
   examine_files(deployment, built);
   const std::size_t errors = print(built.findings, Severity::error, "error");
-  const std::size_t warnings = print(built.findings, Severity::warning, "warning");
+  const std::size_t warnings =
+      options.quiet ? 0 : print(built.findings, Severity::warning, "warning");
   if (options.all) (void)print(built.findings, Severity::note, "note");
   draw(built.graph, options);
   if (!options.quiet) {
