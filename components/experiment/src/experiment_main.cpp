@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <thread>
 
-#include "foundation/error.hpp"
-#include "foundation/program.hpp"
+#include "command_line/command.hpp"
+#include "command_line/programs.hpp"
 #include "page.hpp"
 #include "report/recording.hpp"
 #include "run_experiment.hpp"
@@ -15,13 +15,6 @@ namespace tocsin::experiment {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// bringup's share folder, installed in one folder with this program or in one per package.
-fs::path share_folder() {
-  const fs::path prefix = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
-  const fs::path together = prefix / "share/tocsin";
-  return fs::is_directory(together) ? together : prefix.parent_path() / "bringup/share/tocsin";
-}
 
 CLI::App& add_run(CLI::App& app, RunOptions& options) {
   CLI::App& run = *app.add_subcommand("run", "Run an experiment file, or go on with it");
@@ -36,7 +29,7 @@ CLI::App& add_run(CLI::App& app, RunOptions& options) {
 }
 
 int run(RunOptions options, bool jobs_given) {
-  options.share = share_folder();
+  options.share = share_folder(own_program());
   const fs::path shared = fs::path(options.share) / "config/experiments" / options.file;
   if (!fs::exists(options.file) && fs::exists(shared)) options.file = shared;
   if (options.out.empty()) options.out = "experiments/" + fs::path(options.file).stem().string();
@@ -46,9 +39,18 @@ int run(RunOptions options, bool jobs_given) {
   return run_experiment(options);
 }
 
-int body(int argc, char** argv) {
-  CLI::App app{"Compare policies over many runs: in simulated time, or on the real stack"};
-  app.name("tocsin experiment");
+int print_trace(const std::string& folder) {
+  std::fputs(trace_text(report::load_recording(folder)).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+}  // namespace tocsin::experiment
+
+int main(int argc, char** argv) {
+  using namespace tocsin::experiment;
+  CLI::App app{"Compare policies over many runs: in simulated time, or on the real stack",
+               "tocsin experiment"};
   app.require_subcommand(1);
   RunOptions options;
   CLI::App& run_command = add_run(app, options);
@@ -58,25 +60,9 @@ int body(int argc, char** argv) {
   CLI::App& trace =
       *app.add_subcommand("trace", "Print a recorded run's link as a trace to replay");
   trace.add_option("RUN", folder, "folder of a recorded run")->required();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    throw ConfigError(error.what());
-  }
-  if (report.parsed()) return write_page(folder);
-  if (trace.parsed()) {
-    std::fputs(trace_text(report::load_recording(folder)).c_str(), stdout);
-    return 0;
-  }
-  return run(options, run_command.count("--jobs") > 0);
-}
-
-}  // namespace
-}  // namespace tocsin::experiment
-
-int main(int argc, char** argv) {
-  return tocsin::run_program("tocsin experiment",
-                             [&] { return tocsin::experiment::body(argc, argv); });
+  return tocsin::run_command(app, argc, argv, [&] {
+    if (report.parsed()) return write_page(folder);
+    if (trace.parsed()) return print_trace(folder);
+    return run(options, run_command.count("--jobs") > 0);
+  });
 }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "command_line/command.hpp"
 #include "foundation/error.hpp"
-#include "foundation/program.hpp"
 #include "report/plot.hpp"
 #include "report/print.hpp"
 #include "report/recording.hpp"
@@ -42,20 +42,7 @@ int compare(const std::vector<std::string>& folders) {
   return 0;
 }
 
-int body(int argc, char** argv) {
-  CLI::App app{"Summarise and plot a recorded run, or compare two"};
-  app.name("tocsin report");
-  Options options;
-  app.add_option("RUN", options.runs, "folder of a run; two with --compare")->required();
-  app.add_flag("--compare", options.compare, "one table of two runs");
-  app.add_flag("--no-plot", options.no_plot, "only the summary");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    throw ConfigError(error.what());
-  }
+int run(const Options& options) {
   if (options.compare) return compare(options.runs);
   if (options.runs.size() != 1) throw ConfigError("one run folder, or --compare and two");
   return report(options.runs[0], !options.no_plot);
@@ -65,5 +52,10 @@ int body(int argc, char** argv) {
 }  // namespace tocsin::report
 
 int main(int argc, char** argv) {
-  return tocsin::run_program("tocsin report", [&] { return tocsin::report::body(argc, argv); });
+  CLI::App app{"Summarise and plot a recorded run, or compare two", "tocsin report"};
+  tocsin::report::Options options;
+  app.add_option("RUN", options.runs, "folder of a run; two with --compare")->required();
+  app.add_flag("--compare", options.compare, "one table of two runs");
+  app.add_flag("--no-plot", options.no_plot, "only the summary");
+  return tocsin::run_command(app, argc, argv, [&] { return tocsin::report::run(options); });
 }

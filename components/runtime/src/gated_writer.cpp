@@ -18,8 +18,8 @@ Status send(LinkWriter& writer, TopicTraffic& traffic, const void* message) {
 }  // namespace
 
 GatedWriter::GatedWriter(std::string topic, const TrafficRule& rule,
-                         std::unique_ptr<LinkWriter> writer)
-    : while_poor_(rule.while_poor), writer_(std::move(writer)) {
+                         std::unique_ptr<LinkWriter> writer, Freshness freshness)
+    : while_poor_(rule.while_poor), writer_(std::move(writer)), freshness_(std::move(freshness)) {
   traffic_.topic = std::move(topic);
   traffic_.traffic_class = rule.traffic_class;
 }
@@ -36,8 +36,19 @@ Status GatedWriter::keep(const std::shared_ptr<const void>& message) {
   } else {
     if (kept_) ++traffic_.held;
     kept_ = message;
+    if (freshness_.now) kept_at_ = freshness_.now();
   }
   return Status::paused;
+}
+
+void GatedWriter::send_kept() {
+  const auto message = std::exchange(kept_, nullptr);
+  if (!message) return;
+  if (freshness_.now && freshness_.now() - kept_at_ > freshness_.lifespan) {
+    ++traffic_.dropped;
+  } else {
+    (void)send(*writer_, traffic_, message.get());  // a refusal shows in `written` against `sent`
+  }
 }
 
 void GatedWriter::set_open(bool open) {
@@ -46,8 +57,8 @@ void GatedWriter::set_open(bool open) {
   open_ = open;
   if (!open) {
     writer_->silence();
-  } else if (const auto message = std::exchange(kept_, nullptr)) {
-    (void)send(*writer_, traffic_, message.get());  // a refusal shows in `written` against `sent`
+  } else {
+    send_kept();
   }
 }
 

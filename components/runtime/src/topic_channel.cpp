@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topic_channel.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "foundation/error.hpp"
 
 namespace tocsin {
+namespace {
+
+GatedWriter::Freshness freshness(const QosProfile& qos) {
+  if (!std::isfinite(qos.lifespan_s)) return {};
+  return {[] { return Time(std::chrono::steady_clock::now()); }, seconds(qos.lifespan_s)};
+}
+
+}  // namespace
 
 TopicChannel::TopicChannel(ChannelOptions options, FastDdsParticipant& host,
                            FastDdsParticipant* link)
@@ -39,8 +48,8 @@ void TopicChannel::advertise(const TrafficRule& rule, bool open) {
   if (link_ == nullptr) return;
   auto link_writer = std::make_unique<DdsWriter>(*link_, options_.dds_name, type, options_.qos);
   link_writer_ = link_writer.get();
-  gated_ =
-      std::make_unique<GatedWriter>(options_.endpoint.topic.name, rule, std::move(link_writer));
+  gated_ = std::make_unique<GatedWriter>(options_.endpoint.topic.name, rule, std::move(link_writer),
+                                         freshness(options_.qos));
   gated_->set_open(open);
 }
 

@@ -36,13 +36,15 @@ class GateTest : public ::testing::Test {
   GatedWriter make(WhilePoor while_poor) {
     auto writer = std::make_unique<Recorder>(log_);
     recorder_ = writer.get();
-    return {"topic", {"low", while_poor}, std::move(writer)};
+    return {"topic", {"low", while_poor}, std::move(writer), {[this] { return now_; }, lifespan}};
   }
+  static constexpr Duration lifespan = std::chrono::seconds(5);
   static std::shared_ptr<const String> text(const std::string& data) {
     auto message = std::make_shared<String>();
     message->data(data);
     return message;
   }
+  Time now_{};
   std::vector<std::string> log_;
   Recorder* recorder_ = nullptr;
 };
@@ -74,6 +76,19 @@ TEST_F(GateTest, LatestSendsOnlyTheNewestOnResume) {
   sut.set_open(true);
   EXPECT_EQ(log_, (std::vector<std::string>{"(silence)", "b"}));
   EXPECT_EQ(sut.traffic().held, 1U);
+}
+
+TEST_F(GateTest, AKeptSampleIsSentUpToItsLifespanAndThenDropped) {
+  for (const bool late : {false, true}) {
+    GatedWriter sut = make(WhilePoor::latest);
+    log_.clear();
+    sut.set_open(false);
+    EXPECT_EQ(sut.write(text("a")), Status::paused);
+    now_ += lifespan + std::chrono::nanoseconds(late ? 1 : 0);
+    sut.set_open(true);
+    EXPECT_EQ(log_.size(), late ? 1U : 2U);
+    EXPECT_EQ(sut.traffic().dropped, late ? 1U : 0U);
+  }
 }
 
 TEST_F(GateTest, LatestSendsNothingOnResumeWhenNothingWasWritten) {

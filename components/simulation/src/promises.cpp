@@ -39,7 +39,7 @@ void Promises::on_written(const Written& written) {
   if (end.traffic_class == "critical" || !end.pausable) {
     expect(!paused, written.time, "an active class was kept off the air", text_of(end));
   }
-  if (paused && !end.drops) kept_[&end] = written.sequence;
+  if (paused && !end.drops) kept_[&end] = {written.sequence, written.time};
 }
 
 void Promises::check_message(const Written& written) {
@@ -67,7 +67,7 @@ void Promises::on_sent(const Sent& sent) {
            text_of(end));
   }
   const auto kept = kept_.find(&end);
-  if (kept != kept_.end() && sent.written >= kept->second) kept_.erase(kept);
+  if (kept != kept_.end() && sent.written >= kept->second.sequence) kept_.erase(kept);
   owed_.erase(&end);
 }
 
@@ -107,8 +107,9 @@ void Promises::on_gate(const GateChange& change) {
     return;
   }
   closed_.erase(process);
-  for (const auto& [end, sequence] : kept_) {
-    if (process_of(*end) == process) owed_.insert(end);
+  for (const auto& [end, kept] : kept_) {
+    const bool fresh = to_seconds(change.time - kept.since) <= end->lifespan_s;
+    if (fresh && process_of(*end) == process) owed_.insert(end);
   }
 }
 

@@ -3,15 +3,14 @@
 
 #include <string>
 
+#include "command_line/bringup_options.hpp"
 #include "deployment/deployment.hpp"
 #include "simulation/campaign.hpp"
 
 /// What `tocsin sim` does.
 namespace tocsin::simulation {
 
-struct Options {
-  std::string file;
-  deployment::Overrides overrides;
+struct Options : BringupOptions {
   double duration_s = 3600;
   bool verify = false;
   std::string faults;  ///< empty, "random" or a path

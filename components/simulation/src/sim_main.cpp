@@ -1,31 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <thread>
 
-#include "foundation/error.hpp"
-#include "foundation/program.hpp"
+#include "command_line/command.hpp"
 #include "sim_command.hpp"
 
 namespace tocsin::simulation {
 namespace {
 
-namespace fs = std::filesystem;
-
 void declare_run(CLI::App& app, Options& options) {
-  app.add_option("FILE", options.file, "bringup file; a bare name is also looked for in the share")
-      ->required();
-  app.add_option("--seed", options.overrides.seed, "value of ${seed}; decides everything random")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--set", options.overrides.set, "parameter of a component: name.key=value")
-      ->expected(1)
-      ->take_all();
-  app.add_option("--without", options.overrides.without, "host/process that is left out")
-      ->expected(1)
-      ->take_all();
-  app.add_option("--channel", options.overrides.channel,
-                 "channel file of the radio, in place of the file's");
+  options.declare(app);
   app.add_option("--duration", options.duration_s, "[s] end here unless the mission is over before")
       ->check(CLI::Range(0.001, 1e9))
       ->capture_default_str();
@@ -50,19 +35,6 @@ void declare_faults(CLI::App& app, Options& options) {
   }
 }
 
-/// bringup's share folder, installed in one folder with this program or in one per package.
-fs::path share_folder() {
-  const fs::path prefix = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
-  const fs::path together = prefix / "share/tocsin";
-  return fs::is_directory(together) ? together : prefix.parent_path() / "bringup/share/tocsin";
-}
-
-std::string locate(const std::string& file, const fs::path& share) {
-  const bool bare = file.find('/') == std::string::npos && !fs::exists(file);
-  const fs::path shared = share / "bringup" / file;
-  return bare && fs::exists(shared) ? shared.string() : file;
-}
-
 /// The command without what chooses the seeds.
 std::string replay_of(const Options& options, const std::string& file) {
   std::string words = "tocsin sim " + file;
@@ -73,23 +45,9 @@ std::string replay_of(const Options& options, const std::string& file) {
   return words;
 }
 
-int body(int argc, char** argv) {
-  CLI::App app{"Run a bringup file in simulated time, faster than real time and repeatable"};
-  app.name("tocsin sim");
-  Options options;
-  options.jobs = std::max(1U, std::thread::hardware_concurrency());
-  declare_run(app, options);
-  declare_faults(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    throw ConfigError(error.what());
-  }
+int run(Options& options) {
   options.replay = replay_of(options, options.file);
-  options.overrides.share = share_folder().string();
-  options.file = locate(options.file, options.overrides.share);
+  options.locate();
   const bool many = options.until_failure || !options.seeds.empty();
   return many ? search_seeds(options) : simulate(options);
 }
@@ -98,5 +56,12 @@ int body(int argc, char** argv) {
 }  // namespace tocsin::simulation
 
 int main(int argc, char** argv) {
-  return tocsin::run_program("tocsin sim", [&] { return tocsin::simulation::body(argc, argv); });
+  using namespace tocsin::simulation;
+  CLI::App app{"Run a bringup file in simulated time, faster than real time and repeatable",
+               "tocsin sim"};
+  Options options;
+  options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  declare_run(app, options);
+  declare_faults(app, options);
+  return tocsin::run_command(app, argc, argv, [&] { return run(options); });
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <utility>
 
 #include "foundation/error.hpp"
@@ -125,7 +126,12 @@ void SimProcess::make_writer(Topic& its) {
                                 [this](Time t) { return wall_ns(t); }};
   auto writer = std::make_unique<RtpsWriter>(network_.core, network_.link, owner, its.qos);
   its.writer = writer.get();
-  its.gated = std::make_unique<GatedWriter>(its.endpoint.topic.name, rule, std::move(writer));
+  GatedWriter::Freshness freshness;
+  if (std::isfinite(its.qos.lifespan_s)) {
+    freshness = {[this] { return now(); }, seconds(its.qos.lifespan_s)};
+  }
+  its.gated = std::make_unique<GatedWriter>(its.endpoint.topic.name, rule, std::move(writer),
+                                            std::move(freshness));
   its.gated->set_open(gate_open_);
   network_.endpoints.add(its.endpoint.topic.name, host_, *its.writer);
 }

@@ -153,11 +153,22 @@ TEST_F(SimHostTest, KeptGoalIsSentWhenTheGateOpens) {
   const auto sut = mission_.advertise(endpoint<topic::Goal>());
   mission_.set_gate(false);
   for (int i = 0; i < 3; ++i) (void)sut->write(message<topic::Goal>());
-  run_for(10);
+  run_for(4);
   EXPECT_TRUE(away.samples.empty());
   mission_.set_gate(true);
   run_for(1);
   EXPECT_EQ(away.samples.size(), 1U);
+}
+
+TEST_F(SimHostTest, KeptGoalIsDroppedWhenTheGateOpensAfterItsLifespan) {
+  Collector& away = read<topic::Goal>(drive_);
+  const auto sut = mission_.advertise(endpoint<topic::Goal>());
+  mission_.set_gate(false);
+  (void)sut->write(message<topic::Goal>());
+  run_for(6);  // a command lives for 5 s
+  mission_.set_gate(true);
+  run_for(1);
+  EXPECT_TRUE(away.samples.empty());
 }
 
 TEST_F(SimHostTest, LateReaderOfItsHostGetsTheLastState) {

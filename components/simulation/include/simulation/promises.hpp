@@ -34,9 +34,10 @@ struct PromiseLimits {
 
 /// Checks what the stack promises while a world runs:
 /// the gate keeps no sample of a class that is always active off the air, and lets none of a paused
-/// one on it; what it kept it sends when it opens; the base stops whatever dies; nothing comes
-/// later than its lifespan after it left the gate; the samples of a writer come in order and once;
-/// network quality is in its range; no component throws; the mission is over in time.
+/// one on it; what it kept it sends when it opens, within its lifespan; the base stops whatever
+/// dies; nothing comes later than its lifespan after it left the gate; the samples of a writer come
+/// in order and once; network quality is in its range; no component throws; the mission is over in
+/// time.
 class Promises : public Observer {
  public:
   /// `last_fault_s`: when the last fault of the run is over.
@@ -71,9 +72,14 @@ class Promises : public Observer {
   double y_m_ = 0;
   std::vector<Violation> violations_;
   std::uint64_t checks_ = 0;
-  std::set<std::string> closed_;                   ///< host/process whose gate is closed
-  std::map<const TopicEnd*, std::uint64_t> kept_;  ///< last sample that its gate holds
-  std::set<const TopicEnd*> owed_;                 ///< whose gate has opened at this instant
+  std::set<std::string> closed_;  ///< host/process whose gate is closed
+  /// The last sample that a gate holds.
+  struct Kept {
+    std::uint64_t sequence;
+    Time since;
+  };
+  std::map<const TopicEnd*, Kept> kept_;
+  std::set<const TopicEnd*> owed_;  ///< whose gate has opened at this instant
   std::map<std::pair<const TopicEnd*, const TopicEnd*>, std::uint64_t> last_;
   Time wanted_ = Time::min();  ///< when a velocity was last wanted
 };

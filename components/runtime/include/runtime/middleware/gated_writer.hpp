@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -25,21 +26,32 @@ class LinkWriter {
 /// that nothing slips out after set_open(false) has returned.
 class GatedWriter {
  public:
-  GatedWriter(std::string topic, const TrafficRule& rule, std::unique_ptr<LinkWriter> writer);
+  /// How long a kept sample may wait. Without a clock: for ever.
+  struct Freshness {
+    std::function<Time()> now;
+    Duration lifespan{0};
+  };
+
+  GatedWriter(std::string topic, const TrafficRule& rule, std::unique_ptr<LinkWriter> writer,
+              Freshness freshness);
 
   Status write(const std::shared_ptr<const void>& message);
-  /// Topics that are always active ignore it. Opening sends what `latest` has kept.
+  /// Topics that are always active ignore it. Opening sends what `latest` has kept, unless its
+  /// lifespan is over: then it counts as dropped.
   void set_open(bool open);
   [[nodiscard]] TopicTraffic traffic() const;
 
  private:
   Status keep(const std::shared_ptr<const void>& message);
+  void send_kept();
 
   const WhilePoor while_poor_;
   const std::unique_ptr<LinkWriter> writer_;
   mutable std::mutex mutex_;
   bool open_ = true;
+  const Freshness freshness_;
   std::shared_ptr<const void> kept_;
+  Time kept_at_{};
   TopicTraffic traffic_;
 };
 
