@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <memory>
+#include <mutex>
+#include <vector>
 
 #include "idl_support/type_info.hpp"
 
 namespace tocsin {
 
 /// Messages to decode into, used again as soon as nobody holds them: the buffers of a picture are
-/// not taken from the system and given back thirty times a second. One thread.
+/// not taken from the system and given back thirty times a second. Messages may be given back from
+/// any thread, also after the pool is gone.
 class MessagePool {
  public:
   explicit MessagePool(const TypeInfo& type) : type_(type) {}
@@ -18,9 +20,13 @@ class MessagePool {
   [[nodiscard]] std::shared_ptr<void> take();
 
  private:
+  /// The messages that nobody holds, at most four.
+  struct Shelf {
+    std::mutex mutex;
+    std::vector<std::shared_ptr<void>> messages;
+  };
   const TypeInfo& type_;
-  std::array<std::shared_ptr<void>, 4> kept_;
-  std::size_t next_ = 0;
+  const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
 };
 
 }  // namespace tocsin
