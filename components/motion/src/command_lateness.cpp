@@ -7,7 +7,7 @@ namespace tocsin::motion {
 
 bool CommandLateness::is_fresh(std::int64_t sent_ns, std::int64_t received_ns) {
   if (received_ns >= window_end_ns_) {
-    const bool has_run = received_ns - window_end_ns_ < window_ns && quickest_ns_ != none;
+    const bool has_run = quickest_ns_ != none && received_ns - window_end_ns_ < window_ns;
     quickest_before_ns_ = has_run ? quickest_ns_ : none;
     quickest_ns_ = none;
     window_end_ns_ = received_ns + window_ns;
