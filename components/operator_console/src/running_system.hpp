@@ -7,7 +7,7 @@
 
 #include "deployment/deployment.hpp"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): of CLI11
+namespace CLI {
 class App;
 }
 

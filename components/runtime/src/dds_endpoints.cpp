@@ -98,7 +98,7 @@ void DdsReader::on_subscription_matched(Reader*, const dds::SubscriptionMatchedS
 
 void DdsReader::on_requested_incompatible_qos(Reader*,
                                               const dds::RequestedIncompatibleQosStatus& status) {
-  account_.on_incompatible(status.last_policy_id, status.total_count_change);
+  account_.on_incompatible(status.last_policy_id, static_cast<int>(status.total_count_change));
 }
 
 void DdsReader::on_sample_lost(Reader*, const dds::SampleLostStatus& status) {
@@ -150,7 +150,7 @@ void DdsWriter::on_publication_matched(Writer*, const dds::PublicationMatchedSta
 
 void DdsWriter::on_offered_incompatible_qos(Writer*,
                                             const dds::OfferedIncompatibleQosStatus& status) {
-  account_.on_incompatible(status.last_policy_id, status.total_count_change);
+  account_.on_incompatible(status.last_policy_id, static_cast<int>(status.total_count_change));
 }
 
 void DdsWriter::on_liveliness_lost(Writer*, const dds::LivelinessLostStatus& status) {

@@ -10,13 +10,14 @@ namespace {
 namespace dds = eprosima::fastdds::dds;
 
 std::string name_of(dds::QosPolicyId_t policy) {
-  static const std::map<int, const char*> names{{dds::DURABILITY_QOS_POLICY_ID, "durability"},
-                                                {dds::DEADLINE_QOS_POLICY_ID, "deadline"},
-                                                {dds::OWNERSHIP_QOS_POLICY_ID, "ownership"},
-                                                {dds::LIVELINESS_QOS_POLICY_ID, "liveliness"},
-                                                {dds::PARTITION_QOS_POLICY_ID, "partition"},
-                                                {dds::RELIABILITY_QOS_POLICY_ID, "reliability"},
-                                                {dds::PRESENTATION_QOS_POLICY_ID, "presentation"}};
+  static const std::map<std::uint32_t, const char*> names{
+      {dds::DURABILITY_QOS_POLICY_ID, "durability"},
+      {dds::DEADLINE_QOS_POLICY_ID, "deadline"},
+      {dds::OWNERSHIP_QOS_POLICY_ID, "ownership"},
+      {dds::LIVELINESS_QOS_POLICY_ID, "liveliness"},
+      {dds::PARTITION_QOS_POLICY_ID, "partition"},
+      {dds::RELIABILITY_QOS_POLICY_ID, "reliability"},
+      {dds::PRESENTATION_QOS_POLICY_ID, "presentation"}};
   const auto found = names.find(policy);
   return found != names.end() ? found->second : "DDS policy " + std::to_string(policy);
 }

@@ -10,7 +10,7 @@ constexpr Duration patience = std::chrono::seconds(3);
 
 }  // namespace
 
-RunnerThreads::RunnerThreads(Bus& bus, bool shared, std::string name,
+RunnerThreads::RunnerThreads(Bus& bus, bool shared, const std::string& name,
                              std::function<void()> on_failure)
     : bus_(bus), on_failure_(std::move(on_failure)) {
   if (shared) shared_ = start(name);

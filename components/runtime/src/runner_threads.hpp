@@ -14,7 +14,7 @@ namespace tocsin {
 class RunnerThreads : public Ticker {
  public:
   /// `on_failure` is called from a component's thread after it threw.
-  RunnerThreads(Bus& bus, bool shared, std::string name, std::function<void()> on_failure);
+  RunnerThreads(Bus& bus, bool shared, const std::string& name, std::function<void()> on_failure);
 
   void add(Component& component, TickAccount& account) override;
   /// Waits up to 3 s for the running tick.
