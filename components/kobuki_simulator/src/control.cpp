@@ -129,7 +129,9 @@ std::string gains(SimulatedBase& base, std::istringstream& words) {
   words >> kp >> ki >> kd;
   const auto fits = [](double gain) { return gain >= 0 && gain <= 4294967; };
   if (!words || !fits(kp) || !fits(ki) || !fits(kd)) return "error: gains P I D";
-  const auto milli = [](double gain) { return static_cast<std::uint32_t>(1000 * gain + 0.5); };
+  const auto milli = [](double gain) {
+    return static_cast<std::uint32_t>(std::lround(1000 * gain));
+  };
   base.model().set_gains({1, milli(kp), milli(ki), milli(kd)});
   return "ok";
 }

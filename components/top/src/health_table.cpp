@@ -105,7 +105,7 @@ std::vector<Row> HealthTable::rows(Time now) const {
 
 std::string to_text(const std::vector<Row>& rows, std::size_t width) {
   constexpr auto* format = "{:5} {:32} {:>8} {:>10} {:>10} {:>8} {:>5} {:>7} {:>7} {:>7}  {}";
-  const auto cut = [width](std::string line) { return line.substr(0, width) + "\n"; };
+  const auto cut = [width](const std::string& line) { return line.substr(0, width) + "\n"; };
   std::string text = cut(fmt::format(format, "LEVEL", "NAME", "RATE/Hz", "P99/s", "MAX/s",
                                      "OVERRUNS", "DEPTH", "DROPPED", "AGE/s", "MEM/MiB", "STATE"));
   for (const Row& row : rows) {
