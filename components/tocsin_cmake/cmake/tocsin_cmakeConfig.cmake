@@ -50,7 +50,18 @@ function(tocsin_export)
   install(EXPORT ${PROJECT_NAME}Targets NAMESPACE ${PROJECT_NAME}:: DESTINATION ${to})
   install(FILES "${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake" DESTINATION ${to})
   if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/include")
-    install(DIRECTORY include/ DESTINATION include)
+    # Not install(DIRECTORY): that keeps the time of the source, so that a header installed after an
+    # object was compiled with its predecessor looks older than the object, and nothing is rebuilt.
+    install(CODE "file(GLOB_RECURSE headers RELATIVE \"${PROJECT_SOURCE_DIR}/include\"
+                       \"${PROJECT_SOURCE_DIR}/include/*\")
+                  foreach(header IN LISTS headers)
+                    set(to \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/include/\${header}\")
+                    get_filename_component(folder \"\${to}\" DIRECTORY)
+                    file(MAKE_DIRECTORY \"\${folder}\")
+                    execute_process(COMMAND \"${CMAKE_COMMAND}\" -E copy_if_different
+                                    \"${PROJECT_SOURCE_DIR}/include/\${header}\" \"\${to}\"
+                                    COMMAND_ERROR_IS_FATAL ANY)
+                  endforeach()")
   endif()
 endfunction()
 
@@ -89,7 +100,6 @@ function(tocsin_component name)
   tocsin_target_options(${name})
   install(TARGETS ${name} LIBRARY DESTINATION lib/tocsin)
 endfunction()
-
 
 # A program of this package, installed in bin/.
 # tocsin_executable(name SOURCES a.cpp ... LINK ...)
