@@ -3,10 +3,12 @@
 
 #include <dlfcn.h>
 
-#include <filesystem>
+#include <fmt/format.h>
+
 #include <set>
 #include <vector>
 
+#include "command_line/programs.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin {
@@ -14,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path bin_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+fs::path bin_folder() { return own_program().parent_path(); }
 
 std::vector<fs::path> candidates(const std::string& name) {
   const fs::path bin = bin_folder();
@@ -54,11 +56,21 @@ std::vector<std::string> installed_components() {
 }
 
 const ComponentEntry& load_component(const std::string& name) {
-  void* library = dlopen(find(name).c_str(), RTLD_NOW | RTLD_LOCAL);
+  return load_component(name, find(name));
+}
+
+const ComponentEntry& load_component(const std::string& name, const fs::path& file) {
+  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) throw ConfigError("component '" + name + "': " + dlerror());
   using EntryFunction = const ComponentEntry* (*)();
   const auto entry = reinterpret_cast<EntryFunction>(dlsym(library, "tocsin_component"));
   if (entry == nullptr) throw ConfigError("component '" + name + "': " + dlerror());
+  if (const std::uint64_t layout = entry()->layout; layout != component_layout()) {
+    throw ConfigError(
+        fmt::format("component '{}': {} was built with other headers: layout {:x}, must be {:x}; "
+                    "build it again",
+                    name, file.string(), layout, component_layout()));
+  }
   return *entry();
 }
 

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
 #include "foundation/parameters.hpp"
 #include "runtime/component.hpp"
+#include "runtime/middleware/component_layout.hpp"
 
 namespace tocsin {
 
 /// What a component's library tells about itself.
 struct ComponentEntry {
+  std::uint64_t layout;  ///< stays the first member: it is read before the rest is trusted
   /// Loads the parameters (node, file for error texts), then builds. Throws ConfigError.
   std::unique_ptr<Component> (*create)(Context& context, const YAML::Node& parameters,
                                        const std::string& file);
@@ -22,7 +25,8 @@ struct ComponentEntry {
 
 template <class T>
 ComponentEntry make_component_entry() {
-  return {[](Context& context, const YAML::Node& parameters,
+  return {component_layout(),
+          [](Context& context, const YAML::Node& parameters,
              const std::string& file) -> std::unique_ptr<Component> {
             const auto loaded = load_parameters<typename T::Params>(parameters, context.name, file);
             return std::make_unique<T>(context, loaded);

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/middleware/component_library.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "foundation/error.hpp"
+
+namespace tocsin {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string refusal_of(const std::string& name, const std::string& file) {
+  try {
+    (void)load_component(name, file);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(ComponentLibrary, OneBuiltWithTheSameHeadersIsTaken) {
+  EXPECT_THAT(load_component("link_lamp", README_LIBRARY).defaults(), HasSubstr("poor_below"));
+}
+
+// The library is made from test/other_layout.cpp, whose entry has another layout and no functions.
+TEST(ComponentLibrary, OneBuiltWithOtherHeadersIsRefusedInOneLineThatNamesBothLayouts) {
+  const std::string refusal = refusal_of("old_lamp", OTHER_LAYOUT_LIBRARY);
+  EXPECT_THAT(refusal, HasSubstr("component 'old_lamp': " OTHER_LAYOUT_LIBRARY
+                                 " was built with other headers: layout 2a, must be "));
+  EXPECT_THAT(refusal, ::testing::Not(HasSubstr("\n")));
+}
+
+TEST(ComponentLibrary, ALibraryThatIsNoComponentIsRefused) {
+  EXPECT_THAT(refusal_of("libc", "libc.so.6"), HasSubstr("component 'libc': "));
+}
+
+TEST(ComponentLibrary, AFileThatIsNotThereIsRefused) {
+  EXPECT_THAT(refusal_of("lamp", "/nowhere/liblamp.so"), HasSubstr("/nowhere/liblamp.so"));
+}
+
+TEST(ComponentLibrary, AComponentThatIsNotInstalledIsRefusedWithThePlacesSearched) {
+  try {
+    (void)load_component("no_such_component");
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no library libno_such_component.so is installed"));
+  }
+}
+
+}  // namespace
+}  // namespace tocsin

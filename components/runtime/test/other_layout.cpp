@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+// A component's library as other headers of the runtime would have made it: with another layout,
+// and nothing behind it that the runtime could call.
+#include <cstdint>
+
+extern "C" const std::uint64_t* tocsin_component() {
+  static constexpr std::uint64_t layout = 0x2a;
+  return &layout;
+}
