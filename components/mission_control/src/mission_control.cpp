@@ -51,6 +51,7 @@ void MissionControl::on_location(const Pose2& location, Time now) {
 void MissionControl::on_status(std::uint64_t goal_id, const std::string& state, Time now) {
   status_goal_ = goal_id;
   status_ = state;
+  status_time_ = now;
   newest_id_ = std::max(newest_id_, goal_id);
   if (!first_heard_) first_heard_ = now;
   const bool is_blocked = state == "blocked" && goal_id_ == goal_id;
@@ -84,22 +85,33 @@ void MissionControl::resume_from(std::uint64_t goal_id) {
 }
 
 void MissionControl::check_arrival(Time now) {
-  if (distance_m() <= params_.arrival_m) {
+  if (has_gone_on()) {
+    while (has_gone_on()) arrive(false, now);
+  } else if (distance_m() <= params_.arrival_m) {
     arrive(true, now);
   } else if (status_ == "reached" && status_goal_ == goal_id_) {
     arrive(false, now);
   }
 }
 
+/// The vehicle drives to a later waypoint of the goal that it was sent.
+bool MissionControl::has_gone_on() const {
+  if (state_ != State::running) return false;
+  const GoalId told = GoalId::unpack(status_goal_);
+  const GoalId own = GoalId::unpack(*goal_id_);
+  return told.issued_ms == own.issued_ms && told.mission == own.mission &&
+         told.waypoint > waypoint_ && told.waypoint < mission_.waypoints.size();
+}
+
 void MissionControl::arrive(bool by_location, Time now) {
   arrivals_.push_back({waypoint_, by_location, distance_m(), to_seconds(now - waypoint_since_),
                        goals_for_waypoint_});
-  goal_id_.reset();
   blocked_since_.reset();
   goals_for_waypoint_ = 0;
   waypoint_since_ = now;
   if (waypoint_ + 1 == mission_.waypoints.size()) return finish(State::done, "", now);
   ++waypoint_;
+  ++*goal_id_;  // as told ahead
 }
 
 void MissionControl::check_limits(Time now) {
@@ -119,7 +131,9 @@ void MissionControl::finish(State state, std::string reason, Time now) {
 
 bool MissionControl::is_due(Time now) const {
   if (!goal_id_ || goals_for_waypoint_ == 0) return true;
-  const bool is_answered = status_goal_ == goal_id_ && status_ != "held";
+  // A vehicle that is not heard may not hear either, and its lease runs.
+  const bool is_heard = now - status_time_ < seconds(params_.repeat_after_s);
+  const bool is_answered = status_goal_ == goal_id_ && status_ != "held" && is_heard;
   return now - sent_ >= seconds(is_answered ? params_.goal_lifetime_s / 2 : params_.repeat_after_s);
 }
 
@@ -127,13 +141,23 @@ MissionControl::Goal MissionControl::issue(Time now, std::uint64_t wall_ms) {
   if (!goal_id_ || *goal_id_ < newest_id_) {
     const std::uint64_t issued_ms = std::max(wall_ms, GoalId::unpack(newest_id_).issued_ms + 1);
     goal_id_ = GoalId{issued_ms, checksum_, waypoint_}.packed();
-    newest_id_ = *goal_id_;
   }
+  newest_id_ = *goal_id_;
   sent_ = now;
   ++goals_sent_;
   ++goals_for_waypoint_;
-  return {*goal_id_, waypoint_, mission_.waypoints[waypoint_], params_.tolerance_m,
-          params_.goal_lifetime_s};
+  return {*goal_id_,
+          waypoint_,
+          mission_.waypoints[waypoint_],
+          params_.tolerance_m,
+          params_.goal_lifetime_s,
+          waypoints_ahead()};
+}
+
+std::vector<Pose2> MissionControl::waypoints_ahead() const {
+  const auto next = mission_.waypoints.begin() + waypoint_ + 1;
+  const auto left = mission_.waypoints.end() - next;
+  return {next, next + std::min<std::ptrdiff_t>(params_.goals_ahead, left)};
 }
 
 double MissionControl::distance_m() const {

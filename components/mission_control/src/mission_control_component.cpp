@@ -66,6 +66,12 @@ void MissionControlComponent::send(const MissionControl::Goal& goal, Time now) {
   message.yaw(goal.pose.yaw);
   message.tolerance_m(goal.tolerance_m);
   message.lifetime_s(goal.lifetime_s);
+  for (const navigation::Pose2& pose : goal.ahead) {
+    message.ahead().emplace_back();
+    message.ahead().back().x(pose.x);
+    message.ahead().back().y(pose.y);
+    message.ahead().back().yaw(pose.yaw);
+  }
   if (goal_.write(std::move(message)) == Status::failed) log().warn("a goal was not sent");
 }
 

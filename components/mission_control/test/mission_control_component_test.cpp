@@ -98,6 +98,8 @@ TEST_F(MissionControlComponentTest, SendsTheFirstWaypointAsAGoal) {
   EXPECT_EQ(goal.x(), 1);
   EXPECT_EQ(goal.y(), 0.5);
   EXPECT_EQ(goal.lifetime_s(), 60);
+  ASSERT_EQ(goal.ahead().size(), 1U);
+  EXPECT_EQ(goal.ahead()[0].x(), 3);
   EXPECT_EQ(goal.stamp().sec(), 1'767'225'602);
   EXPECT_EQ(state(), "running");
 }
@@ -121,10 +123,16 @@ TEST_F(MissionControlComponentTest, RepeatsAGoalWithoutAnswer) {
 }
 
 TEST_F(MissionControlComponentTest, ReportsOnceASecond) {
-  tell((first_goal().id()), "driving");
-  run(1);
+  const auto goal = first_goal();
+  const auto run_heard = [&](int s) {
+    for (; s > 0; --s) {
+      tell(goal.id(), "driving");
+      run(1);
+    }
+  };
+  run_heard(1);
   statuses_.take();
-  run(5);
+  run_heard(5);
   EXPECT_EQ(statuses_.take().size(), 5U);
 }
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -95,11 +96,66 @@ TEST_F(MissionControlTest, RepeatsAnUnansweredGoalWithTheSameId) {
 
 TEST_F(MissionControlTest, RenewsAnAnsweredGoalAfterHalfItsLifetime) {
   const auto first = first_goal();
-  hear(first.id, "driving");
-  EXPECT_FALSE(at(31.999));
+  for (double s = 2; s <= 31; s += 1) {
+    hear(first.id, "driving");
+    EXPECT_FALSE(at(s + 0.999));
+  }
   const auto renewal = at(32);
   ASSERT_TRUE(renewal);
   EXPECT_EQ(renewal->id, first.id);
+}
+
+TEST_F(MissionControlTest, RepeatsAnAnsweredGoalWhileTheVehicleIsNotHeard) {
+  const auto first = first_goal();
+  (void)at(2.5);
+  hear(first.id, "driving");
+  EXPECT_FALSE(at(5.499));
+  const auto again = at(5.5);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->id, first.id);
+}
+
+TEST_F(MissionControlTest, TellsTheWaypointsAheadAndTheirIds) {
+  const auto first = first_goal();
+  ASSERT_EQ(first.ahead.size(), 1U);
+  EXPECT_EQ(first.ahead[0].x, 5);
+  hear(1);
+  const auto second = at(3).value();
+  EXPECT_EQ(second.id, first.id + 1);
+  EXPECT_TRUE(second.ahead.empty());
+}
+
+TEST_F(MissionControlTest, TellsNoMoreAheadThanItIsTold) {
+  const Mission five{"five", "map", {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}}, ""};
+  for (const int ahead : {0, 3, 4, 5}) {
+    MissionControl::Params params;
+    params.goals_ahead = ahead;
+    MissionControl control(params, five);
+    control.on_location({-5, 0, 0}, t0);
+    const auto goal = control.update(t0 + seconds(2), wall0_ms).value();
+    EXPECT_EQ(goal.ahead.size(), static_cast<std::size_t>(std::min(ahead, 4)));
+  }
+}
+
+TEST_F(MissionControlTest, FollowsAVehicleThatHasGoneOnByItself) {
+  const auto first = first_goal();
+  hear(first.id + 1, "driving");
+  EXPECT_EQ(at(2.1).value().id, first.id + 1);  // renews the lease and tells what is ahead of it
+  EXPECT_EQ(progress().waypoint, 1U);
+  ASSERT_EQ(sut.arrivals().size(), 1U);
+  EXPECT_FALSE(sut.arrivals()[0].by_location);
+  hear(first.id + 1, "reached");
+  (void)at(3);
+  EXPECT_EQ(progress().state, MissionControl::State::done);
+}
+
+TEST_F(MissionControlTest, GoesOnAheadWhereAnEarlierOneWasSilentMeanwhile) {
+  const auto first = first_goal();
+  MissionControl anew({}, two_waypoints);
+  anew.on_status(first.id + 1, "driving", now_);
+  const auto renewed = anew.update(now_, wall0_ms + 11'000).value();
+  EXPECT_EQ(renewed.waypoint, 1U);
+  EXPECT_EQ(renewed.id, first.id + 1);
 }
 
 TEST_F(MissionControlTest, RepeatsAGoalThatTheVehicleOnlyHolds) {
@@ -110,9 +166,9 @@ TEST_F(MissionControlTest, RepeatsAGoalThatTheVehicleOnlyHolds) {
 
 TEST_F(MissionControlTest, RepeatsWhenANavigatorThatWasRestartedForgotTheGoal) {
   hear(first_goal().id, "driving");
-  (void)at(20);
+  EXPECT_FALSE(at(4.9));
   hear(0, "idle");
-  EXPECT_TRUE(at(20.1));
+  EXPECT_TRUE(at(5));
 }
 
 TEST_F(MissionControlTest, ArrivesByALocationAtTheLimitButNotBeyond) {

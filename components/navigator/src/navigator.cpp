@@ -26,10 +26,6 @@ Pose2 ahead(const Pose2& pose, double metres) {
   return {pose.x + metres * std::cos(pose.yaw), pose.y + metres * std::sin(pose.yaw), pose.yaw};
 }
 
-bool is_valid(const Navigator::Goal& goal) {
-  return goal.id != 0 && is_finite(goal.pose) && goal.tolerance_m >= 0.05 && goal.tolerance_m <= 5;
-}
-
 }  // namespace
 
 Navigator::Navigator(const Params& params, navigation::OccupancyMap map)
@@ -38,17 +34,10 @@ Navigator::Navigator(const Params& params, navigation::OccupancyMap map)
       costs_(map_, params.inflation),
       follower_(params.follower) {}
 
-Navigator::GoalAnswer Navigator::on_goal(const Goal& goal, Time now) {
-  if (!is_valid(goal)) return GoalAnswer::invalid;
-  if (goal.expires <= now) return GoalAnswer::expired;
-  if (goal_ && goal.id < goal_->id) return GoalAnswer::superseded;
-  heard_ = now;
-  if (goal_ && goal.id == goal_->id) {
-    goal_->expires = std::max(goal_->expires, goal.expires);
-    return GoalAnswer::renewed;
-  }
-  goal_ = goal;
-  return GoalAnswer::accepted;
+GoalAnswer Navigator::on_goal(Goal goal, Time now) {
+  const GoalAnswer answer = goals_.on_goal(std::move(goal), now);
+  if (answer == GoalAnswer::accepted || answer == GoalAnswer::renewed) heard_ = now;
+  return answer;
 }
 
 void Navigator::on_pose(const Pose2& pose, Time now) {
@@ -62,13 +51,20 @@ Navigator::Output Navigator::update(Time now) {
   const Duration dt = last_update_ ? now - *last_update_ : Duration{0};
   last_update_ = now;
   if (const char* reason = reason_to_halt(now)) return stand(State::held, follower_.halt(), reason);
-  if (!goal_) return stand(State::idle, follower_.brake(dt), "no_goal");
+  if (!goals_.present()) return stand(State::idle, follower_.brake(dt), "no_goal");
   if (is_link_lost(now) && params_.on_link_lost == "return") return go_home(now, dt);
-  if (const char* reason = reason_to_hold(now)) {
+  const char* const reason = reason_to_hold(now);
+  if (reason != nullptr && !stands_at_goal()) {
     return stand(State::held, follower_.brake(dt), reason);
   }
-  return drive({goal_->id, goal_->pose, goal_->tolerance_m}, now, dt);
+  if (reason == nullptr && stands_at_goal()) (void)goals_.advance();
+  const Goal& goal = *goals_.present();
+  return drive({goal.id, goal.pose, goal.tolerance_m}, now, dt);
 }
+
+bool Navigator::stands_at_goal() const { return reached_ && target_key_ == goal_id(); }
+
+std::uint64_t Navigator::goal_id() const { return goals_.present() ? goals_.present()->id : 0; }
 
 const char* Navigator::reason_to_halt(Time now) const {
   if (emergency_stop_) return "emergency_stop";
@@ -77,8 +73,7 @@ const char* Navigator::reason_to_halt(Time now) const {
 }
 
 const char* Navigator::reason_to_hold(Time now) const {
-  if (reached_ && target_key_ == goal_->id) return nullptr;  // it stands there already
-  if (now >= goal_->expires) return "goal_expired";
+  if (now >= goals_.present()->expires) return "goal_expired";
   if (is_link_lost(now) && params_.on_link_lost == "hold") return "link_lost";
   return nullptr;
 }
@@ -90,7 +85,7 @@ bool Navigator::is_link_lost(Time now) const {
 Navigator::Output Navigator::stand(State state, const Velocity& velocity, const char* reason) {
   progress_pose_ = pose_;
   progress_time_ = *last_update_;
-  return {velocity, {goal_ ? goal_->id : 0, state, nan, reason}};
+  return {velocity, {goal_id(), state, nan, reason}};
 }
 
 Navigator::Output Navigator::go_home(Time now, Duration dt) {
@@ -103,7 +98,7 @@ Navigator::Output Navigator::go_home(Time now, Duration dt) {
 
 Navigator::Output Navigator::drive(const Target& target, Time now, Duration dt) {
   if (target_key_ != target.key) take_up(target);
-  if (reached_) return {follower_.brake(dt), {goal_->id, State::reached, 0, ""}};
+  if (reached_) return {follower_.brake(dt), {goal_id(), State::reached, 0, ""}};
   arrived_ = arrived_ || has_arrived(target);
   if (arrived_) return align(target, dt);
   if (blocked_since_ && now - *blocked_since_ < seconds(params_.retry_after_s)) {
@@ -133,10 +128,10 @@ Navigator::Output Navigator::align(const Target& target, Duration dt) {
   const bool is_aligned =
       std::abs(navigation::wrap_angle(target.pose.yaw - pose_.yaw)) <= params_.yaw_tolerance_rad;
   reached_ = is_aligned || !params_.align_yaw;
-  if (reached_) return {follower_.brake(dt), {goal_->id, State::reached, 0, ""}};
+  if (reached_) return {follower_.brake(dt), {goal_id(), State::reached, 0, ""}};
   return {
       follower_.turn_to(pose_, target.pose.yaw, dt),
-      {goal_->id, State::driving, distance(position(pose_), position(target.pose)), "aligning"}};
+      {goal_id(), State::driving, distance(position(pose_), position(target.pose)), "aligning"}};
 }
 
 Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration dt) {
@@ -151,7 +146,7 @@ Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration
   const Velocity velocity = follow_with_care(dt);
   // The next update plans from where the vehicle is then.
   if (follower_.deviation_m() > params_.replan_beside_m) has_path_ = false;
-  return {velocity, {goal_->id, State::driving, follower_.remaining_m(), ""}};
+  return {velocity, {goal_id(), State::driving, follower_.remaining_m(), ""}};
 }
 
 Navigator::Output Navigator::block(Time now, const char* reason) {
@@ -219,22 +214,6 @@ const char* to_string(Navigator::State state) {
       return "blocked";
     case Navigator::State::held:
       return "held";
-  }
-  return "";
-}
-
-const char* to_string(Navigator::GoalAnswer answer) {
-  switch (answer) {
-    case Navigator::GoalAnswer::accepted:
-      return "accepted";
-    case Navigator::GoalAnswer::renewed:
-      return "renewed";
-    case Navigator::GoalAnswer::superseded:
-      return "superseded";
-    case Navigator::GoalAnswer::expired:
-      return "expired";
-    case Navigator::GoalAnswer::invalid:
-      return "invalid";
   }
   return "";
 }

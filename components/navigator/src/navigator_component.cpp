@@ -35,10 +35,6 @@ geometry_msgs::msg::Pose to_msg(const Pose2& pose) {
   return message;
 }
 
-Duration since_epoch(const builtin_interfaces::msg::Time& stamp) {
-  return std::chrono::seconds(stamp.sec()) + std::chrono::nanoseconds(stamp.nanosec());
-}
-
 OdometryLocaliser make_localiser(const LocaliserFile& file, const Pose2& start) {
   const auto memory = file.load();
   return memory ? OdometryLocaliser(*memory) : OdometryLocaliser(start);
@@ -84,14 +80,17 @@ void NavigatorComponent::take_inputs(Time now) {
 }
 
 void NavigatorComponent::take_goal(const topic::Goal::Message& message, Time now) {
-  // A stamp of the future is a clock that differs, and must not make a goal live longer.
-  const Duration age = std::max(Duration{0}, since_epoch(wall(now)) - since_epoch(message.stamp()));
-  const Navigator::Goal goal{message.id(),
-                             {message.x(), message.y(), message.yaw()},
-                             message.tolerance_m(),
-                             now - age + seconds(std::clamp(message.lifetime_s(), 0.0, 3600.0))};
-  const auto answer = navigator_.on_goal(goal, now);
-  if (answer == Navigator::GoalAnswer::renewed) return;
+  // Counted from its arrival: the clocks of both sides may differ by hours. How old it may have
+  // become on its way is limited by the lifespan of its topic.
+  const Duration lifetime = seconds(std::clamp(message.lifetime_s(), 0.0, 3600.0));
+  Goal goal{message.id(),
+            {message.x(), message.y(), message.yaw()},
+            message.tolerance_m(),
+            now + lifetime,
+            {}};
+  for (const auto& pose : message.ahead()) goal.ahead.push_back({pose.x(), pose.y(), pose.yaw()});
+  const auto answer = navigator_.on_goal(std::move(goal), now);
+  if (answer == GoalAnswer::renewed) return;
   log().info("goal {} to waypoint {} at ({:.2f}, {:.2f}): {}", message.id(), message.waypoint(),
              message.x(), message.y(), to_string(answer));
 }

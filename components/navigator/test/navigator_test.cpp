@@ -37,7 +37,7 @@ TEST(Navigator, StopsWithinTheToleranceEvenWhenTheBaseLags) {
     vehicle.pose = {1.5, 1.5, 0};
     const Pose2 goal{1.5 + std::cos(direction), 1.5 + std::sin(direction), 0};
     const Time later = vehicle.now + seconds(60);
-    ASSERT_EQ(vehicle.sut.on_goal({1, goal, 0.1, later}, vehicle.now), Answer::accepted);
+    ASSERT_EQ(vehicle.sut.on_goal({1, goal, 0.1, later, {}}, vehicle.now), Answer::accepted);
     EXPECT_EQ(vehicle.run(20).status.state, State::reached);
     EXPECT_LE(vehicle.distance_to(goal), 0.1) << direction;
   }
@@ -112,12 +112,12 @@ TEST(Navigator, RefusesAGoalThatExpiresNow) {
 TEST(Navigator, RefusesGoalsThatMakeNoSense) {
   Vehicle vehicle;
   const Time later = t0 + seconds(9);
-  EXPECT_EQ(vehicle.sut.on_goal({0, {1, 1, 0}, 0.2, later}, t0), Answer::invalid);
-  EXPECT_EQ(vehicle.sut.on_goal({1, {nan, 1, 0}, 0.2, later}, t0), Answer::invalid);
-  EXPECT_EQ(vehicle.sut.on_goal({1, {1, 1, nan}, 0.2, later}, t0), Answer::invalid);
-  EXPECT_EQ(vehicle.sut.on_goal({1, {1, 1, 0}, nan, later}, t0), Answer::invalid);
-  EXPECT_EQ(vehicle.sut.on_goal({1, {1, 1, 0}, 0.049, later}, t0), Answer::invalid);
-  EXPECT_EQ(vehicle.sut.on_goal({1, {1, 1, 0}, 5.01, later}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({0, {1, 1, 0}, 0.2, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, {nan, 1, 0}, 0.2, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, {1, 1, nan}, 0.2, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, {1, 1, 0}, nan, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, {1, 1, 0}, 0.049, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, {1, 1, 0}, 5.01, later, {}}, t0), Answer::invalid);
   EXPECT_EQ(vehicle.run(1).status.state, State::idle);
 }
 
@@ -150,6 +150,40 @@ TEST(Navigator, StaysReachedWhenTheGoalExpiresAfterwards) {
   Vehicle vehicle;
   ASSERT_EQ(vehicle.send(1, {1.05, 1, 0}, 2), Answer::accepted);
   EXPECT_EQ(vehicle.run(10).status.state, State::reached);
+}
+
+TEST(Navigator, GoesOnToTheNextGoalOfItsListByItself) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send_list(7, {{2, 1, 0}, {2, 3, 0}}), Answer::accepted);
+  while (vehicle.step().status.state != State::reached) ASSERT_LT(vehicle.now, t0 + seconds(20));
+  EXPECT_EQ(vehicle.step().status.goal_id, 8U);
+  const auto output = vehicle.run(15);
+  EXPECT_EQ(output.status.state, State::reached);
+  EXPECT_EQ(output.status.goal_id, 8U);
+  EXPECT_LE(vehicle.distance_to({2, 3, 0}), 0.2);
+}
+
+TEST(Navigator, StaysAtAGoalWhenTheLeaseOfTheNextOneIsOver) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send_list(7, {{1.3, 1, 0}, {2, 3, 0}}, 20), Answer::accepted);
+  vehicle.sut.on_emergency_stop(true);
+  (void)vehicle.run(17);
+  vehicle.sut.on_emergency_stop(false);
+  const auto output = vehicle.run(10);
+  EXPECT_EQ(output.status.state, State::held);
+  EXPECT_EQ(output.status.goal_id, 8U);
+  EXPECT_EQ(output.velocity.v_mps, 0);
+}
+
+TEST(Navigator, DoesNotGoOnWhileTheLinkIsLostWhenItIsToHold) {
+  Vehicle vehicle(on_link_lost("hold"));
+  ASSERT_EQ(vehicle.send_list(7, {{1.3, 1, 0}, {2, 3, 0}}), Answer::accepted);
+  vehicle.sut.on_emergency_stop(true);
+  (void)vehicle.run(10.1);
+  vehicle.sut.on_emergency_stop(false);
+  EXPECT_EQ(vehicle.run(5).status.goal_id, 7U);
+  vehicle.sut.on_ground_station(vehicle.now);
+  while (vehicle.step().status.goal_id != 8U) ASSERT_LT(vehicle.now, t0 + seconds(60));
 }
 
 TEST(Navigator, RefusesContradictingParameters) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "navigator/navigator.hpp"
 
@@ -13,7 +14,7 @@ using navigation::Grid;
 using navigation::OccupancyMap;
 using navigation::Pose2;
 using State = Navigator::State;
-using Answer = Navigator::GoalAnswer;
+using Answer = GoalAnswer;
 
 constexpr Time t0{std::chrono::hours(1)};
 constexpr Duration period = std::chrono::milliseconds(50);
@@ -51,7 +52,12 @@ class Vehicle {
     return output;
   }
   Answer send(std::uint64_t id, const Pose2& to, double lifetime_s = 1000) {
-    return sut.on_goal({id, to, 0.15, now + seconds(lifetime_s)}, now);
+    return sut.on_goal({id, to, 0.15, now + seconds(lifetime_s), {}}, now);
+  }
+  Answer send_list(std::uint64_t id, const std::vector<Pose2>& poses, double lifetime_s = 1000) {
+    Goal goal{id, poses.front(), 0.15, now + seconds(lifetime_s), {}};
+    goal.ahead.assign(poses.begin() + 1, poses.end());
+    return sut.on_goal(goal, now);
   }
   double distance_to(const Pose2& to) const { return distance(position(pose), position(to)); }
 

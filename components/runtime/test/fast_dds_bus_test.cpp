@@ -70,7 +70,7 @@ class FastDdsBusTest : public ::testing::Test {
                               role,
                               "",
                               config + "qos.yaml",
-                              config + "traffic.yaml",
+                              config + "traffic_thesis.yaml",
                               first_domain + side,
                               first_domain + 2,
                               "127.0.0.1",

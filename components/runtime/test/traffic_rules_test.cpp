@@ -41,13 +41,18 @@ std::string error_of(const Call& call) {
 
 const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config";
 
-TEST(TrafficRules, ShippedFilePausesTheCameraAndKeepsTheNewestGoal) {
+TEST(TrafficRules, ShippedFilePausesTheCameraAndNoGoal) {
   const TrafficRules uxv(config + "/traffic.yaml", "uxv");
   EXPECT_EQ(uxv.of(topic::CameraImage::info.name).while_poor, WhilePoor::drop);
   EXPECT_EQ(uxv.of(topic::Location::info.name).while_poor, WhilePoor::send);
   const TrafficRules gcs(config + "/traffic.yaml", "gcs");
-  EXPECT_EQ(gcs.of(topic::Goal::info.name).while_poor, WhilePoor::latest);
+  EXPECT_EQ(gcs.of(topic::Goal::info.name).while_poor, WhilePoor::send);
   EXPECT_EQ(gcs.of(topic::EmergencyStop::info.name).while_poor, WhilePoor::send);
+}
+
+TEST(TrafficRules, ShippedFileOfTheThesisKeepsTheNewestGoal) {
+  const TrafficRules gcs(config + "/traffic_thesis.yaml", "gcs");
+  EXPECT_EQ(gcs.of(topic::Goal::info.name).while_poor, WhilePoor::latest);
 }
 
 TEST(TrafficRules, ATopicWithoutClassIsAnError) {

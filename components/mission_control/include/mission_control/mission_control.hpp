@@ -32,8 +32,9 @@ struct GoalId {
 ///
 /// Pure: no clock, no I/O. `now` must not decrease between calls. A goal is a lease: it is renewed
 /// while mission control lives, so that a vehicle out of reach stops when the lease is over, and
-/// it is repeated until the vehicle's status names it and is not "held". Silence never aborts a
-/// mission.
+/// it is repeated until the vehicle's status names it and is not "held". It carries the waypoints
+/// that follow, whose ids are its own plus 1, 2, ..., so that a vehicle that hears nothing drives
+/// on; its status then names a later one. Silence never aborts a mission.
 class MissionControl {
  public:
   struct Params {
@@ -44,6 +45,7 @@ class MissionControl {
     double resume_wait_s = 2;
     double blocked_limit_s = 60;
     double waypoint_limit_s = 900;
+    int goals_ahead = 8;
     bool resume = true;
     template <class Visitor>
     void visit(Visitor& v) {
@@ -55,6 +57,7 @@ class MissionControl {
       v("resume_wait_s", resume_wait_s, {0, 60}, "[s] for the vehicle to tell its goal, at start");
       v("blocked_limit_s", blocked_limit_s, {1, 3600}, "[s] blocked for longer: abort");
       v("waypoint_limit_s", waypoint_limit_s, {10, 86400}, "[s] for one waypoint, then abort");
+      v("goals_ahead", goals_ahead, {0, 32}, "[1] waypoints that a goal tells besides its own");
       v("resume", resume, "whether to go on with the waypoint that the vehicle drives to already");
     }
   };
@@ -67,6 +70,7 @@ class MissionControl {
     navigation::Pose2 pose;
     double tolerance_m = 0;
     double lifetime_s = 0;
+    std::vector<navigation::Pose2> ahead;
   };
 
   /// How an arrival was told.
@@ -109,11 +113,13 @@ class MissionControl {
   void start_when_ready(Time now);
   void resume_from(std::uint64_t goal_id);
   void check_arrival(Time now);
+  [[nodiscard]] bool has_gone_on() const;
   void arrive(bool by_location, Time now);
   void check_limits(Time now);
   void finish(State state, std::string reason, Time now);
   [[nodiscard]] bool is_due(Time now) const;
   Goal issue(Time now, std::uint64_t wall_ms);
+  [[nodiscard]] std::vector<navigation::Pose2> waypoints_ahead() const;
   [[nodiscard]] double distance_m() const;
 
   Params params_;
@@ -134,8 +140,9 @@ class MissionControl {
   std::optional<navigation::Pose2> location_;
   std::uint64_t status_goal_ = 0;
   std::string status_;
+  Time status_time_{};
   std::uint64_t newest_id_ = 0;           // ever seen, own or reported
-  std::optional<std::uint64_t> goal_id_;  // of the present waypoint, once sent
+  std::optional<std::uint64_t> goal_id_;  // of the present waypoint, once sent or told ahead
   Time sent_{};
   std::optional<Time> blocked_since_;
 };

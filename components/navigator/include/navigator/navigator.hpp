@@ -9,10 +9,12 @@
 #include "navigation/occupancy_map.hpp"
 #include "navigation/path_follower.hpp"
 #include "navigation/planner.hpp"
+#include "navigator/goal_list.hpp"
 
 namespace tocsin {
 
-/// Drives the vehicle to one goal at a time, and says what it does about it.
+/// Drives the vehicle to one goal at a time, on to the next one that it knows, and says what it
+/// does about it.
 ///
 /// Pure: no clock, no I/O. `now` must not decrease between calls. It stands still unless it has
 /// a goal that has not expired, a fresh pose and no emergency stop.
@@ -45,21 +47,6 @@ class Navigator {
     }
   };
 
-  struct Goal {
-    std::uint64_t id = 0;  // a greater one supersedes; 0 is none
-    navigation::Pose2 pose;
-    double tolerance_m = 0.2;  // [range 0.05,5] arrived when nearer than this
-    Time expires;
-  };
-
-  enum class GoalAnswer {
-    accepted,
-    renewed,     // the goal that it has already, perhaps with a later expiry
-    superseded,  // older than the newest goal, refused
-    expired,     // refused
-    invalid,     // not finite, no id, or a tolerance out of range: refused
-  };
-
   enum class State { idle, driving, reached, blocked, held };
 
   struct Status {
@@ -77,7 +64,7 @@ class Navigator {
   /// Throws ConfigError when the parameters contradict each other.
   Navigator(const Params& params, navigation::OccupancyMap map);
 
-  [[nodiscard]] GoalAnswer on_goal(const Goal& goal, Time now);
+  [[nodiscard]] GoalAnswer on_goal(Goal goal, Time now);
   /// Pose of the vehicle in the map frame; one that is not finite is ignored.
   void on_pose(const navigation::Pose2& pose, Time now);
   /// Stops the vehicle at once, until it is called with false.
@@ -98,6 +85,8 @@ class Navigator {
   [[nodiscard]] const char* reason_to_halt(Time now) const;
   [[nodiscard]] const char* reason_to_hold(Time now) const;
   [[nodiscard]] bool is_link_lost(Time now) const;
+  [[nodiscard]] bool stands_at_goal() const;
+  [[nodiscard]] std::uint64_t goal_id() const;
   Output stand(State state, const navigation::Velocity& velocity, const char* reason);
   Output go_home(Time now, Duration dt);
   Output drive(const Target& target, Time now, Duration dt);
@@ -117,7 +106,7 @@ class Navigator {
   navigation::CostMap costs_;
   navigation::PathFollower follower_;
 
-  std::optional<Goal> goal_;
+  GoalList goals_;
   std::optional<navigation::Pose2> home_;  // the first pose
   navigation::Pose2 pose_;
   Time pose_time_{};
@@ -138,6 +127,5 @@ class Navigator {
 
 /// The word of NavigationStatus.state.
 [[nodiscard]] const char* to_string(Navigator::State state);
-[[nodiscard]] const char* to_string(Navigator::GoalAnswer answer);
 
 }  // namespace tocsin
