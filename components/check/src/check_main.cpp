@@ -10,7 +10,7 @@
 #include "dot.hpp"
 #include "examine.hpp"
 #include "foundation/error.hpp"
-#include "foundation/toy_folder.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin::check {
 namespace {
@@ -83,7 +83,7 @@ void draw(const Graph& graph, const Options& options) {
 
 int check(Options& options) {
   options.bringup.locate();
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   options.bringup.overrides.run_dir = folder.path("");
   const auto deployment = load_deployment(options.bringup.file, options.bringup.overrides);
   BuiltGraph built = build_graph(deployment);

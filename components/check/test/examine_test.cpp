@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "foundation/toy_folder.hpp"
+#include "foundation/temporary_folder.hpp"
 #include "graphs.hpp"
 
 namespace tocsin::check {
@@ -35,7 +35,7 @@ class ExamineTest : public ::testing::Test {
   std::string qos_ =
       "sensor: {reliability: best_effort}\nstate: {durability: transient_local, deadline_s: 1}\n";
   std::string traffic_ = "uxv: {high: {while_poor: send, topics: [location]}}\n";
-  ToyFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(ExamineTest, SaysNothingOfAPairThatFits) {

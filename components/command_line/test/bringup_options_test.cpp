@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "foundation/toy_folder.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin {
 namespace {
@@ -50,7 +50,7 @@ TEST(BringupOptions, CanBeGivenOnToAnotherCommand) {
 }
 
 TEST(BringupOptions, AFileThatIsThereIsTakenAsItIs) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   BringupOptions sut = parsed(folder.write("a.yaml", ""));
   sut.locate();
   EXPECT_EQ(sut.file, folder.path("a.yaml"));

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "foundation/toy_folder.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin {
 namespace {
@@ -18,7 +18,7 @@ TEST(Programs, LooksBesideTheProgramThenInThePath) {
 }
 
 TEST(Programs, LooksInAllBinFoldersOfAnIsolatedInstall) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   folder.write("install/a/bin/x", "");
   folder.write("install/b/bin/x", "");
   folder.write("install/c/lib/x", "");
@@ -28,7 +28,7 @@ TEST(Programs, LooksInAllBinFoldersOfAnIsolatedInstall) {
 }
 
 TEST(Programs, FindsTheFirstExecutableFile) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   folder.write("one/tool", "not executable");
   folder.write_program("two/tool", "");
   folder.write_program("three/tool", "");
@@ -43,7 +43,7 @@ TEST(Programs, TakesANameWithASlashAsItIs) {
 }
 
 TEST(Programs, ListsEachVerbOnceInOrder) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   folder.write_program("one/tocsin-launch", "");
   folder.write_program("two/tocsin-launch", "");
   folder.write_program("two/tocsin-check", "");
@@ -60,14 +60,14 @@ TEST(Programs, SuggestsWordsThatDifferByAtMostTwoLetters) {
 }
 
 TEST(Programs, FindsTheShareOfAnIsolatedInstall) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   folder.write("bringup/share/tocsin/config/qos.yaml", "");
   EXPECT_EQ(share_folder(folder.path("tocsin_cli/bin/tocsin")),
             folder.path("bringup/share/tocsin"));
 }
 
 TEST(Programs, FindsTheShareOfAMergedInstall) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   folder.write("usr/share/tocsin/config/qos.yaml", "");
   EXPECT_EQ(share_folder(folder.path("usr/bin/tocsin")), folder.path("usr/share/tocsin"));
   EXPECT_EQ(share_folder("/absent/bin/tocsin"), "/absent/share/tocsin");

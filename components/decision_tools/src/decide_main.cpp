@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
-#include "command_line.hpp"
+#include "command_line/command.hpp"
 #include "decide_report.hpp"
-#include "foundation/program.hpp"
 #include "model_file.hpp"
 #include "plot.hpp"
+#include "trace_options.hpp"
 
 namespace tocsin::tools {
 namespace {
 
-int body(int argc, char** argv) {
-  CLI::App app{"Decide a recorded trace again, with another policy or other settings"};
-  app.name("tocsin decide");
+struct Request {
   std::string file;
   std::string policy;
   std::string model;
@@ -21,26 +19,34 @@ int body(int argc, char** argv) {
   std::string plot;
   bool json = false;
   bool rows = false;
-  TraceOptions options;
-  app.add_option("TRACE", file, "recorded quality, CSV")->required();
-  app.add_option("--policy", policy, "none, threshold, tocp, tocp_dsp, ..., or oracle");
-  app.add_option("--model", model, "model file as tocsin fit writes it");
-  app.add_option("--set", set, "parameter of the policy: key=value")->expected(1)->take_all();
-  app.add_option("--table", table, "CSV file to write, a row per sample; - prints it");
-  app.add_option("--plot", plot, "draw PREFIX.png and PREFIX.svg");
-  app.add_flag("--json", json, "print JSON");
-  app.add_flag("--rows", rows, "with --json: every row, not only changes");
-  declare_trace_options(app, options);
-  if (!parse(app, argc, argv)) return 0;
+  TraceOptions trace;
+};
 
-  const decision::PolicyParams params = load_model(model, set);
-  const DecidedTrace decided = decide_again(read_quality_trace(file, options), policy, params);
-  if (!table.empty() && table != "-") write_text(table, to_csv(decided));
-  if (!plot.empty()) draw(decide_plot(decided), plot);
-  if (table == "-") {
+void declare(CLI::App& app, Request& request) {
+  app.add_option("TRACE", request.file, "recorded quality, CSV")->required();
+  app.add_option("--policy", request.policy, "none, threshold, tocp, tocp_dsp, ..., or oracle");
+  app.add_option("--model", request.model, "model file as tocsin fit writes it");
+  app.add_option("--set", request.set, "parameter of the policy: key=value")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--table", request.table, "CSV file to write, a row per sample; - prints it");
+  app.add_option("--plot", request.plot, "draw PREFIX.png and PREFIX.svg");
+  app.add_flag("--json", request.json, "print JSON");
+  app.add_flag("--rows", request.rows, "with --json: every row, not only changes");
+  declare_trace_options(app, request.trace);
+}
+
+int decide(const Request& request) {
+  const decision::PolicyParams params = load_model(request.model, request.set);
+  const DecidedTrace decided =
+      decide_again(read_quality_trace(request.file, request.trace), request.policy, params);
+  const bool print_table = request.table == "-";
+  if (!request.table.empty() && !print_table) write_text(request.table, to_csv(decided));
+  if (!request.plot.empty()) draw(decide_plot(decided), request.plot);
+  if (print_table) {
     std::printf("%s", to_csv(decided).c_str());
-  } else if (json) {
-    std::printf("%s\n", to_json(decided, rows).dump(2).c_str());
+  } else if (request.json) {
+    std::printf("%s\n", to_json(decided, request.rows).dump(2).c_str());
   } else {
     std::printf("%s", to_text(decided).c_str());
   }
@@ -51,5 +57,9 @@ int body(int argc, char** argv) {
 }  // namespace tocsin::tools
 
 int main(int argc, char** argv) {
-  return tocsin::run_program("tocsin decide", [&] { return tocsin::tools::body(argc, argv); });
+  CLI::App app{"Decide a recorded trace again, with another policy or other settings",
+               "tocsin decide"};
+  tocsin::tools::Request request;
+  declare(app, request);
+  return tocsin::run_command(app, argc, argv, [&] { return decide(request); });
 }

@@ -1,45 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
-#include "command_line.hpp"
+#include "command_line/command.hpp"
 #include "design.hpp"
-#include "foundation/error.hpp"
-#include "foundation/program.hpp"
 #include "model_file.hpp"
+#include "trace_options.hpp"
 
 namespace tocsin::tools {
 namespace {
 
-int body(int argc, char** argv) {
-  CLI::App app{"Choose the threshold of the detector from a wanted time between false alarms"};
-  app.name("tocsin design");
+struct Request {
+  DesignRequest design;
   std::string false_alarm;
   std::string model;
   std::vector<std::string> set;
   std::string recording;
   bool json = false;
-  DesignRequest request;
-  TraceOptions options;
-  app.add_option("--false-alarm", false_alarm, "mean time between false alarms: 90s, 5min, 1h, 2d")
-      ->required();
-  app.add_option("--period", request.period_s, "seconds between samples [6]")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--model", model, "model file as tocsin fit writes it");
-  app.add_option("--set", set, "parameter of the policy: key=value")->expected(1)->take_all();
-  app.add_option("--recording", recording, "quality of a good network to calibrate on, CSV");
-  app.add_option("--column", options.column, "column of the recording [qni or what it rests on]");
-  app.add_option("--block", request.block_s, "seconds per resampled block of the recording [30]")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--seed", request.seed, "of the resampling [1]");
-  app.add_flag("--json", json, "print JSON");
-  if (!parse(app, argc, argv)) return 0;
+  TraceOptions trace;
+};
 
-  request.false_alarm_s = parse_duration_s("--false-alarm", false_alarm);
-  request.params = load_model(model, set);
-  options.period_s = request.period_s;
-  if (!recording.empty()) request.recording = read_quality_trace(recording, options);
-  const Design result = design(request);
-  std::printf("%s\n", json ? to_json(result).dump(2).c_str() : to_text(result).c_str());
+void declare(CLI::App& app, Request& request) {
+  app.add_option("--false-alarm", request.false_alarm,
+                 "mean time between false alarms: 90s, 5min, 1h, 2d")
+      ->required();
+  app.add_option("--period", request.design.period_s, "seconds between samples [6]")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--model", request.model, "model file as tocsin fit writes it");
+  app.add_option("--set", request.set, "parameter of the policy: key=value")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--recording", request.recording,
+                 "quality of a good network to calibrate on, CSV");
+  app.add_option("--column", request.trace.column,
+                 "column of the recording [qni or what it rests on]");
+  app.add_option("--block", request.design.block_s,
+                 "seconds per resampled block of the recording [30]")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", request.design.seed, "of the resampling [1]");
+  app.add_flag("--json", request.json, "print JSON");
+}
+
+int run(Request request) {
+  request.design.false_alarm_s = parse_duration_s("--false-alarm", request.false_alarm);
+  request.design.params = load_model(request.model, request.set);
+  request.trace.period_s = request.design.period_s;
+  if (!request.recording.empty()) {
+    request.design.recording = read_quality_trace(request.recording, request.trace);
+  }
+  const Design result = design(request.design);
+  std::printf("%s\n", request.json ? to_json(result).dump(2).c_str() : to_text(result).c_str());
   return 0;
 }
 
@@ -47,5 +56,9 @@ int body(int argc, char** argv) {
 }  // namespace tocsin::tools
 
 int main(int argc, char** argv) {
-  return tocsin::run_program("tocsin design", [&] { return tocsin::tools::body(argc, argv); });
+  CLI::App app{"Choose the threshold of the detector from a wanted time between false alarms",
+               "tocsin design"};
+  tocsin::tools::Request request;
+  declare(app, request);
+  return tocsin::run_command(app, argc, argv, [&] { return run(request); });
 }

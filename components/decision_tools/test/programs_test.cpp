@@ -8,7 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "temporary_folder.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin::tools {
 namespace {

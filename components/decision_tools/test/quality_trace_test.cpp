@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "command_line.hpp"
 #include "foundation/error.hpp"
-#include "temporary_folder.hpp"
+#include "foundation/temporary_folder.hpp"
+#include "trace_options.hpp"
 
 namespace tocsin::tools {
 namespace {

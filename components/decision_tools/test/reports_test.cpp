@@ -8,8 +8,8 @@
 #include "design.hpp"
 #include "fit_report.hpp"
 #include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
 #include "model_file.hpp"
-#include "temporary_folder.hpp"
 
 namespace tocsin::tools {
 namespace {

@@ -7,7 +7,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "foundation/toy_folder.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin::doctor {
 namespace {
@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 TEST(Leftovers, FindsFilesOfFastDdsThatNobodyUses) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   const std::string segment = folder.write("fastrtps_1234", "12345");
   const std::string sharing = folder.write("fast_datasharing_a_b", "678");
   const std::string lock = folder.write("sem.fastrtps_port7410_mutex", "");
@@ -26,13 +26,13 @@ TEST(Leftovers, FindsFilesOfFastDdsThatNobodyUses) {
 }
 
 TEST(Leftovers, LeavesOtherFilesAlone) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   folder.write("somebody_else", "1");
   EXPECT_THAT(find_leftovers(folder.path("")).files, IsEmpty());
 }
 
 TEST(Leftovers, LeavesAFileAloneThatAProcessHasOpen) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   const int open_file = ::open(folder.write("fastrtps_port7410_el", "").c_str(), O_RDONLY);
   EXPECT_THAT(find_leftovers(folder.path("")).files, IsEmpty());
   ::close(open_file);
@@ -40,7 +40,7 @@ TEST(Leftovers, LeavesAFileAloneThatAProcessHasOpen) {
 }
 
 TEST(Leftovers, LeavesAFileAloneThatAProcessHasMapped) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   const int file = ::open(folder.write("fastrtps_1234", "12345").c_str(), O_RDONLY);
   void* const memory = ::mmap(nullptr, 5, PROT_READ, MAP_SHARED, file, 0);
   ::close(file);
@@ -51,7 +51,7 @@ TEST(Leftovers, LeavesAFileAloneThatAProcessHasMapped) {
 }
 
 TEST(Leftovers, AreRemovedAndCounted) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   folder.write("fastrtps_1234", "12345");
   EXPECT_EQ(remove(find_leftovers(folder.path(""))), 1U);
   EXPECT_THAT(find_leftovers(folder.path("")).files, IsEmpty());

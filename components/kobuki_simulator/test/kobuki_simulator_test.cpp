@@ -18,6 +18,7 @@
 
 #include "datagram_socket.hpp"
 #include "file_descriptor.hpp"
+#include "foundation/temporary_folder.hpp"
 #include "kobuki_protocol/command.hpp"
 #include "kobuki_protocol/reassembler.hpp"
 
@@ -40,17 +41,8 @@ bool wait_for(int descriptor, double limit_s, const std::function<bool()>& done)
 }
 
 struct Program : ::testing::Test {
-  void SetUp() override {
-    char pattern[] = "/tmp/kobuki_simulator_XXXXXX";
-    folder = ::mkdtemp(pattern);
-    link = folder + "/port";
-  }
   void TearDown() override {
     if (pid > 0) end(SIGKILL);
-    for (const char* name : {"/port", "/control", "/client", "/position", "/state", "/walls"}) {
-      ::unlink((folder + name).c_str());
-    }
-    ::rmdir(folder.c_str());
   }
 
   void start(std::vector<std::string> more = {}) {
@@ -109,8 +101,9 @@ struct Program : ::testing::Test {
     return answer;
   }
 
-  std::string folder;
-  std::string link;
+  const TemporaryFolder temporary;
+  const std::string folder = temporary.path();
+  const std::string link = folder + "/port";
   pid_t pid = -1;
   FileDescriptor port;
   Reassembler reassembler;

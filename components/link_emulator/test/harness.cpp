@@ -165,8 +165,6 @@ bool loses_carrier(const std::string& netns) {
 }
 
 Emulator::Emulator(const std::string& channel) {
-  std::string pattern = "/tmp/link_emulator_test_XXXXXX";
-  directory_ = ::mkdtemp(pattern.data());
   write_file(file("channel.yaml"), channel);
   start();
 }
@@ -199,10 +197,6 @@ Emulator::~Emulator() {
     signal(SIGKILL);
     wait();
   }
-  for (const char* name : {"channel.yaml", "control", "stats", "wireless", "wireless.new"}) {
-    ::unlink(file(name).c_str());
-  }
-  ::rmdir(directory_.c_str());
 }
 
 bool Emulator::ready() const {
@@ -240,7 +234,7 @@ nlohmann::json Emulator::next_stats() const {
   return nlohmann::json::parse(last);
 }
 
-std::string Emulator::file(const std::string& name) const { return directory_ + "/" + name; }
+std::string Emulator::file(const std::string& name) const { return folder_.path(name); }
 
 ProgramEnd run_to_end(std::vector<std::string> arguments, bool without_privilege) {
   arguments.insert(arguments.begin(), LINK_EMULATOR);

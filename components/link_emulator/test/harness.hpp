@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "foundation/temporary_folder.hpp"
+
 namespace tocsin::link {
 
 /// Two network namespaces of this process; they vanish with it. With the environment variable
@@ -68,7 +70,7 @@ class Emulator {
   [[nodiscard]] std::string file(const std::string& name) const;
 
  private:
-  std::string directory_;
+  const TemporaryFolder folder_;
   pid_t pid_ = -1;
 };
 

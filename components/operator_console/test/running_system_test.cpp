@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin {
 namespace {
@@ -18,11 +19,6 @@ namespace fs = std::filesystem;
 
 class RunningSystemTest : public ::testing::Test {
  protected:
-  RunningSystemTest() {
-    std::string name = "/tmp/tocsin_operator_XXXXXX";
-    folder_ = mkdtemp(name.data());
-  }
-  ~RunningSystemTest() override { fs::remove_all(folder_); }
   static deployment::Deployment two_hosts() {
     deployment::Deployment deployment;
     deployment.hosts.resize(2);
@@ -35,7 +31,8 @@ class RunningSystemTest : public ::testing::Test {
     deployment.hosts[1].containers[0].terminal = true;
     return deployment;
   }
-  std::string folder_;
+  const TemporaryFolder temporary_;
+  const std::string folder_ = temporary_.path();
 };
 
 TEST_F(RunningSystemTest, FindsTheNewestRun) {

@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "foundation/toy_folder.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin::cli {
 
@@ -88,7 +88,7 @@ class LaunchTest : public ::testing::Test {
 
   static bool lives(int pid) { return ::kill(pid, 0) == 0; }
 
-  ToyFolder folder_;
+  TemporaryFolder folder_;
   pid_t pid_ = -1;
 };
 

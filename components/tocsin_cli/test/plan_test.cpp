@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "foundation/error.hpp"
-#include "foundation/toy_folder.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin::cli {
 namespace {
@@ -29,7 +29,7 @@ class PlanTest : public ::testing::Test {
     deployment_.hosts[1] = {"desk", "gcs", "10.77.0.2", {}, 1, {}, {{"mission", true, {}}}};
   }
 
-  ToyFolder folder_;
+  TemporaryFolder folder_;
   Folders folders_{folder_.path("")};
   deployment::Deployment deployment_;
 };

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "foundation/toy_folder.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin::cli {
 namespace {
@@ -26,7 +26,7 @@ class TocsinTest : public ::testing::Test {
     return WEXITSTATUS(std::system(command.c_str()));
   }
   [[nodiscard]] std::string output() const { return folder_.read("out"); }
-  ToyFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(TocsinTest, RunsTheProgramOfTheVerb) {

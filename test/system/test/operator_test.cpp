@@ -13,6 +13,7 @@
 #include <sstream>
 #include <thread>
 
+#include "foundation/temporary_folder.hpp"
 #include "operator_process.hpp"
 #include "stack.hpp"
 
@@ -113,16 +114,12 @@ TEST_F(OperatorTest, TheEmergencyStopHoldsOverADeathOfTheVehiclesProcessesAndIsR
 
 TEST_F(OperatorTest, DocksByOrderInVirtualTime) {
   for (const char* seed : {"1", "2", "3"}) {
-    std::string folder = "/tmp/tocsin_dock_XXXXXX";
-    ASSERT_NE(mkdtemp(folder.data()), nullptr);
+    const TemporaryFolder folder;
     OperatorProcess sim({Stack::program("simulation", "tocsin-sim"), "dock.yaml", "--seed", seed,
-                         "--run-dir", folder + "/run"},
-                        folder + "/out");
+                         "--run-dir", folder.path("run")},
+                        folder.path("out"));
     EXPECT_EQ(sim.exit_code(seconds(60)), 0);
-    std::ostringstream text;
-    text << std::ifstream(folder + "/out").rdbuf();
-    EXPECT_THAT(text.str(), HasSubstr("docking docked")) << "seed " << seed;
-    std::filesystem::remove_all(folder);
+    EXPECT_THAT(folder.read("out"), HasSubstr("docking docked")) << "seed " << seed;
   }
 }
 

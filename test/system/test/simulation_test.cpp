@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "foundation/temporary_folder.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -36,12 +38,6 @@ std::vector<std::string> digests_in(const std::string& text) {
 
 class SimulationTest : public ::testing::Test {
  protected:
-  SimulationTest() {
-    std::string name = "/tmp/tocsin_sim_XXXXXX";
-    folder_ = mkdtemp(name.data());
-  }
-  ~SimulationTest() override { fs::remove_all(folder_); }
-
   static std::string program() {
     const fs::path own = TOCSIN_INSTALL;
     const fs::path together = own / "bin/tocsin-sim";
@@ -63,7 +59,8 @@ class SimulationTest : public ::testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  std::string folder_;
+  const TemporaryFolder temporary_;
+  const std::string folder_ = temporary_.path();
   int runs_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "acceptance.hpp"
+#include "command_line/command.hpp"
 #include "foundation/error.hpp"
 #include "pages.hpp"
 #include "session.hpp"
@@ -57,16 +58,11 @@ int test(const std::string& port, const std::string& control) {
   return Acceptance(session, client.get()).run() == 0 ? 0 : 1;
 }
 
-int fail(const char* why, int code) {
-  std::fprintf(stderr, "tocsin-kobuki: %s\n", why);
-  return code;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Looks at a Kobuki base on its port: versions, live sensors, acceptance test");
-  app.name("tocsin kobuki");
+  CLI::App app("Looks at a Kobuki base on its port: versions, live sensors, acceptance test",
+               "tocsin kobuki");
   app.require_subcommand(1);
   app.fallthrough();
   std::string port = "/dev/kobuki";
@@ -77,18 +73,9 @@ int main(int argc, char** argv) {
   CLI::App* test_verb = app.add_subcommand(
       "test", "acceptance list: LEDs, sounds, buttons, bumpers, cliffs, wheels, gyro, square");
   test_verb->add_option("--auto", control, "control socket of kobuki_simulator, in place of hands");
-  try {
-    app.parse(argc, argv);
+  return tocsin::run_command(app, argc, argv, [&] {
     if (info_verb->parsed()) return info(port);
     if (watch_verb->parsed()) return watch(port);
     return test(port, control);
-  } catch (const CLI::Success& wish) {
-    return app.exit(wish);
-  } catch (const CLI::ParseError& error) {
-    return fail(error.what(), 2);
-  } catch (const tocsin::ConfigError& error) {
-    return fail(error.what(), 2);
-  } catch (const EnvironmentError& error) {
-    return fail(error.what(), 1);
-  }
+  });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "command_line.hpp"
+#include "trace_options.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -8,18 +8,6 @@
 #include "foundation/error.hpp"
 
 namespace tocsin::tools {
-
-bool parse(CLI::App& app, int argc, char** argv) {
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    app.exit(help);
-    return false;
-  } catch (const CLI::ParseError& error) {
-    throw ConfigError(error.what());
-  }
-  return true;
-}
 
 void declare_trace_options(CLI::App& app, TraceOptions& options) {
   app.add_option("--column", options.column, "column with the quality [qni or what it rests on]");

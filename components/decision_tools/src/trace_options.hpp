@@ -8,9 +8,6 @@
 
 namespace tocsin::tools {
 
-/// Parses, with bad usage as ConfigError. Returns false when help was printed and nothing is to do.
-[[nodiscard]] bool parse(CLI::App& app, int argc, char** argv);
-
 /// The options of every program that reads traces.
 void declare_trace_options(CLI::App& app, TraceOptions& options);
 

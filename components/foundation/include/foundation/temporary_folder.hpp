@@ -6,23 +6,26 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
+
+#include "foundation/error.hpp"
 
 namespace tocsin {
 
-/// For tests: a folder in /tmp that is removed with everything in it.
-class ToyFolder {
+/// A folder in /tmp that is removed with everything in it. Throws EnvironmentError when none can be
+/// made.
+class TemporaryFolder {
  public:
-  ToyFolder() {
-    std::string name = "/tmp/tocsin_test_XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("/tmp: no folder can be made");
+  TemporaryFolder() {
+    std::string name = "/tmp/tocsin_XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr) throw EnvironmentError("/tmp: no folder can be made");
     path_ = name;
   }
-  ~ToyFolder() { std::filesystem::remove_all(path_); }
-  ToyFolder(const ToyFolder&) = delete;
-  ToyFolder& operator=(const ToyFolder&) = delete;
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
+  [[nodiscard]] std::string path() const { return path_; }
   [[nodiscard]] std::string path(const std::string& name) const { return path_ / name; }
   /// Makes a file, with its folders; returns its path.
   std::string write(const std::string& name, const std::string& text) const {
