@@ -141,6 +141,10 @@ Experiment read(const Reader& reader, const std::string& path) {
     if (choice.policy.empty()) choice.policy = choice.name;
   }
   resolve_sets(reader, experiment);
+  if (experiment.timing.vehicles != 1) {
+    throw ConfigError("experiment.vehicles: " + std::to_string(experiment.timing.vehicles) +
+                      " is not possible, a bringup file has one vehicle: must be 1 (" + path + ")");
+  }
   if (experiment.timing.warm_up_s >= experiment.timing.duration_s) {
     throw ConfigError("experiment.warm_up_s: must be less than duration_s (" + path + ")");
   }
@@ -149,10 +153,24 @@ Experiment read(const Reader& reader, const std::string& path) {
 
 }  // namespace
 
-Experiment load_experiment(const std::string& path) {
+Experiment load_unfitted(const std::string& path) {
   const Reader reader(path, read_yaml_file(path));
   Experiment experiment = read(reader, path);
   resolve_files(reader, experiment);
+  std::string& fitted = experiment.timing.fitted;
+  if (!fitted.empty()) fitted = reader.absolute(fitted);
+  return experiment;
+}
+
+Experiment load_experiment(const std::string& path) {
+  Experiment experiment = load_unfitted(path);
+  const std::string& fitted = experiment.timing.fitted;
+  if (fitted.empty()) return experiment;
+  if (!fs::is_regular_file(fitted)) {
+    throw ConfigError("experiment.fitted: no file '" + fitted + "'; `tocsin experiment fit " +
+                      path + "` writes it");
+  }
+  experiment.fitted = load_fitted(fitted);
   return experiment;
 }
 

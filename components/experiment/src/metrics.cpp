@@ -6,6 +6,7 @@
 
 #include "messages.hpp"
 #include "series.hpp"
+#include "slot_cost.hpp"
 #include "truth.hpp"
 
 namespace tocsin::experiment {
@@ -85,6 +86,7 @@ void add_losses(const Traffic& traffic, Sheet& sheet) {
   sheet.set("high_lost", lost_percent(traffic.of("uxv high")));
   sheet.set("low_lost", lost_percent(only(low, false)));
   sheet.set("camera_lost", lost_percent(only(low, true)));
+  sheet.set("goals_lost", lost_percent(traffic.of("gcs high")));
 }
 
 void add_latencies(const Traffic& traffic, Sheet& sheet) {
@@ -146,11 +148,9 @@ void add_silences(const std::vector<report::Interval>& pauses, Sheet& sheet) {
   sheet.set("silence_max", pauses.empty() ? 0 : largest(lengths_s));
 }
 
-void add_truth(const Recording& recording, const Window& window, const PoorLink& limits,
-               Sheet& sheet) {
-  const auto pauses = within(report::pauses_of(recording), window);
+void add_truth(const std::vector<report::Interval>& poor,
+               const std::vector<report::Interval>& pauses, const Window& window, Sheet& sheet) {
   add_silences(pauses, sheet);
-  const auto poor = truly_poor(recording.link, limits, window.begin_s, window.end_s);
   const AgainstTruth truth = compare(poor, pauses, window.begin_s, window.end_s);
   sheet.set("poor_share", 100 * length_s(poor) / window.length_s());
   sheet.set("poor_intervals", truth.intervals);
@@ -169,6 +169,9 @@ void add_series(const std::vector<Observation>& series, Sheet& sheet) {
     stalled += one.stalled ? 1 : 0;
   }
   sheet.set("telemetry_per_max", largest(pers));
+  const SlotCost cost = slot_cost(series);
+  sheet.set("slot_cost", cost.own);
+  sheet.set("slot_regret", cost.own - cost.clairvoyant);
   sheet.set("stalled",
             series.empty() ? std::nan("") : 100 * stalled / static_cast<double>(series.size()));
 }
@@ -194,10 +197,16 @@ Measures measure(const Recording& recording, const Timing& timing) {
   add_age(recording, window, "quality", "network_quality", sheet);
   add_age(recording, window, "battery", "battery_state", sheet);
   add_age(recording, window, "camera", camera_topic, sheet);
+  add_age(recording, window, "heartbeat", "heartbeat", sheet);
+  add_age(recording, window, "state", "transmission_state", sheet);
+  add_age(recording, window, "cpu", "cpu_load", sheet);
   add_link(recording, window, sheet);
-  add_truth(recording, window, {timing.poor_below_snr_db, 2 * timing.observation_s}, sheet);
+  const PoorLink limits{timing.poor_below_snr_db, 2 * timing.observation_s};
+  const auto poor = truly_poor(recording.link, limits, window.begin_s, window.end_s);
+  add_truth(poor, within(report::pauses_of(recording), window), window, sheet);
   add_mission(recording, sheet);
   auto series = observe(recording, traffic, window, timing.observation_s);
+  mark_poor(poor, window, timing.observation_s, series);
   add_series(series, sheet);
   return {sheet.values(), std::move(series)};
 }

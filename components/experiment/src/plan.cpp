@@ -91,6 +91,7 @@ std::vector<Run> make_plan(const Experiment& experiment) {
       run.channel = channel_for(named(experiment.channels, channel), mission);
       run.payload = named(experiment.payloads, payload);
       run.policy = named(experiment.policies, policy);
+      run.fitted = settings_for(experiment.fitted, mission, run.policy.policy);
       for (int i = 0; i < set.seeds; ++i) {
         run.number = plan.size();
         run.index = set.first_seed + i;
@@ -113,6 +114,7 @@ deployment::Overrides overrides_of(const Run& run, const Timing& timing, const s
   overrides.set.push_back("mission_control.mission_file=" + run.mission.file);
   overrides.set.push_back("transmission_controller.policy=" + run.policy.policy);
   for (const std::string& text : run.mission.set) overrides.set.push_back(text);
+  for (const std::string& text : run.fitted) overrides.set.push_back(setting(text));
   for (const std::string& text : run.payload.set) overrides.set.push_back(text);
   for (const std::string& text : run.policy.set) overrides.set.push_back(setting(text));
   return overrides;

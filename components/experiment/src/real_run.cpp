@@ -11,6 +11,7 @@
 #include <exception>
 #include <filesystem>
 
+#include "command_line/programs.hpp"
 #include "foundation/error.hpp"
 #include "report/recording.hpp"
 
@@ -23,11 +24,9 @@ std::string run_folder(const Run& run, const Places& places) {
   return places.folder + "/real/" + run.id() + ".run";
 }
 
-/// tocsin-launch beside this program, or in the folder of its own package.
+/// tocsin-launch of the same installation.
 std::string launcher() {
-  const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
-  const fs::path together = bin / "tocsin-launch";
-  return fs::exists(together) ? together : bin / "../../tocsin_cli/bin/tocsin-launch";
+  return find_program("tocsin-launch", program_folders()).value_or("tocsin-launch");
 }
 
 /// Waits for the child; a run that is not over after its time is ended as by a user.

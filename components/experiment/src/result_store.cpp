@@ -49,6 +49,42 @@ std::optional<std::string> read_file(const std::string& path) {
   return text.str();
 }
 
+constexpr const char* build_key = "build: ";
+constexpr const char* earlier_key = "earlier_builds: ";
+
+/// A settings text without its lines of builds; and what those say.
+struct Builds {
+  std::string rest;
+  std::string build;
+  std::string earlier;  ///< separated by ", "
+};
+
+Builds builds_of(const std::string& settings) {
+  const auto value = [](const std::string& line) { return line.substr(line.find(' ') + 1); };
+  Builds result;
+  std::istringstream lines(settings);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind(build_key, 0) == 0) {
+      result.build = value(line);
+    } else if (line.rfind(earlier_key, 0) == 0) {
+      result.earlier = value(line).substr(1);
+      result.earlier.pop_back();
+    } else {
+      result.rest += line + "\n";
+    }
+  }
+  return result;
+}
+
+/// The settings of this build, and a line that names those before it.
+std::string with_earlier(const std::string& settings, const Builds& before) {
+  std::string text = settings;
+  const std::string more = before.earlier.empty() ? "" : ", " + before.earlier;
+  const std::size_t line = text.find(build_key);
+  text.insert(text.find('\n', line) + 1, earlier_key + ("[" + before.build + more) + "]\n");
+  return text;
+}
+
 std::string cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -99,19 +135,35 @@ std::string ResultStore::table_path() const {
   return folder_ + (kind_ == "series" ? "/runs.csv" : "/" + kind_ + ".csv");
 }
 
-void ResultStore::open(const std::string& settings) const {
+/// What settings.yaml becomes when an experiment goes on.
+std::string ResultStore::merged(const std::string& old, const std::string& settings,
+                                bool other_build) const {
+  const Builds before = builds_of(old);
+  const Builds now = builds_of(settings);
+  if (before.rest != now.rest) {
+    throw ConfigError(folder_ +
+                      ": holds an experiment with other settings (file, channels, missions or "
+                      "fitted parameters); give another --out, or remove it");
+  }
+  if (before.build == now.build) return old;
+  if (other_build) return with_earlier(settings, before);
+  throw ConfigError(folder_ +
+                    ": was begun by another build of the programs, with which the same "
+                    "seed may give other results; --other-build goes on all the same, --out begins "
+                    "elsewhere");
+}
+
+void ResultStore::open(const std::string& settings, bool other_build) const {
   std::error_code error;
   fs::create_directories(folder_ + "/" + kind_, error);
   if (error) throw EnvironmentError(folder_ + ": cannot be made: " + error.message());
   const std::string file = folder_ + "/settings.yaml";
-  if (const auto old = read_file(file)) {
-    if (*old == settings) return remove_drafts();
-    throw ConfigError(folder_ +
-                      ": holds an experiment with other settings (file, channels or build); give "
-                      "another --out, or remove it");
-  }
+  const auto old = read_file(file);
+  if (old) remove_drafts();
+  const std::string fresh = old ? merged(*old, settings, other_build) : settings;
+  if (old == fresh) return;
   try {
-    replace_file(file, settings);
+    replace_file(file, fresh);
   } catch (const std::system_error& failed) {
     throw EnvironmentError(std::string("cannot be written: ") + failed.what());
   }

@@ -18,9 +18,10 @@ class ResultStore {
   ResultStore(std::string folder, std::string kind);
 
   /// Makes the folder, or goes on in one that was begun with the same settings; drafts of killed
-  /// runs are removed. Throws ConfigError when it holds another experiment, EnvironmentError when
-  /// it cannot be written.
-  void open(const std::string& settings) const;
+  /// runs are removed. With `other_build` the line `build:` may differ; the old one is then kept
+  /// under `earlier_builds:`. Throws ConfigError when it holds another experiment or, without that,
+  /// was begun by another build; EnvironmentError when it cannot be written.
+  void open(const std::string& settings, bool other_build = false) const;
   /// The result of a run; empty when it is not finished, or its file is damaged.
   [[nodiscard]] std::optional<RunResult> read(const Run& run) const;
   /// Throws std::system_error when the disk does not take it.
@@ -32,6 +33,8 @@ class ResultStore {
 
  private:
   [[nodiscard]] std::string path(const Run& run) const;
+  [[nodiscard]] std::string merged(const std::string& old, const std::string& settings,
+                                   bool other_build) const;
   std::string folder_;
   std::string kind_;
 };

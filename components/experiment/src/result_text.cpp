@@ -10,7 +10,7 @@ namespace tocsin::experiment {
 namespace {
 
 constexpr const char* series_head =
-    "time_s,qni,probe_per,snr_db,active,sent,lost,latency_ms,stalled";
+    "time_s,qni,probe_per,snr_db,active,poor,sent,lost,latency_ms,stalled";
 
 /// Empty for NaN.
 std::string number(double value) {
@@ -47,8 +47,8 @@ std::string one_line(std::string text) {
 
 std::optional<Observation> parse_observation(const std::string& line) {
   const std::vector<double> v = numbers(line);
-  if (v.size() != 9) return std::nullopt;
-  return Observation{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8] == 1};
+  if (v.size() != 10) return std::nullopt;
+  return Observation{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9] == 1};
 }
 
 bool take(std::istringstream& lines, const std::string& prefix, std::string& rest) {
@@ -65,8 +65,8 @@ std::string to_text(const RunResult& result) {
                      number(result.simulated_s) + "\nvalues " + joined(result.measures.values) +
                      "\n" + series_head + "\n";
   for (const Observation& one : result.measures.series) {
-    text += joined({one.time_s, one.qni, one.probe_per, one.snr_db, one.active, one.sent, one.lost,
-                    one.latency_ms, one.stalled ? 1.0 : 0.0}) +
+    text += joined({one.time_s, one.qni, one.probe_per, one.snr_db, one.active, one.poor, one.sent,
+                    one.lost, one.latency_ms, one.stalled ? 1.0 : 0.0}) +
             "\n";
   }
   return text + "end\n";

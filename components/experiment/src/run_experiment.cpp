@@ -24,6 +24,17 @@ namespace {
 /// Exit codes of a job from here on are errno of a disk that did not take the result.
 constexpr int disk_error = 64;
 
+/// Folder of the results of a task.
+std::string kind_of(Task task) {
+  if (task == Task::real) return "real";
+  return task == Task::fit ? "fit" : "series";
+}
+
+bool belongs_to(Task task, const std::string& kind) {
+  if (task == Task::real) return kind == "real";
+  return (task == Task::fit) == (kind == "fit");
+}
+
 /// One experiment on its way.
 class Session {
  public:
@@ -48,25 +59,25 @@ Session::Session(const RunOptions& options, Experiment experiment)
     : options_(options),
       experiment_(std::move(experiment)),
       plan_(make_plan(experiment_)),
-      store_(options.out, options.real ? "real" : "series") {
+      store_(options.out, kind_of(options.task)) {
   check_plan(plan_, experiment_.timing, options_.share);
-  store_.open(settings_text(experiment_, plan_));
-  if (!options_.real) return;
-  const auto is_simulated = [this](const Run& run) {
+  store_.open(settings_text(experiment_, plan_), options_.other_build);
+  const auto is_other = [this](const Run& run) {
     const auto& sets = experiment_.sets;
-    return std::any_of(sets.begin(), sets.end(), [&](const RunSet& set) {
-      return set.name == run.set && set.kind != "real";
-    });
+    const auto set = std::find_if(sets.begin(), sets.end(),
+                                  [&](const RunSet& one) { return one.name == run.set; });
+    return !belongs_to(options_.task, set->kind);
   };
-  plan_.erase(std::remove_if(plan_.begin(), plan_.end(), is_simulated), plan_.end());
-  if (plan_.empty()) throw ConfigError(options_.file + ": sets: none is of kind real");
+  plan_.erase(std::remove_if(plan_.begin(), plan_.end(), is_other), plan_.end());
+  if (plan_.empty()) throw ConfigError(options_.file + ": sets: none is for this command");
 }
 
 int Session::play(std::size_t job) const {
   const Run& run = plan_[job];
   const Places places{options_.share, options_.out};
-  const RunResult result = options_.real ? drive(run, experiment_.timing, places)
-                                         : simulate(run, experiment_.timing, places);
+  const bool real = options_.task == Task::real;
+  const RunResult result =
+      real ? drive(run, experiment_.timing, places) : simulate(run, experiment_.timing, places);
   try {
     store_.write(run, result);
   } catch (const std::system_error& error) {
@@ -154,15 +165,16 @@ void Session::report_speed() const {
   std::printf(
       "%zu runs, %.0f s %s in %.1f s (CPU %.1f s): %.0f times real time, %.0f a core; at most %.0f "
       "MB for each of %d processes; %s\n",
-      pending_.size(), simulated_s, options_.real ? "driven" : "simulated", wall.count(), cpu_s,
-      simulated_s / wall.count(), simulated_s / std::max(cpu_s, 1e-9),
+      pending_.size(), simulated_s, options_.task == Task::real ? "driven" : "simulated",
+      wall.count(), cpu_s, simulated_s / wall.count(), simulated_s / std::max(cpu_s, 1e-9),
       static_cast<double>(children.ru_maxrss) / 1024, options_.jobs, store_.table_path().c_str());
 }
 
 }  // namespace
 
 int run_experiment(const RunOptions& options) {
-  return Session(options, load_experiment(options.file)).run();
+  const bool fit = options.task == Task::fit;
+  return Session(options, fit ? load_unfitted(options.file) : load_experiment(options.file)).run();
 }
 
 }  // namespace tocsin::experiment

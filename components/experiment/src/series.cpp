@@ -115,7 +115,7 @@ std::vector<Observation> observe(const report::Recording& recording, const Traff
   std::vector<Observation> series;
   for (std::size_t i = 0; i < count; ++i) {
     series.push_back({static_cast<double>(i) * step_s, std::nan(""), std::nan(""), std::nan(""), 1,
-                      0, 0, std::nan(""), false});
+                      0, 0, 0, std::nan(""), false});
   }
   const Grid grid(window, step_s, count);
   add_decisions(recording, grid, series);
@@ -123,6 +123,14 @@ std::vector<Observation> observe(const report::Recording& recording, const Traff
   add_messages(traffic.telemetry(), grid, series);
   add_activity(recording, step_s, series, window.begin_s);
   return series;
+}
+
+void mark_poor(const std::vector<report::Interval>& poor, const Window& window, double step_s,
+               std::vector<Observation>& series) {
+  for (Observation& one : series) {
+    const double from_s = window.begin_s + one.time_s;
+    one.poor = common_s(poor, {{from_s, from_s + step_s}}) / step_s;
+  }
 }
 
 }  // namespace tocsin::experiment

@@ -37,9 +37,14 @@ class Traffic {
   std::vector<Message> telemetry_;
 };
 
-/// The window in observations of `step_s`; a rest at the end is left out.
+/// The window in observations of `step_s`; a rest at the end is left out. `poor` is filled by
+/// mark_poor().
 [[nodiscard]] std::vector<Observation> observe(const report::Recording& recording,
                                                const Traffic& traffic, const Window& window,
                                                double step_s);
+
+/// Fills in which share of each observation lies in the truly poor intervals.
+void mark_poor(const std::vector<report::Interval>& poor, const Window& window, double step_s,
+               std::vector<Observation>& series);
 
 }  // namespace tocsin::experiment

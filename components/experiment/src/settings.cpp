@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings.hpp"
 
+#include <link.h>
+
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -11,6 +13,7 @@
 #include <set>
 #include <sstream>
 
+#include "command_line/programs.hpp"
 #include "foundation/error.hpp"
 #include "runtime/component_entry.hpp"
 #include "runtime/middleware/component_library.hpp"
@@ -38,17 +41,25 @@ void add_to_hash(const std::string& bytes, std::uint64_t& hash) {
   hash = (hash ^ bytes.size()) * 1099511628211ULL;
 }
 
-/// The program and all component libraries beside it, sorted by name.
-std::vector<fs::path> binaries() {
-  const fs::path own = fs::read_symlink("/proc/self/exe");
-  const fs::path bin = own.parent_path();
-  std::vector<fs::path> files;
-  for (const std::string& name : installed_components()) {
-    const std::string file = "lib/tocsin/lib" + name + ".so";
-    const fs::path together = bin / ".." / file;
-    files.push_back(fs::exists(together) ? together : bin / "../.." / name / file);
+bool is_of_the_system(const std::string& file) {
+  for (const char* folder : {"/lib/", "/lib64/", "/usr/lib/", "/usr/local/lib/"}) {
+    if (file.rfind(folder, 0) == 0) return true;
   }
-  files.push_back(own);
+  return false;
+}
+
+int add_object(dl_phdr_info* info, std::size_t, void* files) {
+  const std::string name = info->dlpi_name;
+  if (!fs::is_regular_file(name) || is_of_the_system(name)) return 0;
+  static_cast<std::set<fs::path>*>(files)->insert(fs::canonical(name));
+  return 0;
+}
+
+/// The program and every library that it has loaded, those of the components that the runs use
+/// included; without the system's.
+std::set<fs::path> binaries() {
+  std::set<fs::path> files{own_program()};
+  ::dl_iterate_phdr(add_object, &files);
   return files;
 }
 
@@ -87,6 +98,7 @@ std::string settings_text(const Experiment& experiment, const std::vector<Run>& 
     files.insert(run.channel.file);
     files.insert(run.mission.file);
   }
+  if (!experiment.fitted.empty()) files.insert(experiment.timing.fitted);
   std::string text = "# What these results rest on; the same settings give the same bytes.\n";
   text += "build: " + build_version() + "\n";
   text += "runs: " + std::to_string(plan.size()) + "\n";
@@ -104,6 +116,7 @@ std::string settings_text(const Experiment& experiment, const std::vector<Run>& 
 }
 
 void check_plan(const std::vector<Run>& plan, const Timing& timing, const std::string& share) {
+  (void)load_component("experiment");
   std::set<std::string> checked;
   for (const Run& run : plan) {
     const std::string what = run.mission.name + ", " + run.channel.name + ", " + run.payload.name +

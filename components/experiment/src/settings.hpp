@@ -8,13 +8,14 @@
 
 namespace tocsin::experiment {
 
-/// Everything that decides the results, as YAML: versions, a number for the build (of the program
-/// and every component library), the experiment file, and the text of each channel and mission.
+/// Everything that decides the results, as YAML: build_version(), the experiment file, and the text
+/// of each channel, mission and file of fitted parameters.
 /// Two experiments with the same settings give the same bytes. Throws ConfigError for a file that
 /// cannot be read.
 [[nodiscard]] std::string settings_text(const Experiment& experiment, const std::vector<Run>& plan);
 
-/// Version of the package, and a number that changes with the installed binaries.
+/// Version of the package, and a number that changes with the program and the libraries that it has
+/// loaded by now: after check_plan(), the components that the runs use and no others.
 [[nodiscard]] std::string build_version();
 
 /// Finds out before the first run what is wrong with any of them: files, unknown components and

@@ -74,6 +74,13 @@ TEST(ExperimentFile, RejectsAListThatIsMissingOrEmpty) {
               HasSubstr("experiment.payloads: is not a list"));
 }
 
+TEST(ExperimentFile, SaysThatARunHasOneVehicle) {
+  EXPECT_EQ(ToyExperiment(std::string("vehicles: 1\n") + toy_text).load().timing.vehicles, 1);
+  const ToyExperiment two(std::string("vehicles: 2\n") + toy_text);
+  EXPECT_THAT(error_of([&] { (void)two.load(); }),
+              HasSubstr("experiment.vehicles: 2 is not possible"));
+}
+
 TEST(ExperimentFile, RejectsAWarmUpThatLeavesNothing) {
   EXPECT_THAT(error_in("warm_up_s: 0", "warm_up_s: 100"), HasSubstr("less than duration_s"));
 }

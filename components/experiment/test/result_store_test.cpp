@@ -106,6 +106,28 @@ TEST(ResultStore, GoesOnWithTheSameSettingsOnly) {
   EXPECT_THAT(error_of([&] { sut.open("settings: 2\n"); }), HasSubstr("other settings"));
 }
 
+TEST(ResultStore, GoesOnWithAnotherBuildOnlyWhenTold) {
+  const ToyFolder folder;
+  const ResultStore sut(folder.path("out"), "series");
+  sut.open("build: one\nseeds: 3\n");
+  EXPECT_THAT(error_of([&] { sut.open("build: two\nseeds: 3\n"); }), HasSubstr("--other-build"));
+  EXPECT_EQ(folder.read("out/settings.yaml"), "build: one\nseeds: 3\n");
+  sut.open("build: two\nseeds: 3\n", true);
+  EXPECT_EQ(folder.read("out/settings.yaml"), "build: two\nearlier_builds: [one]\nseeds: 3\n");
+  EXPECT_NO_THROW(sut.open("build: two\nseeds: 3\n"));
+  sut.open("build: three\nseeds: 3\n", true);
+  EXPECT_EQ(folder.read("out/settings.yaml"),
+            "build: three\nearlier_builds: [two, one]\nseeds: 3\n");
+}
+
+TEST(ResultStore, DoesNotMixExperimentsWhateverTheBuild) {
+  const ToyFolder folder;
+  const ResultStore sut(folder.path("out"), "series");
+  sut.open("build: one\nseeds: 3\n");
+  EXPECT_THAT(error_of([&] { sut.open("build: two\nseeds: 4\n", true); }),
+              HasSubstr("other settings"));
+}
+
 TEST(ResultStore, RemovesDraftsOfKilledRuns) {
   const ToyExperiment toy;
   const auto plan = make_plan(toy.load());

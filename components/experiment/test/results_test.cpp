@@ -73,7 +73,7 @@ TEST(Series, AreAveragedOverRuns) {
 
 TEST(Series, EndWhereFewerThanHalfOfTheRunsReach) {
   Group group;
-  const Observation one{0, 1, 1, 1, 1, 1, 0, 1, false};
+  const Observation one{0, 1, 1, 1, 1, 0, 1, 0, 1, false};
   group.series = {{one, one, one}, {one, one}, {one}, {one}};
   EXPECT_EQ(mean_series(group, [](const Observation& o) { return o.qni; }).size(), 2U);
 }

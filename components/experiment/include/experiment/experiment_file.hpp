@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "experiment/fitted_file.hpp"
+
 namespace tocsin::experiment {
 
 /// A mission, and what has to be set for it.
@@ -70,7 +72,8 @@ struct RunSet {
   template <class Visitor>
   void visit(Visitor& v) {
     v("name", name, "word that names it in results");
-    v("kind", kind, {"thesis", "comparison", "sensitivity", "real"}, "its place in the report");
+    v("kind", kind, {"thesis", "comparison", "sensitivity", "real", "fit"},
+      "its place in the report; fit: runs that parameters are fitted to");
     v("title", title, "heading in the report");
     v("missions", missions, "names; empty: all");
     v("channels", channels, "names; empty: all");
@@ -89,6 +92,8 @@ struct Timing {
   double warm_up_s = 10;
   double observation_s = 6;
   double poor_below_snr_db = 10;
+  int vehicles = 1;
+  std::string fitted;
   template <class Visitor>
   void visit(Visitor& v) {
     v("bringup", bringup, "bringup file; a bare name is looked for in the share");
@@ -98,12 +103,15 @@ struct Timing {
     v("observation_s", observation_s, {1, 600}, "[s] one observation of figures and windows");
     v("poor_below_snr_db", poor_below_snr_db, {-20, 60},
       "[dB] the link is truly poor while its mean SNR is below");
+    v("vehicles", vehicles, {1, 1000}, "[1] vehicles of a run; must be 1, as of a bringup file");
+    v("fitted", fitted, "file of tocsin experiment fit, relative to this one; empty: none");
   }
 };
 
 /// A whole experiment file; names resolved, paths absolute.
 struct Experiment {
   std::string file;
+  Fitted fitted;  ///< as load_experiment read it; empty without a file
   Timing timing;
   std::vector<Mission> missions;
   std::vector<Channel> channels;
@@ -114,6 +122,10 @@ struct Experiment {
 
 /// Throws ConfigError with file, line, key, value and what is allowed.
 [[nodiscard]] Experiment load_experiment(const std::string& path);
+
+/// The same before there is a file of fitted parameters: `timing.fitted` names it, `fitted` is
+/// empty.
+[[nodiscard]] Experiment load_unfitted(const std::string& path);
 
 /// The same of a text that was read from `path`; the files that it names need not be there.
 [[nodiscard]] Experiment parse_experiment(const std::string& text, const std::string& path);

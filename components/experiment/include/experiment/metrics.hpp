@@ -30,6 +30,7 @@ struct Observation {
   double probe_per;   ///< [%] of the last measurement in it; NaN: none
   double snr_db;      ///< true mean SNR, mean over it; NaN: unknown
   double active;      ///< share of its time in which the gate was open
+  double poor;        ///< share of its time in which the link was truly poor
   double sent;        ///< telemetry samples sent, those that were lost included
   double lost;        ///< of these, never arrived
   double latency_ms;  ///< median of the telemetry that was sent in it; NaN: none arrived

@@ -18,8 +18,9 @@ struct Run {
   Channel channel;  ///< its path with the mission's name put in
   Payload payload;
   PolicyChoice policy;
-  int index = 1;  ///< number of the seed
-  int seed = 1;   ///< decides everything random
+  int index = 1;                    ///< number of the seed
+  int seed = 1;                     ///< decides everything random
+  std::vector<std::string> fitted;  ///< settings of the controller, below those of the policy
 
   /// "thesis.a.classroom.camera.none.7": unique, the name of its files.
   [[nodiscard]] std::string id() const;
