@@ -48,15 +48,16 @@ std_msgs::msg::Header FrameTopics::header(Time now) const {
 bool FrameTopics::publish(const kobuki::Reading& reading, Time now) {
   last_ = reading;
   heard_ = true;
+  bool ok = now < next_battery_ || publish_battery(reading, now);
+  if (reading.pose_is_old) return ok;  // it may jump by metres with the next frame
   const kobuki::Labels labels{stamp(now), params_.odom_frame, params_.base_frame,
                               params_.wheel_left_joint_name, params_.wheel_right_joint_name};
-  bool ok = odom_.write(kobuki::odom_message(reading, labels, gyro_heading_)) != Status::failed;
+  ok &= odom_.write(kobuki::odom_message(reading, labels, gyro_heading_)) != Status::failed;
   ok &= imu_.write(kobuki::imu_message(reading, labels)) != Status::failed;
   ok &= joints_.write(kobuki::joint_message(reading, labels)) != Status::failed;
   if (params_.publish_tf) {
     ok &= tf_.write(kobuki::tf_message(reading, labels)) != Status::failed;
   }
-  if (now >= next_battery_) ok &= publish_battery(reading, now);
   return ok;
 }
 

@@ -45,7 +45,9 @@ void KobukiDriver::on_frame(ByteView payload, Time now, const ReadingSink& sink)
 }
 
 void KobukiDriver::come_online(Time now) {
-  if (last_frame_ != Time::min() && now - last_frame_ > odometry_gap) odometry_.reinitialise();
+  if (last_frame_ != Time::min() && now - last_frame_ > odometry_gap) {
+    odometry_.bridge(to_seconds(now - last_frame_));
+  }
   state_ = BaseState::online;
   inquiry_.begin(now);
   if (!heard_) next_command_ = now;
@@ -67,6 +69,7 @@ Reading KobukiDriver::read(const Feedback& feedback) {
   reading.feedback = feedback;
   reading.battery = battery_.read(core.battery_dv, core.charger);
   reading.pose = odometry_.pose();
+  reading.pose_is_old = odometry_.waits();
   reading.linear_mps = odometry_.linear_mps();
   reading.angular_rad_s = odometry_.angular_rad_s();
   reading.gyro_heading_rad = odometry_.gyro_heading_rad();
@@ -84,6 +87,11 @@ void KobukiDriver::on_velocity(const BodyVelocity& velocity, Time now) {
 void KobukiDriver::set_motor_power(bool on) {
   motor_power_ = on;
   velocity_.stop();
+}
+
+void KobukiDriver::resume(const OdometrySnapshot& snapshot, Time last_frame) {
+  odometry_.restore(snapshot);
+  last_frame_ = last_frame;
 }
 
 bool KobukiDriver::set_gains(const ControllerGains& gains) {

@@ -62,7 +62,7 @@ KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& par
       driver_(params.driver),
       file_(memory_path(context)) {
   if (params.publish_serial_bytes) serial_topics_.emplace(*this);
-  if (const auto snapshot = file_.load()) driver_.odometry().restore(*snapshot);
+  if (const auto memory = file_.load()) driver_.resume(memory->odometry, memory->last_frame);
   open_at_start();
 }
 
@@ -193,9 +193,10 @@ void KobukiDriverComponent::report_gains() {
 void KobukiDriverComponent::remember(Time now) {
   if (now < next_save_) return;
   const auto snapshot = driver_.odometry().snapshot();
-  if (!snapshot) return;
+  if (!snapshot || driver_.odometry().waits()) return;
   next_save_ = now + save_period;
-  if (!file_.save(*snapshot)) log().warn("odometry could not be saved for a restart");
+  if (!file_.save({*snapshot, driver_.last_frame()}))
+    log().warn("odometry could not be saved for a restart");
 }
 
 }  // namespace tocsin

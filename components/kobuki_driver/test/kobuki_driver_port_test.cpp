@@ -113,17 +113,38 @@ TEST_F(KobukiDriverPortTest, OutlastsExclusiveUseThatNobodyHolds) {
 
 TEST_F(KobukiDriverPortTest, GoesOnWhereAKilledDriverWas) {
   context_.run_dir = ::testing::TempDir();
+  for (const double dead_s : {0.4, 5.0}) {
+    std::remove((context_.run_dir + "/kobuki_driver.odometry").c_str());
+    base_.model.place({});
+    start();
+    drive(3, 0.3);
+    sut_.reset();  // the base rolls out meanwhile
+    base_.model.step(bus_.now() + seconds(dead_s) - std::chrono::milliseconds(100),
+                     [](Time, ByteView) {});
+    run(dead_s);
+    odom_.take();
+    start();
+    run(1);
+    EXPECT_NEAR(odom_.take().back().pose().pose().position().x(), base_.model.pose().x_m, 0.02);
+  }
   std::remove((context_.run_dir + "/kobuki_driver.odometry").c_str());
+}
+
+TEST_F(KobukiDriverPortTest, ThePoseGoesOnWithoutAJumpAfterTheCableWasPulled) {
   start();
   drive(3, 0.3);
-  sut_.reset();  // the base rolls out meanwhile
-  base_.model.step(bus_.now() + std::chrono::milliseconds(300), [](Time, ByteView) {});
-  run(0.4);
-  odom_.take();
-  start();
+  base_.plugged = false;
   run(1);
-  EXPECT_NEAR(odom_.take().back().pose().pose().position().x(), base_.model.pose().x_m, 0.02);
-  std::remove((context_.run_dir + "/kobuki_driver.odometry").c_str());
+  base_.plugged = true;
+  odom_.take();
+  run(1);
+  const auto poses = odom_.take();
+  ASSERT_GT(poses.size(), 10U);
+  double last_m = poses.front().pose().pose().position().x();
+  for (const auto& odom : poses) {
+    EXPECT_LT(odom.pose().pose().position().x() - last_m, 0.03);
+    last_m = odom.pose().pose().position().x();
+  }
 }
 
 }  // namespace

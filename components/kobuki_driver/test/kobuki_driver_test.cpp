@@ -101,16 +101,35 @@ TEST(KobukiDriver, ResumesDrivingOnlyByANewCommand) {
 }
 
 TEST(KobukiDriver, KeepsOdometryOverShortAndLongSilence) {
-  for (const double gap_s : {1.0, 8.0}) {
-    ModelRig sut;
-    sut.run(2, BodyVelocity{0.3, 0});
+  for (const double gap_s : {1.0, 2.9, 3.1, 8.0, 70.0}) {
+    ModelParams base = exact_model();
+    base.command_timeout_s = 0.5;
+    ModelRig sut({}, base);
+    sut.run(2, BodyVelocity{0.3, 0.2});
     sut.silent = true;
+    sut.connected = false;
     sut.run(gap_s);
     sut.silent = false;
-    sut.run(2, BodyVelocity{0.3, 0});
+    sut.connected = true;
+    sut.run(2, BodyVelocity{0.3, 0.2});
     EXPECT_EQ(sut.driver.odometry().rejected_jumps(), 0U);
-    EXPECT_NEAR(sut.last.pose.x_m, sut.model.pose().x_m, 0.1) << gap_s;
+    EXPECT_NEAR(sut.last.pose.x_m, sut.model.pose().x_m, 0.02) << gap_s;
+    EXPECT_NEAR(sut.last.pose.y_m, sut.model.pose().y_m, 0.02) << gap_s;
   }
+}
+
+TEST(KobukiDriver, TellsThatAPoseIsOldUntilTheFrameAfterASilenceIsConfirmed) {
+  ModelRig sut;
+  sut.run(2, BodyVelocity{0.3, 0});
+  EXPECT_FALSE(sut.last.pose_is_old);
+  sut.silent = true;
+  sut.run(1);
+  sut.silent = false;
+  const int before = sut.readings;
+  while (sut.readings == before) sut.run(0.001);
+  EXPECT_TRUE(sut.last.pose_is_old);
+  while (sut.readings == before + 1) sut.run(0.001);
+  EXPECT_FALSE(sut.last.pose_is_old);
 }
 
 TEST(KobukiDriver, LearnsVersionsAndGains) {

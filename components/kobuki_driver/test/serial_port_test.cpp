@@ -151,18 +151,34 @@ TEST(OdometryFile, KeepsOdometryForProcessesOfOneParent) {
   snapshot.core.left_encoder = 65000;
   snapshot.core.timestamp_ms = 777;
   snapshot.inertia = Inertia{-1500, 0};
-  ASSERT_TRUE(sut.save(snapshot));
+  ASSERT_TRUE(sut.save({snapshot, Time(std::chrono::seconds(5))}));
   const auto got = sut.load();
   ASSERT_TRUE(got);
-  EXPECT_EQ(got->pose.y_m, -2.5);
-  EXPECT_EQ(got->core.left_encoder, 65000);
-  EXPECT_EQ(got->inertia->angle_cdeg, -1500);
-  std::ofstream(path) << "1 2 3 4 5 6 7 8 9 10";  // another parent
+  EXPECT_EQ(got->odometry.pose.y_m, -2.5);
+  EXPECT_EQ(got->odometry.core.left_encoder, 65000);
+  EXPECT_EQ(got->odometry.inertia->angle_cdeg, -1500);
+  EXPECT_EQ(got->last_frame, Time(std::chrono::seconds(5)));
+  std::ofstream(path) << "1 2 3 4 5 6 7 8 9 10 11 12";  // another parent
   EXPECT_FALSE(sut.load());
   std::ofstream(path) << "garbage";
   EXPECT_FALSE(sut.load());
   ::unlink(path.c_str());
   EXPECT_FALSE(sut.load());
+}
+
+TEST(OdometryFile, KeepsTheOldOneWhenANewOneCannotBeWritten) {
+  const std::string path = ::testing::TempDir() + "kobuki_odometry_full";
+  const OdometryFile sut(path);
+  OdometrySnapshot snapshot;
+  snapshot.pose.x_m = 1;
+  snapshot.inertia = Inertia{};
+  ASSERT_TRUE(sut.save({snapshot, {}}));
+  ASSERT_EQ(::symlink("/dev/full", (path + ".new").c_str()), 0);  // a disk without room
+  snapshot.pose.x_m = 2;
+  EXPECT_FALSE(sut.save({snapshot, {}}));
+  ::unlink((path + ".new").c_str());
+  EXPECT_EQ(sut.load()->odometry.pose.x_m, 1);
+  ::unlink(path.c_str());
 }
 
 TEST(OdometryFile, KeepsNothingWithoutAPath) {

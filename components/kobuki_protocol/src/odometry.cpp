@@ -9,6 +9,10 @@ namespace {
 
 /// In a longer pause a damaged sample may look possible, and the good ones after it like a restart.
 constexpr double trusted_gap_s = 0.1;
+/// Both are 16-bit counters.
+constexpr double stamp_wrap_s = 65.536;
+/// A wheel that rolled half of 5.59 m could have rolled the other half backwards.
+constexpr double longest_coast_m = 2.5;
 
 /// Signed distance between two 16-bit counters.
 double tick_difference(std::uint16_t now, std::uint16_t last) {
@@ -34,8 +38,8 @@ void Odometry::update(const CoreSensors& core, const std::optional<Inertia>& ine
     last_ = now;
     return;
   }
-  Step step = measure(*last_, now);
-  const bool possible = plausible(step);
+  Step step = measure(*last_, now, silence_s_);
+  const bool possible = silence_s_ ? bridges(step) : plausible(step);
   if (!possible) ++rejected_jumps_;
   if (!possible || step.dt_s > trusted_gap_s) {
     const auto other = std::exchange(suspect_, now);
@@ -47,9 +51,11 @@ void Odometry::update(const CoreSensors& core, const std::optional<Inertia>& ine
   apply_rates(step, inertia);
   last_ = now;
   suspect_.reset();
+  silence_s_.reset();
 }
 
-Odometry::Step Odometry::measure(const Sample& from, const Sample& to) const {
+Odometry::Step Odometry::measure(const Sample& from, const Sample& to,
+                                 const std::optional<double>& silence_s) const {
   Step step;
   step.left_m = tick_difference(to.core.left_encoder, from.core.left_encoder) * tick_m *
                 params_.left_wheel_scale;
@@ -57,6 +63,7 @@ Odometry::Step Odometry::measure(const Sample& from, const Sample& to) const {
                  params_.right_wheel_scale;
   step.turn_rad = (step.right_m - step.left_m) / params_.wheel_separation_m;
   step.dt_s = static_cast<std::uint16_t>(to.core.timestamp_ms - from.core.timestamp_ms) / 1000.0;
+  if (silence_s) step.dt_s = *silence_s + std::remainder(step.dt_s - *silence_s, stamp_wrap_s);
   if (from.inertia && to.inertia) {
     step.gyro_turn_rad = params_.gyro_scale * (gyro_turn(*from.inertia, *to.inertia) -
                                                params_.gyro_bias_rad_s * step.dt_s);
@@ -77,13 +84,25 @@ bool Odometry::plausible(const Step& step) const {
          std::abs(step.gyro_turn_rad.value_or(0)) <= limit_rad;
 }
 
+bool Odometry::bridges(const Step& step) const {
+  constexpr double latency_s = 0.3;  // of the frames at both ends of the silence
+  constexpr double drift = 1e-3;     // of one clock against the other
+  return std::abs(step.dt_s - *silence_s_) <= latency_s + drift * *silence_s_ &&
+         std::abs(step.left_m) <= longest_coast_m && std::abs(step.right_m) <= longest_coast_m;
+}
+
 void Odometry::apply(const Step& step) {
-  const double forward_m = (step.left_m + step.right_m) / 2.0;
-  pose_.x_m += forward_m * std::cos(pose_.heading_rad);
-  pose_.y_m += forward_m * std::sin(pose_.heading_rad);
+  double forward_m = (step.left_m + step.right_m) / 2.0;
   const bool by_gyro = params_.use_gyro_heading && step.gyro_turn_rad;
-  pose_.heading_rad =
-      wrap_angle(pose_.heading_rad + (by_gyro ? *step.gyro_turn_rad : step.turn_rad));
+  const double turn_rad = by_gyro ? *step.gyro_turn_rad : step.turn_rad;
+  double direction_rad = pose_.heading_rad;
+  if (step.dt_s > trusted_gap_s && turn_rad != 0) {  // an arc whose chord counts
+    direction_rad += turn_rad / 2;
+    forward_m *= std::sin(turn_rad / 2) / (turn_rad / 2);
+  }
+  pose_.x_m += forward_m * std::cos(direction_rad);
+  pose_.y_m += forward_m * std::sin(direction_rad);
+  pose_.heading_rad = wrap_angle(pose_.heading_rad + turn_rad);
   gyro_heading_rad_ = wrap_angle(gyro_heading_rad_ + step.gyro_turn_rad.value_or(0));
   left_.angle_rad += step.left_m / wheel_radius_m;
   right_.angle_rad += step.right_m / wheel_radius_m;
@@ -102,8 +121,8 @@ void Odometry::apply_rates(const Step& step, const std::optional<Inertia>& inert
   if (params_.use_gyro_heading && inertia) angular_rad_s_ = gyro_rate_rad_s_;
 }
 
-void Odometry::reinitialise() {
-  last_.reset();
+void Odometry::bridge(double silence_s) {
+  silence_s_ = silence_s;
   suspect_.reset();
   linear_mps_ = angular_rad_s_ = gyro_rate_rad_s_ = 0;
   left_.rate_rad_s = right_.rate_rad_s = 0;

@@ -229,14 +229,49 @@ TEST(Odometry, HasAJumpLimitOfMaxWheelSpeed) {
   EXPECT_EQ(beyond.rejected_jumps(), 1U);
 }
 
-TEST(Odometry, KeepsThePoseWhenReinitialised) {
-  Odometry sut{by_encoder()};
-  sut.update(core(0, 0, 0), {});
-  sut.update(core(20, 40, 40), {});
-  sut.reinitialise();
+/// What odometry adds for a silence of `silence_s` after which the base's stamp has gone on by
+/// `stamp_s` and both wheels by `ticks`, and the gyro by a degree.
+Pose bridged(double silence_s, double stamp_s, int ticks) {
+  Odometry sut{OdometryParams{}};
+  sut.update(core(100, 0, 0), inertia(0));
+  sut.bridge(silence_s);
   EXPECT_EQ(sut.linear_mps(), 0);
-  sut.update(core(40, 5000, 9000), {});
-  EXPECT_NEAR(sut.pose().x_m, 40 * tick_m, 1e-12);
+  const int stamp_ms = 100 + static_cast<int>(std::lround(stamp_s * 1000));
+  sut.update(core(stamp_ms, ticks, ticks), inertia(100));
+  EXPECT_TRUE(sut.waits());
+  sut.update(core(stamp_ms + 20, ticks, ticks), inertia(100));
+  EXPECT_FALSE(sut.waits());
+  return sut.pose();
+}
+
+TEST(Odometry, TakesTheWayThatTheBaseRolledInALongSilence) {
+  for (const double silence_s : {4.0, 60.0, 70.0, 200.0}) {
+    EXPECT_NEAR(bridged(silence_s, silence_s, 4000).x_m, 4000 * tick_m, 1e-4) << silence_s;
+    EXPECT_NEAR(bridged(silence_s, silence_s, 4000).heading_rad, degree_rad, 1e-9) << silence_s;
+    EXPECT_NEAR(bridged(silence_s, silence_s, -4000).x_m, -4000 * tick_m, 1e-4) << silence_s;
+  }
+}
+
+TEST(Odometry, TakesAPauseForAnArc) {
+  Odometry sut{OdometryParams{}};
+  sut.update(core(0, 0, 0), inertia(0));
+  for (int i = 0; i < 2; ++i) sut.update(core(2000, 10000, 10000), inertia(9000));
+  const double radius_m = 10000 * tick_m / (pi / 2);
+  EXPECT_NEAR(sut.pose().x_m, radius_m, 1e-6);
+  EXPECT_NEAR(sut.pose().y_m, radius_m, 1e-6);
+}
+
+TEST(Odometry, TakesABaseWhoseClockDidNotGoOnInASilenceForARestartedOne) {
+  EXPECT_GT(bridged(8, 8.27, 4000).x_m, 0.3);
+  EXPECT_EQ(bridged(8, 8.31, 4000).x_m, 0);
+  EXPECT_EQ(bridged(8, 7.66, 4000).x_m, 0);
+  EXPECT_EQ(bridged(8, 7.66, 4000).heading_rad, 0);
+}
+
+TEST(Odometry, TakesMoreThanABaseCanRollInASilenceForARestartedOne) {
+  const int limit_ticks = static_cast<int>(2.5 / tick_m);
+  EXPECT_GT(bridged(8, 8, limit_ticks).x_m, 2.49);
+  EXPECT_EQ(bridged(8, 8, limit_ticks + 1).x_m, 0);
 }
 
 TEST(Odometry, GoesToTheOriginWhenReset) {

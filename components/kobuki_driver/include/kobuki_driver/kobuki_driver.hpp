@@ -21,6 +21,7 @@ struct Reading {
   Feedback feedback;
   Battery battery;
   Pose pose;
+  bool pose_is_old = false;  ///< this frame's encoders wait for the next frame to confirm them
   double linear_mps = 0;
   double angular_rad_s = 0;
   double gyro_heading_rad = 0;  ///< by the gyro, whatever `pose` comes from
@@ -84,6 +85,10 @@ class KobukiDriver {
   /// firmware is known to have them (1.2).
   [[nodiscard]] bool set_gains(const ControllerGains& gains);
   void reset_odometry() { odometry_.reset(); }
+  /// Goes on from the odometry of an earlier driver, whose last frame came at `last_frame`.
+  void resume(const OdometrySnapshot& snapshot, Time last_frame);
+  /// Time::min() before the first.
+  [[nodiscard]] Time last_frame() const { return last_frame_; }
 
   /// Sends what is due; call when `next_deadline` has passed, or more often.
   void run(Time now, const ByteSink& sink);

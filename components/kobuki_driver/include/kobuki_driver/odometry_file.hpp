@@ -4,9 +4,16 @@
 #include <optional>
 #include <string>
 
+#include "foundation/time.hpp"
 #include "kobuki_protocol/odometry.hpp"
 
 namespace tocsin::kobuki {
+
+/// Odometry, and when the frame came that it is from.
+struct OdometryMemory {
+  OdometrySnapshot odometry;
+  Time last_frame{};
+};
 
 /// Keeps odometry over a restart of the driver, so that it goes on from where it was and with the
 /// motion in between, because the base's encoders and gyro went on. Valid for processes of one
@@ -15,9 +22,10 @@ class OdometryFile {
  public:
   /// An empty path keeps nothing.
   explicit OdometryFile(std::string path) : path_(std::move(path)) {}
-  [[nodiscard]] std::optional<OdometrySnapshot> load() const;
-  /// Replaces the file as a whole. False when it cannot be written.
-  [[nodiscard]] bool save(const OdometrySnapshot& snapshot) const;
+  /// Empty when there is none, or it is of another run or damaged.
+  [[nodiscard]] std::optional<OdometryMemory> load() const;
+  /// Replaces the file as a whole. False when it cannot be written; what was kept is kept then.
+  [[nodiscard]] bool save(const OdometryMemory& memory) const;
 
  private:
   std::string path_;

@@ -63,15 +63,16 @@ struct OdometrySnapshot {
 /// turn can do, or with a stamp that went back or on by more than 3.5 s, is left out: the checksum
 /// lets some damaged frames through. When the next one agrees with it, the base was restarted, and
 /// motion counts from there. The first sample after a pause of more than 0.1 s waits in the same
-/// way for the next one, which brings the motion of the pause.
+/// way for the next one, which brings the motion of the pause. A longer pause needs `bridge`.
 class Odometry {
  public:
   explicit Odometry(const OdometryParams& params);
   /// Takes one frame. `inertia` may be absent: the heading then comes from the encoders.
   void update(const CoreSensors& core, const std::optional<Inertia>& inertia);
-  /// The next sample only initialises; the pose stays. For a silence in which encoders may have
-  /// wrapped.
-  void reinitialise();
+  /// The next sample comes after a silence of `silence_s`, by the computer's clock, in which stamp
+  /// and encoders may have wrapped. When its stamp agrees and its wheels rolled at most 2.5 m, as
+  /// of a base that stopped by its own timeout, it is motion; else the base was restarted.
+  void bridge(double silence_s);
   /// Makes the present place the origin.
   void reset();
 
@@ -85,6 +86,8 @@ class Odometry {
   [[nodiscard]] double gyro_rate_rad_s() const { return gyro_rate_rad_s_; }
   [[nodiscard]] const WheelState& left() const { return left_; }
   [[nodiscard]] const WheelState& right() const { return right_; }
+  /// The last sample was left out, or waits for the next one: the pose is that of an older one.
+  [[nodiscard]] bool waits() const { return suspect_.has_value(); }
   /// Samples that were left out.
   [[nodiscard]] std::uint64_t rejected_jumps() const { return rejected_jumps_; }
 
@@ -104,8 +107,10 @@ class Odometry {
     double turn_rad = 0;  ///< by the encoders
     std::optional<double> gyro_turn_rad;
   };
-  [[nodiscard]] Step measure(const Sample& from, const Sample& to) const;
+  [[nodiscard]] Step measure(const Sample& from, const Sample& to,
+                             const std::optional<double>& silence_s = {}) const;
   [[nodiscard]] bool plausible(const Step& step) const;
+  [[nodiscard]] bool bridges(const Step& step) const;
   void apply(const Step& step);
   void apply_rates(const Step& step, const std::optional<Inertia>& inertia);
 
@@ -119,6 +124,7 @@ class Odometry {
   WheelState right_;
   std::optional<Sample> last_;
   std::optional<Sample> suspect_;  ///< waits for the next one to agree
+  std::optional<double> silence_s_;
   std::uint64_t rejected_jumps_ = 0;
 };
 
