@@ -11,14 +11,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "command_line/programs.hpp"
+#include "deployment/running_host.hpp"
 #include "foundation/error.hpp"
-#include "namespaces.hpp"
 
 namespace tocsin {
 namespace {
@@ -42,19 +40,6 @@ std::shared_ptr<const YAML::Node> parameters_of(const Guest& guest) {
     }
   }
   return node;
-}
-
-/// A living process of this host, by the list that the launcher keeps.
-pid_t process_of(const fs::path& run, const std::string& host) {
-  std::ifstream file(run / "processes.json");
-  const auto pids = nlohmann::json::parse(file, nullptr, false);
-  if (pids.is_object()) {
-    for (const auto& [name, pid] : pids.items()) {
-      const bool ours = name.rfind(host + "/", 0) == 0 && pid.is_number_integer();
-      if (ours && ::kill(pid.get<pid_t>(), 0) == 0) return pid.get<pid_t>();
-    }
-  }
-  throw EnvironmentError("nothing runs on host " + host + " of " + run.string());
 }
 
 /// Becomes the process; only async-signal-safe calls between fork and here.
@@ -133,10 +118,10 @@ int run_guest(const JoinOptions& options, const Guest& guest) {
   const std::string host = host_of(joined, options.role).name;
   const auto container = find_program("tocsin-container", program_folders());
   if (!container) throw EnvironmentError("tocsin-container is not installed");
-  const pid_t process = process_of(run, host);
+  const pid_t process = deployment::process_of(run, host);
   const std::string file = (run / ("operator-" + std::to_string(::getpid()) + ".yaml")).string();
   deployment::write_resolved(joined, file);
-  if (joined.radio) enter_namespaces(process);
+  if (joined.radio) deployment::enter_namespaces(process);
   const int code = run_and_wait({container->string(), file, host, guest_name()});
   std::error_code ignored;
   fs::remove(file, ignored);

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/middleware/host_bus.hpp"
 
-#include <fcntl.h>
-#include <sched.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdlib>
-#include <filesystem>
 
 #include "command_line/programs.hpp"
 #include "deployment/deployment.hpp"
+#include "deployment/running_host.hpp"
 #include "foundation/error.hpp"
-#include "foundation/yaml_file.hpp"
 #include "runtime/fast_dds_bus.hpp"
 
 namespace tocsin {
@@ -20,33 +15,14 @@ namespace {
 
 constexpr int processes = 16;
 
-bool enter(const std::string& path, int kind) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool entered = ::setns(descriptor, kind) == 0;
-  ::close(descriptor);
-  return entered;
-}
-
-/// The network namespace of a process of the host; without privileges by its user namespace.
-void enter_network(const std::string& run_dir, const std::string& host) {
-  const std::string file = run_dir + "/processes.json";
-  const YAML::Node pids = read_yaml_file(file);
-  for (const auto& entry : pids) {
-    if (entry.first.Scalar().rfind(host + "/", 0) != 0) continue;
-    const std::string folder = "/proc/" + entry.second.Scalar() + "/ns/";
-    if (enter(folder + "net", CLONE_NEWNET)) return;
-    if (enter(folder + "user", CLONE_NEWUSER) && enter(folder + "net", CLONE_NEWNET)) return;
-  }
-  throw EnvironmentError(file + ": cannot enter the network of " + host + "; does the run go on?");
-}
-
 BusOptions options_of_run(const HostChoice& choice) {
   const auto run = deployment::load_resolved(choice.run_dir + "/deployment.yaml");
   const deployment::Host* host =
       choice.host.empty() ? &run.hosts.front() : deployment::find_host(run, choice.host);
   if (host == nullptr) throw ConfigError(run.file + ": has no host '" + choice.host + "'");
-  if (run.radio) enter_network(choice.run_dir, host->name);
+  if (run.radio) {
+    deployment::enter_namespaces(deployment::process_of(choice.run_dir, host->name));
+  }
   BusOptions options;
   options.role = host->role;
   options.ros_namespace = run.ros_namespace;

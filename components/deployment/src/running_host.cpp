@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "namespaces.hpp"
+#include "deployment/running_host.hpp"
 
 #include <fcntl.h>
 #include <sched.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <yaml-cpp/yaml.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <string>
 #include <system_error>
 
 #include "foundation/error.hpp"
+#include "foundation/yaml_file.hpp"
 
-namespace tocsin {
+namespace tocsin::deployment {
 namespace {
 
 std::string path_of(const std::string& process, const char* kind) {
@@ -45,7 +49,21 @@ void enter(int descriptor, int kind) {
 
 }  // namespace
 
+pid_t process_of(const std::string& run_dir, const std::string& host) {
+  const std::string file = run_dir + "/processes.json";
+  if (std::filesystem::exists(file)) {
+    for (const auto& entry : read_yaml_file(file)) {
+      const auto pid = entry.second.as<pid_t>(0);
+      const bool ours = entry.first.Scalar().rfind(host + "/", 0) == 0;
+      if (ours && pid > 0 && ::kill(pid, 0) == 0) return pid;
+    }
+  }
+  throw EnvironmentError("nothing runs on host " + host + " of " + run_dir);
+}
+
 void enter_namespaces(pid_t process) {
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::current_path(ignored);
   const std::string its = std::to_string(process);
   // All are opened first: from inside, /proc may show other processes.
   const int user = same_namespace(its, "user") ? -1 : open_namespace(its, "user");
@@ -53,7 +71,8 @@ void enter_namespaces(pid_t process) {
   const int mount = open_namespace(its, "mnt");
   if (user >= 0) enter(user, CLONE_NEWUSER);
   enter(net, CLONE_NEWNET);
-  enter(mount, CLONE_NEWNS);
+  enter(mount, CLONE_NEWNS);  // the working folder is now /
+  std::filesystem::current_path(folder, ignored);
 }
 
-}  // namespace tocsin
+}  // namespace tocsin::deployment
