@@ -32,6 +32,7 @@ void Schedule::set_waker(Waker* waker) {
 void Schedule::begin_tick(Time now) {
   input_pending.exchange(false);  // reads what the input's thread did before it set it
   deadline = never;
+  begun_ = now;
   if (period <= Duration::zero()) return;
   if (next_period == never) {
     next_period = now + period;
@@ -42,6 +43,11 @@ void Schedule::begin_tick(Time now) {
       next_period = now + period;
     }
   }
+}
+
+void Schedule::repeat(Duration wanted) {
+  period = wanted;
+  next_period = begun_ == never ? never : begun_ + wanted;
 }
 
 void Component::wake_at(Time deadline) {

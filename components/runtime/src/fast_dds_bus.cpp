@@ -116,6 +116,7 @@ class ChannelPublication : public Publication {
     sample.source = source_;
     return channel_.write(sample);
   }
+  [[nodiscard]] bool has_readers() const override { return channel_.has_readers(); }
 
  private:
   const FastDdsBus& bus_;

@@ -16,14 +16,24 @@ void InputPort::receive(const Sample& sample) {
     ++received_;
     last_ = sample.received;
     if (!queue_.push(sample)) ++dropped_;
+    has_sample_.store(true, std::memory_order_relaxed);
   }
   owner_.schedule().input_arrived();
 }
 
+// A tick that an input asked for sees the flag that was set before, see Schedule::begin_tick.
 std::optional<Sample> InputPort::take_sample() {
+  if (!has_sample_.load(std::memory_order_relaxed)) return std::nullopt;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (queue_.size() == 0) return std::nullopt;
+  has_sample_.store(queue_.size() > 1, std::memory_order_relaxed);
   return queue_.pop();
+}
+
+std::shared_ptr<const void> InputPort::take_message() {
+  if (!has_sample_.load(std::memory_order_relaxed)) return nullptr;
+  std::optional<Sample> sample = take_sample();
+  return sample ? std::move(sample->message) : nullptr;
 }
 
 PortHealth InputPort::health() const {
@@ -40,6 +50,7 @@ void InputPort::listen(bool on) {
   subscription_.reset();
   const std::lock_guard<std::mutex> lock(mutex_);
   queue_.clear();
+  has_sample_.store(false, std::memory_order_relaxed);
 }
 
 }  // namespace tocsin

@@ -23,14 +23,15 @@ class SimBus::Topic {
 
   void attach(Receiver& receiver) {
     receivers_.push_back(&receiver);
-    const bool keeps_last = std::string_view(endpoint_.topic.qos) == "state";
-    if (keeps_last && last_.message) receiver.receive(last_);
+    if (keeps_last() && last_.message) receiver.receive(last_);
   }
 
   void detach(Receiver& receiver) {
     receivers_.erase(std::remove(receivers_.begin(), receivers_.end(), &receiver),
                      receivers_.end());
   }
+
+  [[nodiscard]] bool has_receivers() const { return !receivers_.empty() || keeps_last(); }
 
   void deliver(Sample sample) {
     sample.sequence = last_.sequence + 1;
@@ -40,6 +41,7 @@ class SimBus::Topic {
   }
 
  private:
+  [[nodiscard]] bool keeps_last() const { return std::string_view(endpoint_.topic.qos) == "state"; }
   Endpoint endpoint_;
   std::vector<Receiver*> receivers_;
   Sample last_;
@@ -52,6 +54,7 @@ class SimBus::Writer : public Publication {
     bus_.deliver(endpoint_, message);
     return Status::ok;
   }
+  [[nodiscard]] bool has_readers() const override { return bus_.topic(endpoint_).has_receivers(); }
 
  private:
   SimBus& bus_;

@@ -37,6 +37,10 @@ class TopicChannel {
   /// Makes the writers, once. `rule` and `open` are those of the gate.
   void advertise(const TrafficRule& rule, bool open);
   Status write(const Sample& sample);
+  /// Whether a sample that is written now gets anywhere, or is kept or counted for others.
+  [[nodiscard]] bool has_readers() const {
+    return gated_ || deadline_ || exchange_.has_receivers() || has_readers_on_host();
+  }
   /// The writer with this source is gone.
   void forget(std::uint64_t source) { exchange_.forget(source); }
   /// Every DDS endpoint of this topic.

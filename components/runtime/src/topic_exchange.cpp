@@ -31,6 +31,7 @@ bool TopicExchange::expired(const Sample& sample, Time now) const {
 void TopicExchange::attach(Receiver& receiver, Time now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   receivers_.push_back(&receiver);
+  has_receivers_.store(true, std::memory_order_relaxed);
   for (const auto& writer : kept_) {
     for (const Sample& sample : writer.second) {
       if (!expired(sample, now)) receiver.receive(sample);
@@ -41,6 +42,7 @@ void TopicExchange::attach(Receiver& receiver, Time now) {
 void TopicExchange::detach(Receiver& receiver) {
   const std::lock_guard<std::mutex> lock(mutex_);
   receivers_.erase(std::remove(receivers_.begin(), receivers_.end(), &receiver), receivers_.end());
+  has_receivers_.store(!receivers_.empty(), std::memory_order_relaxed);
 }
 
 void TopicExchange::deliver(const Sample& sample) {

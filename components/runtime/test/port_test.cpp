@@ -76,6 +76,31 @@ TEST_F(PortTest, ListeningAgainGivesTheLastStateButNoOldCommand) {
   EXPECT_EQ(sut_.command.take(), nullptr);
 }
 
+TEST_F(PortTest, TakingTheMessageOfAnEmptyQueueGivesNull) {
+  EXPECT_EQ(sut_.command.take_message(), nullptr);
+  publish_goal();
+  publish_goal();
+  EXPECT_NE(sut_.command.take_message(), nullptr);
+  EXPECT_TRUE(sut_.command.take_sample());
+  EXPECT_EQ(sut_.command.take_message(), nullptr);
+  EXPECT_FALSE(sut_.command.take_sample());
+  publish_goal();
+  EXPECT_TRUE(sut_.command.take_sample());
+}
+
+TEST_F(PortTest, AnOutputIsWantedAsLongAsSomebodyReadsIt) {
+  Output<topic::Goal> goals(sut_);
+  EXPECT_TRUE(goals.wanted());
+  sut_.listen(false);
+  EXPECT_FALSE(goals.wanted());
+}
+
+TEST_F(PortTest, AnOutputThatLateReadersGetIsAlwaysWanted) {
+  Output<topic::MissionStatus> states(sut_);
+  sut_.listen(false);
+  EXPECT_TRUE(states.wanted());
+}
+
 TEST_F(PortTest, WakesOnceForSeveralInputsUntilTheNextTick) {
   CountingWaker waker;
   sut_.schedule().set_waker(&waker);

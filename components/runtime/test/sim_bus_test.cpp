@@ -120,6 +120,34 @@ TEST(Schedule, SkipsMissedPeriodsAndCountsThem) {
   EXPECT_EQ(sut.due(), t0 + seconds(0.45));
 }
 
+TEST(Schedule, APeriodAskedForBeforeTheFirstTickCountsFromThatTick) {
+  Schedule sut;
+  sut.repeat(seconds(0.1));
+  EXPECT_EQ(sut.due(), never);
+  const Time t0{seconds(1)};
+  sut.begin_tick(t0);
+  EXPECT_EQ(sut.due(), t0 + seconds(0.1));
+}
+
+TEST(Schedule, APeriodAskedForWithinATickCountsFromIt) {
+  Schedule sut;
+  const Time t0{seconds(1)};
+  sut.begin_tick(t0);
+  sut.repeat(seconds(0.1));
+  EXPECT_EQ(sut.due(), t0 + seconds(0.1));
+  sut.begin_tick(t0 + seconds(0.1));
+  EXPECT_EQ(sut.due(), t0 + seconds(0.2));
+}
+
+TEST(Schedule, AnotherPeriodReplacesTheOne) {
+  Schedule sut;
+  const Time t0{seconds(1)};
+  sut.begin_tick(t0);
+  sut.repeat(seconds(0.1));
+  sut.repeat(seconds(0.5));
+  EXPECT_EQ(sut.due(), t0 + seconds(0.5));
+}
+
 TEST(Schedule, InputDoesNotMoveThePeriod) {
   Schedule sut;
   sut.period = seconds(0.1);

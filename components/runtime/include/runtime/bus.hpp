@@ -55,6 +55,8 @@ class Publication {
   virtual ~Publication() = default;
   /// Thread-safe; never blocks on the network. The message must not change afterwards.
   virtual Status write(const std::shared_ptr<const void>& message) = 0;
+  /// False: nobody would notice a write, now or as a late joiner. Thread-safe.
+  [[nodiscard]] virtual bool has_readers() const { return true; }
 };
 
 /// Account of one gated writer since start.

@@ -49,7 +49,6 @@ struct Schedule {
   Time next_period = never;
   std::atomic<std::uint64_t> overruns{0};  ///< periods that were skipped: a tick came too late
   std::vector<int> descriptors;
-
   void input_arrived();
   /// `waker` is woken by the first input after each tick; null ends that, and waits for a call
   /// that is running.
@@ -58,8 +57,11 @@ struct Schedule {
   [[nodiscard]] Time due() const { return std::min(deadline, next_period); }
   /// Forgets what the tick at `now` answers to.
   void begin_tick(Time now);
+  /// From the last tick on, or from the first one that comes.
+  void repeat(Duration wanted);
 
  private:
+  Time begun_ = never;
   std::mutex wake_mutex_;
   std::atomic<Waker*> waker_{nullptr};
 };
@@ -83,9 +85,6 @@ class Component {
  public:
   explicit Component(Context& context) : context_(context), log_(context.name) {}
   virtual ~Component() = default;
-  Component(const Component&) = delete;
-  Component& operator=(const Component&) = delete;
-
   /// Runs after an input came, a deadline passed or a descriptor became readable, and once at
   /// start. `now` never decreases. Takes inputs, calls the decision, writes outputs.
   virtual void tick(Time now) = 0;
@@ -102,7 +101,7 @@ class Component {
   /// every tick forgets it, so ask again.
   void wake_at(Time deadline);
   /// Tick each `period` (> 0) from now on; a missed one is skipped, not caught up.
-  void wake_every(Duration period) { schedule_.period = period; }
+  void wake_every(Duration period) { schedule_.repeat(period); }
   /// Tick whenever `descriptor` is readable, until `forget`. The caller keeps ownership.
   void wake_on(int descriptor) { schedule_.descriptors.push_back(descriptor); }
   void forget(int descriptor);

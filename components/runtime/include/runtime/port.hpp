@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -18,11 +19,10 @@ class InputPort : private Receiver {
  public:
   InputPort(Component& owner, const Endpoint& endpoint);
   ~InputPort() override;
-  InputPort(const InputPort&) = delete;
-  InputPort& operator=(const InputPort&) = delete;
 
   /// The oldest sample that was not taken yet.
   [[nodiscard]] std::optional<Sample> take_sample();
+  [[nodiscard]] std::shared_ptr<const void> take_message();  ///< null when there is none
   /// Any thread.
   [[nodiscard]] PortHealth health() const;
   /// For the container: unsubscribes and forgets what waits, or subscribes again as a late joiner.
@@ -35,6 +35,7 @@ class InputPort : private Receiver {
   const Endpoint endpoint_;
   mutable std::mutex mutex_;
   SampleQueue queue_{capacity};
+  std::atomic<bool> has_sample_{false};  ///< so that to look into an empty queue takes no lock
   std::uint64_t received_ = 0;
   std::uint64_t dropped_ = 0;
   Time last_{};
@@ -48,13 +49,11 @@ template <class Topic>
 class Input : public InputPort {
  public:
   using Message = typename Topic::Message;
-  explicit Input(Component& owner)
-      : InputPort(owner, {Topic::info, &type_info<typename Topic::Message>()}) {}
+  explicit Input(Component& owner) : InputPort(owner, {Topic::info, &type_info<Message>()}) {}
 
   /// The oldest message that was not taken yet; null when there is none.
   [[nodiscard]] std::shared_ptr<const Message> take() {
-    const std::optional<Sample> sample = take_sample();
-    return sample ? std::static_pointer_cast<const Message>(sample->message) : nullptr;
+    return std::static_pointer_cast<const Message>(take_message());
   }
   /// The newest message; all older ones are dropped. Null when nothing new came.
   [[nodiscard]] std::shared_ptr<const Message> take_latest() {
@@ -70,7 +69,7 @@ class Output {
  public:
   using Message = typename Topic::Message;
   explicit Output(Component& owner)
-      : publication_(owner.bus().advertise({Topic::info, &type_info<typename Topic::Message>()})) {}
+      : publication_(owner.bus().advertise({Topic::info, &type_info<Message>()})) {}
 
   /// Never blocks on the network. Readers in this process get the very object, unserialised.
   Status write(Message message) {
@@ -80,6 +79,8 @@ class Output {
   Status write(const std::shared_ptr<const Message>& message) {
     return publication_->write(message);
   }
+  /// False: nobody would get it now, nor later, so that a message may as well not be made.
+  [[nodiscard]] bool wanted() const { return publication_->has_readers(); }
 
  private:
   std::unique_ptr<Publication> publication_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -30,6 +31,10 @@ class TopicExchange {
   /// Waits until `receiver` is not being called any more.
   void detach(Receiver& receiver);
   void deliver(const Sample& sample);
+  /// Whether somebody gets a sample that is delivered now.
+  [[nodiscard]] bool has_receivers() const {
+    return has_receivers_.load(std::memory_order_relaxed);
+  }
   /// The writer is gone: what it wrote is not kept for late receivers any more.
   void forget(std::uint64_t source);
 
@@ -49,6 +54,7 @@ class TopicExchange {
   const Duration lifespan_;
   mutable std::mutex mutex_;
   std::vector<Receiver*> receivers_;
+  std::atomic<bool> has_receivers_{false};
   std::map<std::uint64_t, std::deque<Sample>> kept_;
   Separation separation_;
   DeadlineWatch deadline_;
