@@ -31,8 +31,7 @@ struct Sample {
 };
 
 /// Takes samples off a bus. `receive` may be called from any thread, and must not block.
-class Receiver {
- public:
+struct Receiver {
   virtual ~Receiver() = default;
   virtual void receive(const Sample& sample) = 0;
 };
@@ -44,8 +43,7 @@ struct Endpoint {
 };
 
 /// Subscribed as long as it lives. Destroying it waits for a running `receive`.
-class Subscription {
- public:
+struct Subscription {
   virtual ~Subscription() = default;
 };
 
