@@ -56,10 +56,10 @@ std::vector<std::string> installed_components() {
 }
 
 const ComponentEntry& load_component(const std::string& name) {
-  return load_component(name, find(name));
+  return open_component(name, find(name));
 }
 
-const ComponentEntry& load_component(const std::string& name, const fs::path& file) {
+const ComponentEntry& open_component(const std::string& name, const fs::path& file) {
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) throw ConfigError("component '" + name + "': " + dlerror());
   using EntryFunction = const ComponentEntry* (*)();

@@ -15,8 +15,6 @@
 namespace tocsin {
 namespace {
 
-constexpr Duration interface_timeout = std::chrono::seconds(30);
-
 /// The larger number of containers of the hosts.
 int processes_of(const deployment::Deployment& deployment) {
   std::size_t most = 1;
@@ -40,16 +38,6 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
           processes_of(deployment)};
 }
 
-std::unique_ptr<Bus> make_bus(const deployment::Deployment& deployment,
-                              const deployment::Host& host,
-                              const deployment::Container& container) {
-  if (!host.address.empty() && !wait_for_interface(host.address, interface_timeout)) {
-    throw EnvironmentError(host.name + ".address: no interface with " + host.address +
-                           " came up within 30 s");
-  }
-  return make_fast_dds_bus(bus_options(deployment, host, container));
-}
-
 HealthLimits limits_of(const deployment::Deployment& deployment,
                        const deployment::Container& container) {
   const YAML::Node none(YAML::NodeType::Map);
@@ -61,7 +49,7 @@ HealthLimits limits_of(const deployment::Deployment& deployment,
 
 Container::Container(const deployment::Deployment& deployment, const deployment::Host& host,
                      const deployment::Container& container, std::function<void(int)> request_exit)
-    : bus_(make_bus(deployment, host, container)),
+    : bus_(make_fast_dds_bus(bus_options(deployment, host, container))),
       gate_context_{*bus_, "gate", host.role, deployment.run_dir, std::move(request_exit)},
       control_context_(gate_context_) {
   control_context_.name = "control";

@@ -43,6 +43,7 @@ DdsReader::DdsReader(FastDdsParticipant& participant, const std::string& topic,
     : participant_(participant),
       exchange_(exchange),
       skips_own_(!qos.exclusive()),
+      own_{topic, type.name, layout_in(qos.user_data), false},
       account_(topic, false, participant.radio()),
       pool_(type),
       reader_(participant.create_reader(topic, type, qos, *this)) {
@@ -69,6 +70,15 @@ void DdsReader::on_data_available(Reader* reader) {
   } while (!calls_.compare_exchange_weak(seen, 0));
 }
 
+/// Bytes of another layout may decode by chance; its writer is not believed then.
+bool DdsReader::has_other_layout(const RemoteEnds::Guid& writer) {
+  if (writer != last_writer_) {
+    last_writer_ = writer;
+    last_has_other_layout_ = participant_.remote_ends().has_other_layout(writer, own_);
+  }
+  return last_has_other_layout_;
+}
+
 void DdsReader::drain(Reader* reader) {
   IncomingSample incoming;
   dds::SampleInfo info;
@@ -78,12 +88,18 @@ void DdsReader::drain(Reader* reader) {
     if (reader->take_next_sample(&incoming, &info) != ReturnCode::RETCODE_OK) return;
     if (!info.valid_data || incoming.skip) continue;
     if (skips_own_ && participant_.owns(info.sample_identity.writer_guid())) continue;
-    if (incoming.valid) {
+    if (incoming.valid && !has_other_layout(info.sample_identity.writer_guid())) {
       exchange_.deliver(sample_of(incoming, info));
     } else {
       account_.on_undecodable(incoming.bytes);
     }
   }
+}
+
+EndpointHealth DdsReader::health() const {
+  EndpointHealth health = account_.health();
+  health.other_type = participant_.remote_ends().other_type(own_);
+  return health;
 }
 
 void DdsReader::on_subscription_matched(Reader*, const dds::SubscriptionMatchedStatus& status) {
@@ -116,6 +132,7 @@ void DdsReader::on_liveliness_changed(Reader*, const dds::LivelinessChangedStatu
 DdsWriter::DdsWriter(FastDdsParticipant& participant, const std::string& topic,
                      const TypeInfo& type, const QosProfile& qos)
     : participant_(participant),
+      own_{topic, type.name, layout_in(qos.user_data), true},
       account_(topic, true, participant.radio()),
       writer_(participant.create_writer(topic, type, qos, *this)) {
   if (writer_ == nullptr) throw EnvironmentError("DDS writer of " + topic + " cannot be created");
@@ -139,6 +156,7 @@ EndpointHealth DdsWriter::health() const {
   EndpointHealth health = account_.health();
   health.samples = sent_;
   health.lost = refused_;
+  health.other_type = participant_.remote_ends().other_type(own_);
   return health;
 }
 

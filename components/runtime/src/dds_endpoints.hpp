@@ -23,7 +23,7 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   DdsReader(FastDdsParticipant& participant, const std::string& topic, const TypeInfo& type,
             const QosProfile& qos, TopicExchange& exchange);
   ~DdsReader() override;
-  [[nodiscard]] EndpointHealth health() const { return account_.health(); }
+  [[nodiscard]] EndpointHealth health() const;
 
  private:
   using Reader = eprosima::fastdds::dds::DataReader;
@@ -41,13 +41,17 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   void on_liveliness_changed(
       Reader* reader, const eprosima::fastdds::dds::LivelinessChangedStatus& status) override;
   [[nodiscard]] bool next_is_own(Reader* reader) const;
+  [[nodiscard]] bool has_other_layout(const RemoteEnds::Guid& writer);
 
   FastDdsParticipant& participant_;
   TopicExchange& exchange_;
   const bool skips_own_;
+  const AnnouncedEnd own_;
   EndpointAccount account_;
   std::atomic<bool> own_matched_{false};
   std::atomic<unsigned> calls_{0};  // of on_data_available that wait for the one that drains
+  RemoteEnds::Guid last_writer_;    // touched by the one that drains
+  bool last_has_other_layout_ = false;
   MessagePool pool_;
   Reader* reader_;
 };
@@ -74,6 +78,7 @@ class DdsWriter : public LinkWriter, private eprosima::fastdds::dds::DataWriterL
   void on_liveliness_lost(Writer* writer,
                           const eprosima::fastdds::dds::LivelinessLostStatus& status) override;
   FastDdsParticipant& participant_;
+  const AnnouncedEnd own_;
   EndpointAccount account_;
   std::atomic<int> matched_{0};
   std::atomic<std::uint64_t> sent_{0};

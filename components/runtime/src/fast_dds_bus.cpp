@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "late_interface.hpp"
+#include "runtime/logger.hpp"
 #include "topic_channel.hpp"
 
 namespace tocsin {
@@ -54,9 +56,12 @@ class FastDdsBus : public Bus {
                options.shared_memory,
                profiles_.flow_controllers()}) {
     if (options.link_address.empty()) return;
-    link_ = std::make_unique<FastDdsParticipant>(ParticipantOptions{
-        options.name + "_link", options.link_domain, options.link_address, options.link_peers,
-        options.processes + 2, true, false, profiles_.flow_controllers()});
+    if (interface_is_running(options.link_address)) {
+      link_ = make_link();
+      return;
+    }
+    log_.warn("no interface with {} is up; link topics wait for it", options.link_address);
+    late_ = std::make_unique<LateInterface>(options.link_address, [this] { return join_link(); });
   }
 
   std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
@@ -68,10 +73,13 @@ class FastDdsBus : public Bus {
   [[nodiscard]] std::vector<EndpointHealth> health() const override;
 
  private:
+  [[nodiscard]] std::unique_ptr<FastDdsParticipant> make_link() const;
+  [[nodiscard]] bool join_link();
   TopicChannel& channel(const Endpoint& endpoint);
   [[nodiscard]] std::unique_ptr<TopicChannel> make_channel(const Endpoint& endpoint);
 
   const BusOptions options_;
+  Logger log_{"bus"};
   const QosProfiles profiles_;
   const TrafficRules rules_;
   FastDdsParticipant host_;
@@ -79,6 +87,7 @@ class FastDdsBus : public Bus {
   mutable std::mutex mutex_;
   bool gate_open_ = true;
   std::map<std::string, std::unique_ptr<TopicChannel>> channels_;
+  std::unique_ptr<LateInterface> late_;  // last: destroyed first, as it calls join_link
 };
 
 /// Removes the receiver when it is destroyed.
@@ -126,12 +135,31 @@ class ChannelPublication : public Publication {
   WallClock wall_;
 };
 
+std::unique_ptr<FastDdsParticipant> FastDdsBus::make_link() const {
+  return std::make_unique<FastDdsParticipant>(ParticipantOptions{
+      options_.name + "_link", options_.link_domain, options_.link_address, options_.link_peers,
+      options_.processes + 2, true, false, profiles_.flow_controllers()});
+}
+
+bool FastDdsBus::join_link() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  try {
+    link_ = make_link();
+  } catch (const EnvironmentError& error) {
+    log_.error("{}; tried again", error.what());
+    return false;
+  }
+  for (const auto& entry : channels_) entry.second->join(*link_);
+  log_.info("the interface with {} is up; link topics cross it", options_.link_address);
+  return true;
+}
+
 std::unique_ptr<TopicChannel> FastDdsBus::make_channel(const Endpoint& endpoint) {
   const std::string name = endpoint.topic.name;
-  const bool crosses = endpoint.topic.scope == Scope::link && link_;
+  const bool crosses = endpoint.topic.scope == Scope::link && !options_.link_address.empty();
   const std::string prefix =
       options_.ros_namespace.empty() ? "rt/" : "rt/" + options_.ros_namespace + "/";
-  ChannelOptions options{endpoint, prefix + name, profiles_.of(endpoint.topic.qos, name)};
+  ChannelOptions options{endpoint, prefix + name, profiles_.of(endpoint.topic.qos, name), crosses};
   return std::make_unique<TopicChannel>(std::move(options), host_, crosses ? link_.get() : nullptr);
 }
 

@@ -28,7 +28,7 @@ Qos in_partition(Qos qos, const std::vector<std::string>& partition) {
 FastDdsParticipant::FastDdsParticipant(ParticipantOptions options) : options_(std::move(options)) {
   if (options_.shared_memory) remove_shared_memory_leftovers();
   participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
-      static_cast<std::uint32_t>(options_.domain), participant_qos(options_), nullptr,
+      static_cast<std::uint32_t>(options_.domain), participant_qos(options_), &ears_,
       dds::StatusMask::none());
   if (participant_ == nullptr) {
     throw EnvironmentError("DDS participant " + options_.name + " in domain " +

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "discovery_ears.hpp"
 #include "fast_dds_transport.hpp"
 #include "idl_support/type_info.hpp"
 #include "runtime/middleware/qos_policies.hpp"
@@ -39,6 +40,7 @@ class FastDdsParticipant {
     return writer.guidPrefix == prefix_;
   }
   [[nodiscard]] bool radio() const { return options_.radio; }
+  [[nodiscard]] const RemoteEnds& remote_ends() const { return remote_ends_; }
 
  private:
   using Partition = std::vector<std::string>;
@@ -47,6 +49,8 @@ class FastDdsParticipant {
   eprosima::fastdds::dds::Subscriber* subscriber(const Partition& partition);
 
   const ParticipantOptions options_;
+  RemoteEnds remote_ends_;
+  DiscoveryEars ears_{remote_ends_};
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastrtps::rtps::GuidPrefix_t prefix_;
   std::mutex mutex_;

@@ -4,30 +4,16 @@
 #include <utility>
 
 namespace tocsin {
-namespace {
-
-/// Not a member: a member of a shared library is called through a table, which this path feels.
-Status send(LinkWriter& writer, TopicTraffic& traffic, const void* message) {
-  const std::size_t bytes = writer.send(message);
-  if (bytes == 0) return Status::failed;
-  ++traffic.sent;
-  traffic.sent_bytes += bytes;
-  return Status::ok;
-}
-
-}  // namespace
 
 GatedWriter::GatedWriter(std::string topic, const TrafficRule& rule,
                          std::unique_ptr<LinkWriter> writer, Freshness freshness)
-    : while_poor_(rule.while_poor), writer_(std::move(writer)), freshness_(std::move(freshness)) {
+    : sends_(writer != nullptr),
+      writer_(std::move(writer)),
+      while_poor_(rule.while_poor),
+      silent_(writer_ == nullptr),
+      freshness_(std::move(freshness)) {
   traffic_.topic = std::move(topic);
   traffic_.traffic_class = rule.traffic_class;
-}
-
-Status GatedWriter::write(const std::shared_ptr<const void>& message) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  ++traffic_.written;
-  return open_ ? send(*writer_, traffic_, message.get()) : keep(message);
 }
 
 Status GatedWriter::keep(const std::shared_ptr<const void>& message) {
@@ -47,25 +33,40 @@ void GatedWriter::send_kept() {
   if (freshness_.now && freshness_.now() - kept_at_ > freshness_.lifespan) {
     ++traffic_.dropped;
   } else {
-    (void)send(*writer_, traffic_, message.get());  // a refusal shows in `written` against `sent`
+    (void)send(message.get());  // a refusal shows in `written` against `sent`
   }
 }
 
 void GatedWriter::set_open(bool open) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (while_poor_ == WhilePoor::send || open == open_) return;
+  if (while_poor_ == WhilePoor::send) return;
+  // At once, so that a writer that never pauses soon leaves the turn to this.
+  if (!open) sends_.store(false, std::memory_order_relaxed);
+  const std::lock_guard<TurnLock> lock(turn_);
   open_ = open;
-  if (!open) {
-    writer_->silence();
-  } else {
+  settle();
+}
+
+void GatedWriter::connect(std::unique_ptr<LinkWriter> writer) {
+  const std::lock_guard<TurnLock> lock(turn_);
+  writer_ = std::move(writer);
+  settle();
+}
+
+void GatedWriter::settle() {
+  const bool sends = open_ && writer_ != nullptr;
+  sends_.store(sends, std::memory_order_relaxed);
+  if (std::exchange(silent_, !sends) == !sends) return;
+  if (sends) {
     send_kept();
+  } else {
+    writer_->silence();
   }
 }
 
 TopicTraffic GatedWriter::traffic() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<TurnLock> lock(turn_);
   TopicTraffic now = traffic_;
-  now.paused = !open_;
+  now.paused = silent_;
   return now;
 }
 

@@ -135,7 +135,7 @@ bool is_eventful(const EndpointHealth& endpoint) {
   return endpoint.lost + endpoint.rejected + endpoint.incompatible_qos + endpoint.deadlines_missed +
                  endpoint.liveliness_lost >
              0 ||
-         !endpoint.other_type.empty();
+         !endpoint.other_type.empty() || endpoint.waits;
 }
 
 Diagnostic diagnose(const std::string& container, const EndpointHealth& endpoint,
@@ -143,6 +143,7 @@ Diagnostic diagnose(const std::string& container, const EndpointHealth& endpoint
   Finding finding(container + "/" + endpoint.topic + (endpoint.writer ? " writer" : " reader") +
                       (endpoint.link ? " (link)" : ""),
                   "matched, with past events");
+  if (endpoint.waits) finding.grade(WARN, "waits for the interface of the link to come up");
   if (!endpoint.other_type.empty()) {
     finding.grade(ERROR, "another end has the type " + endpoint.other_type);
   }

@@ -83,7 +83,9 @@ void QosProfiles::read_flow_controllers(const YAML::Node& node) {
 void QosProfiles::read_overrides(const YAML::Node& node) {
   for (const auto& entry : need_map(node, "topics", path_)) {
     const std::string name = entry.first.Scalar();
-    overrides_[name] = load_parameters<OverrideParams>(entry.second, "topics." + name, path_);
+    TopicOverride& own = overrides_[name];
+    own = load_parameters<OverrideParams>(entry.second, "topics." + name, path_);
+    own.place = yaml_place(path_, entry.first);
   }
 }
 
@@ -103,7 +105,7 @@ QosProfile QosProfiles::of(const std::string& profile, const std::string& topic)
   if (separation_s >= 0) qos.minimum_separation_s = separation_s;
   if (const auto broken = conflict(qos)) {
     throw ConfigError("topics." + topic + "." + broken->policy + ": " + broken->reason +
-                      " (profile " + profile + ", " + path_ + ")");
+                      ", with the profile " + profile + own->second.place);
   }
   return qos;
 }

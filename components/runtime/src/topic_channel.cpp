@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "layout_digest.hpp"
 
 namespace tocsin {
 namespace {
@@ -15,11 +16,17 @@ GatedWriter::Freshness freshness(const QosProfile& qos) {
   return {[] { return Time(std::chrono::steady_clock::now()); }, seconds(qos.lifespan_s)};
 }
 
+ChannelOptions with_digest(ChannelOptions options) {
+  std::string& user_data = options.qos.user_data;
+  user_data = with_layout(user_data, layout_digest(*options.endpoint.type));
+  return options;
+}
+
 }  // namespace
 
 TopicChannel::TopicChannel(ChannelOptions options, FastDdsParticipant& host,
                            FastDdsParticipant* link)
-    : options_(std::move(options)), host_(host), link_(link), exchange_(options_.qos) {
+    : options_(with_digest(std::move(options))), host_(host), link_(link), exchange_(options_.qos) {
   if (options_.qos.exclusive() && options_.endpoint.topic.scope == Scope::link) {
     throw ConfigError(std::string("topic ") + options_.endpoint.topic.name +
                       ": crosses the link; ownership: exclusive is for host topics");
@@ -28,14 +35,32 @@ TopicChannel::TopicChannel(ChannelOptions options, FastDdsParticipant& host,
   if (std::isfinite(options_.qos.deadline_s)) deadline_.emplace(seconds(options_.qos.deadline_s));
 }
 
+std::unique_ptr<DdsReader> TopicChannel::make_reader(FastDdsParticipant& participant) {
+  return std::make_unique<DdsReader>(participant, options_.dds_name, *options_.endpoint.type,
+                                     options_.qos, exchange_);
+}
+
+/// Null while the link is not up.
+std::unique_ptr<DdsWriter> TopicChannel::make_link_writer() {
+  if (link_ == nullptr) return nullptr;
+  auto writer =
+      std::make_unique<DdsWriter>(*link_, options_.dds_name, *options_.endpoint.type, options_.qos);
+  link_writer_ = writer.get();
+  return writer;
+}
+
+void TopicChannel::join(FastDdsParticipant& link) {
+  if (!options_.crosses) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  link_ = &link;
+  if (host_reader_) link_reader_ = make_reader(link);
+  if (gated_) gated_->connect(make_link_writer());
+}
+
 void TopicChannel::attach(Receiver& receiver, Time now) {
   exchange_.attach(receiver, now);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (host_reader_) return;
-  const auto make_reader = [this](FastDdsParticipant& participant) {
-    return std::make_unique<DdsReader>(participant, options_.dds_name, *options_.endpoint.type,
-                                       options_.qos, exchange_);
-  };
   host_reader_ = make_reader(host_);
   if (link_ != nullptr) link_reader_ = make_reader(*link_);
 }
@@ -43,12 +68,10 @@ void TopicChannel::attach(Receiver& receiver, Time now) {
 void TopicChannel::advertise(const TrafficRule& rule, bool open) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (host_writer_) return;
-  const TypeInfo& type = *options_.endpoint.type;
-  host_writer_ = std::make_unique<DdsWriter>(host_, options_.dds_name, type, options_.qos);
-  if (link_ == nullptr) return;
-  auto link_writer = std::make_unique<DdsWriter>(*link_, options_.dds_name, type, options_.qos);
-  link_writer_ = link_writer.get();
-  gated_ = std::make_unique<GatedWriter>(options_.endpoint.topic.name, rule, std::move(link_writer),
+  host_writer_ =
+      std::make_unique<DdsWriter>(host_, options_.dds_name, *options_.endpoint.type, options_.qos);
+  if (!options_.crosses) return;
+  gated_ = std::make_unique<GatedWriter>(options_.endpoint.topic.name, rule, make_link_writer(),
                                          freshness(options_.qos));
   gated_->set_open(open);
 }
@@ -95,6 +118,14 @@ EndpointHealth TopicChannel::reader_health(const DdsReader& reader,
   return health;
 }
 
+EndpointHealth TopicChannel::waiting(bool writer) const {
+  EndpointHealth health;
+  health.topic = options_.endpoint.topic.name;
+  health.writer = writer;
+  health.link = health.waits = true;
+  return health;
+}
+
 std::vector<EndpointHealth> TopicChannel::health(Time now) const {
   std::vector<EndpointHealth> all;
   const TopicExchange::Account account = exchange_.account(now);
@@ -103,6 +134,10 @@ std::vector<EndpointHealth> TopicChannel::health(Time now) const {
   if (link_writer_ != nullptr) all.push_back(writer_health(*link_writer_, now));
   if (host_reader_) all.push_back(reader_health(*host_reader_, account));
   if (link_reader_) all.push_back(reader_health(*link_reader_, account));
+  if (options_.crosses && link_ == nullptr) {
+    if (host_writer_) all.push_back(waiting(true));
+    if (host_reader_) all.push_back(waiting(false));
+  }
   return all;
 }
 

@@ -16,6 +16,7 @@ struct ChannelOptions {
   Endpoint endpoint;
   std::string dds_name;
   QosProfile qos;
+  bool crosses = false;  ///< the link, now or once it is up
 };
 
 /// One topic in this process. A sample written here goes three ways: by pointer to the readers of
@@ -24,8 +25,8 @@ struct ChannelOptions {
 /// sample twice, and the gate never keeps anything from readers on this host.
 class TopicChannel {
  public:
-  /// `link` is null when the process has no radio link or the topic stays on the host. Throws
-  /// ConfigError when the topic crosses and its writers have owners.
+  /// `link` is null when the topic does not cross, or the link is not up yet. Throws ConfigError
+  /// when the topic crosses and its writers have owners.
   TopicChannel(ChannelOptions options, FastDdsParticipant& host, FastDdsParticipant* link);
 
   [[nodiscard]] const TypeInfo* type() const { return options_.endpoint.type; }
@@ -36,6 +37,8 @@ class TopicChannel {
   void detach(Receiver& receiver) { exchange_.detach(receiver); }
   /// Makes the writers, once. `rule` and `open` are those of the gate.
   void advertise(const TrafficRule& rule, bool open);
+  /// The link is up: from now on the topic crosses it, if it is one that does.
+  void join(FastDdsParticipant& link);
   Status write(const Sample& sample);
   /// Whether a sample that is written now gets anywhere, or is kept or counted for others.
   [[nodiscard]] bool has_readers() const {
@@ -47,15 +50,18 @@ class TopicChannel {
   [[nodiscard]] std::vector<EndpointHealth> health(Time now) const;
 
  private:
+  [[nodiscard]] std::unique_ptr<DdsReader> make_reader(FastDdsParticipant& participant);
+  [[nodiscard]] std::unique_ptr<DdsWriter> make_link_writer();
   [[nodiscard]] bool has_readers_on_host() const;
   [[nodiscard]] bool too_soon(Time now);
+  [[nodiscard]] EndpointHealth waiting(bool writer) const;
   [[nodiscard]] EndpointHealth writer_health(const DdsWriter& writer, Time now) const;
   [[nodiscard]] EndpointHealth reader_health(const DdsReader& reader,
                                              const TopicExchange::Account& account) const;
 
   const ChannelOptions options_;
   FastDdsParticipant& host_;
-  FastDdsParticipant* const link_;
+  FastDdsParticipant* link_;
   TopicExchange exchange_;
   mutable std::mutex mutex_;  // guards the creation of endpoints
   mutable std::mutex written_mutex_;

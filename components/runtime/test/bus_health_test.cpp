@@ -8,6 +8,7 @@
 
 #include "bus_fixture.hpp"
 #include "foundation/error.hpp"
+#include "ros_idl/builtin_interfaces.hpp"
 #include "ros_idl/geometry_msgs.hpp"
 #include "ros_idl/std_msgs.hpp"
 
@@ -129,6 +130,58 @@ TEST_F(BusHealthTest, ATypeOfTheSameNameWithAnotherLayoutIsRejectedAndCounted) {
   ASSERT_EQ(writer->write(wrong), Status::ok);
   ASSERT_TRUE(eventually([&] { return health_of(*b, "text", false).rejected == 1; }));
   EXPECT_EQ(samples.all().size(), 0U);
+}
+
+/// As a text: 5 bytes. As this: two numbers, and every text of at least 8 bytes decodes.
+TypeInfo text_of_numbers() {
+  TypeInfo numbers = type_info<builtin_interfaces::msg::Time>();
+  numbers.name = text.type->name;
+  return numbers;
+}
+
+TEST_F(BusHealthTest, ATypeOfTheSameNameWithAnotherLayoutIsNamedAtBothEnds) {
+  const int one = domain();
+  const TypeInfo numbers = text_of_numbers();
+  const auto a = make_test_bus(one, plain);
+  const auto b = make_test_bus(one, plain);
+  Samples samples;
+  const auto reader = b->subscribe({topic, &numbers}, samples);
+  const auto writer = a->advertise(text);
+  const std::string other = std::string(text.type->name) + " with another layout (test)";
+  ASSERT_TRUE(eventually([&] { return health_of(*a, "text", true).other_type == other; }));
+  ASSERT_TRUE(eventually([&] { return health_of(*b, "text", false).other_type == other; }));
+}
+
+TEST_F(BusHealthTest, BytesOfAnotherLayoutThatDecodeByChanceAreRejected) {
+  const int one = domain();
+  const TypeInfo numbers = text_of_numbers();
+  const auto a = make_test_bus(one, plain);
+  const auto b = make_test_bus(one, plain);
+  Samples samples;
+  const auto reader = b->subscribe({topic, &numbers}, samples);
+  const auto writer = a->advertise(text);
+  ASSERT_TRUE(eventually([&] { return health_of(*a, "text", true).matched == 1; }));
+  ASSERT_EQ(writer->write(message(123456789)), Status::ok);
+  ASSERT_TRUE(eventually([&] { return health_of(*b, "text", false).rejected == 1; }));
+  EXPECT_EQ(samples.all().size(), 0U);
+}
+
+TEST_F(BusHealthTest, AnotherTypeUnderTheTopicsNameIsNamedAtBothEndsUntilItIsGone) {
+  const int one = domain();
+  const auto a = make_test_bus(one, plain);
+  auto b = make_test_bus(one, plain);
+  Samples samples;
+  auto reader = b->subscribe({topic, &type_info<geometry_msgs::msg::Vector3>()}, samples);
+  const auto writer = a->advertise(text);
+  ASSERT_TRUE(eventually([&] {
+    return health_of(*a, "text", true).other_type == "geometry_msgs::msg::dds_::Vector3_ (test)";
+  }));
+  ASSERT_TRUE(eventually([&] {
+    return health_of(*b, "text", false).other_type == "std_msgs::msg::dds_::String_ (test)";
+  }));
+  reader.reset();
+  b.reset();
+  EXPECT_TRUE(eventually([&] { return health_of(*a, "text", true).other_type.empty(); }));
 }
 
 TEST_F(BusHealthTest, ALateReaderOfAStateGetsTheLastOfEachWriterByEitherWay) {

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 std::string refusal_of(const std::string& name, const std::string& file) {
   try {
-    (void)load_component(name, file);
+    (void)open_component(name, file);
   } catch (const ConfigError& error) {
     return error.what();
   }
@@ -23,7 +23,7 @@ std::string refusal_of(const std::string& name, const std::string& file) {
 }
 
 TEST(ComponentLibrary, OneBuiltWithTheSameHeadersIsTaken) {
-  EXPECT_THAT(load_component("link_lamp", README_LIBRARY).defaults(), HasSubstr("poor_below"));
+  EXPECT_THAT(open_component("link_lamp", README_LIBRARY).defaults(), HasSubstr("poor_below"));
 }
 
 // The library is made from test/other_layout.cpp, whose entry has another layout and no functions.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "runtime/middleware/gate_component.hpp"
@@ -55,6 +57,63 @@ TEST_F(GateTest, OpenGateSendsAndCounts) {
   EXPECT_EQ(log_, std::vector<std::string>{"a"});
   EXPECT_EQ(sut.traffic().sent, 1U);
   EXPECT_EQ(sut.traffic().sent_bytes, 10U);
+}
+
+TEST_F(GateTest, WithoutALinkEvenAnAlwaysActiveTopicKeepsItsNewestAndSendsItOnceConnected) {
+  GatedWriter sut("topic", {"critical", WhilePoor::send}, nullptr, {});
+  EXPECT_EQ(sut.write(text("old")), Status::paused);
+  EXPECT_EQ(sut.write(text("new")), Status::paused);
+  EXPECT_TRUE(sut.traffic().paused);
+  sut.connect(std::make_unique<Recorder>(log_));
+  EXPECT_EQ(log_, std::vector<std::string>{"new"});
+  EXPECT_FALSE(sut.traffic().paused);
+  EXPECT_EQ(sut.write(text("next")), Status::ok);
+}
+
+TEST_F(GateTest, ConnectedWhileItIsClosedItStaysSilentUntilItOpens) {
+  GatedWriter sut("topic", {"low", WhilePoor::latest}, nullptr, {});
+  sut.set_open(false);
+  EXPECT_EQ(sut.write(text("kept")), Status::paused);
+  sut.connect(std::make_unique<Recorder>(log_));
+  EXPECT_TRUE(log_.empty());
+  sut.set_open(true);
+  EXPECT_EQ(log_, std::vector<std::string>{"kept"});
+}
+
+/// Counts; not thread-safe, like a writer that relies on the gate's turns.
+class Counter : public LinkWriter {
+ public:
+  explicit Counter(std::uint64_t& sent) : sent_(sent) {}
+  std::size_t send(const void*) override { return ++sent_ > 0 ? 1 : 0; }
+  void silence() override {}
+
+ private:
+  std::uint64_t& sent_;
+};
+
+TEST_F(GateTest, AClosedGateIsSilentHoweverManyThreadsFloodIt) {
+  std::uint64_t sent = 0;
+  GatedWriter sut("topic", {"low", WhilePoor::drop}, std::make_unique<Counter>(sent), {});
+  std::atomic<bool> stop{false};
+  std::vector<std::thread> floods;
+  for (int i = 0; i < 3; ++i) {
+    floods.emplace_back([&] {
+      while (!stop) (void)sut.write(nullptr);
+    });
+  }
+  for (int round = 0; round < 100; ++round) {
+    sut.set_open(false);
+    const std::uint64_t silent = sut.traffic().sent;
+    std::this_thread::yield();
+    EXPECT_EQ(sut.traffic().sent, silent);
+    EXPECT_EQ(sent, silent);  // read without the turn: nobody may be sending
+    sut.set_open(true);
+  }
+  stop = true;
+  for (std::thread& flood : floods) flood.join();
+  const TopicTraffic traffic = sut.traffic();
+  EXPECT_EQ(traffic.written, traffic.sent + traffic.dropped);
+  EXPECT_EQ(traffic.sent, sent);
 }
 
 TEST_F(GateTest, ClosedGateSilencesTheWriterAndDrops) {

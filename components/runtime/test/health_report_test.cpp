@@ -141,7 +141,21 @@ TEST(HealthReport, ATypeOfAnotherLayoutIsAnError) {
   EndpointHealth endpoint;
   endpoint.topic = "odom";
   endpoint.other_type = "nav_msgs::msg::dds_::Odometry_ with another layout";
-  EXPECT_EQ(diagnose("drive", endpoint, endpoint).level(), ERROR);
+  EXPECT_TRUE(is_eventful(endpoint));
+  const Diagnostic status = diagnose("drive", endpoint, endpoint);
+  EXPECT_EQ(status.level(), ERROR);
+  EXPECT_EQ(status.message(),
+            "another end has the type nav_msgs::msg::dds_::Odometry_ with another layout");
+}
+
+TEST(HealthReport, AnEndpointThatWaitsForItsInterfaceIsAWarning) {
+  EndpointHealth endpoint;
+  endpoint.topic = "odom";
+  endpoint.link = endpoint.waits = true;
+  EXPECT_TRUE(is_eventful(endpoint));
+  const Diagnostic status = diagnose("drive", endpoint, endpoint);
+  EXPECT_EQ(status.level(), WARN);
+  EXPECT_EQ(status.message(), "waits for the interface of the link to come up");
 }
 
 TEST(HealthReport, LossesAndMissedDeadlinesWarnOnlyWhileTheyGrow) {

@@ -17,6 +17,7 @@
 namespace tocsin {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -155,7 +156,8 @@ TEST(QosProfiles, AnOverrideThatContradictsTheProfileIsAnError) {
   const QosProfiles sut(file.path());
   EXPECT_EQ(error_of([&] { (void)sut.of("a", "other"); }), "no error");
   EXPECT_THAT(error_of([&] { (void)sut.of("a", "slow"); }),
-              HasSubstr("topics.slow.max_rate_hz: drops samples, and durability"));
+              AllOf(HasSubstr("topics.slow.max_rate_hz: drops samples, and durability"),
+                    HasSubstr(", with the profile a (" + file.path() + ":2)")));
 }
 
 TEST(QosProfiles, AnOverrideOfAnythingElseIsAnError) {

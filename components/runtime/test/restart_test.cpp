@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process that is killed with -9 in the middle of everything, and its successor; an interface
-// that comes up late.
+// A process that is killed with -9 in the middle of everything, and its successor.
 #include <gtest/gtest.h>
-#include <net/if.h>
-#include <sched.h>
-#include <sys/ioctl.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 
 #include <array>
 #include <csignal>
-#include <cstring>
 
 #include "bus_fixture.hpp"
 #include "ros_idl/std_msgs.hpp"
@@ -91,34 +85,6 @@ TEST(RestartTest, AProcessKilledTwiceIsHeardAgainBySharedMemoryBesideItsDeadSegm
         _exit(::testing::Test::HasFailure() ? 1 : 0);
       },
       ::testing::ExitedWithCode(0), "");
-}
-
-void bring_loopback_up() {
-  const int fd = socket(AF_INET, SOCK_DGRAM, 0);
-  ifreq request{};
-  std::strcpy(request.ifr_name, "lo");
-  ioctl(fd, SIOCGIFFLAGS, &request);
-  request.ifr_flags |= IFF_UP | IFF_RUNNING;
-  ioctl(fd, SIOCSIFFLAGS, &request);
-  close(fd);
-}
-
-TEST(RestartTest, AnInterfaceThatComesUpLateIsWaitedFor) {
-  bool allowed = false;
-  bool early = true;
-  bool late = false;
-  std::thread in_namespace([&] {
-    allowed = unshare(CLONE_NEWNET) == 0;  // of this thread and those it starts
-    if (!allowed) return;
-    early = wait_for_interface("127.0.0.1", Duration::zero());
-    std::thread waiter([&] { late = wait_for_interface("127.0.0.1", patience); });
-    bring_loopback_up();
-    waiter.join();
-  });
-  in_namespace.join();
-  if (!allowed) GTEST_SKIP() << "no network namespace: needs CAP_SYS_ADMIN";
-  EXPECT_FALSE(early);
-  EXPECT_TRUE(late);
 }
 
 }  // namespace

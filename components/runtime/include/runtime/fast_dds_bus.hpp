@@ -32,11 +32,11 @@ struct BusOptions {
 /// The bus on Fast DDS in real time. Host topics use loopback only; link topics also use the
 /// interface of `link_address`, unicast only, in RTPS messages of at most 1400 bytes.
 ///
+/// While no interface with `link_address` is up and has carrier, link topics wait: readers hear
+/// this host only, and every writer that the gate does not let drop keeps its newest sample. They
+/// join when the interface comes up, however late.
+///
 /// Throws ConfigError for bad files, EnvironmentError when a participant cannot be created.
 [[nodiscard]] std::unique_ptr<Bus> make_fast_dds_bus(const BusOptions& options);
-
-/// Waits until `address` is up on an interface with carrier, because Fast DDS ignores interfaces
-/// that come later. False when it did not come within `timeout`.
-[[nodiscard]] bool wait_for_interface(const std::string& address, Duration timeout);
 
 }  // namespace tocsin

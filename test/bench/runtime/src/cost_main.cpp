@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
   tocsin::bench::print_gate(quick ? 5 : 25);
   tocsin::bench::print_deadline(quick ? 500 : 4000);
   std::fflush(stdout);
-  tocsin::bench::print_restarts(quick ? 3 : 12);
+  tocsin::bench::print_restarts(quick ? 3 : 100);
   std::fflush(stdout);
   tocsin::bench::print_start_costs();
   return 0;

@@ -20,6 +20,11 @@ double Series::percentile(double share) const {
   return static_cast<double>(sorted[static_cast<std::size_t>(at)]);
 }
 
+int Series::above(std::int64_t ns) const {
+  return static_cast<int>(
+      std::count_if(values_.begin(), values_.end(), [ns](std::int64_t one) { return one > ns; }));
+}
+
 std::string Series::text() const {
   if (empty()) return "no samples";
   std::array<char, 64> text{};

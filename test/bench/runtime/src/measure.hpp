@@ -17,6 +17,8 @@ class Series {
   [[nodiscard]] bool empty() const { return values_.empty(); }
   /// [ns], `share` in [0, 1]; 0 when there is none.
   [[nodiscard]] double percentile(double share) const;
+  /// How many are longer than `ns`.
+  [[nodiscard]] int above(std::int64_t ns) const;
   /// "median / p99" in microseconds.
   [[nodiscard]] std::string text() const;
 

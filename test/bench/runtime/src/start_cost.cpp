@@ -173,9 +173,11 @@ void print_restart(const char* way, int times) {
     }
   }
   end(child, SIGKILL);
-  std::printf("restart after kill -9, %s: heard again after median %.1f ms, longest %.1f ms", way,
-              series.percentile(0.5) / 1e6, series.percentile(1) / 1e6);
-  std::printf("; %d of %d never within 10 s\n", silent, times);
+  std::printf("restart after kill -9, %s, %d times: heard again after [ms] median %.1f, p90 %.1f, ",
+              way, times, series.percentile(0.5) / 1e6, series.percentile(0.9) / 1e6);
+  std::printf("p99 %.1f, longest %.1f; %d above 200 ms; %d never within 10 s\n",
+              series.percentile(0.99) / 1e6, series.percentile(1) / 1e6, series.above(200'000'000),
+              silent);
 }
 
 }  // namespace

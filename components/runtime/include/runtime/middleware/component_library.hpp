@@ -16,7 +16,7 @@ namespace tocsin {
 [[nodiscard]] const ComponentEntry& load_component(const std::string& name);
 
 /// The same for the library `file`. Throws ConfigError, too, when it was built with other headers.
-[[nodiscard]] const ComponentEntry& load_component(const std::string& name,
+[[nodiscard]] const ComponentEntry& open_component(const std::string& name,
                                                    const std::filesystem::path& file);
 
 /// Names of the component libraries that load_component would find, sorted.

@@ -33,6 +33,7 @@ struct FlowController {
 struct TopicOverride {
   double max_rate_hz = -1;           ///< negative: the profile's
   double minimum_separation_s = -1;  ///< negative: the profile's
+  std::string place;                 ///< " (file:line)" of it, for error texts
 };
 
 /// The QoS file: profiles by name, `flow_controllers`, and overrides by topic under `topics`.

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "remote_ends.hpp"
+
+#include <utility>
+
+namespace tocsin {
+namespace {
+
+const std::string key = "tocsin_layout=";
+
+bool layouts_differ(const AnnouncedEnd& one, const AnnouncedEnd& other) {
+  return !one.layout.empty() && !other.layout.empty() && one.layout != other.layout;
+}
+
+bool clash(const AnnouncedEnd& own, const AnnouncedEnd& other) {
+  if (own.topic != other.topic || own.writer == other.writer) return false;
+  return own.type != other.type || layouts_differ(own, other);
+}
+
+}  // namespace
+
+std::string with_layout(const std::string& user_data, const std::string& layout) {
+  if (layout.empty()) return user_data;
+  const bool open_end = !user_data.empty() && user_data.back() != ';';
+  return user_data + (open_end ? ";" : "") + key + layout + ";";
+}
+
+std::string layout_in(const std::string& user_data) {
+  const std::size_t at = user_data.find(key);
+  if (at == std::string::npos) return "";
+  const std::size_t from = at + key.size();
+  return user_data.substr(from, user_data.find(';', from) - from);
+}
+
+void RemoteEnds::add(const Participant& participant, const std::string& name) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  names_[participant] = name;
+}
+
+void RemoteEnds::add(const Guid& guid, AnnouncedEnd end) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ends_[guid] = std::move(end);
+}
+
+void RemoteEnds::remove(const Participant& participant) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  names_.erase(participant);
+  for (auto it = ends_.begin(); it != ends_.end();) {
+    it = it->first.guidPrefix == participant ? ends_.erase(it) : std::next(it);
+  }
+}
+
+void RemoteEnds::remove(const Guid& guid) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ends_.erase(guid);
+}
+
+std::string RemoteEnds::other_type(const AnnouncedEnd& own) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& [guid, end] : ends_) {
+    if (!clash(own, end)) continue;
+    const auto name = names_.find(guid.guidPrefix);
+    return end.type + (end.type == own.type ? " with another layout" : "") + " (" +
+           (name != names_.end() ? name->second : "unnamed participant") + ")";
+  }
+  return "";
+}
+
+bool RemoteEnds::has_other_layout(const Guid& guid, const AnnouncedEnd& own) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = ends_.find(guid);
+  return found != ends_.end() && layouts_differ(own, found->second);
+}
+
+}  // namespace tocsin
