@@ -4,12 +4,6 @@
 #include <algorithm>
 
 namespace tocsin::kobuki {
-namespace {
-
-// In a longer silence an encoder may wrap: 2.79 m at 0.7 m/s is 4 s.
-constexpr auto odometry_gap = std::chrono::seconds(3);
-
-}  // namespace
 
 KobukiDriver::KobukiDriver(const Params& params)
     : params_(params),
@@ -41,13 +35,10 @@ void KobukiDriver::on_frame(ByteView payload, Time now, const ReadingSink& sink)
   last_frame_ = now;
   inquiry_.on_feedback(feedback);
   check_firmware(feedback);
-  sink(read(feedback));
+  sink(read(feedback, now));
 }
 
 void KobukiDriver::come_online(Time now) {
-  if (last_frame_ != Time::min() && now - last_frame_ > odometry_gap) {
-    odometry_.bridge(to_seconds(now - last_frame_));
-  }
   state_ = BaseState::online;
   inquiry_.begin(now);
   if (!heard_) next_command_ = now;
@@ -62,9 +53,11 @@ void KobukiDriver::check_firmware(const Feedback& feedback) {
   state_ = refused ? BaseState::refused : BaseState::online;
 }
 
-Reading KobukiDriver::read(const Feedback& feedback) {
+Reading KobukiDriver::read(const Feedback& feedback, Time now) {
   const CoreSensors& core = *feedback.core;
-  odometry_.update(core, feedback.inertia);
+  const bool first = odometry_time_ == Time::min();
+  odometry_.update(core, feedback.inertia, first ? 0 : to_seconds(now - odometry_time_));
+  if (!odometry_.waits()) odometry_time_ = now;
   Reading reading;
   reading.feedback = feedback;
   reading.battery = battery_.read(core.battery_dv, core.charger);
@@ -89,9 +82,9 @@ void KobukiDriver::set_motor_power(bool on) {
   velocity_.stop();
 }
 
-void KobukiDriver::resume(const OdometrySnapshot& snapshot, Time last_frame) {
+void KobukiDriver::resume(const OdometrySnapshot& snapshot, Time odometry_time) {
   odometry_.restore(snapshot);
-  last_frame_ = last_frame;
+  odometry_time_ = odometry_time;
 }
 
 bool KobukiDriver::set_gains(const ControllerGains& gains) {

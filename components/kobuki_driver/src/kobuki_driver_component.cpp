@@ -62,7 +62,7 @@ KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& par
       driver_(params.driver),
       file_(memory_path(context)) {
   if (params.publish_serial_bytes) serial_topics_.emplace(*this);
-  if (const auto memory = file_.load()) driver_.resume(memory->odometry, memory->last_frame);
+  if (const auto memory = file_.load()) driver_.resume(memory->odometry, memory->taken);
   open_at_start();
 }
 
@@ -195,7 +195,7 @@ void KobukiDriverComponent::remember(Time now) {
   const auto snapshot = driver_.odometry().snapshot();
   if (!snapshot || driver_.odometry().waits()) return;
   next_save_ = now + save_period;
-  if (!file_.save({*snapshot, driver_.last_frame()}))
+  if (!file_.save({*snapshot, driver_.odometry_time()}))
     log().warn("odometry could not be saved for a restart");
 }
 

@@ -13,17 +13,17 @@ namespace tocsin::kobuki {
 std::optional<OdometryMemory> OdometryFile::load() const {
   std::ifstream in(path_);
   OdometrySnapshot s;
-  Duration::rep last_frame_ns = 0;
+  Duration::rep taken_ns = 0;
   pid_t parent = 0;
   Inertia inertia;
   in >> parent >> s.pose.x_m >> s.pose.y_m >> s.pose.heading_rad >> s.left.angle_rad >>
       s.right.angle_rad >> s.core.timestamp_ms >> s.core.left_encoder >> s.core.right_encoder >>
-      inertia.angle_cdeg >> s.gyro_heading_rad >> last_frame_ns;
+      inertia.angle_cdeg >> s.gyro_heading_rad >> taken_ns;
   if (!in || parent != ::getppid()) return std::nullopt;
   if (!std::isfinite(s.pose.x_m + s.pose.y_m + s.pose.heading_rad + s.gyro_heading_rad))
     return std::nullopt;
   s.inertia = inertia;
-  return OdometryMemory{s, Time(Duration(last_frame_ns))};
+  return OdometryMemory{s, Time(Duration(taken_ns))};
 }
 
 bool OdometryFile::save(const OdometryMemory& memory) const {
@@ -36,7 +36,7 @@ bool OdometryFile::save(const OdometryMemory& memory) const {
     out << ::getppid() << ' ' << s.pose.x_m << ' ' << s.pose.y_m << ' ' << s.pose.heading_rad << ' '
         << s.left.angle_rad << ' ' << s.right.angle_rad << ' ' << s.core.timestamp_ms << ' '
         << s.core.left_encoder << ' ' << s.core.right_encoder << ' ' << s.inertia->angle_cdeg << ' '
-        << s.gyro_heading_rad << ' ' << memory.last_frame.time_since_epoch().count() << '\n';
+        << s.gyro_heading_rad << ' ' << memory.taken.time_since_epoch().count() << '\n';
     if (!out.flush()) return false;
   }
   return std::rename(fresh.c_str(), path_.c_str()) == 0;

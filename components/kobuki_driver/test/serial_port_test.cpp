@@ -157,7 +157,7 @@ TEST(OdometryFile, KeepsOdometryForProcessesOfOneParent) {
   EXPECT_EQ(got->odometry.pose.y_m, -2.5);
   EXPECT_EQ(got->odometry.core.left_encoder, 65000);
   EXPECT_EQ(got->odometry.inertia->angle_cdeg, -1500);
-  EXPECT_EQ(got->last_frame, Time(std::chrono::seconds(5)));
+  EXPECT_EQ(got->taken, Time(std::chrono::seconds(5)));
   std::ofstream(path) << "1 2 3 4 5 6 7 8 9 10 11 12";  // another parent
   EXPECT_FALSE(sut.load());
   std::ofstream(path) << "garbage";

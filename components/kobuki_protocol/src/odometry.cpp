@@ -9,7 +9,8 @@ namespace {
 
 /// In a longer pause a damaged sample may look possible, and the good ones after it like a restart.
 constexpr double trusted_gap_s = 0.1;
-/// Both are 16-bit counters.
+/// In a longer pause at 0.7 m/s an encoder may wrap.
+constexpr double longest_known_s = 3.0;
 constexpr double stamp_wrap_s = 65.536;
 /// A wheel that rolled half of 5.59 m could have rolled the other half backwards.
 constexpr double longest_coast_m = 2.5;
@@ -32,30 +33,65 @@ double wrap_angle(double angle_rad) {
 
 Odometry::Odometry(const OdometryParams& params) : params_(params) {}
 
-void Odometry::update(const CoreSensors& core, const std::optional<Inertia>& inertia) {
+void Odometry::update(const CoreSensors& core, const std::optional<Inertia>& inertia,
+                      double elapsed_s) {
   const Sample now{core, inertia};
   if (!last_) {
     last_ = now;
     return;
   }
-  Step step = measure(*last_, now, silence_s_);
-  const bool possible = silence_s_ ? bridges(step) : plausible(step);
+  const bool silence = elapsed_s > longest_known_s;
+  if (!silence) undo_if_damaged(now);
+  Step step = silence ? measure_over(elapsed_s, *last_, now) : measure(*last_, now);
+  const bool possible = silence ? bridges(step, elapsed_s) : plausible(step);
   if (!possible) ++rejected_jumps_;
   if (!possible || step.dt_s > trusted_gap_s) {
+    const bool confirmed = agrees_with_suspect(now);
     const auto other = std::exchange(suspect_, now);
-    const Step since = measure(other.value_or(now), now);
-    if (!other || !plausible(since)) return;  // the next sample may confirm this one
-    if (!possible) step = since;              // the base was restarted
+    if (!confirmed) return;                      // the next sample may confirm this one
+    if (!possible) step = measure(*other, now);  // the base was restarted
   }
-  apply(step);
-  apply_rates(step, inertia);
-  last_ = now;
-  suspect_.reset();
-  silence_s_.reset();
+  take(now, step);
 }
 
-Odometry::Step Odometry::measure(const Sample& from, const Sample& to,
-                                 const std::optional<double>& silence_s) const {
+bool Odometry::agrees_with_suspect(const Sample& now) const {
+  if (!suspect_) return false;
+  const Step since = measure(*suspect_, now);
+  return plausible(since) && since.dt_s <= trusted_gap_s;
+}
+
+void Odometry::undo_if_damaged(const Sample& now) {
+  if (!before_last_ || plausible(measure(*last_, now))) return;
+  if (!plausible(measure(before_last_->sample, now))) return;
+  pose_ = before_last_->pose;
+  gyro_heading_rad_ = before_last_->gyro_heading_rad;
+  left_ = before_last_->left;
+  right_ = before_last_->right;
+  last_ = before_last_->sample;
+  before_last_.reset();
+  ++rejected_jumps_;
+}
+
+void Odometry::take(const Sample& now, const Step& step) {
+  before_last_ = State{*last_, pose_, gyro_heading_rad_, left_, right_};
+  apply(step);
+  apply_rates(step, now.inertia);
+  last_ = now;
+  suspect_.reset();
+}
+
+Odometry::Step Odometry::measure_over(double silence_s, const Sample& from,
+                                      const Sample& to) const {
+  Step step = measure(from, to);
+  const double by_stamp_s = step.dt_s;
+  step.dt_s = silence_s + std::remainder(by_stamp_s - silence_s, stamp_wrap_s);
+  if (step.gyro_turn_rad) {
+    *step.gyro_turn_rad -= params_.gyro_scale * params_.gyro_bias_rad_s * (step.dt_s - by_stamp_s);
+  }
+  return step;
+}
+
+Odometry::Step Odometry::measure(const Sample& from, const Sample& to) const {
   Step step;
   step.left_m = tick_difference(to.core.left_encoder, from.core.left_encoder) * tick_m *
                 params_.left_wheel_scale;
@@ -63,7 +99,6 @@ Odometry::Step Odometry::measure(const Sample& from, const Sample& to,
                  params_.right_wheel_scale;
   step.turn_rad = (step.right_m - step.left_m) / params_.wheel_separation_m;
   step.dt_s = static_cast<std::uint16_t>(to.core.timestamp_ms - from.core.timestamp_ms) / 1000.0;
-  if (silence_s) step.dt_s = *silence_s + std::remainder(step.dt_s - *silence_s, stamp_wrap_s);
   if (from.inertia && to.inertia) {
     step.gyro_turn_rad = params_.gyro_scale * (gyro_turn(*from.inertia, *to.inertia) -
                                                params_.gyro_bias_rad_s * step.dt_s);
@@ -84,10 +119,10 @@ bool Odometry::plausible(const Step& step) const {
          std::abs(step.gyro_turn_rad.value_or(0)) <= limit_rad;
 }
 
-bool Odometry::bridges(const Step& step) const {
+bool Odometry::bridges(const Step& step, double silence_s) const {
   constexpr double latency_s = 0.3;  // of the frames at both ends of the silence
   constexpr double drift = 1e-3;     // of one clock against the other
-  return std::abs(step.dt_s - *silence_s_) <= latency_s + drift * *silence_s_ &&
+  return std::abs(step.dt_s - silence_s) <= latency_s + drift * silence_s &&
          std::abs(step.left_m) <= longest_coast_m && std::abs(step.right_m) <= longest_coast_m;
 }
 
@@ -121,14 +156,8 @@ void Odometry::apply_rates(const Step& step, const std::optional<Inertia>& inert
   if (params_.use_gyro_heading && inertia) angular_rad_s_ = gyro_rate_rad_s_;
 }
 
-void Odometry::bridge(double silence_s) {
-  silence_s_ = silence_s;
-  suspect_.reset();
-  linear_mps_ = angular_rad_s_ = gyro_rate_rad_s_ = 0;
-  left_.rate_rad_s = right_.rate_rad_s = 0;
-}
-
 void Odometry::reset() {
+  before_last_.reset();
   pose_ = Pose{};
   gyro_heading_rad_ = 0;
   left_ = right_ = WheelState{};
@@ -145,6 +174,7 @@ void Odometry::restore(const OdometrySnapshot& snapshot) {
   right_ = snapshot.right;
   gyro_heading_rad_ = snapshot.gyro_heading_rad;
   last_ = Sample{snapshot.core, snapshot.inertia};
+  before_last_.reset();
   suspect_.reset();
 }
 

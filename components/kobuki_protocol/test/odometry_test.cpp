@@ -234,12 +234,10 @@ TEST(Odometry, HasAJumpLimitOfMaxWheelSpeed) {
 Pose bridged(double silence_s, double stamp_s, int ticks) {
   Odometry sut{OdometryParams{}};
   sut.update(core(100, 0, 0), inertia(0));
-  sut.bridge(silence_s);
-  EXPECT_EQ(sut.linear_mps(), 0);
   const int stamp_ms = 100 + static_cast<int>(std::lround(stamp_s * 1000));
-  sut.update(core(stamp_ms, ticks, ticks), inertia(100));
+  sut.update(core(stamp_ms, ticks, ticks), inertia(100), silence_s);
   EXPECT_TRUE(sut.waits());
-  sut.update(core(stamp_ms + 20, ticks, ticks), inertia(100));
+  sut.update(core(stamp_ms + 20, ticks, ticks), inertia(100), silence_s + 0.02);
   EXPECT_FALSE(sut.waits());
   return sut.pose();
 }
@@ -250,6 +248,33 @@ TEST(Odometry, TakesTheWayThatTheBaseRolledInALongSilence) {
     EXPECT_NEAR(bridged(silence_s, silence_s, 4000).heading_rad, degree_rad, 1e-9) << silence_s;
     EXPECT_NEAR(bridged(silence_s, silence_s, -4000).x_m, -4000 * tick_m, 1e-4) << silence_s;
   }
+}
+
+TEST(Odometry, UndoesADamagedSampleThatLookedPossible) {
+  Odometry sut{OdometryParams{}};
+  sut.update(core(0, 0, 0), inertia(0));
+  sut.update(core(20, 100, 100), inertia(0));
+  sut.update(core(100, 500, 500), inertia(0));
+  sut.update(core(180, 900, 900), inertia(4000));  // 40 degrees in 80 ms: possible, but wrong
+  sut.update(core(200, 1000, 1000), inertia(0));   // not in 20 ms
+  EXPECT_NEAR(sut.pose().heading_rad, 0, 1e-9);
+  EXPECT_NEAR(sut.pose().x_m, 1000 * tick_m, 1e-9);
+  EXPECT_NEAR(sut.pose().y_m, 0, 1e-9);
+  EXPECT_EQ(sut.rejected_jumps(), 1U);
+}
+
+TEST(Odometry, WaitsForTwoSamplesTogetherOnANoisyLine) {
+  Odometry sut{OdometryParams{}};
+  sut.update(core(0, 0, 0), inertia(0));
+  for (int i = 1; i < 10; ++i) {
+    sut.update(core(300 * i, 0, 0), inertia(i % 2 * 4000), 0.3 * i);
+    EXPECT_TRUE(sut.waits());
+  }
+  sut.update(core(6000, 2000, 2000), inertia(0), 6);
+  sut.update(core(6020, 2000, 2000), inertia(0), 6.02);
+  EXPECT_FALSE(sut.waits());
+  EXPECT_NEAR(sut.pose().x_m, 2000 * tick_m, 1e-9);
+  EXPECT_EQ(sut.pose().heading_rad, 0);
 }
 
 TEST(Odometry, TakesAPauseForAnArc) {

@@ -85,10 +85,10 @@ class KobukiDriver {
   /// firmware is known to have them (1.2).
   [[nodiscard]] bool set_gains(const ControllerGains& gains);
   void reset_odometry() { odometry_.reset(); }
-  /// Goes on from the odometry of an earlier driver, whose last frame came at `last_frame`.
-  void resume(const OdometrySnapshot& snapshot, Time last_frame);
-  /// Time::min() before the first.
-  [[nodiscard]] Time last_frame() const { return last_frame_; }
+  /// Goes on from the odometry of an earlier driver.
+  void resume(const OdometrySnapshot& snapshot, Time odometry_time);
+  /// When the frame came that odometry is from; Time::min() before the first.
+  [[nodiscard]] Time odometry_time() const { return odometry_time_; }
 
   /// Sends what is due; call when `next_deadline` has passed, or more often.
   void run(Time now, const ByteSink& sink);
@@ -108,7 +108,7 @@ class KobukiDriver {
   void on_frame(ByteView payload, Time now, const ReadingSink& sink);
   void come_online(Time now);
   void check_firmware(const Feedback& feedback);
-  [[nodiscard]] Reading read(const Feedback& feedback);
+  [[nodiscard]] Reading read(const Feedback& feedback, Time now);
   void watch(Time now);
   void send_commands(Time now, const ByteSink& sink);
   [[nodiscard]] BaseControl velocity_command(Time now) const;
@@ -128,6 +128,7 @@ class KobukiDriver {
   bool motor_power_ = true;
   bool heard_ = false;  ///< since the port was opened
   Time last_frame_ = Time::min();
+  Time odometry_time_ = Time::min();
   Time next_command_ = Time::min();
 };
 

@@ -9,10 +9,10 @@
 
 namespace tocsin::kobuki {
 
-/// Odometry, and when the frame came that it is from.
+/// Odometry, and when its last frame came.
 struct OdometryMemory {
   OdometrySnapshot odometry;
-  Time last_frame{};
+  Time taken{};
 };
 
 /// Keeps odometry over a restart of the driver, so that it goes on from where it was and with the

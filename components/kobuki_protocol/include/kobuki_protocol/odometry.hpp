@@ -59,20 +59,21 @@ struct OdometrySnapshot {
 /// Pose from encoder ticks, with the heading of the encoders or of the gyro.
 ///
 /// Pure, one instance per base, no shared state. The first sample only initialises. Encoders and
-/// the millisecond stamp are differences modulo 65536. A sample with a jump that no wheel and no
-/// turn can do, or with a stamp that went back or on by more than 3.5 s, is left out: the checksum
-/// lets some damaged frames through. When the next one agrees with it, the base was restarted, and
-/// motion counts from there. The first sample after a pause of more than 0.1 s waits in the same
-/// way for the next one, which brings the motion of the pause. A longer pause needs `bridge`.
+/// the millisecond stamp are differences modulo 65536. The checksum lets some damaged frames
+/// through, so that a sample with a jump that no wheel and no turn can do is left out. When it fits
+/// to the last sample but one, the last one was damaged and is undone; when the next one agrees
+/// with it, the base was restarted, and motion counts from there. The first sample after a pause of
+/// more than 0.1 s waits for the next one in the same way, which brings the motion of the pause.
+///
+/// After more than 3 s stamp and encoders may have wrapped. Then the sample is motion when its
+/// stamp agrees with the computer's clock and its wheels rolled at most 2.5 m, as of a base that
+/// stopped by its own timeout; else the base was restarted.
 class Odometry {
  public:
   explicit Odometry(const OdometryParams& params);
   /// Takes one frame. `inertia` may be absent: the heading then comes from the encoders.
-  void update(const CoreSensors& core, const std::optional<Inertia>& inertia);
-  /// The next sample comes after a silence of `silence_s`, by the computer's clock, in which stamp
-  /// and encoders may have wrapped. When its stamp agrees and its wheels rolled at most 2.5 m, as
-  /// of a base that stopped by its own timeout, it is motion; else the base was restarted.
-  void bridge(double silence_s);
+  /// `elapsed_s`: by the computer's clock, since the last frame after which it did not wait.
+  void update(const CoreSensors& core, const std::optional<Inertia>& inertia, double elapsed_s = 0);
   /// Makes the present place the origin.
   void reset();
 
@@ -107,10 +108,21 @@ class Odometry {
     double turn_rad = 0;  ///< by the encoders
     std::optional<double> gyro_turn_rad;
   };
-  [[nodiscard]] Step measure(const Sample& from, const Sample& to,
-                             const std::optional<double>& silence_s = {}) const;
+  /// What can be gone back to when the sample after it turns out to be damaged.
+  struct State {
+    Sample sample;
+    Pose pose;
+    double gyro_heading_rad;
+    WheelState left;
+    WheelState right;
+  };
+  [[nodiscard]] Step measure(const Sample& from, const Sample& to) const;
+  [[nodiscard]] Step measure_over(double silence_s, const Sample& from, const Sample& to) const;
   [[nodiscard]] bool plausible(const Step& step) const;
-  [[nodiscard]] bool bridges(const Step& step) const;
+  [[nodiscard]] bool bridges(const Step& step, double silence_s) const;
+  [[nodiscard]] bool agrees_with_suspect(const Sample& now) const;
+  void undo_if_damaged(const Sample& now);
+  void take(const Sample& now, const Step& step);
   void apply(const Step& step);
   void apply_rates(const Step& step, const std::optional<Inertia>& inertia);
 
@@ -123,8 +135,8 @@ class Odometry {
   WheelState left_;
   WheelState right_;
   std::optional<Sample> last_;
+  std::optional<State> before_last_;
   std::optional<Sample> suspect_;  ///< waits for the next one to agree
-  std::optional<double> silence_s_;
   std::uint64_t rejected_jumps_ = 0;
 };
 
