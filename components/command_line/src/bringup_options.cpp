@@ -16,7 +16,8 @@ void BringupOptions::declare(CLI::App& app) {
   app.add_option("--set", overrides.set, "parameter of a component: name.key=value")
       ->expected(1)
       ->take_all();
-  app.add_option("--without", overrides.without, "host/process that is left out")
+  app.add_option("--without", overrides.without,
+                 "host/process, or host/process/component, that is left out")
       ->expected(1)
       ->take_all();
   app.add_option("--seed", overrides.seed, "value of ${seed}; decides everything random")

@@ -71,7 +71,24 @@ void check_radio(const Deployment& deployment) {
   }
 }
 
+/// Leaves out one component of a process, "host/process/name"; false when there is none.
+bool leave_out_component(const std::string& path, Deployment& deployment) {
+  for (Host& host : deployment.hosts) {
+    for (Container& container : host.containers) {
+      const std::string prefix = host.name + "/" + container.name + "/";
+      auto& all = container.components;
+      const auto found = std::find_if(all.begin(), all.end(),
+                                      [&](const auto& one) { return prefix + one.name == path; });
+      if (found == all.end()) continue;
+      all.erase(found);
+      return true;
+    }
+  }
+  return false;
+}
+
 void leave_out(const std::string& process, Deployment& deployment) {
+  if (leave_out_component(process, deployment)) return;
   const auto names = process_names(deployment);
   if (std::find(names.begin(), names.end(), process) == names.end()) {
     fail(deployment,

@@ -238,6 +238,19 @@ TEST_F(DeploymentTest, LeavesOutAProcess) {
               HasSubstr("--without uxv/bass: no such process; allowed: [uxv/base"));
 }
 
+TEST_F(DeploymentTest, LeavesOutAComponentOfAProcess) {
+  const Deployment all = load(whole);
+  const Container& container = all.hosts[0].containers[0];
+  const std::string name = container.components[0].name;
+  overrides_.without = {"uxv/" + container.name + "/" + name};
+  const Deployment sut = load(whole);
+  const auto& left = sut.hosts[0].containers[0].components;
+  EXPECT_EQ(left.size() + 1, container.components.size());
+  for (const ComponentInstance& one : left) EXPECT_NE(one.name, name);
+  overrides_.without = {"uxv/" + container.name + "/nobody"};
+  EXPECT_THAT(error_of(whole), HasSubstr("no such process"));
+}
+
 TEST_F(DeploymentTest, FindsHostsAndContainers) {
   const Deployment sut = load(whole);
   ASSERT_NE(find_host(sut, "uxv"), nullptr);

@@ -21,6 +21,8 @@ class Document {
   void figure(Figure figure, const std::string& caption);
 
   [[nodiscard]] const std::vector<Figure>& figures() const { return figures_; }
+  /// The body with empty places for figures.
+  [[nodiscard]] const std::string& text() const { return body_; }
   /// The body with the drawn figures of `folder` put in. Throws EnvironmentError when one is not
   /// there.
   [[nodiscard]] std::string body(const std::string& folder) const;

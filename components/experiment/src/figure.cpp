@@ -121,6 +121,27 @@ Figure& Figure::interval(const std::string& label, double mean, double low, doub
   return *this;
 }
 
+Figure& Figure::categories(const std::vector<std::string>& labels) {
+  labels_ = labels;
+  return *this;
+}
+
+Figure& Figure::marks(const std::string& title, const std::vector<Estimate>& means, double shift) {
+  std::string rows;
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const Estimate& one = means[i];
+    if (!std::isfinite(one.mean)) continue;
+    const bool known = std::isfinite(one.low);
+    rows += row({static_cast<double>(i) + 1 + shift, one.mean, known ? one.low : one.mean,
+                 known ? one.high : one.mean});
+  }
+  if (rows.empty()) return *this;
+  plots_.push_back(block(rows) + " using 1:2:3:4 with yerrorbars pt 7 ps 0.8 lw 2 lc " + colour() +
+                   " title " + quoted(title));
+  ++colours_;
+  return *this;
+}
+
 Figure& Figure::diagonal() {
   plots_.emplace_back("x with lines lw 1 dt 2 lc rgb '#999999' notitle");
   return *this;

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "experiment/inference.hpp"
+
 namespace tocsin::experiment {
 
 /// A diagram made with gnuplot: data, how to draw it, and its axes.
@@ -23,6 +25,11 @@ class Figure {
   Figure& box(const std::string& label, const std::vector<double>& values);
   /// A mean with its interval, at the next place on the x axis; NaN bounds: a point.
   Figure& interval(const std::string& label, double mean, double low, double high);
+  /// Names on the x axis, for marks().
+  Figure& categories(const std::vector<std::string>& labels);
+  /// A mean with its interval at each category, `shift` to its right (of a distance of 1 between
+  /// categories); those with a NaN mean are left out.
+  Figure& marks(const std::string& title, const std::vector<Estimate>& means, double shift);
   /// Points (x[i], y[i]).
   Figure& points(const std::string& title, const std::vector<double>& x,
                  const std::vector<double>& y);

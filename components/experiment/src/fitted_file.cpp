@@ -27,6 +27,20 @@ std::vector<std::string> settings(const YAML::Node& list, const std::string& own
   return result;
 }
 
+Fitted read(const YAML::Node& root, const std::string& path) {
+  if (!root.IsMap()) fail("file: is not a map of missions", path, root);
+  Fitted fitted;
+  for (const auto& mission : root) {
+    const std::string name = mission.first.Scalar();
+    if (!mission.second.IsMap()) fail(name + ": is not a map of policies", path, mission.second);
+    for (const auto& policy : mission.second) {
+      const std::string& key = policy.first.Scalar();
+      fitted[name][key] = settings(policy.second, name + "." + key, path);
+    }
+  }
+  return fitted;
+}
+
 }  // namespace
 
 std::vector<std::string> settings_for(const Fitted& fitted, const std::string& mission,
@@ -42,21 +56,11 @@ std::vector<std::string> settings_for(const Fitted& fitted, const std::string& m
   return result;
 }
 
-Fitted load_fitted(const std::string& path) {
-  const YAML::Node root = read_yaml_file(path);
-  if (!root.IsMap()) fail("file: is not a map of missions", path, root);
-  Fitted fitted;
-  for (const auto& mission : root) {
-    const std::string name = mission.first.Scalar();
-    if (!mission.second.IsMap()) fail(name + ": is not a map of policies", path, mission.second);
-    for (const auto& policy : mission.second) {
-      const std::string& key = policy.first.Scalar();
-      fitted[name][key] = settings(policy.second, name + "." + key, path);
-    }
-  }
-  return fitted;
-}
+Fitted load_fitted(const std::string& path) { return read(read_yaml_file(path), path); }
 
+Fitted parse_fitted(const std::string& text, const std::string& path) {
+  return read(YAML::Load(text), path);
+}
 std::string fitted_text(const Fitted& fitted, const std::string& comment) {
   std::string text = "# SPDX-License-Identifier: Apache-2.0\n";
   std::istringstream lines(comment);

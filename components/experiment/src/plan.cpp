@@ -41,15 +41,18 @@ std::string bringup_file(const std::string& name, const std::string& share) {
   return bare && fs::exists(shared) ? shared.string() : name;
 }
 
-/// Removes the camera when the payload has none.
-void drop_camera(deployment::Deployment& deployment) {
-  for (deployment::Host& host : deployment.hosts) {
-    for (deployment::Container& container : host.containers) {
-      auto& all = container.components;
-      const auto is_camera = [](const auto& one) { return one.component == "camera"; };
-      all.erase(std::remove_if(all.begin(), all.end(), is_camera), all.end());
+/// Where a bringup has cameras, as `--without` names them.
+std::vector<std::string> cameras_of(const deployment::Deployment& deployment) {
+  std::vector<std::string> cameras;
+  for (const deployment::Host& host : deployment.hosts) {
+    for (const deployment::Container& container : host.containers) {
+      for (const deployment::ComponentInstance& one : container.components) {
+        if (one.component != "camera") continue;
+        cameras.push_back(host.name + "/" + container.name + "/" + one.name);
+      }
     }
   }
+  return cameras;
 }
 
 /// Calls `add` for each combination of a set, seeds innermost.
@@ -117,15 +120,16 @@ deployment::Overrides overrides_of(const Run& run, const Timing& timing, const s
   for (const std::string& text : run.fitted) overrides.set.push_back(setting(text));
   for (const std::string& text : run.payload.set) overrides.set.push_back(text);
   for (const std::string& text : run.policy.set) overrides.set.push_back(setting(text));
+  if (run.payload.camera) return overrides;
+  const auto whole = deployment::load_deployment(bringup_file(timing.bringup, share), overrides);
+  for (const std::string& camera : cameras_of(whole)) overrides.without.push_back(camera);
   return overrides;
 }
 
 deployment::Deployment deployment_of(const Run& run, const Timing& timing, const std::string& share,
                                      const std::string& run_dir) {
-  auto deployment = deployment::load_deployment(bringup_file(timing.bringup, share),
-                                                overrides_of(run, timing, share, run_dir));
-  if (!run.payload.camera) drop_camera(deployment);
-  return deployment;
+  return deployment::load_deployment(bringup_file(timing.bringup, share),
+                                     overrides_of(run, timing, share, run_dir));
 }
 
 void instrument(deployment::Deployment& deployment) {

@@ -69,6 +69,19 @@ void add_runs(const std::string& folder, const std::string& table_name, const st
   }
 }
 
+/// The fitted parameters among the files of settings.yaml, which are named by their whole paths.
+Fitted fitted_of(const YAML::Node& settings, const std::string& name) {
+  if (name.empty()) return {};
+  const std::string end = "/" + fs::path(name).filename().string();
+  for (const auto& file : settings["files"]) {
+    const std::string path = file.first.as<std::string>("");
+    const bool is_it =
+        path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0;
+    if (is_it) return parse_fitted(file.second.as<std::string>(""), path);
+  }
+  return {};
+}
+
 /// The values of all runs at observation `i`.
 std::vector<double> column(const Group& group, std::size_t i,
                            const std::function<double(const Observation&)>& value) {
@@ -102,18 +115,23 @@ std::vector<double> Group::metric(const std::string& name) const {
 }
 
 Results load_results(const std::string& folder) {
-  if (!fs::exists(folder + "/settings.yaml") || !fs::exists(folder + "/runs.csv")) {
+  const bool any = fs::exists(folder + "/runs.csv") || fs::exists(folder + "/real.csv");
+  if (!fs::exists(folder + "/settings.yaml") || !any) {
     throw ConfigError(folder +
-                      ": holds no results of tocsin experiment run (settings.yaml, "
-                      "runs.csv)");
+                      ": holds no results of tocsin experiment run (settings.yaml, runs.csv or "
+                      "real.csv)");
   }
   Results results;
   results.folder = folder;
   results.settings = read_text(folder + "/settings.yaml");
   const YAML::Node settings = read_yaml_file(folder + "/settings.yaml");
   results.build = settings["build"].as<std::string>("unknown");
+  for (const YAML::Node& earlier : settings["earlier_builds"]) {
+    results.build += ", earlier runs " + earlier.as<std::string>("");
+  }
   results.experiment =
       parse_experiment(settings["experiment"].as<std::string>(""), folder + "/settings.yaml");
+  results.fitted = fitted_of(settings, results.experiment.timing.fitted);
   add_runs(folder, "runs.csv", "series", results.groups, results);
   const std::size_t simulated = results.runs;
   add_runs(folder, "real.csv", "real", results.real, results);

@@ -30,6 +30,7 @@ struct Results {
   std::string build;
   std::string settings;  ///< the whole text
   Experiment experiment;
+  Fitted fitted;              ///< what the settings hold of it
   std::vector<Group> groups;  ///< simulated, in the order of the plan
   std::vector<Group> real;    ///< driven; empty without `real.csv`
   std::size_t runs = 0;

@@ -15,6 +15,7 @@ const std::vector<std::string> shown{"qni_mean",
                                      "telemetry_per_max",
                                      "critical_lost",
                                      "high_lost",
+                                     "goals_lost",
                                      "low_lost",
                                      "camera_lost",
                                      "high_delivered",
@@ -28,6 +29,9 @@ const std::vector<std::string> shown{"qni_mean",
                                      "battery_age_mean",
                                      "battery_age_p95",
                                      "camera_age_mean",
+                                     "heartbeat_age_mean",
+                                     "state_age_mean",
+                                     "cpu_age_mean",
                                      "link_bytes",
                                      "airtime",
                                      "detect",
@@ -35,13 +39,16 @@ const std::vector<std::string> shown{"qni_mean",
                                      "resume",
                                      "sent_in_poor",
                                      "silent_in_good",
+                                     "slot_cost",
+                                     "slot_regret",
                                      "pauses",
                                      "silence_mean",
                                      "silence_max",
                                      "completion"};
 
-const std::vector<std::string> boxed{"telemetry_per_max", "probe_per_max", "high_latency_p99",
-                                     "location_age_p95", "silence_max"};
+const std::vector<std::string> boxed{
+    "telemetry_per_max", "probe_per_max", "high_latency_p99", "location_age_p95", "silence_mean",
+    "silence_max",       "detect",        "resume",           "completion"};
 
 std::string label_of(const std::string& metric) {
   return metric + " [" + metric_texts()[metric_index(metric)].unit + "]";
@@ -102,6 +109,57 @@ void add_round(const std::vector<const Group*>& round, Document& document) {
   }
 }
 
+/// Means of several metrics, one place on the x axis each, side by side for the policies.
+struct Board {
+  const char* name;
+  const char* title;
+  const char* y_axis;
+  std::vector<std::pair<std::string, std::string>> metrics;  ///< label, metric
+  const char* caption;
+};
+
+const Board ages{
+    "ages",
+    "age of information at the ground station",
+    "mean age [s]",
+    {{"location", "location_age_mean"},
+     {"network quality", "quality_age_mean"},
+     {"heartbeat", "heartbeat_age_mean"},
+     {"transmission state", "state_age_mean"},
+     {"battery (low)", "battery_age_mean"},
+     {"CPU load (low)", "cpu_age_mean"},
+     {"camera (low)", "camera_age_mean"}},
+    "Age of the newest received sample of each topic, mean over time and runs with its "
+    "95 % interval. Network quality is measured every six seconds."};
+const Board losses{"losses",
+                   "lost of what was sent, by class",
+                   "lost [%]",
+                   {{"critical", "critical_lost"},
+                    {"high", "high_lost"},
+                    {"low, no camera", "low_lost"},
+                    {"camera", "camera_lost"},
+                    {"goals", "goals_lost"}},
+                   "Share of samples put on the link that never arrived, mean over runs with its "
+                   "95 % interval; what the gate held back was not sent."};
+
+void add_board(const std::vector<const Group*>& round, const Board& board, Document& document) {
+  Figure figure(std::string(board.name) + "_" + round_id(*round.front()),
+                mission_name(round.front()->mission) + ": " + board.title);
+  figure.axes("", board.y_axis).with("set yrange [0:*]");
+  std::vector<std::string> labels;
+  for (const auto& [label, metric] : board.metrics) labels.push_back(label);
+  figure.categories(labels);
+  const double width = 0.6 / static_cast<double>(round.size());
+  for (std::size_t i = 0; i < round.size(); ++i) {
+    std::vector<Estimate> means;
+    for (const auto& [label, metric] : board.metrics) {
+      means.push_back(estimate(round[i]->metric(metric)));
+    }
+    figure.marks(display_name(round[i]->policy), means, width * static_cast<double>(i) - 0.3);
+  }
+  document.figure(std::move(figure), board.caption);
+}
+
 void add_boxes(const std::vector<const Group*>& round, const std::string& metric,
                Document& document) {
   Figure figure("box_" + round_id(*round.front()) + "_" + metric,
@@ -125,6 +183,7 @@ void add_distributions(const Results& results, Document& document) {
   for (const RunSet* set : sets) {
     for (const auto& round : rounds_of(results.groups, set->name)) {
       document.heading(3, round_title(*round.front()));
+      for (const Board* board : {&ages, &losses}) add_board(round, *board, document);
       for (const std::string& metric : boxed) add_boxes(round, metric, document);
     }
   }

@@ -21,6 +21,10 @@ void add_channels(const Results& results, Document& document);
 void add_distributions(const Results& results, Document& document);
 /// All metrics of every policy of every set of kind thesis and comparison.
 void add_comparisons(const Results& results, Document& document);
+/// All policies by the decision library's cost per slot, and which is best at what.
+void add_costs(const Results& results, Document& document);
+/// By which rule the policies got their parameters.
+void add_fit(const Results& results, Document& document);
 /// In which regime TOCP-DSP helps: payload by payload and channel by channel.
 void add_regimes(const Results& results, Document& document);
 void add_sensitivity(const Results& results, Document& document);

@@ -3,67 +3,30 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include "report/csv_table.hpp"
-#include "toy.hpp"
+#include "program.hpp"
 
 namespace tocsin::experiment {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-struct Ended {
-  int code;
-  std::string output;
-};
+const Slice two;
 
-std::string program() {
-  const fs::path own = TOCSIN_INSTALL;
-  return own / "bin/tocsin-experiment";
+Slice of(const std::string& policies) { return {policies}; }
+Slice of(int seeds) {
+  Slice slice;
+  slice.seeds = seeds;
+  return slice;
 }
-
-/// Runs of 40 s of Mission A on the shipped channel.
-std::string slice(const std::string& policies, int seeds) {
-  const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config/";
-  return "duration_s: 40\nwarm_up_s: 5\nobservation_s: 3\nmissions:\n  - {name: a, file: " +
-         config + "missions/mission_a.yaml}\nchannels:\n  - {name: thesis, file: " + config +
-         "radio/thesis_a.yaml}\npayloads:\n  - {name: plain}\npolicies:\n" + policies +
-         "sets:\n  - {name: main, kind: thesis, seeds: " + std::to_string(seeds) + "}\n";
-}
-
-const std::string two = "  - {name: none}\n  - {name: tocp_dsp}\n";
-
-class ExperimentTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (!fs::exists(program())) GTEST_SKIP() << program() << " is not installed";
-  }
-  Ended call(const std::string& arguments, const std::string& before = "") {
-    const std::string command = before + " timeout 120 " + program() + " " + arguments + " >" +
-                                folder_.path("output") + " 2>&1";
-    const int status = std::system(command.c_str());
-    return {WEXITSTATUS(status), folder_.read("output")};
-  }
-  Ended run(const std::string& text, const std::string& out, const std::string& before = "") {
-    return call(
-        "run " + folder_.write("experiment.yaml", text) + " --jobs 2 --out " + folder_.path(out),
-        before);
-  }
-  [[nodiscard]] report::CsvTable table(const std::string& out) const {
-    return report::CsvTable::read(folder_.path(out + "/runs.csv"));
-  }
-  ToyFolder folder_;
-};
 
 TEST_F(ExperimentTest, RunsTheComponentsOfTheVehicleAndReports) {
-  const Ended sut = run(slice(two, 2), "out");
+  const Ended sut = run(of(2), "out");
   EXPECT_EQ(sut.code, 0) << sut.output;
   EXPECT_THAT(sut.output, AllOf(HasSubstr("4 of 4 runs"), HasSubstr("times real time")));
-  const auto rows = table("out");
+  const auto rows = table("out/runs.csv");
   ASSERT_EQ(rows.rows(), 4U);
   for (std::size_t row = 0; row < 4; ++row) {
     EXPECT_EQ(rows.text(row, "failure"), "");
@@ -78,8 +41,8 @@ TEST_F(ExperimentTest, RunsTheComponentsOfTheVehicleAndReports) {
 }
 
 TEST_F(ExperimentTest, GivesTheSameBytesAgain) {
-  ASSERT_EQ(run(slice(two, 2), "one").code, 0);
-  ASSERT_EQ(run(slice(two, 2), "other").code, 0);
+  ASSERT_EQ(run(of(2), "one").code, 0);
+  ASSERT_EQ(run(of(2), "other").code, 0);
   EXPECT_EQ(folder_.read("one/runs.csv"), folder_.read("other/runs.csv"));
   EXPECT_EQ(folder_.read("one/settings.yaml"), folder_.read("other/settings.yaml"));
   int files = 0;
@@ -92,7 +55,7 @@ TEST_F(ExperimentTest, GivesTheSameBytesAgain) {
 }
 
 TEST_F(ExperimentTest, GoesOnAfterCtrlC) {
-  const std::string file = folder_.write("experiment.yaml", slice(two, 40));
+  const std::string file = folder_.write("experiment.yaml", text_of(of(40)));
   const std::string out = folder_.path("out");
   const pid_t child = ::fork();
   if (child == 0) {
@@ -108,22 +71,22 @@ TEST_F(ExperimentTest, GoesOnAfterCtrlC) {
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_THAT(folder_.read("log"), HasSubstr("the same command goes on"));
-  const std::size_t kept = table("out").rows();
+  const std::size_t kept = table("out/runs.csv").rows();
   EXPECT_GT(kept, 0U);
   EXPECT_LT(kept, 80U);
   const Ended sut = call("run " + file + " --jobs 2 --out " + out);
   EXPECT_EQ(sut.code, 0) << sut.output;
   EXPECT_THAT(sut.output, HasSubstr(std::to_string(kept) + " of 80 runs are there already"));
-  EXPECT_EQ(table("out").rows(), 80U);
+  EXPECT_EQ(table("out/runs.csv").rows(), 80U);
 }
 
 TEST_F(ExperimentTest, NotesAPolicyThatThrowsAndFinishesTheOthers) {
   const Ended sut = run(
-      slice(two + "  - {name: broken, policy: tocp, set: [false_alarm_samples=2]}\n", 1), "out");
+      of(two.policies + "  - {name: broken, policy: tocp, set: [false_alarm_samples=2]}\n"), "out");
   EXPECT_EQ(sut.code, 1);
   EXPECT_THAT(sut.output,
               AllOf(HasSubstr("1 runs failed"), HasSubstr("main.a.thesis.plain.broken.1")));
-  const auto rows = table("out");
+  const auto rows = table("out/runs.csv");
   ASSERT_EQ(rows.rows(), 3U);
   EXPECT_EQ(rows.text(0, "failure"), "");
   EXPECT_NE(rows.text(2, "failure"), "");
@@ -131,31 +94,88 @@ TEST_F(ExperimentTest, NotesAPolicyThatThrowsAndFinishesTheOthers) {
 
 TEST_F(ExperimentTest, SaysOnceThatTheDiskIsFull) {
   // Files of at most 1 KiB: settings.yaml does not fit.
-  const Ended first = run(slice(two, 2), "out", "ulimit -f 1; trap '' XFSZ;");
-  EXPECT_EQ(first.code, 1) << first.output;
-  EXPECT_THAT(first.output, HasSubstr("cannot be written"));
-  // Room for the settings, not for the results.
-  ASSERT_EQ(run(slice(two, 1), "size").code, 0);
-  const auto blocks = fs::file_size(folder_.path("size/settings.yaml")) / 1024 + 1;
-  ASSERT_LT(fs::file_size(folder_.path("size/runs.csv")), blocks * 1024);
+  const Ended sut = run(of(2), "out", "ulimit -f 1; trap '' XFSZ;");
+  EXPECT_EQ(sut.code, 1) << sut.output;
+  EXPECT_THAT(sut.output, HasSubstr("cannot be written"));
+}
+
+TEST_F(ExperimentTest, KeepsWhatIsFinishedOnAFullDiskAndGoesOnWhenThereIsRoom) {
+  if (!succeeds("unshare -m true")) GTEST_SKIP() << "no mount namespace is permitted here";
+  const std::string file = folder_.write("experiment.yaml", text_of(of(20)));
+  const std::string out = folder_.path("disk");
+  const std::string sut = program() + " run " + file + " --jobs 2 --out " + out;
+  const Ended ended = call_shell(
+      "exec unshare -m sh " +
+          folder_.write("inside",
+                        "mkdir " + out + "\nmount -t tmpfs -o size=96k none " + out + "\n" + sut +
+                            "\necho first $?\n"
+                            "mount -o remount,size=8M " +
+                            out + "\n" + sut + "\necho second $?\nwc -l <" + out + "/runs.csv\n"),
+      folder_);
+  EXPECT_THAT(ended.output, AllOf(HasSubstr("No space left on device; finished runs are kept"),
+                                  HasSubstr("first 1\n"), HasSubstr("of 40 runs are there already"),
+                                  HasSubstr("second 0\n41\n")));
+}
+
+TEST_F(ExperimentTest, ReplaysTheTraceThatIsShipped) {
+  Slice slice;
+  slice.channel = config("radio/replay.yaml");
+  const Ended sut = run(slice, "out");
+  EXPECT_EQ(sut.code, 0) << sut.output;
+  EXPECT_GT(table("out/runs.csv").number(0, "qni_mean"), 30);
+}
+
+TEST_F(ExperimentTest, ReplaysMeasuredLinks) {
+  const char* given = std::getenv("TOCSIN_SHARED");
+  const std::string shared = given != nullptr ? given : config("../../shared");
+  if (!fs::exists(shared + "/data/traces")) GTEST_SKIP() << "no measured traces on this machine";
+  for (const char* name : {"external_robot_2G", "internal_client_2G_trial1",
+                           "internal_server_5G_trial2short", "router_5G_trial2"}) {
+    Slice slice;
+    slice.channel =
+        folder_.write("channel.yaml", "radio_channel:\n  noise_dbm: -91\n  trace_file: " + shared +
+                                          "/data/traces/" + name + ".csv\n");
+    const Ended sut = run(slice, name);
+    EXPECT_EQ(sut.code, 0) << name << "\n" << sut.output;
+    EXPECT_GT(table(std::string(name) + "/runs.csv").number(0, "qni_mean"), 0) << name;
+  }
+}
+
+TEST_F(ExperimentTest, FitsParametersThatItsRunsThenUse) {
+  // Two ways of being poor within 60 s: the limit is set where half of the way lies below.
+  Slice slice;
+  slice.kind = "fit";
+  slice.seeds = 4;
+  slice.policies = "  - {name: none}\n";
+  slice.duration_s = 60;
+  const std::string text = "fitted: fitted.yaml\npoor_below_snr_db: 17\n" + text_of(slice);
+  const std::string file = folder_.write("experiment.yaml", text);
+  EXPECT_THAT(call("run " + file).output, HasSubstr("`tocsin experiment fit"));
+  const Ended sut = call("fit " + file + " --jobs 2 --out " + folder_.path("fit"));
+  ASSERT_EQ(sut.code, 0) << sut.output;
+  EXPECT_THAT(sut.output, AllOf(HasSubstr("mission a, 4 runs"), HasSubstr("pause_below_qni=")));
+  folder_.write("experiment.yaml", with(text, "kind: fit", "kind: thesis"));
+  const Ended used = call("run " + file + " --jobs 2 --out " + folder_.path("out"));
+  EXPECT_EQ(used.code, 0) << used.output;
+  EXPECT_THAT(folder_.read("out/settings.yaml"), HasSubstr("every_policy: [good_mean="));
 }
 
 TEST_F(ExperimentTest, RefusesWhatIsWrongBeforeTheFirstRun) {
-  const Ended key = run(slice("  - {name: tocp, set: [alfa=3]}\n", 1), "out");
+  const Ended key = run(of("  - {name: tocp, set: [alfa=3]}\n"), "out");
   EXPECT_EQ(key.code, 2);
   EXPECT_THAT(key.output, AllOf(HasSubstr("alfa"), HasSubstr("tocp")));
-  const Ended range = run(slice("  - {name: tocp, set: [alpha=-3]}\n", 1), "out");
+  const Ended range = run(of("  - {name: tocp, set: [alpha=-3]}\n"), "out");
   EXPECT_EQ(range.code, 2);
   EXPECT_THAT(range.output, HasSubstr("alpha: -3 is outside"));
-  const Ended policy = run(slice("  - {name: luck}\n", 1), "out");
+  const Ended policy = run(of("  - {name: luck}\n"), "out");
   EXPECT_EQ(policy.code, 2);
   EXPECT_THAT(policy.output, HasSubstr("luck"));
   EXPECT_FALSE(fs::exists(folder_.path("out")));
 }
 
 TEST_F(ExperimentTest, DoesNotMixTwoExperiments) {
-  ASSERT_EQ(run(slice(two, 1), "out").code, 0);
-  const Ended sut = run(slice(two, 2), "out");
+  ASSERT_EQ(run(two, "out").code, 0);
+  const Ended sut = run(of(2), "out");
   EXPECT_EQ(sut.code, 2);
   EXPECT_THAT(sut.output, HasSubstr("other settings"));
 }

@@ -66,16 +66,18 @@ TEST(Page, ComparesSimulatedAndRealWhenBothAreThere) {
   const ToyResults toy;
   EXPECT_THAT(page_of(toy), Not(HasSubstr("Simulated against real")));
   toy.add_real();
-  EXPECT_THAT(page_of(toy), AllOf(HasSubstr("Simulated against real"),
-                                  HasSubstr("mean QNI within 2.00 over at least 20 paired runs; "
-                                            "real minus simulated 1.00")));
+  EXPECT_THAT(page_of(toy),
+              AllOf(HasSubstr("Simulated against real"),
+                    HasSubstr("mean QNI, all pairs, within 2.00 over at least 20 paired runs; "
+                              "real minus simulated 1.00")));
 }
 
 TEST(Page, LeavesOutPairsOfMissionsThatWereNotDone) {
   const ToyResults toy;
   toy.add_real();
-  EXPECT_THAT(page_of(toy), AllOf(HasSubstr("for minutes): none 1."), HasSubstr("over 11 pairs"),
-                                  HasSubstr("so far, over too few pairs")));
+  EXPECT_THAT(page_of(toy),
+              AllOf(HasSubstr("pairs left out: none 1."), HasSubstr("over 11 pairs"),
+                    HasSubstr("over 12 pairs"), HasSubstr("so far, over too few pairs")));
 }
 
 TEST(Page, ShowsSensitivityOfSetsOfThatKind) {
@@ -106,12 +108,24 @@ TEST(Figure, DrawsEveryKindWithoutComplaint) {
   figure.line("nothing", {NAN, NAN}, 1).points("", {}, {}).band({NAN}, {NAN}, 1);
   boxes.box("a", {1, 2, 3, 4}).box("none", {}).interval("i", 2, 1, 3).interval("n", 2, NAN, NAN);
   Figure empty("empty", "Nothing");
+  Figure marks("marks", "Marks");
+  marks.categories({"a", "b"}).marks("one", {{1, 0, 2, 3}, {2, NAN, NAN, 1}}, -0.2);
+  marks.marks("none", {{NAN, NAN, NAN, 0}}, 0);
   try {
-    draw({figure, boxes, empty}, folder.path());
+    draw({figure, boxes, empty, marks}, folder.path());
   } catch (...) {
     ADD_FAILURE() << folder.read("gnuplot.log");
   }
   EXPECT_THAT(folder.read("boxes.svg"), HasSubstr("</svg>"));
+}
+
+TEST(Figure, PutsMarksOfAPolicyBesideTheirCategories) {
+  const std::string sut = Figure("m", "Marks")
+                              .categories({"first", "second"})
+                              .marks("one", {{5, 4, 6, 3}, {7, NAN, NAN, 1}}, 0.25)
+                              .script("/out");
+  EXPECT_THAT(sut, HasSubstr("1.25 5 4 6 \n2.25 7 7 7 \nEOD"));
+  EXPECT_THAT(sut, HasSubstr("'first' 1, 'second' 2"));
 }
 
 TEST(Draw, SaysThatGnuplotFailed) {

@@ -1,45 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "experiment/plan.hpp"
 #include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin::experiment {
 
-/// A folder that is gone with the test.
-class ToyFolder {
- public:
-  ToyFolder() {
-    std::string name = "/tmp/experiment_test_XXXXXX";
-    path_ = ::mkdtemp(name.data());
-  }
-  ~ToyFolder() { std::filesystem::remove_all(path_); }
-  ToyFolder(const ToyFolder&) = delete;
-  ToyFolder& operator=(const ToyFolder&) = delete;
-
-  std::string write(const std::string& name, const std::string& text) const {
-    std::filesystem::create_directories((path_ / name).parent_path());
-    std::ofstream(path_ / name) << text;
-    return path_ / name;
-  }
-  [[nodiscard]] std::string read(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(path_ / name).rdbuf();
-    return text.str();
-  }
-  [[nodiscard]] std::string path(const std::string& name = "") const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
+using ToyFolder = TemporaryFolder;
 
 inline constexpr const char* toy_text =
     "duration_s: 100\n"

@@ -97,7 +97,7 @@ struct Overrides {
   std::optional<int> domain;         ///< in place of the file's `domain`
   std::string channel;               ///< path in place of the file's `radio.channel`; empty: none
   std::vector<std::string> set;      ///< "name.key=value" or "host/name.key=value", value in YAML
-  std::vector<std::string> without;  ///< "host/process" that is left out
+  std::vector<std::string> without;  ///< "host/process" or "host/process/component" left out
 };
 
 /// Reads a bringup file with its parameter files and applies the overrides.

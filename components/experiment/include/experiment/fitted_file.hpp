@@ -20,6 +20,8 @@ inline constexpr const char* every_policy = "every_policy";
 
 /// Throws ConfigError with file and line when it is not such a file.
 [[nodiscard]] Fitted load_fitted(const std::string& path);
+/// The same of a text that was read from `path`.
+[[nodiscard]] Fitted parse_fitted(const std::string& text, const std::string& path);
 /// The text of the file; each line of `comment` becomes a comment at its begin.
 [[nodiscard]] std::string fitted_text(const Fitted& fitted, const std::string& comment);
 

@@ -33,7 +33,8 @@ struct Run {
 /// The seed of run `index`: the same for every policy and payload, so that all meet one radio.
 [[nodiscard]] int seed_of(const std::string& mission, const std::string& channel, int index);
 
-/// What the command line of `tocsin launch` would say for this run.
+/// What the command line of `tocsin launch` would say for this run. Reads the bringup file when the
+/// payload has no camera, to find those that are left out; throws ConfigError as that does.
 [[nodiscard]] deployment::Overrides overrides_of(const Run& run, const Timing& timing,
                                                  const std::string& share,
                                                  const std::string& run_dir);
