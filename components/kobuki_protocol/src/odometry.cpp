@@ -12,8 +12,8 @@ constexpr double trusted_gap_s = 0.1;
 /// In a longer pause at 0.7 m/s an encoder may wrap.
 constexpr double longest_known_s = 3.0;
 constexpr double stamp_wrap_s = 65.536;
-/// A wheel that rolled half of 5.59 m could have rolled the other half backwards.
-constexpr double longest_coast_m = 2.5;
+/// 0.7 m/s until a timeout of a second, and braking. Encoders are ambiguous from 2.79 m on.
+constexpr double longest_coast_m = 1.2;
 
 /// Signed distance between two 16-bit counters.
 double tick_difference(std::uint16_t now, std::uint16_t last) {
@@ -120,9 +120,14 @@ bool Odometry::plausible(const Step& step) const {
 }
 
 bool Odometry::bridges(const Step& step, double silence_s) const {
-  constexpr double latency_s = 0.3;  // of the frames at both ends of the silence
-  constexpr double drift = 1e-3;     // of one clock against the other
-  return std::abs(step.dt_s - silence_s) <= latency_s + drift * silence_s &&
+  // The bytes may have waited: Linux keeps 4095 of a terminal that nobody reads, a second of
+  // frames.
+  constexpr double longest_backlog_s = 1.2;
+  constexpr double latency_s = 0.3;
+  constexpr double drift = 1e-3;  // of one clock against the other
+  const double late_s = silence_s - step.dt_s;
+  const double slack_s = latency_s + drift * silence_s;
+  return late_s >= -slack_s && late_s <= longest_backlog_s + slack_s &&
          std::abs(step.left_m) <= longest_coast_m && std::abs(step.right_m) <= longest_coast_m;
 }
 

@@ -66,7 +66,7 @@ struct OdometrySnapshot {
 /// more than 0.1 s waits for the next one in the same way, which brings the motion of the pause.
 ///
 /// After more than 3 s stamp and encoders may have wrapped. Then the sample is motion when its
-/// stamp agrees with the computer's clock and its wheels rolled at most 2.5 m, as of a base that
+/// stamp agrees with the computer's clock and its wheels rolled at most 1.2 m, as of a base that
 /// stopped by its own timeout; else the base was restarted.
 class Odometry {
  public:
