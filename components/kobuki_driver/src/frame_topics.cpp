@@ -16,6 +16,12 @@ std::string hardware_id(const kobuki::Inquiry& inquiry) {
   return std::to_string((*id)[0]) + "-" + std::to_string((*id)[1]) + "-" + std::to_string((*id)[2]);
 }
 
+/// Makes and writes a message that somebody reads. False when it was refused.
+template <class Topic, class Make>
+bool offer(Output<Topic>& to, const Make& make) {
+  return !to.wanted() || to.write(make()) != Status::failed;
+}
+
 }  // namespace
 
 FrameTopics::FrameTopics(Component& owner, const FrameParams& params, bool gyro_heading)
@@ -52,12 +58,10 @@ bool FrameTopics::publish(const kobuki::Reading& reading, Time now) {
   if (reading.pose_is_old) return ok;  // it may jump by metres with the next frame
   const kobuki::Labels labels{stamp(now), params_.odom_frame, params_.base_frame,
                               params_.wheel_left_joint_name, params_.wheel_right_joint_name};
-  ok &= odom_.write(kobuki::odom_message(reading, labels, gyro_heading_)) != Status::failed;
-  ok &= imu_.write(kobuki::imu_message(reading, labels)) != Status::failed;
-  ok &= joints_.write(kobuki::joint_message(reading, labels)) != Status::failed;
-  if (params_.publish_tf) {
-    ok &= tf_.write(kobuki::tf_message(reading, labels)) != Status::failed;
-  }
+  ok &= offer(odom_, [&] { return kobuki::odom_message(reading, labels, gyro_heading_); });
+  ok &= offer(imu_, [&] { return kobuki::imu_message(reading, labels); });
+  ok &= offer(joints_, [&] { return kobuki::joint_message(reading, labels); });
+  if (params_.publish_tf) ok &= offer(tf_, [&] { return kobuki::tf_message(reading, labels); });
   return ok;
 }
 
@@ -72,6 +76,7 @@ bool FrameTopics::publish_battery(const kobuki::Reading& reading, Time now) {
 bool FrameTopics::publish_diagnostics(const kobuki::KobukiDriver& driver, Time now) {
   if (now < next_diagnostics_) return true;
   next_diagnostics_ = now + seconds(params_.diagnostics_period_s);
+  if (!diagnostics_.wanted()) return true;
   topic::Diagnostics::Message message;
   message.header().stamp(stamp(now));
   const std::string id = hardware_id(driver.inquiry());

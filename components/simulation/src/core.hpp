@@ -20,7 +20,6 @@ struct Core {
   Digest digest;
   std::uint64_t samples = 0;
   bool dying = false;  ///< a process is being killed: what its components still do is void
-  bool input = false;  ///< a component may have got input since the last ticks
   bool digest_wanted = true;
   Observer* observer = nullptr;
 

@@ -132,7 +132,6 @@ void SimBase::deliver() {
     if (readable_) arrived_.insert(arrived_.end(), packet.begin(), packet.end());
   });
   if (arrived_.size() == before) return;
-  core_.input = true;
   readable_();
 }
 
@@ -140,7 +139,6 @@ void SimBase::unplug() {
   unplugged_ = true;
   line_.clear();
   arrived_.clear();
-  core_.input = true;
   if (const auto tell = std::exchange(readable_, nullptr)) tell();
 }
 

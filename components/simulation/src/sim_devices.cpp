@@ -67,7 +67,6 @@ class SimEcho final : public EchoDevice {
         core.observer->on_echo({*host, request.sequence, request.sent, core.now});
       }
       inbox->replies.push_back({request.sequence, core.now});
-      core.input = true;
       inbox->readable();
     });
   }

@@ -76,10 +76,15 @@ void SimHost::attach(SimProcess::Topic& topic) {
   if (all.last.message) topic.exchange.deliver(all.last);
 }
 
+bool SimHost::has_readers(const SimProcess::Topic& topic) {
+  const auto& all = topic.on_host->processes;
+  return std::any_of(all.begin(), all.end(), [](const auto* one) { return one->receivers > 0; });
+}
+
 void SimHost::deliver(const SimProcess::Topic& from, const Sample& sample) {
   if (from.qos.keeps_last()) from.on_host->last = sample;
   for (SimProcess::Topic* topic : from.on_host->processes) {
-    if (topic->receivers > 0 || topic->qos.keeps_last()) topic->deliver(sample);
+    if (topic->receivers > 0 || topic->qos.keeps_last()) topic->exchange.deliver(sample);
   }
 }
 

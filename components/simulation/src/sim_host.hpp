@@ -80,12 +80,6 @@ class SimProcess final : public Bus {
     Origin origin;  ///< of the last write
     QosProfile qos;
     TopicExchange exchange;
-    /// To the components of this process.
-    void deliver(const Sample& sample) {
-      *input = true;
-      exchange.deliver(sample);
-    }
-    bool* input = nullptr;  ///< of the core
     std::size_t receivers = 0;
     HostTopic* on_host = nullptr;
     std::unique_ptr<RtpsReader> reader;
@@ -141,6 +135,8 @@ class SimHost {
   void attach(SimProcess::Topic& topic);
   /// Hands a sample to every process of this host.
   static void deliver(const SimProcess::Topic& from, const Sample& sample);
+  /// Whether a component of this host reads it.
+  [[nodiscard]] static bool has_readers(const SimProcess::Topic& topic);
 
  private:
   Network& network_;

@@ -31,6 +31,9 @@ class OpenWriter final : public Publication {
   Status write(const std::shared_ptr<const void>& message) override {
     return process_.write(topic_, message);
   }
+  [[nodiscard]] bool has_readers() const override {
+    return topic_.gated || topic_.qos.keeps_last() || SimHost::has_readers(topic_);
+  }
 
  private:
   SimProcess& process_;
@@ -52,7 +55,6 @@ std::unique_ptr<SimProcess::Topic> SimProcess::make_topic(const Endpoint& endpoi
   auto made = std::make_unique<Topic>(endpoint, network_.qos.of(endpoint.topic.qos, name));
   made->label = host_.name() + "/" + name_ + "/" + name;
   made->source = hash_of(life_ == 0 ? made->label : made->label + "#" + std::to_string(life_));
-  made->input = &network_.core.input;
   made->end = {host_.name(),
                host_.role(),
                name_,
@@ -106,7 +108,7 @@ void SimProcess::receive(Topic& its, const Change& change, std::uint64_t source)
   sample.sequence = change.sequence;
   sample.source = source;
   sample.bytes = static_cast<std::uint32_t>(change.bytes);
-  its.deliver(sample);
+  its.exchange.deliver(sample);
 }
 
 void SimProcess::make_reader(Topic& its) {

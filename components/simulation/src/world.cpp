@@ -180,8 +180,7 @@ void World::step(Time now) {
     for (SimBase& base : side.bases) base.advance();
   }
   link_.advance();
-  if (core.input || scheduler_.next() <= now) scheduler_.run(now);
-  core.input = false;
+  if (scheduler_.next() <= now) scheduler_.run(now);
   if (core.observer != nullptr) core.observer->on_step(now);
 }
 

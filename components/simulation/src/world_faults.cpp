@@ -89,7 +89,6 @@ void World::revive(Process& process) {
   if (process.bus != nullptr || process.exit_code) return;
   try {
     start(process);
-    core.input = true;
     tell(process, ProcessEvent::started);
   } catch (const std::exception& error) {
     if (core.observer != nullptr) core.observer->on_failure(process.path, error.what(), core.now);
