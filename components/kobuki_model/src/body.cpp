@@ -20,9 +20,15 @@ constexpr double look_again_m = 0.05;  // near a wall
 Body::Body(Surroundings surroundings, const Pose& start)
     : surroundings_(std::move(surroundings)), pose_(start) {}
 
+bool Body::Look::is_over(double now_x_m, double now_y_m) const {
+  const double dx_m = now_x_m - x_m;
+  const double dy_m = now_y_m - y_m;
+  const double valid_m = clear ? clear_m : look_again_m;
+  return dx_m * dx_m + dy_m * dy_m >= valid_m * valid_m;
+}
+
 std::vector<double> Body::contacts(double x_m, double y_m, double radius_m) const {
-  const double way_m = look_ ? std::hypot(x_m - look_->x_m, y_m - look_->y_m) : clear_m;
-  if (way_m >= (look_ && !look_->clear ? look_again_m : clear_m)) {
+  if (!look_ || look_->is_over(x_m, y_m)) {
     look_ = Look{x_m, y_m, surroundings_(x_m, y_m, longest_reach_m + clear_m).empty()};
   }
   return look_->clear ? std::vector<double>{} : surroundings_(x_m, y_m, radius_m);

@@ -23,26 +23,38 @@ std::size_t SerialLine::packet_size() const {
   return static_cast<std::size_t>(params_.usb_packet_bytes);
 }
 
-void SerialLine::put(std::uint8_t byte) {
-  line_free_ += byte_time;
-  if (wire_.size() < max_on_wire) wire_.push_back({line_free_, byte});
+Time SerialLine::Run::arrival(std::size_t of_left) const {
+  return begin + static_cast<std::int64_t>(handed_over + of_left + 1) * byte_time;
+}
+
+void SerialLine::put(ByteView bytes) {
+  const std::size_t fit = std::min(bytes.size, max_on_wire - on_wire_);
+  const bool follows =
+      !wire_.empty() && wire_.back().bytes.size() < max_on_wire && wire_.back().arrival(wire_.back().left()) == line_free_ + byte_time;
+  if (fit > 0) {
+    if (!follows) wire_.push_back({line_free_, {}});
+    auto& all = wire_.back().bytes;
+    all.insert(all.end(), bytes.begin(), bytes.begin() + fit);
+    on_wire_ += fit;
+  }
+  line_free_ += static_cast<std::int64_t>(bytes.size) * byte_time;
 }
 
 void SerialLine::send(ByteView bytes, Time now) {
   line_free_ = std::max(line_free_, now);
   const double faults =
       params_.noise_probability + params_.loss_probability + params_.flip_probability;
-  if (faults <= 0) {
-    std::for_each(bytes.begin(), bytes.end(), [this](std::uint8_t byte) { put(byte); });
-    return;
-  }
+  if (faults <= 0) return put(bytes);
   for (std::uint8_t byte : bytes) {
-    if (chance(params_.noise_probability)) put(static_cast<std::uint8_t>(random_() & 0xFFU));
+    if (chance(params_.noise_probability)) {
+      const auto invented = static_cast<std::uint8_t>(random_() & 0xFFU);
+      put({&invented, 1});
+    }
     if (chance(params_.loss_probability)) continue;
     if (chance(params_.flip_probability)) {
       byte = static_cast<std::uint8_t>(byte ^ (1U << (random_() % 8U)));
     }
-    put(byte);
+    put({&byte, 1});
   }
 }
 
@@ -58,19 +70,29 @@ void SerialLine::flush(const Sink& sink) {
   packet_.clear();
 }
 
-void SerialLine::deliver(Time now, const Sink& sink) {
-  while (!wire_.empty() && wire_.front().at <= now) {
-    const Arriving next = wire_.front();
-    wire_.pop_front();
-    if (timer_ < next.at) {
-      flush(sink);
-      timer_ = timer_at_or_after(next.at);
-    }
-    packet_.push_back(next.byte);
-    if (packet_.size() < packet_size()) continue;
+void SerialLine::receive(Time now, const Sink& sink) {
+  Run& run = wire_.front();
+  const Time first = run.arrival(0);
+  if (timer_ < first) {
     flush(sink);
-    timer_ = next.at + latency();
+    timer_ = timer_at_or_after(first);
   }
+  const std::size_t room = packet_.size() < packet_size() ? packet_size() - packet_.size() : 1;
+  const auto come = static_cast<std::size_t>((std::min(now, timer_) - first) / byte_time) + 1;
+  const std::size_t count = std::min({room, come, run.left()});
+  const auto from = run.bytes.begin() + static_cast<std::ptrdiff_t>(run.handed_over);
+  packet_.insert(packet_.end(), from, from + static_cast<std::ptrdiff_t>(count));
+  const Time last = run.arrival(count - 1);
+  run.handed_over += count;
+  on_wire_ -= count;
+  if (run.left() == 0) wire_.pop_front();
+  if (packet_.size() < packet_size()) return;
+  flush(sink);
+  timer_ = last + latency();
+}
+
+void SerialLine::deliver(Time now, const Sink& sink) {
+  while (!wire_.empty() && wire_.front().arrival(0) <= now) receive(now, sink);
   if (timer_ > now) return;
   flush(sink);
   timer_ = timer_at_or_after(now + Duration{1});
@@ -78,21 +100,24 @@ void SerialLine::deliver(Time now, const Sink& sink) {
 
 Time SerialLine::next_delivery() const {
   if (packet_.empty() && wire_.empty()) return never;
-  const Time by_timer = packet_.empty() ? timer_at_or_after(wire_.front().at) : timer_;
+  const Time by_timer = packet_.empty() ? timer_at_or_after(wire_.front().arrival(0)) : timer_;
   if (packet_.size() >= packet_size()) return timer_;  // it was made smaller meanwhile
-  const std::size_t missing = packet_size() - packet_.size();
-  if (missing > wire_.size()) return by_timer;
-  return std::min(by_timer, wire_[missing - 1].at);
+  std::size_t missing = packet_size() - packet_.size();
+  if (missing > on_wire_) return by_timer;
+  auto run = wire_.begin();
+  for (; missing > run->left(); ++run) missing -= run->left();
+  return std::min(by_timer, run->arrival(missing - 1));
 }
 
 Time SerialLine::last_delivery() const {
   const bool may_fill = latency() / byte_time >= params_.usb_packet_bytes;  // that moves the timer
   if (wire_.empty() || may_fill) return next_delivery();
-  return timer_at_or_after(wire_.back().at);
+  return timer_at_or_after(wire_.back().arrival(wire_.back().left() - 1));
 }
 
 void SerialLine::clear() {
   wire_.clear();
+  on_wire_ = 0;
   packet_.clear();
 }
 

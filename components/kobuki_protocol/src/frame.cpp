@@ -15,21 +15,6 @@ bool Frame::begin(std::uint8_t id, std::size_t size) {
   return true;
 }
 
-void Frame::u8(std::uint8_t value) {
-  assert(!closed_ && payload_size() < max_payload);
-  bytes_[size_++] = value;
-}
-
-void Frame::u16(std::uint16_t value) {
-  u8(static_cast<std::uint8_t>(value & 0xFFU));
-  u8(static_cast<std::uint8_t>(value >> 8U));
-}
-
-void Frame::u32(std::uint32_t value) {
-  u16(static_cast<std::uint16_t>(value & 0xFFFFU));
-  u16(static_cast<std::uint16_t>(value >> 16U));
-}
-
 void Frame::close() {
   assert(!closed_);
   bytes_[2] = static_cast<std::uint8_t>(payload_size());

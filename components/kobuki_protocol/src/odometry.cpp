@@ -27,6 +27,7 @@ double gyro_turn(const Inertia& from, const Inertia& to) {
 }  // namespace
 
 double wrap_angle(double angle_rad) {
+  if (-pi < angle_rad && angle_rad <= pi) return angle_rad;
   const double wrapped = std::remainder(angle_rad, 2.0 * pi);
   return wrapped <= -pi ? wrapped + 2.0 * pi : wrapped;
 }

@@ -36,6 +36,7 @@ class Body {
     double x_m;
     double y_m;
     bool clear;
+    [[nodiscard]] bool is_over(double now_x_m, double now_y_m) const;
   };
   mutable std::optional<Look> look_;
   Pose pose_;

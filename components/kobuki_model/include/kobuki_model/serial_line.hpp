@@ -54,11 +54,19 @@ class SerialLine {
   void clear();
 
  private:
-  struct Arriving {
-    Time at;
-    std::uint8_t byte;
+  /// Bytes on the wire that follow each other without a pause.
+  struct Run {
+    Time begin;  ///< of the first bit of the first byte
+    std::vector<std::uint8_t> bytes;
+    std::size_t handed_over = 0;  ///< to the FT232R
+
+    [[nodiscard]] std::size_t left() const { return bytes.size() - handed_over; }
+    /// When the last bit of that byte of those left has come.
+    [[nodiscard]] Time arrival(std::size_t of_left) const;
   };
-  void put(std::uint8_t byte);
+  void put(ByteView bytes);
+  /// Takes bytes of the first run into the packet, up to the next flush. At least one has come.
+  void receive(Time now, const Sink& sink);
   void flush(const Sink& sink);
   [[nodiscard]] bool chance(double probability);
   [[nodiscard]] Duration latency() const {
@@ -70,7 +78,8 @@ class SerialLine {
 
   LineParams params_;
   std::mt19937_64 random_;
-  std::deque<Arriving> wire_;
+  std::deque<Run> wire_;  ///< none of them empty
+  std::size_t on_wire_ = 0;
   std::vector<std::uint8_t> packet_;
   Time line_free_;
   Time timer_;  ///< next run-out of the latency timer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <optional>
 
@@ -24,9 +25,18 @@ class Frame {
   /// Begins a sub-payload of `size` data bytes, which must follow. False, and nothing written, when
   /// it does not fit into the 255 payload bytes.
   [[nodiscard]] bool begin(std::uint8_t id, std::size_t size);
-  void u8(std::uint8_t value);
-  void u16(std::uint16_t value);
-  void u32(std::uint32_t value);
+  void u8(std::uint8_t value) {
+    assert(!closed_ && payload_size() < max_payload);
+    bytes_[size_++] = value;
+  }
+  void u16(std::uint16_t value) {
+    u8(static_cast<std::uint8_t>(value & 0xFFU));
+    u8(static_cast<std::uint8_t>(value >> 8U));
+  }
+  void u32(std::uint32_t value) {
+    u16(static_cast<std::uint16_t>(value & 0xFFFFU));
+    u16(static_cast<std::uint16_t>(value >> 16U));
+  }
   void i16(std::int16_t value) { u16(static_cast<std::uint16_t>(value)); }
   /// Sets LEN and the checksum. Nothing may be written afterwards.
   void close();
