@@ -30,6 +30,7 @@ FastDdsParticipant::FastDdsParticipant(ParticipantOptions options) : options_(st
   participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
       static_cast<std::uint32_t>(options_.domain), participant_qos(options_), &ears_,
       dds::StatusMask::none());
+  options_.reception->release();
   if (participant_ == nullptr) {
     throw EnvironmentError("DDS participant " + options_.name + " in domain " +
                            std::to_string(options_.domain) + " cannot be created on " +

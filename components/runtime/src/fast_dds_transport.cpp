@@ -70,7 +70,7 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   dds::DomainParticipantQos qos;
   qos.name(options.name);
   qos.transport().use_builtin_transports = false;
-  qos.transport().user_transports = {udp_of(options)};
+  qos.transport().user_transports = {hold(udp_of(options), options.reception)};
   if (options.shared_memory) {
     qos.transport().user_transports.push_back(shared_memory_transport());
     auto& own = qos.wire_protocol().default_unicast_locator_list;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "held_reception.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 
 namespace tocsin {
@@ -21,6 +22,8 @@ struct ParticipantOptions {
   bool radio = false;              ///< small RTPS messages, asynchronous writers, patient lease
   bool shared_memory = false;      ///< samples go by shared memory where the peer has it, too
   std::map<std::string, FlowController> flow_controllers;
+  /// Released when the participant is complete.
+  std::shared_ptr<HeldReception> reception = std::make_shared<HeldReception>();
 };
 
 /// `options` must outlive the participant: Fast DDS keeps pointers to the names.

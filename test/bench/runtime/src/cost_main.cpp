@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the gate costs an active writer, how late a deadline wakes a component, what a start takes.
-// usage: runtime_cost [--quick]
+// usage: runtime_cost [--quick] [gate|deadline|restart|start]
 #include <time.h>
 
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <string>
 #include <thread>
 
 #include "bench_bus.hpp"
@@ -100,11 +101,12 @@ int main(int argc, char** argv) {
     return tocsin::bench::run_child(argc - 2, argv + 2);
   }
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
-  tocsin::bench::print_gate(quick ? 5 : 25);
-  tocsin::bench::print_deadline(quick ? 500 : 4000);
-  std::fflush(stdout);
-  tocsin::bench::print_restarts(quick ? 3 : 100);
-  std::fflush(stdout);
-  tocsin::bench::print_start_costs();
+  const std::string part = argc > (quick ? 2 : 1) ? argv[quick ? 2 : 1] : "";
+  const auto wanted = [&part](const char* name) { return part.empty() || part == name; };
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  if (wanted("gate")) tocsin::bench::print_gate(quick ? 5 : 25);
+  if (wanted("deadline")) tocsin::bench::print_deadline(quick ? 500 : 4000);
+  if (wanted("restart")) tocsin::bench::print_restarts(quick ? 20 : 100);
+  if (wanted("start")) tocsin::bench::print_start_costs();
   return 0;
 }
