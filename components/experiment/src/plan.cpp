@@ -74,6 +74,16 @@ std::string Run::id() const {
          "." + std::to_string(index);
 }
 
+std::string identity_of(const Run& run) {
+  std::string text = run.mission.file + '\n' + run.channel.file + '\n' + std::to_string(run.seed) +
+                     (run.payload.camera ? " camera " : " plain ") + run.policy.policy;
+  for (const auto* list : {&run.mission.set, &run.fitted, &run.payload.set, &run.policy.set}) {
+    text += '\n';
+    for (const std::string& one : *list) text += one + ' ';
+  }
+  return text;
+}
+
 int seed_of(const std::string& mission, const std::string& channel, int index) {
   // FNV-1a; the seed of a bringup file is a positive int.
   std::uint32_t hash = 2166136261U;

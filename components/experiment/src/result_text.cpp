@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "report/csv_table.hpp"
 #include "result_store.hpp"
 
 namespace tocsin::experiment {
@@ -24,9 +25,7 @@ std::vector<double> numbers(const std::string& line) {
   std::vector<double> values;
   std::istringstream cells(line);
   for (std::string cell; std::getline(cells, cell, ',');) {
-    char* end = nullptr;
-    const double value = std::strtod(cell.c_str(), &end);
-    values.push_back(cell.empty() || *end != '\0' ? std::nan("") : value);
+    values.push_back(report::number_of(cell));
   }
   if (!line.empty() && line.back() == ',') values.push_back(std::nan(""));
   return values;

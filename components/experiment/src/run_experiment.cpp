@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <map>
 #include <system_error>
 #include <vector>
 
@@ -42,9 +43,11 @@ class Session {
   int run();
 
  private:
+  void find_pending();
   int play(std::size_t job) const;
   void finish(const JobEnd& end);
   [[nodiscard]] int conclude(bool interrupted);
+  void copy_twins() const;
   void report_speed() const;
 
   RunOptions options_;
@@ -52,6 +55,8 @@ class Session {
   std::vector<Run> plan_;
   ResultStore store_;
   std::vector<std::size_t> pending_;
+  /// Runs that are the same as one before, which is played in their place.
+  std::vector<std::pair<std::size_t, std::size_t>> twins_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -100,11 +105,29 @@ void Session::finish(const JobEnd& end) {
   }
 }
 
-int Session::run() {
+void Session::find_pending() {
+  std::map<std::string, std::size_t> first;
   for (std::size_t job = 0; job < plan_.size(); ++job) {
-    if (!store_.read(plan_[job])) pending_.push_back(job);
+    const auto [found, is_first] = first.emplace(identity_of(plan_[job]), job);
+    if (!is_first) {
+      twins_.emplace_back(job, found->second);
+    } else if (!store_.read(plan_[job])) {
+      pending_.push_back(job);
+    }
   }
-  Progress progress(plan_.size(), plan_.size() - pending_.size(), ::isatty(STDOUT_FILENO) == 1);
+}
+
+void Session::copy_twins() const {
+  for (const auto& [twin, first] : twins_) {
+    const auto result = store_.read(plan_[first]);
+    if (result && !store_.read(plan_[twin])) store_.write(plan_[twin], *result);
+  }
+}
+
+int Session::run() {
+  find_pending();
+  const std::size_t total = plan_.size() - twins_.size();
+  Progress progress(total, total - pending_.size(), ::isatty(STDOUT_FILENO) == 1);
   Pool pool(options_.jobs, [this](std::size_t job) { return play(job); });
   auto next = pending_.begin();
   while (!pool.interrupted()) {
@@ -122,6 +145,12 @@ int Session::run() {
 
 int Session::conclude(bool interrupted) {
   store_.remove_drafts();
+  try {
+    copy_twins();
+    store_.write_table(plan_);
+  } catch (const std::system_error& error) {
+    throw EnvironmentError(options_.out + ": " + error.code().message());
+  }
   std::size_t finished = 0;
   std::size_t failed = 0;
   std::string example;
@@ -132,11 +161,6 @@ int Session::conclude(bool interrupted) {
     if (result->failure.empty()) continue;
     ++failed;
     if (example.empty()) example = run.id() + ": " + result->failure;
-  }
-  try {
-    store_.write_table(plan_);
-  } catch (const std::system_error& error) {
-    throw EnvironmentError(options_.out + ": " + error.code().message());
   }
   if (interrupted) {
     std::printf("interrupted: %zu of %zu runs are kept in %s; the same command goes on\n", finished,

@@ -101,6 +101,21 @@ TEST(ExperimentFile, ShippedOnesLoad) {
   const Experiment thesis = load_experiment(config + "thesis.yaml");
   EXPECT_EQ(make_plan(thesis).size(), 800U);
   EXPECT_NO_THROW((void)make_plan(load_experiment(config + "study.yaml")));
+  EXPECT_EQ(make_plan(load_experiment(config + "replay.yaml")).size(), 15U);
+}
+
+TEST(ExperimentFile, ShippedOnesFitOnSeedsThatAreNotCompared) {
+  const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config/experiments/";
+  int fitted = 0;
+  for (const RunSet& set : load_experiment(config + "study.yaml").sets) {
+    if (set.kind != "fit") {
+      EXPECT_LT(set.first_seed + set.seeds, 1001) << set.name;
+    } else {
+      EXPECT_GE(set.first_seed, 1001) << set.name;
+      fitted += set.seeds;
+    }
+  }
+  EXPECT_EQ(fitted, 20);
 }
 
 }  // namespace

@@ -54,6 +54,18 @@ TEST_F(ExperimentTest, GivesTheSameBytesAgain) {
   EXPECT_EQ(files, 4);
 }
 
+TEST_F(ExperimentTest, PlaysARunOfTwoSetsOnce) {
+  const std::string file = folder_.write(
+      "experiment.yaml", text_of(two) + "  - {name: again, policies: [none], seeds: 1}\n");
+  const Ended sut = call("run " + file + " --jobs 2 --out " + folder_.path("out"));
+  EXPECT_EQ(sut.code, 0) << sut.output;
+  EXPECT_THAT(sut.output, HasSubstr("\n2 runs, 80 s simulated"));
+  const auto rows = table("out/runs.csv");
+  ASSERT_EQ(rows.rows(), 3U);
+  EXPECT_EQ(rows.text(2, "set"), "again");
+  EXPECT_EQ(rows.text(2, "qni_mean"), rows.text(0, "qni_mean"));
+}
+
 TEST_F(ExperimentTest, GoesOnAfterCtrlC) {
   const std::string file = folder_.write("experiment.yaml", text_of(of(40)));
   const std::string out = folder_.path("out");

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "toy.hpp"
@@ -37,6 +38,18 @@ TEST(Plan, GivesEveryRunAndMissionARadioOfItsOwn) {
   }
   EXPECT_EQ(seeds.size(), 200U);
   EXPECT_GT(*seeds.begin(), 0);
+}
+
+TEST(Plan, KnowsRunsOfTwoSetsThatAreTheSame) {
+  const ToyExperiment toy(std::string(toy_text) +
+                          "  - {name: other, payloads: [camera, plain], seeds: 1}\n");
+  const auto plan = make_plan(toy.load());
+  const auto other =
+      std::find_if(plan.begin(), plan.end(), [](const auto& run) { return run.set == "other"; });
+  EXPECT_EQ(identity_of(*other), identity_of(plan[0]));
+  EXPECT_NE(identity_of(plan[1]), identity_of(plan[0])) << "another seed";
+  EXPECT_NE(identity_of(plan[3]), identity_of(plan[0])) << "another policy";
+  EXPECT_NE(identity_of(*(other + 2)), identity_of(plan[0])) << "no camera";
 }
 
 TEST(Plan, CountsSeedsFromTheFirst) {

@@ -58,6 +58,12 @@ class RowReader {
 
 }  // namespace
 
+double number_of(const std::string& cell) {
+  char* end = nullptr;
+  const double value = std::strtod(cell.c_str(), &end);
+  return cell.empty() || *end != '\0' ? std::nan("") : value;
+}
+
 CsvTable::CsvTable(std::string_view text) {
   RowReader reader(text);
   if (auto head = reader.next()) columns_ = std::move(*head);
@@ -88,10 +94,7 @@ const std::string& CsvTable::text(std::size_t row, const std::string& column) co
 }
 
 double CsvTable::number(std::size_t row, const std::string& column) const {
-  const std::string& cell = text(row, column);
-  char* end = nullptr;
-  const double value = std::strtod(cell.c_str(), &end);
-  return cell.empty() || *end != '\0' ? std::nan("") : value;
+  return number_of(text(row, column));
 }
 
 }  // namespace tocsin::report

@@ -8,6 +8,11 @@
 namespace tocsin::report {
 namespace {
 
+TEST(NumberOf, IsNanForWhatIsNotWhollyANumber) {
+  EXPECT_EQ(number_of("-2.5e1"), -25);
+  for (const char* text : {"", "x", "3x", "1,5"}) EXPECT_TRUE(std::isnan(number_of(text))) << text;
+}
+
 TEST(CsvTable, NamesColumnsByTheFirstRow) {
   const CsvTable sut("a,b\n1,x\n2,y\n");
   ASSERT_EQ(sut.rows(), 2U);

@@ -26,6 +26,9 @@ struct Run {
   [[nodiscard]] std::string id() const;
 };
 
+/// Everything that decides a run; equal for runs of two sets that are the same run.
+[[nodiscard]] std::string identity_of(const Run& run);
+
 /// All runs, in the order of the file: set, mission, channel, payload, policy, seed. Runs of two
 /// sets that are the same run are both there. Throws ConfigError when a channel's file is missing.
 [[nodiscard]] std::vector<Run> make_plan(const Experiment& experiment);

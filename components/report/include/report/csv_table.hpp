@@ -7,6 +7,9 @@
 
 namespace tocsin::report {
 
+/// The number that a cell holds; NaN when it is empty or not one.
+[[nodiscard]] double number_of(const std::string& cell);
+
 /// A CSV text (RFC 4180) whose first row names the columns.
 ///
 /// A recording may have been cut off anywhere: rows with another number of cells than the first
