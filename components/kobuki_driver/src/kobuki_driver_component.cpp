@@ -195,8 +195,8 @@ void KobukiDriverComponent::remember(Time now) {
   const auto snapshot = driver_.odometry().snapshot();
   if (!snapshot || driver_.odometry().waits()) return;
   next_save_ = now + save_period;
-  if (!file_.save({*snapshot, driver_.odometry_time()}))
-    log().warn("odometry could not be saved for a restart");
+  const bool saved = file_.save({*snapshot, driver_.odometry_time()});
+  if (std::exchange(saved_, saved) && !saved) log().warn("odometry cannot be saved for a restart");
 }
 
 }  // namespace tocsin

@@ -4,14 +4,13 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <limits>
+#include <sstream>
 
 namespace tocsin::kobuki {
 
 std::optional<OdometryMemory> OdometryFile::load() const {
-  std::ifstream in(path_);
+  std::istringstream in(file_.load().value_or(""));
   OdometrySnapshot s;
   Duration::rep taken_ns = 0;
   pid_t parent = 0;
@@ -26,20 +25,16 @@ std::optional<OdometryMemory> OdometryFile::load() const {
   return OdometryMemory{s, Time(Duration(taken_ns))};
 }
 
-bool OdometryFile::save(const OdometryMemory& memory) const {
+bool OdometryFile::save(const OdometryMemory& memory) {
   const OdometrySnapshot& s = memory.odometry;
-  if (path_.empty() || !s.inertia) return true;
-  const std::string fresh = path_ + ".new";
-  {
-    std::ofstream out(fresh);
-    out.precision(std::numeric_limits<double>::max_digits10);
-    out << ::getppid() << ' ' << s.pose.x_m << ' ' << s.pose.y_m << ' ' << s.pose.heading_rad << ' '
-        << s.left.angle_rad << ' ' << s.right.angle_rad << ' ' << s.core.timestamp_ms << ' '
-        << s.core.left_encoder << ' ' << s.core.right_encoder << ' ' << s.inertia->angle_cdeg << ' '
-        << s.gyro_heading_rad << ' ' << memory.taken.time_since_epoch().count() << '\n';
-    if (!out.flush()) return false;
-  }
-  return std::rename(fresh.c_str(), path_.c_str()) == 0;
+  if (!s.inertia) return true;
+  std::ostringstream out;
+  out.precision(std::numeric_limits<double>::max_digits10);
+  out << ::getppid() << ' ' << s.pose.x_m << ' ' << s.pose.y_m << ' ' << s.pose.heading_rad << ' '
+      << s.left.angle_rad << ' ' << s.right.angle_rad << ' ' << s.core.timestamp_ms << ' '
+      << s.core.left_encoder << ' ' << s.core.right_encoder << ' ' << s.inertia->angle_cdeg << ' '
+      << s.gyro_heading_rad << ' ' << memory.taken.time_since_epoch().count();
+  return file_.save(out.str());
 }
 
 }  // namespace tocsin::kobuki

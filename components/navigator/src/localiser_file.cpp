@@ -3,37 +3,30 @@
 
 #include <unistd.h>
 
-#include <cstdio>
-#include <fstream>
 #include <limits>
+#include <sstream>
 
 namespace tocsin {
 
 std::optional<OdometryLocaliser::Memory> LocaliserFile::load() const {
-  std::ifstream file(path_);
+  std::istringstream text(file_.load().value_or(""));
   OdometryLocaliser::Memory memory;
   navigation::Pose2& start = memory.map_from_odom;
   navigation::Pose2& odom = memory.odom;
   pid_t parent = 0;
-  file >> parent >> start.x >> start.y >> start.yaw >> odom.x >> odom.y >> odom.yaw;
-  const bool is_ours = file && parent == ::getppid() && is_finite(start) && is_finite(odom);
+  text >> parent >> start.x >> start.y >> start.yaw >> odom.x >> odom.y >> odom.yaw;
+  const bool is_ours = text && parent == ::getppid() && is_finite(start) && is_finite(odom);
   return is_ours ? std::optional(memory) : std::nullopt;
 }
 
-bool LocaliserFile::save(const OdometryLocaliser::Memory& memory) const {
-  if (path_.empty()) return true;
-  const std::string fresh = path_ + ".new";
-  {
-    std::ofstream file(fresh);
-    file.precision(std::numeric_limits<double>::max_digits10);
-    file << ::getppid();
-    for (const navigation::Pose2& pose : {memory.map_from_odom, memory.odom}) {
-      file << ' ' << pose.x << ' ' << pose.y << ' ' << pose.yaw;
-    }
-    file << '\n';
-    if (!file.flush()) return false;
+bool LocaliserFile::save(const OdometryLocaliser::Memory& memory) {
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << ::getppid();
+  for (const navigation::Pose2& pose : {memory.map_from_odom, memory.odom}) {
+    text << ' ' << pose.x << ' ' << pose.y << ' ' << pose.yaw;
   }
-  return std::rename(fresh.c_str(), path_.c_str()) == 0;
+  return file_.save(text.str());
 }
 
 }  // namespace tocsin

@@ -135,7 +135,8 @@ void NavigatorComponent::log_change(const Navigator::Status& status) {
 void NavigatorComponent::remember(Time now) {
   if (!pose_ || now < next_save_) return;
   next_save_ = now + std::chrono::seconds(1);
-  if (!file_.save(localiser_.memory())) log().warn("the pose could not be saved for a restart");
+  const bool was_saved = std::exchange(is_saved_, file_.save(localiser_.memory()));
+  if (was_saved && !is_saved_) log().warn("the pose cannot be saved for a restart");
 }
 
 }  // namespace tocsin

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <fstream>
 
 namespace tocsin {
 namespace {
@@ -13,10 +12,10 @@ namespace {
 class LocaliserFileTest : public ::testing::Test {
  protected:
   ~LocaliserFileTest() override { std::remove(path_.c_str()); }
-  void write(const std::string& text) const { std::ofstream(path_) << text; }
+  void write(const std::string& text) const { ASSERT_TRUE(StateFile(path_).save(text)); }
 
   const std::string path_ = "localiser_file_test_" + std::to_string(::getpid());
-  const LocaliserFile sut_{path_};
+  LocaliserFile sut_{path_};
 };
 
 TEST_F(LocaliserFileTest, GivesBackWhatItSaved) {

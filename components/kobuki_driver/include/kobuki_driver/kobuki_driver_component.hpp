@@ -82,6 +82,7 @@ class KobukiDriverComponent final : public Component {
   kobuki::BaseState reported_ = kobuki::BaseState::no_port;
   Time next_retry_ = Time::min();
   Time next_save_ = Time::min();
+  bool saved_ = true;
 };
 
 }  // namespace tocsin

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "foundation/state_file.hpp"
 #include "foundation/time.hpp"
 #include "kobuki_protocol/odometry.hpp"
 
@@ -21,14 +22,14 @@ struct OdometryMemory {
 class OdometryFile {
  public:
   /// An empty path keeps nothing.
-  explicit OdometryFile(std::string path) : path_(std::move(path)) {}
+  explicit OdometryFile(std::string path) : file_(std::move(path)) {}
   /// Empty when there is none, or it is of another run or damaged.
   [[nodiscard]] std::optional<OdometryMemory> load() const;
-  /// Replaces the file as a whole. False when it cannot be written; what was kept is kept then.
-  [[nodiscard]] bool save(const OdometryMemory& memory) const;
+  /// False when it cannot be written; the one before is kept then.
+  [[nodiscard]] bool save(const OdometryMemory& memory);
 
  private:
-  std::string path_;
+  StateFile file_;
 };
 
 }  // namespace tocsin::kobuki

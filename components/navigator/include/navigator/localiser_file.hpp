@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "foundation/state_file.hpp"
 #include "navigator/odometry_localiser.hpp"
 
 namespace tocsin {
@@ -14,15 +15,15 @@ namespace tocsin {
 class LocaliserFile {
  public:
   /// An empty path keeps nothing.
-  explicit LocaliserFile(std::string path) : path_(std::move(path)) {}
+  explicit LocaliserFile(std::string path) : file_(std::move(path)) {}
 
   /// Empty when there is no file, it is damaged, or it is of another launch.
   [[nodiscard]] std::optional<OdometryLocaliser::Memory> load() const;
-  /// Replaces the file in one step. False when it could not be written.
-  [[nodiscard]] bool save(const OdometryLocaliser::Memory& memory) const;
+  /// False when it could not be written; the one before is kept then.
+  [[nodiscard]] bool save(const OdometryLocaliser::Memory& memory);
 
  private:
-  std::string path_;
+  StateFile file_;
 };
 
 }  // namespace tocsin

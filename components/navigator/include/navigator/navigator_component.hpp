@@ -65,6 +65,7 @@ class NavigatorComponent final : public Component {
   Time next_location_{};
   Time next_status_{};
   Time next_save_{};
+  bool is_saved_ = true;
   Navigator::Status reported_;
   bool is_standing_ = false;  // the last command was to stand, and has been sent
 };
