@@ -9,6 +9,7 @@
 #include "command_line/command.hpp"
 #include "dot.hpp"
 #include "examine.hpp"
+#include "examine_domains.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
 
@@ -88,6 +89,7 @@ int check(Options& options) {
   const auto deployment = load_deployment(options.bringup.file, options.bringup.overrides);
   BuiltGraph built = build_graph(deployment);
   examine_files(deployment, built);
+  for (Finding& one : examine_domains(deployment)) built.findings.push_back(std::move(one));
   const std::size_t errors = print(built.findings, Severity::error, "error");
   const std::size_t warnings =
       options.quiet ? 0 : print(built.findings, Severity::warning, "warning");

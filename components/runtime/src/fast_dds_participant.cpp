@@ -82,7 +82,7 @@ dds::DataReader* FastDdsParticipant::create_reader(const std::string& name, cons
                                                    dds::DataReaderListener& listener) {
   const std::lock_guard<std::mutex> lock(mutex_);
   return subscriber(profile.partition)
-      ->create_datareader(topic(name, type), reader_qos(profile), &listener);
+      ->create_datareader(topic(name, type), reader_qos(profile, options_.radio), &listener);
 }
 
 void FastDdsParticipant::remove(dds::DataWriter* writer) {

@@ -22,7 +22,9 @@ namespace tocsin {
 /// A profile in the words of Fast DDS. `radio`: on the link, where writers are asynchronous.
 [[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(const QosProfile& profile,
                                                                bool radio);
-[[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(const QosProfile& profile);
+/// On the host a heartbeat is answered after 5 ms at least.
+[[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(const QosProfile& profile,
+                                                               bool radio);
 
 /// `name` must live as long as the participant does.
 [[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::FlowControllerDescriptor> descriptor_of(

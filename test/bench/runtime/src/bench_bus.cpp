@@ -12,6 +12,9 @@
 namespace tocsin::bench {
 namespace {
 
+const char* const raw_timing =
+    ", heartbeat_period_s: 3, nack_response_delay_s: 0.005, heartbeat_response_delay_s: 0.005";
+
 std::string file(const std::string& name, const std::string& text) {
   std::string path = "/tmp/runtime_bench_" + std::to_string(getpid()) + name;
   std::ofstream(path) << text;
@@ -20,11 +23,14 @@ std::string file(const std::string& name, const std::string& text) {
 
 }  // namespace
 
-std::unique_ptr<Bus> make_bench_bus(const std::string& name, int domain, bool shared_memory) {
+std::unique_ptr<Bus> make_bench_bus(const std::string& name, int domain, bool shared_memory,
+                                    Timing timing) {
   BusOptions options;
   options.name = name;
   options.role = "uxv";
-  options.qos_file = file("qos.yaml", "bench: {reliability: reliable, depth: 4}\n");
+  options.qos_file =
+      file("qos.yaml", "bench: {reliability: reliable, depth: 4" +
+                           std::string(timing == Timing::raw ? raw_timing : "") + "}\n");
   options.traffic_file = file("traffic.yaml", "uxv: {}\n");
   options.host_domain = domain;
   options.shared_memory = shared_memory;

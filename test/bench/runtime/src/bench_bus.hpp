@@ -24,9 +24,14 @@ struct PongTopic {
   static constexpr TopicInfo info{"pong", "bench", Scope::host};
 };
 
+/// When the ends of a topic talk to each other: as raw Fast DDS does by itself (a heartbeat is
+/// answered within 5 ms), or as Tocsin's profiles do (at once, for quick repair on a radio).
+enum class Timing { raw, tocsin };
+
 /// A bus on a domain of its own, on loopback, with one profile `bench`: reliable, depth 4.
 [[nodiscard]] std::unique_ptr<Bus> make_bench_bus(const std::string& name, int domain,
-                                                  bool shared_memory);
+                                                  bool shared_memory,
+                                                  Timing timing = Timing::tocsin);
 [[nodiscard]] std::shared_ptr<const Blob> blob(std::size_t bytes);
 
 /// Writes a ping, waits for the pong, writes the next. Told from outside how often.

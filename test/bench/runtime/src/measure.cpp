@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -30,6 +31,20 @@ std::string Series::text() const {
   std::array<char, 64> text{};
   (void)std::snprintf(text.data(), text.size(), "%9.2f / %9.2f", percentile(0.5) / 1000,
                       percentile(0.99) / 1000);
+  return text.data();
+}
+
+std::string share_text(std::vector<double> shares) {
+  if (shares.empty()) return "none";
+  std::sort(shares.begin(), shares.end());
+  const auto n = static_cast<double>(shares.size());
+  const double half = 0.98 * std::sqrt(n);  // 1.96 standard deviations of a binomial of 1/2
+  const auto at = [&](double rank) {
+    return shares[static_cast<std::size_t>(std::clamp(rank, 0.0, n - 1))];
+  };
+  std::array<char, 64> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.3f [%.3f, %.3f]", at(std::floor(n / 2)),
+                      at(std::floor(n / 2 - half)), at(std::ceil(n / 2 + half)));
   return text.data();
 }
 

@@ -14,6 +14,9 @@ namespace tocsin::bench {
 class Series {
  public:
   void add(std::int64_t ns) { values_.push_back(ns); }
+  void add(const Series& other) {
+    values_.insert(values_.end(), other.values_.begin(), other.values_.end());
+  }
   [[nodiscard]] bool empty() const { return values_.empty(); }
   /// [ns], `share` in [0, 1]; 0 when there is none.
   [[nodiscard]] double percentile(double share) const;
@@ -25,6 +28,10 @@ class Series {
  private:
   std::vector<std::int64_t> values_;
 };
+
+/// "median [low, high]" of shares, with the 95 % confidence interval of their median by order
+/// statistics: it needs no law of their distribution.
+[[nodiscard]] std::string share_text(std::vector<double> shares);
 
 /// A number of /proc/self/smaps_rollup or status: "Pss" [kB], "Threads".
 [[nodiscard]] long proc_number(const std::string& file, const std::string& key);

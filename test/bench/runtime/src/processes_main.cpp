@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Round trips between two processes: components against raw Fast DDS read by a wait-set, both on
 // loopback UDP and on shared memory, and Cyclone's ddsperf when it is installed.
+// The ways take turns, a few round trips each, forwards and backwards; a share is the median over
+// blocks of turns, with the 95 % confidence interval of that median.
 // usage: runtime_processes [--quick [BYTES]]
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "bench_bus.hpp"
@@ -27,11 +28,16 @@ struct Way {
   const char* name;
   bool raw;
   bool shared_memory;
+  Timing timing;
+  std::size_t rival;
 };
-constexpr Way ways[] = {{"raw Fast DDS, wait-set, UDP", true, false},
-                        {"components, UDP", false, false},
-                        {"raw Fast DDS, wait-set, SHM", true, true},
-                        {"components, SHM", false, true}};
+constexpr std::size_t way_count = 5;
+constexpr std::array<Way, way_count> ways{
+    {{"raw Fast DDS, wait-set, UDP", true, false, Timing::raw, 0},
+     {"components, UDP", false, false, Timing::raw, 0},
+     {"components, UDP, Tocsin's timing", false, false, Timing::tocsin, 0},
+     {"raw Fast DDS, wait-set, SHM", true, true, Timing::raw, 3},
+     {"components, SHM", false, true, Timing::raw, 3}}};
 
 RawParticipant::Transport transport_of(const Way& way) {
   return way.shared_memory ? RawParticipant::Transport::shared_memory
@@ -39,14 +45,15 @@ RawParticipant::Transport transport_of(const Way& way) {
 }
 
 /// Until it is killed.
-[[noreturn]] void echo(int index) {
-  const Way& way = ways[index];
+[[noreturn]] void echo(std::size_t index) {
+  const Way& way = ways.at(index);
+  const int domain = first_domain + static_cast<int>(index);
   if (way.raw) {
-    RawParticipant participant(first_domain + index, transport_of(way));
+    RawParticipant participant(domain, transport_of(way));
     const RawEcho echo(participant);
     for (;;) pause();
   }
-  const auto bus = make_bench_bus("echo", first_domain + index, way.shared_memory);
+  const auto bus = make_bench_bus("echo", domain, way.shared_memory, way.timing);
   Context context{*bus, "echo", "uxv", ""};
   Pong pong(context);
   TickAccount account;
@@ -56,7 +63,7 @@ RawParticipant::Transport transport_of(const Way& way) {
   for (;;) pause();
 }
 
-pid_t start_echo(const char* self, int index) {
+pid_t start_echo(const char* self, std::size_t index) {
   const pid_t child = fork();
   if (child == 0) {
     execl(self, self, "--echo", std::to_string(index).c_str(), nullptr);
@@ -68,14 +75,15 @@ pid_t start_echo(const char* self, int index) {
 /// Our end of one way, for one size.
 class End {
  public:
-  End(int index, std::size_t bytes) {
-    const Way& way = ways[index];
+  End(std::size_t index, std::size_t bytes) {
+    const Way& way = ways.at(index);
+    const int domain = first_domain + static_cast<int>(index);
     if (way.raw) {
-      participant_ = std::make_unique<RawParticipant>(first_domain + index, transport_of(way));
+      participant_ = std::make_unique<RawParticipant>(domain, transport_of(way));
       raw_ = std::make_unique<RawPing>(*participant_, bytes);
       return;
     }
-    bus_ = make_bench_bus("ping", first_domain + index, way.shared_memory);
+    bus_ = make_bench_bus("ping", domain, way.shared_memory, way.timing);
     context_ = std::make_unique<Context>(Context{*bus_, "ping", "uxv", ""});
     ping_ = std::make_unique<Ping>(*context_, bytes);
     runner_ = std::make_unique<Runner>("ping", *bus_);
@@ -83,17 +91,16 @@ class End {
     runner_->start();
   }
   ~End() { runner_.reset(); }
-  bool run(int count) { return raw_ ? raw_->run(count, series) : ping_->run(count, series); }
+  bool run(int count, Series& series) {
+    return raw_ ? raw_->run(count, series) : ping_->run(count, series);
+  }
   bool discover() {
+    Series ignored;
     for (int i = 0; i < 5; ++i) {
-      if (run(20)) {
-        series = {};
-        return true;
-      }
+      if (run(20, ignored)) return true;
     }
     return false;
   }
-  Series series;
 
  private:
   std::unique_ptr<RawParticipant> participant_;
@@ -105,23 +112,51 @@ class End {
   std::unique_ptr<Runner> runner_;
 };
 
-void compare(std::size_t bytes, int count, int rounds) {
+struct Plan {
+  int blocks;
+  int turns;  // of each way in a block
+  int trips;  // in a turn
+};
+
+/// Round trips of one block, by way.
+using Block = std::array<Series, way_count>;
+
+Block take_turns(const std::vector<std::unique_ptr<End>>& ends, const Plan& plan) {
+  Block block;
+  for (int turn = 0; turn < plan.turns; ++turn) {
+    for (std::size_t i = 0; i < way_count; ++i) {
+      const std::size_t way = turn % 2 == 0 ? i : way_count - 1 - i;
+      (void)ends[way]->run(plan.trips, block.at(way));
+    }
+  }
+  return block;
+}
+
+void print(std::size_t bytes, const std::vector<Block>& blocks) {
+  for (std::size_t way = 0; way < way_count; ++way) {
+    Series all;
+    std::vector<double> medians;
+    std::vector<double> tails;
+    for (const Block& block : blocks) {
+      const Series& rival = block.at(ways.at(way).rival);
+      all.add(block.at(way));
+      medians.push_back(block.at(way).percentile(0.5) / rival.percentile(0.5));
+      tails.push_back(block.at(way).percentile(0.99) / rival.percentile(0.99));
+    }
+    std::printf("%8zu B  %-32s %s   median %s   p99 %s\n", bytes, ways.at(way).name,
+                all.text().c_str(), share_text(medians).c_str(), share_text(tails).c_str());
+  }
+}
+
+void compare(std::size_t bytes, const Plan& plan) {
   std::vector<std::unique_ptr<End>> ends;
-  for (int i = 0; i < 4; ++i) ends.push_back(std::make_unique<End>(i, bytes));
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // discovery
-  for (int i = 0; i < 4; ++i) {
-    if (!ends[static_cast<std::size_t>(i)]->discover()) std::printf("%s: silent\n", ways[i].name);
+  for (std::size_t i = 0; i < way_count; ++i) ends.push_back(std::make_unique<End>(i, bytes));
+  for (std::size_t i = 0; i < way_count; ++i) {
+    if (!ends[i]->discover()) std::printf("%s: silent\n", ways.at(i).name);
   }
-  for (int round = 0; round < rounds; ++round) {
-    for (const auto& end : ends) (void)end->run(count / rounds);
-  }
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Series& rival = ends[i < 2 ? 0 : 2]->series;
-    const Series& own = ends[i]->series;
-    std::printf("%8zu B  %-28s %s   %6.3f / %6.3f\n", bytes, ways[i].name, own.text().c_str(),
-                own.percentile(0.5) / rival.percentile(0.5),
-                own.percentile(0.99) / rival.percentile(0.99));
-  }
+  std::vector<Block> blocks;
+  for (int i = 0; i < plan.blocks; ++i) blocks.push_back(take_turns(ends, plan));
+  print(bytes, blocks);
 }
 
 void cyclone(std::size_t bytes) {
@@ -142,12 +177,11 @@ void cyclone(std::size_t bytes) {
 /// `only`: one size in bytes; 0: all.
 int measure(const char* self, bool quick, std::size_t only) {
   std::vector<pid_t> echoes;
-  for (int i = 0; i < 4; ++i) echoes.push_back(start_echo(self, i));
-  const int n = quick ? 10 : 1;
-  std::printf("round trip between processes [us], median / p99, share of the rival above it\n");
+  for (std::size_t i = 0; i < way_count; ++i) echoes.push_back(start_echo(self, i));
+  std::printf("round trip between processes [us], median / p99; share of the raw one above it\n");
   for (const std::size_t bytes : {64U, 1024U, 65536U, 1U << 20U}) {
-    const int count = bytes > 65536 ? 800 : 8000;
-    if (only == 0 || only == bytes) compare(bytes, count / n, quick ? 2 : 8);
+    const Plan plan{quick ? 5 : 25, 8, bytes > 65536 ? 10 : 50};
+    if (only == 0 || only == bytes) compare(bytes, plan);
   }
   for (const pid_t child : echoes) {
     kill(child, SIGKILL);
@@ -162,7 +196,8 @@ int measure(const char* self, bool quick, std::size_t only) {
 }  // namespace tocsin::bench
 
 int main(int argc, char** argv) {
-  if (argc == 3 && std::strcmp(argv[1], "--echo") == 0) tocsin::bench::echo(std::atoi(argv[2]));
+  if (argc == 3 && std::strcmp(argv[1], "--echo") == 0)
+    tocsin::bench::echo(std::strtoul(argv[2], nullptr, 10));
   const std::size_t only = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 0;
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
   return tocsin::bench::measure("/proc/self/exe", quick, only);
