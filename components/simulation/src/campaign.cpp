@@ -47,7 +47,6 @@ class Work {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++result_.runs;
     result_.checks += verdict.checks;
-    if (verdict.stranded) ++result_.stranded;
     result_.simulated += verdict.outcome.simulated;
     if (!verdict.violations.empty()) result_.broken.push_back(std::move(verdict));
   }
@@ -69,17 +68,16 @@ class Work {
 Verdict run_checked(deployment::Deployment deployment, WorldOptions options,
                     const PromiseLimits& limits) {
   const double last_fault_s = end_of(options.faults);
-  Promises promises(last_fault_s, limits);
+  Promises promises(limits);
   options.observer = &promises;
   Verdict verdict;
   verdict.seed = static_cast<std::uint64_t>(deployment.seed);
   verdict.faults = options.faults;
   SimWorld world(std::move(deployment), options);
-  verdict.outcome = world.run(seconds(last_fault_s + limits.waits_s));
+  verdict.outcome = world.run(seconds(last_fault_s + limits.recovers_s));
   promises.on_end(verdict.outcome);
   verdict.violations = promises.violations();
   verdict.checks = promises.checks();
-  verdict.stranded = promises.stranded(verdict.outcome);
   return verdict;
 }
 

@@ -14,8 +14,8 @@
 namespace tocsin::simulation {
 namespace {
 
-constexpr std::array<const char*, 7> names{"crash",      "loss",         "delay", "duplication",
-                                           "clock_jump", "serial_noise", "unplug"};
+constexpr std::array<const char*, 8> names{"crash",      "loss",         "delay",  "duplication",
+                                           "clock_jump", "serial_noise", "unplug", "disk_full"};
 
 /// A fault as in the file.
 struct FaultEntry {
@@ -27,7 +27,8 @@ struct FaultEntry {
   template <class Visitor>
   void visit(Visitor& v) {
     v("kind", kind,
-      {"crash", "loss", "delay", "duplication", "clock_jump", "serial_noise", "unplug"},
+      {"crash", "loss", "delay", "duplication", "clock_jump", "serial_noise", "unplug",
+       "disk_full"},
       "what goes wrong");
     v("at_s", at_s, {0, 1e6}, "[s] from the start of the run");
     v("for_s", for_s, {0.001, 1e6}, "[s] how long; of a crash: until it is started again");
@@ -90,7 +91,7 @@ Fault draw_fault(Draw& draw, const deployment::Deployment& deployment) {
   }
   if (fault.kind == FaultKind::clock_jump) {
     fault.target = deployment.hosts[draw.below(deployment.hosts.size())].name;
-    fault.amount = draw.between(-2, 2);  // a step of NTP; goals need clocks that agree
+    fault.amount = draw.between(-3600, 3600);
   }
   if (fault.kind == FaultKind::serial_noise) fault.amount = draw.between(0.0001, 0.05);
   return fault;

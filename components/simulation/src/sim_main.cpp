@@ -23,7 +23,7 @@ void declare_run(CLI::App& app, Options& options) {
 void declare_faults(CLI::App& app, Options& options) {
   app.add_option("--faults", options.faults, "'random' from the seed, or a file of faults");
   app.add_flag("--check", options.check,
-               "check the promises after every event until the mission is over, at most 450 s "
+               "check the promises after every event until the mission is over, at most 150 s "
                "after the last fault; exit code 1 for a broken one");
   auto* seeds =
       app.add_option("--seeds", options.seeds, "A..B: check these, print those that fail");

@@ -61,6 +61,7 @@ World::World(deployment::Deployment deployment, const WorldOptions& options)
 
 World::~World() {
   core.observer = nullptr;  // it need not see the end
+  fill_disk(false);
   while (!processes_.empty()) {
     auto& instances = processes_.back().instances;
     while (!instances.empty()) instances.pop_back();

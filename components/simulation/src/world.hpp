@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "full_disk.hpp"
 #include "scheduler.hpp"
 #include "sim_devices.hpp"
 #include "sim_host.hpp"
@@ -69,6 +70,8 @@ class World {
   void plan_crash(const Fault& fault);
   void plan_air(const Fault& fault);
   void plan_serial(const Fault& fault);
+  void plan_disk(const Fault& fault);
+  void fill_disk(bool full);
   void kill(Process& process);
   void revive(Process& process);
   void at(double time_s, std::function<void()> action);
@@ -82,6 +85,7 @@ class World {
   Scheduler scheduler_;
   std::list<Side> sides_;
   std::list<Process> processes_;
+  std::optional<FullDisk> full_disk_;
   std::optional<int> exit_code_;
 };
 

@@ -33,6 +33,8 @@ void World::plan(const Fault& fault) {
     case FaultKind::serial_noise:
     case FaultKind::unplug:
       return plan_serial(fault);
+    case FaultKind::disk_full:
+      return plan_disk(fault);
     case FaultKind::clock_jump:
       break;
   }
@@ -72,8 +74,20 @@ void World::plan_serial(const Fault& fault) {
   }
 }
 
+void World::plan_disk(const Fault& fault) {
+  at(fault.at_s, [this] { fill_disk(true); });
+  at(fault.at_s + fault.for_s, [this] { fill_disk(false); });
+}
+
+void World::fill_disk(bool full) {
+  full_disk_.reset();
+  if (full) full_disk_.emplace(deployment_.run_dir);
+}
+
 void World::kill(Process& process) {
   if (process.bus == nullptr || process.exit_code) return;
+  const bool full = full_disk_.has_value();
+  fill_disk(false);  // descriptors are about to be closed
   core.dying = true;
   for (const Instance& one : process.instances) {
     if (one.component) scheduler_.remove(*one.component);
@@ -82,6 +96,7 @@ void World::kill(Process& process) {
   core.dying = false;
   process.bus->die();
   process.bus = nullptr;
+  fill_disk(full);
   tell(process, ProcessEvent::killed);
 }
 
@@ -89,6 +104,7 @@ void World::revive(Process& process) {
   if (process.bus != nullptr || process.exit_code) return;
   try {
     start(process);
+    fill_disk(full_disk_.has_value());
     tell(process, ProcessEvent::started);
   } catch (const std::exception& error) {
     if (core.observer != nullptr) core.observer->on_failure(process.path, error.what(), core.now);

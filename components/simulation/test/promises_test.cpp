@@ -151,22 +151,17 @@ TEST_F(PromisesTest, NoComponentThrows) {
   EXPECT_EQ(broken(), 1U);
 }
 
-TEST_F(PromisesTest, TheMissionIsOverInTimeUnlessTheRadioIsDead) {
+TEST_F(PromisesTest, TheMissionIsOverAndDone) {
   Outcome outcome;
-  outcome.simulated = seconds(500);
-  EXPECT_TRUE(sut_.stranded(outcome));
-  sut_.on_end(outcome);
-  EXPECT_EQ(broken(), 0U);
-  radio::LinkReport report{};
-  report.associated = true;
-  report.mean_snr_db = 20;
-  for (int s = 1; s <= 150; ++s) sut_.on_channel(report, t0 + std::chrono::seconds(s));
-  EXPECT_FALSE(sut_.stranded(outcome));
-  sut_.on_end(outcome);
-  EXPECT_EQ(broken(), 1U);
   outcome.exit_code = 0;
   sut_.on_end(outcome);
+  EXPECT_EQ(broken(), 0U);
+  outcome.exit_code = 1;
+  sut_.on_end(outcome);
   EXPECT_EQ(broken(), 1U);
+  outcome.exit_code.reset();
+  sut_.on_end(outcome);
+  EXPECT_EQ(broken(), 2U);
 }
 
 }  // namespace

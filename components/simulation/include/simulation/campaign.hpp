@@ -17,11 +17,10 @@ struct Verdict {
   FaultPlan faults;
   std::vector<Violation> violations;
   std::uint64_t checks = 0;
-  bool stranded = false;  ///< where the radio is dead: nothing said about the mission
 };
 
-/// Runs a world with faults until the mission is over, at most `limits.waits_s` after the last
-/// of them, and checks the promises. Throws as SimWorld does.
+/// Runs a world with faults until the mission is over, at most `limits.recovers_s` after the
+/// last of them, and checks the promises. Throws as SimWorld does.
 [[nodiscard]] Verdict run_checked(deployment::Deployment deployment, WorldOptions options,
                                   const PromiseLimits& limits = {});
 
@@ -38,7 +37,6 @@ struct Search {
 struct SearchResult {
   std::uint64_t runs = 0;
   std::uint64_t checks = 0;
-  std::uint64_t stranded = 0;
   Duration simulated{0};
   /// In the order of seeds. With `until_failure` at most one, and no seed before it breaks any.
   std::vector<Verdict> broken;

@@ -18,6 +18,7 @@ enum class FaultKind : std::uint8_t {
   clock_jump,    ///< the wall clock of the host `target` is put `amount` seconds on, for good
   serial_noise,  ///< a share `amount` of the bytes from the base is flipped, lost or invented
   unplug,        ///< the base's serial port is gone
+  disk_full,     ///< files of the run folder that grow take nothing
 };
 
 /// One fault, at a time after the start of the run.

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "full_disk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "foundation/state_file.hpp"
+#include "foundation/temporary_folder.hpp"
+
+namespace tocsin::simulation {
+namespace {
+
+class FullDiskTest : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string text_of(const std::string& path) const {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+  }
+  const TemporaryFolder temporary_;
+  const std::string path_ = temporary_.path() + "/rows.csv";
+};
+
+TEST_F(FullDiskTest, AppendsFailAndGoOnWhenThereIsRoom) {
+  std::ofstream file(path_, std::ios::app);
+  file << "before\n" << std::flush;
+  {
+    const FullDisk sut(temporary_.path());
+    EXPECT_FALSE(file << "lost\n" << std::flush);
+    EXPECT_EQ(errno, ENOSPC);
+  }
+  std::ofstream(path_, std::ios::app) << "after\n";
+  EXPECT_EQ(text_of(path_), "before\nafter\n");
+}
+
+TEST_F(FullDiskTest, TheDescriptorIsTheFileAgainAfterwards) {
+  std::ofstream file(path_, std::ios::app);
+  { const FullDisk sut(temporary_.path()); }
+  file << "after\n" << std::flush;
+  EXPECT_EQ(text_of(path_), "after\n");
+}
+
+TEST_F(FullDiskTest, StateFilesGoOn) {
+  StateFile state(temporary_.path() + "/pose");
+  ASSERT_TRUE(state.save("1"));
+  const FullDisk sut(temporary_.path());
+  EXPECT_TRUE(state.save("2"));
+  EXPECT_EQ(state.load(), "2");
+}
+
+TEST_F(FullDiskTest, FilesElsewhereGoOn) {
+  const TemporaryFolder elsewhere;
+  std::ofstream file(elsewhere.path() + "/rows.csv", std::ios::app);
+  const FullDisk sut(temporary_.path());
+  EXPECT_TRUE(file << "row\n" << std::flush);
+}
+
+}  // namespace
+}  // namespace tocsin::simulation
