@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "camera/camera_component.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -63,12 +64,32 @@ void CameraComponent::take_location(Time now) {
 }
 
 void CameraComponent::publish(Time now) {
-  topic::CameraImage::Message message;
-  message.header().stamp(wall(now));
-  message.header().frame_id("camera");
-  message.format("jpeg");
-  message.data(renderer_ ? draw() : picture_of_size());
-  if (image_.write(std::move(message)) == Status::failed) log().warn("a picture was not sent");
+  const std::shared_ptr<Picture> picture = unused_picture();
+  picture->header().stamp(wall(now));
+  picture->header().frame_id("camera");
+  picture->format("jpeg");
+  fill(*picture);
+  if (image_.write(picture) == Status::failed) log().warn("a picture was not sent");
+}
+
+/// One of zeros that everybody else has let go, so that its memory serves again.
+std::shared_ptr<CameraComponent::Picture> CameraComponent::unused_picture() {
+  constexpr std::size_t most = 8;
+  const auto found = std::find_if(pictures_.begin(), pictures_.end(),
+                                  [](const auto& one) { return one.use_count() == 1; });
+  if (found != pictures_.end()) return *found;
+  auto fresh = std::make_shared<Picture>();
+  const bool is_zeros = !renderer_ && size_;
+  if (!is_zeros || pictures_.size() == most) return fresh;
+  return pictures_.emplace_back(std::move(fresh));
+}
+
+void CameraComponent::fill(Picture& picture) {
+  if (renderer_) {
+    picture.data(draw());
+  } else {
+    size_picture(picture.data());
+  }
 }
 
 std::vector<std::uint8_t> CameraComponent::draw() {
@@ -76,12 +97,14 @@ std::vector<std::uint8_t> CameraComponent::draw() {
 }
 
 /// With other parameters than those of the law the first one is drawn to fit the size to them.
-std::vector<std::uint8_t> CameraComponent::picture_of_size() {
-  if (!size_) {
-    size_.emplace(params_.camera.field_of_view_deg, walls_);
-    if (!is_fitted(params_)) return calibrate();
+void CameraComponent::size_picture(std::vector<std::uint8_t>& data) {
+  if (size_) return data.resize(size_->bytes(*view_));
+  size_.emplace(params_.camera.field_of_view_deg, walls_);
+  if (is_fitted(params_)) {
+    data.resize(size_->bytes(*view_));
+  } else {
+    data = calibrate();
   }
-  return std::vector<std::uint8_t>(size_->bytes(*view_));
 }
 
 std::vector<std::uint8_t> CameraComponent::calibrate() {

@@ -24,9 +24,8 @@ PictureSize::PictureSize(double field_of_view_deg, std::vector<Wall> walls)
 double PictureSize::law(const View& view) {
   double inverse_per_m = 0;
   for (int i = 0; i < rays; ++i) {
-    cast(ray_through(view, half_width_ * ((2 * i + 1.0) / rays - 1)), walls_, hits_);
-    const bool open = hits_.empty() || hits_.front().is_furniture;  // the wall comes first
-    const double depth_m = open ? farthest_m : hits_.front().depth_m;
+    const Ray ray = ray_through(view, half_width_ * ((2 * i + 1.0) / rays - 1));
+    const double depth_m = depth_to_wall_m(ray, walls_).value_or(farthest_m);
     inverse_per_m += 1 / std::max(depth_m, nearest_m) / rays;
   }
   return open_bytes - near_bytes_m * inverse_per_m;

@@ -44,4 +44,20 @@ void cast(const Ray& ray, const std::vector<Wall>& walls, std::vector<Hit>& hits
   std::reverse(hits.begin(), hits.end());
 }
 
+std::optional<double> depth_to_wall_m(const Ray& ray, const std::vector<Wall>& walls) {
+  std::optional<double> depth_m;
+  for (const Wall& wall : walls) {
+    if (wall.is_furniture) continue;
+    const double ex = wall.x2_m - wall.x1_m, ey = wall.y2_m - wall.y1_m;
+    const double cross = ray.dx * ey - ray.dy * ex;
+    if (cross * cross <= 1e-24 * (ex * ex + ey * ey)) continue;  // parallel, or a point
+    const double fx = wall.x1_m - ray.x_m, fy = wall.y1_m - ray.y_m;
+    const double share = (fx * ray.dy - fy * ray.dx) / cross;
+    if (share < 0 || share > 1) continue;
+    const double here_m = (fx * ey - fy * ex) / cross;
+    if (here_m >= nearest_m && (!depth_m || here_m < *depth_m)) depth_m = here_m;
+  }
+  return depth_m;
+}
+
 }  // namespace tocsin::camera

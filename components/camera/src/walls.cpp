@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "foundation/error.hpp"
+#include "foundation/file_cache.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::camera {
@@ -33,9 +34,7 @@ Wall wall(const std::string& path, const YAML::Node& node) {
           number(path, node[3]), loss_db == 0};
 }
 
-}  // namespace
-
-std::vector<Wall> load_walls(const std::string& path) {
+std::vector<Wall> read_walls(const std::string& path) {
   const YAML::Node file = read_yaml_file(path);
   const YAML::Node list = file.IsMap() ? file["walls"] : YAML::Node();
   if (!list || !list.IsSequence() || list.size() == 0) {
@@ -44,6 +43,13 @@ std::vector<Wall> load_walls(const std::string& path) {
   std::vector<Wall> walls;
   for (const YAML::Node& node : list) walls.push_back(wall(path, node));
   return walls;
+}
+
+}  // namespace
+
+std::vector<Wall> load_walls(const std::string& path) {
+  static FileCache<std::vector<Wall>> known;
+  return known.get(path, [&] { return read_walls(path); });
 }
 
 }  // namespace tocsin::camera

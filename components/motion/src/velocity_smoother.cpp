@@ -8,7 +8,6 @@ namespace tocsin::motion {
 namespace {
 
 constexpr double shortest_silence_s = 0.2;  // the reference has none, and brakes at any hiccup
-constexpr double longest_silence_s = 0.5;
 
 bool is_zero(const BodyVelocity& v) { return v.linear_mps == 0 && v.angular_rad_s == 0; }
 
@@ -28,6 +27,7 @@ double limit(double from, double to, double accel, double decel_factor) {
 void VelocitySmoother::on_command(const BodyVelocity& velocity, Time now) {
   if (last_command_ != Time::min()) {
     periods_s_[heard_++ % window] = to_seconds(now - last_command_);
+    if (heard_ >= window) timeout_s_ = usual_silence_s();
   }
   last_command_ = now;
   target_ = {};
@@ -37,15 +37,14 @@ void VelocitySmoother::on_command(const BodyVelocity& velocity, Time now) {
   target_ = {velocity.linear_mps * fit, velocity.angular_rad_s * fit};
 }
 
-double VelocitySmoother::timeout_s() const {
-  if (heard_ < window) return longest_silence_s;
+double VelocitySmoother::usual_silence_s() const {
   auto sorted = periods_s_;
   std::nth_element(sorted.begin(), sorted.begin() + window / 2, sorted.end());
   return std::clamp(3 * sorted[window / 2], shortest_silence_s, longest_silence_s);
 }
 
 bool VelocitySmoother::silent(Time now) const {
-  return last_command_ == Time::min() || now - last_command_ > seconds(timeout_s());
+  return last_command_ == Time::min() || now - last_command_ > seconds(timeout_s_);
 }
 
 BodyVelocity VelocitySmoother::wanted(Time now) const {
@@ -71,7 +70,7 @@ std::optional<BodyVelocity> VelocitySmoother::update(Time now) {
 Time VelocitySmoother::next_deadline(Time now) const {
   if (!settled(now)) return next_step_;
   if (is_zero(current_)) return never;
-  const Time silence = last_command_ + seconds(timeout_s()) + std::chrono::nanoseconds(1);
+  const Time silence = last_command_ + seconds(timeout_s_) + std::chrono::nanoseconds(1);
   return std::min(next_repeat_, silence);
 }
 

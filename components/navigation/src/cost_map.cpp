@@ -31,17 +31,15 @@ bool is_rim(const OccupancyMap& map, CellIndex c) {
 /// The occupied cells that have a neighbour that is not.
 std::vector<CellIndex> rim_of(const OccupancyMap& map) {
   std::vector<CellIndex> rim;
-  for (int row = 0; row < map.grid().height; ++row) {
-    for (int column = 0; column < map.grid().width; ++column) {
-      const CellIndex c{column, row};
-      if (map.at(c) == Cell::occupied && is_rim(map, c)) rim.push_back(c);
+  const Grid& grid = map.grid();
+  for (int row = 0; row < grid.height; ++row) {
+    const Cell* const cells = &map.cells()[grid.offset({0, row})];
+    for (int column = 0; column < grid.width; ++column) {
+      if (cells[column] != Cell::occupied) continue;
+      if (is_rim(map, {column, row})) rim.push_back({column, row});
     }
   }
   return rim;
-}
-
-bool is_outermost(const Grid& grid, CellIndex c) {
-  return c.column == 0 || c.row == 0 || c.column == grid.width - 1 || c.row == grid.height - 1;
 }
 
 }  // namespace
@@ -70,10 +68,11 @@ std::vector<CostMap::DiscRow> CostMap::disc_of(double resolution_m, const Inflat
 
 CostMap::CostMap(const OccupancyMap& map, const InflationParams& params)
     : grid_(map.grid()), costs_(grid_.size(), 0) {
-  for (int row = 0; row < grid_.height; ++row) {
-    for (int column = 0; column < grid_.width; ++column) {
-      const CellIndex c{column, row};
-      if (map.at(c) == Cell::free && !is_outermost(grid_, c)) costs_[grid_.offset(c)] = plain;
+  for (int row = 1; row + 1 < grid_.height; ++row) {  // the outermost cells stay blocked
+    const Cell* const cells = &map.cells()[grid_.offset({0, row})];
+    std::uint16_t* const costs = &costs_[grid_.offset({0, row})];
+    for (int column = 1; column + 1 < grid_.width; ++column) {
+      costs[column] = cells[column] == Cell::free ? plain : std::uint16_t{0};
     }
   }
   const auto disc = disc_of(grid_.resolution_m, params);

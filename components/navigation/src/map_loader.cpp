@@ -3,11 +3,14 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "foundation/error.hpp"
+#include "foundation/file_cache.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/yaml_file.hpp"
 
@@ -61,26 +64,38 @@ MapFile read_map_file(const std::string& path) {
   return file;
 }
 
+/// What each grey stands for.
+std::array<Cell, 256> cells_of_greys(int max, const MapScale& scale) {
+  std::array<Cell, 256> cells{};
+  for (std::size_t grey = 0; grey < cells.size(); ++grey) {
+    const double white = static_cast<double>(grey) / max;
+    const double black = scale.negate ? white : 1 - white;
+    cells[grey] = Cell::unknown;
+    if (black > scale.occupied_thresh) cells[grey] = Cell::occupied;
+    if (black < scale.free_thresh) cells[grey] = Cell::free;
+  }
+  return cells;
+}
+
 }  // namespace
 
 OccupancyMap map_from_image(const GrayImage& image, const MapScale& scale) {
   const Grid grid{image.width, image.height, scale.resolution_m, scale.origin};
+  const auto greys = cells_of_greys(image.max, scale);
   std::vector<Cell> cells(grid.size(), Cell::unknown);
   for (int row = 0; row < grid.height; ++row) {
     const std::size_t from_top = grid.offset({0, grid.height - 1 - row});
-    for (int column = 0; column < grid.width; ++column) {
-      const double white =
-          image.pixels[from_top + static_cast<std::size_t>(column)] / double(image.max);
-      const double black = scale.negate ? white : 1 - white;
-      Cell& cell = cells[grid.offset({column, row})];
-      if (black > scale.occupied_thresh) cell = Cell::occupied;
-      if (black < scale.free_thresh) cell = Cell::free;
-    }
+    const auto first = image.pixels.begin() + static_cast<std::ptrdiff_t>(from_top);
+    std::transform(first, first + grid.width,
+                   cells.begin() + static_cast<std::ptrdiff_t>(grid.offset({0, row})),
+                   [&](std::uint8_t grey) { return greys[grey]; });
   }
   return {grid, std::move(cells)};
 }
 
-OccupancyMap load_map(const std::string& yaml_path) {
+namespace {
+
+OccupancyMap read_map(const std::string& yaml_path) {
   const MapFile file = read_map_file(yaml_path);
   const std::string image_path =
       (std::filesystem::path(yaml_path).parent_path() / file.image).string();
@@ -90,6 +105,13 @@ OccupancyMap load_map(const std::string& yaml_path) {
                          file.negate == 1,
                          file.occupied_thresh,
                          file.free_thresh});
+}
+
+}  // namespace
+
+OccupancyMap load_map(const std::string& yaml_path) {
+  static FileCache<OccupancyMap> known;
+  return known.get(yaml_path, [&] { return read_map(yaml_path); });
 }
 
 }  // namespace tocsin::navigation

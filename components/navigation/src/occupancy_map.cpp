@@ -44,10 +44,29 @@ Point2 Grid::centre(CellIndex c) const {
   return {origin.x + (c.column + 0.5) * resolution_m, origin.y + (c.row + 0.5) * resolution_m};
 }
 
-OccupancyMap::OccupancyMap(const Grid& grid, std::vector<Cell> cells)
-    : grid_(grid), cells_(std::move(cells)) {
+OccupancyMap::OccupancyMap(const Grid& grid, std::vector<Cell> cells) : grid_(grid) {
   assert(grid_.width > 0 && grid_.height > 0 && grid_.resolution_m > 0);
-  assert(cells_.size() == grid_.size());
+  assert(cells.size() == grid_.size());
+  auto occupied = count_occupied(grid, cells);
+  content_ = std::make_shared<const Content>(Content{std::move(cells), std::move(occupied)});
+}
+
+std::vector<std::uint16_t> OccupancyMap::count_occupied(const Grid& grid,
+                                                        const std::vector<Cell>& cells) {
+  const auto width = static_cast<std::size_t>(grid.width);
+  const auto height = static_cast<std::size_t>(grid.height);
+  std::vector<std::uint16_t> counts((width + 1) * (height + 1), 0);
+  const Cell* cell = cells.data();
+  for (std::size_t row = 1; row <= height; ++row) {
+    const std::uint16_t* const below = &counts[(row - 1) * (width + 1)];
+    std::uint16_t* const here = &counts[row * (width + 1)];
+    unsigned in_row = 0;
+    for (std::size_t column = 1; column <= width; ++column) {
+      in_row += *cell++ == Cell::occupied ? 1U : 0U;
+      here[column] = static_cast<std::uint16_t>(below[column] + in_row);
+    }
+  }
+  return counts;
 }
 
 Cell OccupancyMap::at(const Point2& p) const {
@@ -75,6 +94,22 @@ std::optional<double> OccupancyMap::raycast(const Point2& from, double bearing_r
   return std::nullopt;
 }
 
+bool OccupancyMap::may_have_occupied(const Window& window) const {
+  const int width = window.high.column - window.low.column + 1;
+  const int height = window.high.row - window.low.row + 1;
+  if (width <= 0 || height <= 0) return false;
+  if (std::int64_t{width} * height > 65535) return true;
+  const Grid corners{grid_.width + 1, grid_.height + 1, grid_.resolution_m, grid_.origin};
+  const auto until = [&](int column, int row) -> unsigned {
+    return content_->occupied[corners.offset({column, row})];
+  };
+  const int right = window.high.column + 1;
+  const int top = window.high.row + 1;
+  const unsigned count = until(right, top) - until(window.low.column, top) -
+                         until(right, window.low.row) + until(window.low.column, window.low.row);
+  return static_cast<std::uint16_t>(count) != 0;
+}
+
 bool OccupancyMap::collides(double x, double y, double radius_m) const {
   if (!is_finite(Point2{x, y})) return false;
   const double r = grid_.resolution_m;
@@ -84,11 +119,14 @@ bool OccupancyMap::collides(double x, double y, double radius_m) const {
   const auto clamp = [](double cell, int size) {
     return static_cast<int>(std::clamp(cell, -1.0, static_cast<double>(size)));
   };
-  const int last_row = std::min(clamp(row + reach, grid_.height), grid_.height - 1);
-  const int last_column = std::min(clamp(column + reach, grid_.width), grid_.width - 1);
-  for (int i = std::max(0, clamp(row - reach, grid_.height)); i <= last_row; ++i) {
+  const Window window{{std::max(0, clamp(column - reach, grid_.width)),
+                       std::max(0, clamp(row - reach, grid_.height))},
+                      {std::min(clamp(column + reach, grid_.width), grid_.width - 1),
+                       std::min(clamp(row + reach, grid_.height), grid_.height - 1)}};
+  if (!may_have_occupied(window)) return false;
+  for (int i = window.low.row; i <= window.high.row; ++i) {
     const double dy = distance_to_interval(y - grid_.origin.y, i * r, (i + 1) * r);
-    for (int j = std::max(0, clamp(column - reach, grid_.width)); j <= last_column; ++j) {
+    for (int j = window.low.column; j <= window.high.column; ++j) {
       if (at(CellIndex{j, i}) != Cell::occupied) continue;
       const double dx = distance_to_interval(x - grid_.origin.x, j * r, (j + 1) * r);
       if (std::hypot(dx, dy) <= radius_m) return true;

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "foundation/error.hpp"
+#include "foundation/file_cache.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/yaml_file.hpp"
 #include "radio_channel/outages.hpp"
@@ -61,6 +62,16 @@ std::size_t column_of(const std::vector<std::string>& head, const char* name,
   return static_cast<std::size_t>(found - head.begin());
 }
 
+std::vector<Wall> read_walls(const std::string& path) {
+  const YAML::Node file = read_yaml_file(path);
+  if (!file.IsMap() || !file["walls"] || !file["walls"].IsSequence()) {
+    throw ConfigError("walls: the file has no list of that name" + yaml_place(path, file));
+  }
+  std::vector<Wall> walls;
+  for (const YAML::Node& node : file["walls"]) walls.push_back(wall_from(node, path));
+  return walls;
+}
+
 }  // namespace
 
 Trace load_trace(const std::string& path) {
@@ -100,13 +111,8 @@ ChannelParams load_channel(const std::string& path) {
 }
 
 std::vector<Wall> load_walls(const std::string& path) {
-  const YAML::Node file = read_yaml_file(path);
-  if (!file.IsMap() || !file["walls"] || !file["walls"].IsSequence()) {
-    throw ConfigError("walls: the file has no list of that name" + yaml_place(path, file));
-  }
-  std::vector<Wall> walls;
-  for (const YAML::Node& node : file["walls"]) walls.push_back(wall_from(node, path));
-  return walls;
+  static FileCache<std::vector<Wall>> known;
+  return known.get(path, [&] { return read_walls(path); });
 }
 
 }  // namespace tocsin::radio

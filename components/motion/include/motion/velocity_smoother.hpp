@@ -54,8 +54,10 @@ class VelocitySmoother {
 
  private:
   static constexpr std::size_t window = 5;
+  static constexpr double longest_silence_s = 0.5;
   [[nodiscard]] bool silent(Time now) const;
-  [[nodiscard]] double timeout_s() const;
+  /// Of the commands of late: a longer one means that they have stopped.
+  [[nodiscard]] double usual_silence_s() const;
   [[nodiscard]] BodyVelocity wanted(Time now) const;
   [[nodiscard]] bool settled(Time now) const;
 
@@ -64,6 +66,7 @@ class VelocitySmoother {
   BodyVelocity current_;
   std::array<double, window> periods_s_{};
   std::size_t heard_ = 0;
+  double timeout_s_ = longest_silence_s;
   Time last_command_ = Time::min();
   Time next_step_ = Time::min();
   Time next_repeat_ = Time::min();

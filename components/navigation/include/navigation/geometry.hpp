@@ -55,7 +55,7 @@ using Path = std::vector<Point2>;
 
 /// The same angle within [-pi, pi].
 [[nodiscard]] inline double wrap_angle(double angle_rad) {
-  return std::remainder(angle_rad, 2 * pi);
+  return std::abs(angle_rad) <= pi ? angle_rad : std::remainder(angle_rad, 2 * pi);
 }
 
 /// A unit quaternion (or any multiple of one), as messages carry it.

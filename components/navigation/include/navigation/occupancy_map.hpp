@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,14 +38,16 @@ struct Grid {
   [[nodiscard]] Point2 centre(CellIndex c) const;
 };
 
-/// What is known of a floor, cell by cell. Immutable, so any thread may read it.
+/// What is known of a floor, cell by cell. Immutable, so any thread may read it, and copies share.
 class OccupancyMap {
  public:
   /// `cells` row by row from the origin up. Asserts that there are width x height of them.
   OccupancyMap(const Grid& grid, std::vector<Cell> cells);
 
   [[nodiscard]] const Grid& grid() const { return grid_; }
-  [[nodiscard]] Cell at(CellIndex c) const { return cells_[grid_.offset(c)]; }
+  [[nodiscard]] Cell at(CellIndex c) const { return content_->cells[grid_.offset(c)]; }
+  /// Row by row from the origin up.
+  [[nodiscard]] const std::vector<Cell>& cells() const { return content_->cells; }
   /// Outside the map everything is unknown.
   [[nodiscard]] Cell at(const Point2& p) const;
 
@@ -57,8 +60,23 @@ class OccupancyMap {
   [[nodiscard]] bool collides(double x, double y, double radius_m) const;
 
  private:
+  /// Cells from `low` up to and including `high`, both on the map.
+  struct Window {
+    CellIndex low;
+    CellIndex high;
+  };
+  [[nodiscard]] bool may_have_occupied(const Window& window) const;
+
+  struct Content {
+    std::vector<Cell> cells;
+    /// For each corner of a cell: how many cells left of it and below it are occupied, modulo
+    /// 65536, so that four numbers tell how many are in a rectangle of fewer cells.
+    std::vector<std::uint16_t> occupied;
+  };
+  [[nodiscard]] static std::vector<std::uint16_t> count_occupied(const Grid& grid,
+                                                                 const std::vector<Cell>& cells);
   Grid grid_;
-  std::vector<Cell> cells_;
+  std::shared_ptr<const Content> content_;
 };
 
 }  // namespace tocsin::navigation
