@@ -9,6 +9,16 @@
 namespace tocsin::simulation {
 namespace {
 
+/// What is done when a single packet arrives.
+class Call final : public Cargo {
+ public:
+  explicit Call(std::function<void()> what) : what_(std::move(what)) {}
+  void arrive(std::size_t) override { what_(); }
+
+ private:
+  std::function<void()> what_;
+};
+
 constexpr Duration report_period = std::chrono::seconds(1);
 
 /// As the kernel prints it: noise is always -256, and an unassociated interface shows zeros
@@ -34,11 +44,17 @@ RadioLink::RadioLink(Core& core, const radio::ChannelParams& params, std::vector
   report();
 }
 
-void RadioLink::send(radio::Direction direction, std::size_t ip_bytes, Arrival on_arrival) {
+void RadioLink::send(radio::Direction direction, std::size_t ip_bytes,
+                     std::function<void()> on_arrival) {
+  send(direction, ip_bytes, std::make_shared<Call>(std::move(on_arrival)), 0);
+}
+
+void RadioLink::send(radio::Direction direction, std::size_t ip_bytes, std::shared_ptr<Cargo> cargo,
+                     std::size_t packet) {
   const radio::FrameId id = channel_.push(direction, static_cast<int>(ip_bytes), false, core_.now);
   assert(id == next_);
   ++next_;
-  under_way_.push_back(std::move(on_arrival));
+  under_way_.push_back({std::move(cargo), packet});
   sent_ = true;
 }
 
@@ -46,8 +62,8 @@ void RadioLink::advance() {
   sent_ = false;
   channel_.advance(core_.now);
   while (const auto outcome = channel_.take()) {
-    const Arrival arrival = std::exchange(under_way_[outcome->id - first_], nullptr);
-    while (!under_way_.empty() && !under_way_.front()) {
+    const Arrival arrival = std::exchange(under_way_[outcome->id - first_], {});
+    while (!under_way_.empty() && !under_way_.front().cargo) {
       under_way_.pop_front();
       ++first_;
     }
@@ -58,14 +74,15 @@ void RadioLink::advance() {
 double RadioLink::share() { return static_cast<double>(random_() >> 11U) / 9007199254740992.0; }
 
 void RadioLink::carry(const Arrival& arrival) {
-  if (!faults_.any()) return arrival();
+  if (!faults_.any()) return arrival.cargo->arrive(arrival.packet);
   if (share() < faults_.loss) return;
   const int copies = share() < faults_.duplication ? 2 : 1;
   for (int i = 0; i < copies; ++i) {
     if (faults_.delay_s <= 0) {
-      arrival();
+      arrival.cargo->arrive(arrival.packet);
     } else {
-      core_.events.at(core_.now + seconds(faults_.delay_s * share()), arrival);
+      core_.events.at(core_.now + seconds(faults_.delay_s * share()),
+                      [arrival] { arrival.cargo->arrive(arrival.packet); });
     }
   }
 }

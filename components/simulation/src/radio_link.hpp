@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -28,15 +29,25 @@ struct AirFaults {
   [[nodiscard]] bool any() const { return loss > 0 || duplication > 0 || delay_s > 0; }
 };
 
+/// Something that packets carry.
+class Cargo {
+ public:
+  virtual ~Cargo() = default;
+  /// One of its packets has come to the other side; twice when the air has doubled it.
+  virtual void arrive(std::size_t packet) = 0;
+};
+
 /// Carries packets between the vehicle and the ground station: one radio_channel for all.
 class RadioLink {
  public:
-  using Arrival = std::function<void()>;
   RadioLink(Core& core, const radio::ChannelParams& params, std::vector<radio::Wall> walls,
             std::uint64_t seed);
 
-  /// Sends an IP packet; `on_arrival` runs when and if it comes to the other side.
-  void send(radio::Direction direction, std::size_t ip_bytes, Arrival on_arrival);
+  /// Sends an IP packet of `cargo`, which is told when and if it comes to the other side.
+  void send(radio::Direction direction, std::size_t ip_bytes, std::shared_ptr<Cargo> cargo,
+            std::size_t packet);
+  /// The same for a single packet.
+  void send(radio::Direction direction, std::size_t ip_bytes, std::function<void()> on_arrival);
   [[nodiscard]] Time next_event() const { return sent_ ? core_.now : channel_.next_event(); }
   /// Does what is due at the core's time.
   void advance();
@@ -49,12 +60,16 @@ class RadioLink {
   [[nodiscard]] std::uint64_t pushed() const { return next_ - 1; }
 
  private:
+  struct Arrival {
+    std::shared_ptr<Cargo> cargo;  ///< null: it has ended
+    std::size_t packet = 0;
+  };
   void report();
   void carry(const Arrival& arrival);
   [[nodiscard]] double share();
   Core& core_;
   radio::RadioChannel channel_;
-  std::deque<Arrival> under_way_;  ///< packets first_ to next_ - 1; empty when it has ended
+  std::deque<Arrival> under_way_;  ///< packets first_ to next_ - 1
   radio::FrameId first_ = 1;
   radio::FrameId next_ = 1;
   AirFaults faults_;

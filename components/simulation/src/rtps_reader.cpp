@@ -12,6 +12,10 @@ void RtpsReader::on_data(std::uint64_t source, const Change& change, Time now) {
     from.next = change.sequence + 1;
     return give(source, change, now);
   }
+  if (change.sequence == from.next && from.early.empty()) {
+    ++from.next;
+    return give(source, change, now);
+  }
   from.early.emplace(change.sequence, change);
   release(source, from, now);
 }

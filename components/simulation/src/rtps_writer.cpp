@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <set>
+#include <utility>
 
 #include "rtps.hpp"
 
@@ -20,6 +20,32 @@ std::vector<std::size_t> wire::packets_of(std::size_t bytes) {
 }
 
 namespace {
+
+/// A sample on its way to one reader, which gets it when all its packets have come.
+class SampleOnAir final : public Cargo {
+ public:
+  SampleOnAir(const Core& core, std::uint64_t source, RtpsReader& reader, Change change,
+              std::size_t packets)
+      : core_(core),
+        source_(source),
+        reader_(reader),
+        change_(std::move(change)),
+        missing_(packets, true),
+        left_(packets) {}
+  void arrive(std::size_t packet) override {
+    if (!missing_[packet]) return;
+    missing_[packet] = false;
+    if (--left_ == 0) reader_.on_data(source_, change_, core_.now);
+  }
+
+ private:
+  const Core& core_;
+  std::uint64_t source_;
+  RtpsReader& reader_;
+  Change change_;
+  std::vector<bool> missing_;
+  std::size_t left_;
+};
 
 /// What a gate hands back that is not the object of the last write.
 std::shared_ptr<const void> copy_of(const TypeInfo& type, const void* message, std::size_t size) {
@@ -73,18 +99,10 @@ std::size_t RtpsWriter::send(const void* message) {
 
 void RtpsWriter::transmit(RtpsReader& reader, const Change& change) {
   const auto packets = wire::packets_of(change.bytes);
-  if (packets.size() == 1) {
-    return link_.send(owner_.direction, packets.front(), [this, &reader, change] {
-      reader.on_data(owner_.source, change, core_.now);
-    });
-  }
-  const auto missing = std::make_shared<std::set<std::size_t>>();
+  const auto sample =
+      std::make_shared<SampleOnAir>(core_, owner_.source, reader, change, packets.size());
   for (std::size_t i = 0; i < packets.size(); ++i) {
-    missing->insert(missing->end(), i);
-    link_.send(owner_.direction, packets[i], [this, &reader, change, missing, i] {
-      if (missing->erase(i) == 0 || !missing->empty()) return;
-      reader.on_data(owner_.source, change, core_.now);
-    });
+    link_.send(owner_.direction, packets[i], sample, i);
   }
 }
 

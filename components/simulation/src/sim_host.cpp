@@ -5,8 +5,20 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/file_cache.hpp"
 
 namespace tocsin::simulation {
+namespace {
+
+TrafficRules rules_of(const std::string& file, const std::string& role) {
+  static FileCache<TrafficRules> of_vehicles;
+  static FileCache<TrafficRules> of_ground_stations;
+  const auto read = [&] { return TrafficRules(file, role); };
+  if (role == "uxv") return of_vehicles.get(file, read);
+  return role == "gcs" ? of_ground_stations.get(file, read) : read();
+}
+
+}  // namespace
 
 void LinkEndpoints::add(const std::string& topic, const SimHost& host, RtpsWriter& writer) {
   Topic& all = topics_[topic];
@@ -48,7 +60,7 @@ SimHost::SimHost(Network& network, std::string name, std::string role,
     : network_(network),
       name_(std::move(name)),
       role_(std::move(role)),
-      rules_(traffic_file, role_) {}
+      rules_(rules_of(traffic_file, role_)) {}
 
 radio::Direction SimHost::direction() const {
   return role_ == "uxv" ? radio::Direction::uplink : radio::Direction::downlink;
@@ -73,18 +85,18 @@ void SimHost::attach(SimProcess::Topic& topic) {
                       topic.endpoint.type->name + " clashes with " + all.type->name);
   }
   all.processes.push_back(&topic);
-  if (all.last.message) topic.exchange.deliver(all.last);
+  if (all.last.message) topic.deliver(all.last);
 }
 
 bool SimHost::has_readers(const SimProcess::Topic& topic) {
   const auto& all = topic.on_host->processes;
-  return std::any_of(all.begin(), all.end(), [](const auto* one) { return one->receivers > 0; });
+  return std::any_of(all.begin(), all.end(), [](const auto* one) { return !one->receivers.empty(); });
 }
 
 void SimHost::deliver(const SimProcess::Topic& from, const Sample& sample) {
   if (from.qos.keeps_last()) from.on_host->last = sample;
   for (SimProcess::Topic* topic : from.on_host->processes) {
-    if (topic->receivers > 0 || topic->qos.keeps_last()) topic->exchange.deliver(sample);
+    topic->deliver(sample);
   }
 }
 

@@ -79,8 +79,12 @@ class SimProcess final : public Bus {
     TopicEnd end;
     Origin origin;  ///< of the last write
     QosProfile qos;
-    TopicExchange exchange;
-    std::size_t receivers = 0;
+    TopicExchange kept;  ///< gives late readers what they are promised
+    std::vector<Receiver*> receivers;
+    void attach(Receiver& receiver);
+    void detach(Receiver& receiver);
+    /// To the components of this process.
+    void deliver(const Sample& sample);
     HostTopic* on_host = nullptr;
     std::unique_ptr<RtpsReader> reader;
     RtpsWriter* writer = nullptr;  ///< owned by `gated`

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,13 +13,9 @@ namespace {
 class Attached final : public Subscription {
  public:
   Attached(SimProcess::Topic& topic, Receiver& receiver) : topic_(topic), receiver_(receiver) {
-    topic_.exchange.attach(receiver_);
-    ++topic_.receivers;
+    topic_.attach(receiver_);
   }
-  ~Attached() override {
-    --topic_.receivers;
-    topic_.exchange.detach(receiver_);
-  }
+  ~Attached() override { topic_.detach(receiver_); }
 
  private:
   SimProcess::Topic& topic_;
@@ -43,7 +40,22 @@ class OpenWriter final : public Publication {
 }  // namespace
 
 SimProcess::Topic::Topic(const Endpoint& its, const QosProfile& profile)
-    : endpoint(its), qos(profile), exchange(profile.keeps_last()) {}
+    : endpoint(its), qos(profile), kept(profile.keeps_last()) {}
+
+void SimProcess::Topic::attach(Receiver& receiver) {
+  receivers.push_back(&receiver);
+  if (qos.keeps_last()) kept.attach(receiver);
+}
+
+void SimProcess::Topic::detach(Receiver& receiver) {
+  receivers.erase(std::remove(receivers.begin(), receivers.end(), &receiver), receivers.end());
+  if (qos.keeps_last()) kept.detach(receiver);
+}
+
+void SimProcess::Topic::deliver(const Sample& sample) {
+  if (qos.keeps_last()) return kept.deliver(sample);
+  for (Receiver* receiver : receivers) receiver->receive(sample);
+}
 
 SimProcess::SimProcess(Network& network, SimHost& host, std::string name, int life)
     : network_(network), host_(host), name_(std::move(name)), life_(life) {}
@@ -108,7 +120,7 @@ void SimProcess::receive(Topic& its, const Change& change, std::uint64_t source)
   sample.sequence = change.sequence;
   sample.source = source;
   sample.bytes = static_cast<std::uint32_t>(change.bytes);
-  its.exchange.deliver(sample);
+  its.deliver(sample);
 }
 
 void SimProcess::make_reader(Topic& its) {

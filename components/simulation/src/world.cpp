@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/file_cache.hpp"
 #include "radio_channel/channel_files.hpp"
 #include "runtime/middleware/component_library.hpp"
 #include "runtime/middleware/gate_component.hpp"
@@ -30,6 +31,11 @@ std::vector<radio::Wall> walls_of(const deployment::Deployment& deployment) {
   return radio::load_walls(deployment.radio->walls);
 }
 
+QosProfiles qos_of(const deployment::Deployment& deployment) {
+  static FileCache<QosProfiles> known;
+  return known.get(deployment.qos, [&] { return QosProfiles(deployment.qos); });
+}
+
 Core core_of(const WorldOptions& options) {
   Core core;
   core.digest_wanted = options.digest;
@@ -49,7 +55,7 @@ World::World(deployment::Deployment deployment, const WorldOptions& options)
       options_(options),
       link_(core, channel_of(deployment_), walls_of(deployment_),
             static_cast<std::uint64_t>(deployment_.seed)),
-      network_{core, link_, QosProfiles(deployment_.qos), {}} {
+      network_{core, link_, qos_of(deployment_), {}} {
   if (core.observer != nullptr) {
     scheduler_.set_on_failure([this](const std::string& component, const char* what, Time now) {
       core.observer->on_failure(component, what, now);
@@ -117,8 +123,12 @@ void World::start(Process& process) {
     Instance& instance = add_instance(one.name, process);
     const ComponentEntry& entry = load_component(one.component);
     instance.component = entry.create(instance.context, *one.parameters, deployment_.file);
-    // What is for a person's eyes only is not ticked; that it reads costs packets all the same.
-    if (!process.container->terminal) schedule(instance, process);
+    if (process.container->terminal) {
+      // What is for a person's eyes only is not ticked; that it reads costs packets all the same.
+      instance.component->listen(false);
+    } else {
+      schedule(instance, process);
+    }
   }
   Instance& gate = add_instance("gate", process);
   gate.component = std::make_unique<GateComponent>(gate.context, GateComponent::Params{},
