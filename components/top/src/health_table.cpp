@@ -109,9 +109,11 @@ std::string to_text(const std::vector<Row>& rows, std::size_t width) {
   std::string text = cut(fmt::format(format, "LEVEL", "NAME", "RATE/Hz", "P99/s", "MAX/s",
                                      "OVERRUNS", "DEPTH", "DROPPED", "AGE/s", "MEM/MiB", "STATE"));
   for (const Row& row : rows) {
-    text += cut(fmt::format(format, row.level, row.name, row.rate_hz, row.tick_p99_s,
-                            row.tick_max_s, row.overruns, row.depth, row.dropped, row.oldest_age,
-                            row.resident_mib, row.message));
+    const std::string line = fmt::format(format, row.level, row.name, row.rate_hz, row.tick_p99_s,
+                                         row.tick_max_s, row.overruns, row.depth, row.dropped,
+                                         row.oldest_age, row.resident_mib, row.message);
+    text += cut(line);
+    if (row.level != level_text(0) && line.size() > width) text += cut("      " + row.message);
   }
   return text;
 }

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace tocsin::top {
@@ -40,6 +41,21 @@ TEST(HealthTable, PutsTheGravestFirstThenSortsByName) {
   EXPECT_EQ(rows[0].name, "drive/c");
   EXPECT_EQ(rows[0].level, "ERROR");
   EXPECT_EQ(rows[1].name, "drive/a");
+}
+
+TEST(HealthTable, AFaultThatDoesNotFitBesideTheFiguresHasALineOfItsOwn) {
+  HealthTable sut;
+  auto other_type = array("drive/odom reader", 2);
+  other_type.status().front().message(
+      "another end has the type Odometry with another layout (gcs)");
+  sut.add(other_type, t0);
+  sut.add(array("drive/a", 0), t0);
+  const std::string narrow = to_text(sut.rows(t0), 80);
+  EXPECT_THAT(narrow,
+              HasSubstr("\n      another end has the type Odometry with another layout (gcs)\n"));
+  EXPECT_EQ(std::count(narrow.begin(), narrow.end(), '\n'), 4);  // head, fault and its text, fine
+  const std::string wide = to_text(sut.rows(t0), 200);
+  EXPECT_EQ(std::count(wide.begin(), wide.end(), '\n'), 3);
 }
 
 TEST(HealthTable, WhatIsSilentForLongerThanThreeSecondsIsStaleAndAfterThirtyGone) {
