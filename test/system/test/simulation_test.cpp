@@ -45,9 +45,10 @@ class SimulationTest : public ::testing::Test {
   }
   /// Runs `tocsin sim` with a run folder of its own; what it logs is left out.
   Ended sim(const std::string& arguments) {
-    const std::string run_dir = folder_ + "/" + std::to_string(++runs_);
-    const std::string command =
-        program() + " " + arguments + " --run-dir " + run_dir + " 2>" + folder_ + "/errors";
+    return run(arguments + " --run-dir " + folder_ + "/" + std::to_string(++runs_));
+  }
+  [[nodiscard]] Ended run(const std::string& arguments) const {
+    const std::string command = program() + " " + arguments + " 2>" + folder_ + "/errors";
     FILE* pipe = popen(command.c_str(), "r");
     std::string output;
     for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) output += static_cast<char>(c);
@@ -113,6 +114,13 @@ TEST_F(SimulationTest, EndsAtTheDurationWhenTheMissionIsNotOver) {
   const Ended run = sim("mission.yaml --without uxv/payload --duration 5");
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.output, HasSubstr("5.000 s simulated (not over)"));
+}
+
+TEST_F(SimulationTest, TenSeedsOfRandomFaultsBreakNoPromise) {
+  const Ended ten = run("mission.yaml --faults random --seeds 1..10 --jobs 2");
+  EXPECT_EQ(ten.code, 0) << ten.output;
+  EXPECT_THAT(ten.output, HasSubstr("10 runs, "));
+  EXPECT_THAT(ten.output, HasSubstr("0 runs broke a promise"));
 }
 
 TEST_F(SimulationTest, RefusesAnUnknownParameter) {
