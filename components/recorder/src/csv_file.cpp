@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recorder/csv_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 
 #include "foundation/error.hpp"
 #include "recorder/flat_message.hpp"
 
 namespace tocsin {
 namespace {
+
+constexpr std::size_t most_waiting = 65536;  // [byte]
 
 std::string row_of(const std::vector<std::string>& cells) {
   std::string row;
@@ -29,28 +38,40 @@ bool ends_with_newline(const std::string& path) {
 
 }  // namespace
 
-CsvFile::CsvFile(const std::string& path, const std::vector<std::string>& columns) : path_(path) {
+CsvFile::CsvFile(const std::string& path, const std::vector<std::string>& columns)
+    : descriptor_(::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644)) {
+  if (descriptor_ < 0) throw ConfigError(path + ": cannot be written: " + std::strerror(errno));
   std::error_code none;
-  const bool empty =
-      !std::filesystem::exists(path, none) || std::filesystem::file_size(path, none) == 0;
-  const bool whole = ends_with_newline(path);
-  file_.open(path, std::ios::app);
-  if (!file_) throw ConfigError(path + ": cannot be written: " + std::strerror(errno));
-  if (!whole) file_ << '\n';
-  if (empty) file_ << row_of(columns);
+  is_cut_ = !ends_with_newline(path);
+  if (std::filesystem::file_size(path, none) == 0 || none) waiting_ = row_of(columns);
 }
 
-bool CsvFile::write(const std::vector<std::string>& cells) {
-  file_ << row_of(cells);
-  return file_.good();
+CsvFile::~CsvFile() {
+  (void)flush();
+  ::close(descriptor_);
+}
+
+void CsvFile::write(const std::vector<std::string>& cells) {
+  waiting_ += row_of(cells);
+  if (waiting_.size() >= most_waiting) (void)flush();
 }
 
 bool CsvFile::flush() {
-  file_.flush();
-  if (file_.good()) return true;
-  file_.clear();
-  file_ << '\n';
-  return false;
+  if (waiting_.empty()) return true;
+  if (is_cut_) waiting_.insert(waiting_.begin(), '\n');
+  std::string_view rest = waiting_;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) break;
+    rest.remove_prefix(static_cast<std::size_t>(written));
+    is_cut_ = *(rest.data() - 1) != '\n';
+  }
+  if (!rest.empty() && rest.size() == waiting_.size() && is_cut_) rest.remove_prefix(1);
+  lost_ += static_cast<std::uint64_t>(std::count(rest.begin(), rest.end(), '\n'));
+  const bool fitted = rest.empty();
+  waiting_.clear();
+  return fitted;
 }
 
 }  // namespace tocsin

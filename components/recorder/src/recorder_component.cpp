@@ -66,8 +66,8 @@ void RecorderComponent::record(Track& track, const Sample& sample) {
   const std::string sent = seconds_text(sample.sent_wall_ns);
   const std::size_t bytes =
       sample.bytes > 0 ? sample.bytes : track.type->serialized_size(sample.message.get());
-  (void)messages_->write({received, sent, track.topic, std::to_string(sample.source),
-                          std::to_string(sample.sequence), std::to_string(bytes)});
+  messages_->write({received, sent, track.topic, std::to_string(sample.source),
+                    std::to_string(sample.sequence), std::to_string(bytes)});
   std::vector<std::string> columns{"receive_s", "send_s", "sequence"};
   std::vector<std::string> cells{received, sent, std::to_string(sample.sequence)};
   for (FlatField& field : flatten(*track.type, sample.message.get())) {
@@ -75,7 +75,7 @@ void RecorderComponent::record(Track& track, const Sample& sample) {
     cells.push_back(std::move(field.value));
   }
   if (!track.fields) open(track, columns);
-  if (track.fields) (void)track.fields->write(cells);
+  if (track.fields) track.fields->write(cells);
 }
 
 void RecorderComponent::open(Track& track, const std::vector<std::string>& columns) {
@@ -88,17 +88,26 @@ void RecorderComponent::open(Track& track, const std::vector<std::string>& colum
 
 void RecorderComponent::flush(Time now) {
   next_flush_ = now + flush_period_;
-  bool all_written = messages_->flush();
+  (void)messages_->flush();
   for (Track& track : tracks_) {
-    if (track.fields) all_written = track.fields->flush() && all_written;
+    if (track.fields) (void)track.fields->flush();
   }
-  if (disk_full_ != std::exchange(disk_full_, !all_written)) {
+  const bool is_full = lost() > std::exchange(lost_, lost());
+  if (disk_full_ != std::exchange(disk_full_, is_full)) {
     if (disk_full_) {
       log().error("rows are being lost: {} cannot be written", directory_);
     } else {
-      log().info("{} can be written again", directory_);
+      log().info("{} can be written again; {} rows were lost since the start", directory_, lost_);
     }
   }
+}
+
+std::uint64_t RecorderComponent::lost() const {
+  std::uint64_t rows = messages_->lost();
+  for (const Track& track : tracks_) {
+    if (track.fields) rows += track.fields->lost();
+  }
+  return rows;
 }
 
 }  // namespace tocsin

@@ -2,8 +2,10 @@
 #include "recorder/csv_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <sstream>
 
@@ -33,12 +35,60 @@ TEST_F(CsvFileTest, RefusesAFileThatCannotBeOpened) {
   EXPECT_THROW(CsvFile("/proc/nothing.csv", {"a"}), ConfigError);
 }
 
-TEST(CsvFile, SaysThatRowsAreLostAndGoesOn) {
+TEST_F(CsvFileTest, FlushesByItselfWhenManyRowsWait) {
+  CsvFile sut(path_, {"a"});
+  sut.write({std::string(60000, 'x')});
+  EXPECT_EQ(text(), "");
+  sut.write({std::string(6000, 'x')});
+  EXPECT_EQ(text().size(), 66004U);
+}
+
+TEST(CsvFile, CountsTheRowsThatAFullDiskTakesAndGoesOn) {
   CsvFile sut("/dev/full", {"a"});
   sut.write({"1"});
   EXPECT_FALSE(sut.flush());
-  EXPECT_TRUE(sut.write({"2"}));
+  EXPECT_EQ(sut.lost(), 2U);  // the names of the columns, too
+  sut.write({"2"});
   EXPECT_FALSE(sut.flush());
+  EXPECT_EQ(sut.lost(), 3U);
+}
+
+/// A disk on which files of this process grow to `bytes` only.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    old_ = ::signal(SIGXFSZ, SIG_IGN);
+  }
+  ~SmallDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    ::signal(SIGXFSZ, old_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*old_)(int) = nullptr;
+};
+
+TEST_F(CsvFileTest, ARowThatWasCutIsEndedAndNoneComesTwice) {
+  CsvFile sut(path_, {"a"});
+  sut.write({"first"});
+  ASSERT_TRUE(sut.flush());
+  {
+    const SmallDisk disk(text().size() + 9);
+    for (const char* row : {"second", "third", "fourth"}) sut.write({row});
+    EXPECT_FALSE(sut.flush());
+    EXPECT_EQ(sut.lost(), 2U);
+    sut.write({"fifth"});
+    EXPECT_FALSE(sut.flush());
+    EXPECT_EQ(sut.lost(), 3U);
+  }
+  sut.write({"sixth"});
+  EXPECT_TRUE(sut.flush());
+  EXPECT_EQ(text(), "a\nfirst\nsecond\nth\nsixth\n");
+  EXPECT_EQ(sut.lost(), 3U);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fstream>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,16 +12,24 @@ class CsvFile {
  public:
   /// Throws ConfigError when the file cannot be opened for writing.
   CsvFile(const std::string& path, const std::vector<std::string>& columns);
+  /// Flushes.
+  ~CsvFile();
+  CsvFile(const CsvFile&) = delete;
+  CsvFile& operator=(const CsvFile&) = delete;
 
-  /// Buffered; false when an earlier flush failed.
-  bool write(const std::vector<std::string>& cells);
-  /// Brings all rows to the file. False when they did not fit (full disk); the next row starts on
-  /// a line of its own all the same.
+  /// Keeps the row until the next flush, or flushes when many wait.
+  void write(const std::vector<std::string>& cells);
+  /// Brings all rows to the file. False when they did not fit (full disk): they are lost, and the
+  /// next row starts on a line of its own all the same.
   bool flush();
+  /// Rows that did not fit, since the beginning.
+  [[nodiscard]] std::uint64_t lost() const { return lost_; }
 
  private:
-  std::ofstream file_;
-  std::string path_;
+  int descriptor_;
+  std::string waiting_;
+  bool is_cut_ = false;  ///< the file ends in the middle of a row
+  std::uint64_t lost_ = 0;
 };
 
 }  // namespace tocsin

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,6 +45,7 @@ class RecorderComponent final : public Component {
   void record(Track& track, const Sample& sample);
   void open(Track& track, const std::vector<std::string>& columns);
   void flush(Time now);
+  [[nodiscard]] std::uint64_t lost() const;
 
   std::string directory_;
   Duration flush_period_;
@@ -51,6 +53,7 @@ class RecorderComponent final : public Component {
   std::unique_ptr<CsvFile> messages_;
   std::vector<Track> tracks_;
   bool disk_full_ = false;
+  std::uint64_t lost_ = 0;
 };
 
 }  // namespace tocsin
