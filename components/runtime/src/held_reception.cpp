@@ -37,6 +37,7 @@ class HoldingTransport : public ChainingTransport {
   bool OpenOutputChannel(SendResourceList& channels, const rtps::Locator_t& to) override {
     return low_level_transport_->OpenOutputChannel(channels, to);
   }
+  // NOLINTNEXTLINE(readability-function-size): the signature is that of Fast DDS
   bool send(rtps::SenderResource* channel, const rtps::octet* bytes, std::uint32_t size,
             rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
             const std::chrono::steady_clock::time_point& timeout) override {
