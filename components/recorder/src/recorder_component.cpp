@@ -92,8 +92,9 @@ void RecorderComponent::flush(Time now) {
   for (Track& track : tracks_) {
     if (track.fields) (void)track.fields->flush();
   }
-  const bool is_full = lost() > std::exchange(lost_, lost());
-  if (disk_full_ != std::exchange(disk_full_, is_full)) {
+  const std::uint64_t lost_before = std::exchange(lost_, lost());
+  const bool was_full = std::exchange(disk_full_, lost_ > lost_before);
+  if (disk_full_ != was_full) {
     if (disk_full_) {
       log().error("rows are being lost: {} cannot be written", directory_);
     } else {

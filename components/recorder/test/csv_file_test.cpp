@@ -2,14 +2,13 @@
 #include "recorder/csv_file.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <fstream>
 #include <sstream>
 
 #include "foundation/error.hpp"
+#include "small_disk.hpp"
 
 namespace tocsin {
 namespace {
@@ -52,25 +51,6 @@ TEST(CsvFile, CountsTheRowsThatAFullDiskTakesAndGoesOn) {
   EXPECT_FALSE(sut.flush());
   EXPECT_EQ(sut.lost(), 3U);
 }
-
-/// A disk on which files of this process grow to `bytes` only.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit small{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &small);
-    old_ = ::signal(SIGXFSZ, SIG_IGN);
-  }
-  ~SmallDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    ::signal(SIGXFSZ, old_);
-  }
-
- private:
-  rlimit before_{};
-  void (*old_)(int) = nullptr;
-};
 
 TEST_F(CsvFileTest, ARowThatWasCutIsEndedAndNoneComesTwice) {
   CsvFile sut(path_, {"a"});

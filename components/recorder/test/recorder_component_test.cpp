@@ -73,6 +73,26 @@ TEST_F(RecorderTest, HalfARowLeftByAKilledRecorderIsEnded) {
   EXPECT_THAT(read("goal.csv"), HasSubstr("17672,half\n1767225600"));
 }
 
+TEST_F(RecorderTest, SaysOnceThatTheDiskIsFullAndOnceThatItIsNot) {
+  std::filesystem::create_directories(directory_ + "/gcs");
+  std::filesystem::create_symlink("/dev/full", directory_ + "/gcs/goal.csv");
+  SimBus bus;
+  Context context{bus, "recorder", "gcs", directory_};
+  RecorderComponent sut(context, {});
+  bus.add(sut);
+  ::testing::internal::CaptureStderr();
+  for (int i = 0; i < 5; ++i) {
+    bus.publish<topic::Goal>({});
+    bus.run_for(seconds(0.5));
+  }
+  bus.run_for(seconds(5));
+  const std::string log = ::testing::internal::GetCapturedStderr();
+  const auto first = log.find("rows are being lost");
+  ASSERT_NE(first, std::string::npos) << log;
+  EXPECT_EQ(log.find("rows are being lost", first + 1), std::string::npos);
+  EXPECT_THAT(log, HasSubstr("can be written again; 6 rows were lost since the start"));
+}
+
 TEST_F(RecorderTest, AFolderThatCannotBeMadeIsAConfigError) {
   SimBus bus;
   Context context{bus, "recorder", "gcs", "/proc/nowhere"};

@@ -13,6 +13,7 @@ namespace {
 /// fresh ids: below 0.2 s.
 constexpr Duration discovery_takes = std::chrono::milliseconds(200);
 constexpr double retry_s = 1;
+constexpr double look_for_files_s = 0.1;
 
 }  // namespace
 
@@ -75,7 +76,10 @@ void World::plan_serial(const Fault& fault) {
 }
 
 void World::plan_disk(const Fault& fault) {
-  at(fault.at_s, [this] { fill_disk(true); });
+  // Again and again, for the files that are opened meanwhile.
+  for (double time_s = fault.at_s; time_s < fault.at_s + fault.for_s; time_s += look_for_files_s) {
+    at(time_s, [this] { fill_disk(true); });
+  }
   at(fault.at_s + fault.for_s, [this] { fill_disk(false); });
 }
 
@@ -104,7 +108,6 @@ void World::revive(Process& process) {
   if (process.bus != nullptr || process.exit_code) return;
   try {
     start(process);
-    fill_disk(full_disk_.has_value());
     tell(process, ProcessEvent::started);
   } catch (const std::exception& error) {
     if (core.observer != nullptr) core.observer->on_failure(process.path, error.what(), core.now);
