@@ -7,11 +7,10 @@
 namespace tocsin::simulation {
 
 std::vector<std::size_t> wire::packets_of(std::size_t bytes) {
-  constexpr std::size_t around = message_header + info_timestamp;
-  constexpr std::size_t fragment = longest_message - around - data_fragment_header;
-  if (bytes <= longest_message - around - data_header) {
-    return {ip_and_udp + around + data_header + bytes};
-  }
+  constexpr std::size_t around = message_header + info_timestamp + statistics;
+  // Fast DDS keeps room for a heartbeat, and measures whole samples as if they were fragments.
+  constexpr std::size_t fragment = longest_message - around - data_fragment_header - heartbeat;
+  if (bytes <= fragment) return {ip_and_udp + around + data_header + bytes};
   std::vector<std::size_t> packets;
   for (std::size_t left = bytes; left > 0; left -= std::min(left, fragment)) {
     packets.push_back(ip_and_udp + around + data_fragment_header + std::min(left, fragment));
@@ -134,13 +133,15 @@ void RtpsWriter::heartbeat() {
 }
 
 void RtpsWriter::send_heartbeat(Proxy& proxy) {
-  constexpr std::size_t bytes = wire::ip_and_udp + wire::message_header + wire::heartbeat;
+  constexpr std::size_t bytes =
+      wire::ip_and_udp + wire::message_header + wire::heartbeat + wire::statistics;
   const std::uint64_t first = history_.front().sequence;
   const std::uint64_t last = sent_;
   link_.send(owner_.direction, bytes, [this, &proxy, first, last] {
     const Time answer_at = core_.now + seconds(proxy.reader->qos().heartbeat_response_delay_s);
     core_.events.at(answer_at, [this, &proxy, first, last] {
-      constexpr std::size_t size = wire::ip_and_udp + wire::message_header + wire::acknack;
+      constexpr std::size_t size =
+          wire::ip_and_udp + wire::message_header + wire::acknack + wire::statistics;
       if (!proxy.reader->alive()) return;
       auto missing = proxy.reader->on_heartbeat(owner_.source, first, last, core_.now);
       link_.send(back(owner_.direction), size, [this, &proxy, last, missing = std::move(missing)] {
@@ -165,7 +166,8 @@ void RtpsWriter::on_acknack(Proxy& proxy, std::uint64_t last,
 
 void RtpsWriter::repair(RtpsReader& reader, std::uint64_t sequence) {
   if (const Change* change = find(sequence)) return transmit(reader, *change);
-  constexpr std::size_t bytes = wire::ip_and_udp + wire::message_header + wire::gap;
+  constexpr std::size_t bytes =
+      wire::ip_and_udp + wire::message_header + wire::gap + wire::statistics;
   link_.send(owner_.direction, bytes,
              [this, &reader, sequence] { reader.on_gap(owner_.source, sequence, core_.now); });
 }

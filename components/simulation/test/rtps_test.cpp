@@ -262,15 +262,15 @@ TEST(RtpsReader, GivesADuplicateOnce) {
 }
 
 TEST(WirePackets, KeepASmallSampleWhole) {
-  EXPECT_EQ(wire::packets_of(100), std::vector<std::size_t>{28 + 36 + 12 + 24 + 100});
-  EXPECT_EQ(wire::packets_of(1328), std::vector<std::size_t>{1428});
+  EXPECT_EQ(wire::packets_of(100), std::vector<std::size_t>{28 + 36 + 12 + 24 + 60 + 100});
+  EXPECT_EQ(wire::packets_of(1224), std::vector<std::size_t>{1384});
 }
 
 TEST(WirePackets, CutALargeSample) {
-  EXPECT_EQ(wire::packets_of(1329).size(), 2U);
+  EXPECT_EQ(wire::packets_of(1225).size(), 2U);
   const auto packets = wire::packets_of(10'000);
-  EXPECT_EQ(*std::max_element(packets.begin(), packets.end()), 1428U);
-  const std::size_t headers = packets.size() * (28 + 36 + 12 + 36);
+  EXPECT_EQ(*std::max_element(packets.begin(), packets.end()), 1396U);
+  const std::size_t headers = packets.size() * (28 + 36 + 12 + 36 + 60);
   EXPECT_EQ(std::accumulate(packets.begin(), packets.end(), std::size_t{0}), 10'000 + headers);
 }
 
