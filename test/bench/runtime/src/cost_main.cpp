@@ -93,6 +93,16 @@ void print_deadline(int count) {
       sleepy.late.text().c_str(), raw.text().c_str());
 }
 
+int measure(bool quick, const std::string& part) {
+  const auto wanted = [&part](const char* name) { return part.empty() || part == name; };
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  if (wanted("gate")) print_gate(quick ? 5 : 25);
+  if (wanted("deadline")) print_deadline(quick ? 500 : 4000);
+  if (wanted("restart")) print_restarts(quick ? 20 : 100);
+  if (wanted("start")) print_start_costs();
+  return 0;
+}
+
 }  // namespace
 }  // namespace tocsin::bench
 
@@ -101,12 +111,6 @@ int main(int argc, char** argv) {
     return tocsin::bench::run_child(argc - 2, argv + 2);
   }
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
-  const std::string part = argc > (quick ? 2 : 1) ? argv[quick ? 2 : 1] : "";
-  const auto wanted = [&part](const char* name) { return part.empty() || part == name; };
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);
-  if (wanted("gate")) tocsin::bench::print_gate(quick ? 5 : 25);
-  if (wanted("deadline")) tocsin::bench::print_deadline(quick ? 500 : 4000);
-  if (wanted("restart")) tocsin::bench::print_restarts(quick ? 20 : 100);
-  if (wanted("start")) tocsin::bench::print_start_costs();
-  return 0;
+  const int part = quick ? 2 : 1;
+  return tocsin::bench::measure(quick, argc > part ? argv[part] : "");
 }
