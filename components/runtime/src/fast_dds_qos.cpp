@@ -100,6 +100,9 @@ dds::DataReaderQos reader_qos(const QosProfile& profile, bool radio) {
   dds::DataReaderQos qos;
   apply_contract(profile, qos);
   apply_history(profile, qos);
+  // The writer lets go of what is too old. A reader of Fast DDS would compare the writer's wall
+  // clock with its own, and drop every sample of a host whose clock is behind by the lifespan.
+  qos.lifespan().duration = eprosima::fastrtps::c_TimeInfinite;
   auto& times = qos.reliable_reader_qos().times;
   times.initialAcknackDelay = dds_duration(profile.initial_acknack_delay_s);
   const double response_delay_s = profile.heartbeat_response_delay_s;
