@@ -91,5 +91,20 @@ TEST(Cast, TellsASideLookFromASquareOne) {
   EXPECT_NEAR(sut[0].facing, std::sqrt(0.5), tiny);
 }
 
+TEST(DepthToWall, IsThatOfTheNearestWallBehindAnyFurniture) {
+  const std::vector<Wall> walls{wall(7, -1, 7, 1), furniture(2, -1, 2, 1), wall(5, -1, 5, 1),
+                                wall(-3, -1, -3, 1), wall(0, 2, 9, 2)};
+  const auto depth_m = depth_to_wall_m(ray_through({0, 0, 0}, 0), walls);
+  ASSERT_TRUE(depth_m);
+  EXPECT_NEAR(*depth_m, 5, tiny);
+  EXPECT_NEAR(*depth_m, hits_of({0, 0, 0}, walls).at(0).depth_m, tiny);
+}
+
+TEST(DepthToWall, IsEmptyWhereOnlyFurnitureStandsOrThePlaceIsInTheWall) {
+  EXPECT_FALSE(depth_to_wall_m(ray_through({0, 0, 0}, 0), {furniture(2, -1, 2, 1)}));
+  EXPECT_FALSE(depth_to_wall_m(ray_through({0, 0, 0}, 0), {wall(0.04, -1, 0.04, 1)}));
+  EXPECT_TRUE(depth_to_wall_m(ray_through({0, 0, 0}, 0), {wall(0.06, -1, 0.06, 1)}));
+}
+
 }  // namespace
 }  // namespace tocsin::camera

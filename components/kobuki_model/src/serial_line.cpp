@@ -29,8 +29,8 @@ Time SerialLine::Run::arrival(std::size_t of_left) const {
 
 void SerialLine::put(ByteView bytes) {
   const std::size_t fit = std::min(bytes.size, max_on_wire - on_wire_);
-  const bool follows =
-      !wire_.empty() && wire_.back().bytes.size() < max_on_wire && wire_.back().arrival(wire_.back().left()) == line_free_ + byte_time;
+  const bool follows = !wire_.empty() && wire_.back().bytes.size() < max_on_wire &&
+                       wire_.back().arrival(wire_.back().left()) == line_free_ + byte_time;
   if (fit > 0) {
     if (!follows) wire_.push_back({line_free_, {}});
     auto& all = wire_.back().bytes;
@@ -98,6 +98,18 @@ void SerialLine::deliver(Time now, const Sink& sink) {
   timer_ = timer_at_or_after(now + Duration{1});
 }
 
+void SerialLine::deliver_all(Time now, const Sink& sink) {
+  if (may_fill()) return deliver(now, sink);
+  for (const Run& run : wire_) {
+    const auto from = run.bytes.begin() + static_cast<std::ptrdiff_t>(run.handed_over);
+    packet_.insert(packet_.end(), from, run.bytes.end());
+  }
+  wire_.clear();
+  on_wire_ = 0;
+  flush(sink);
+  timer_ = timer_at_or_after(now + Duration{1});
+}
+
 Time SerialLine::next_delivery() const {
   if (packet_.empty() && wire_.empty()) return never;
   const Time by_timer = packet_.empty() ? timer_at_or_after(wire_.front().arrival(0)) : timer_;
@@ -109,9 +121,11 @@ Time SerialLine::next_delivery() const {
   return std::min(by_timer, run->arrival(missing - 1));
 }
 
+/// Whether a packet can be full before the timer runs out, which moves the timer.
+bool SerialLine::may_fill() const { return latency() / byte_time >= params_.usb_packet_bytes; }
+
 Time SerialLine::last_delivery() const {
-  const bool may_fill = latency() / byte_time >= params_.usb_packet_bytes;  // that moves the timer
-  if (wire_.empty() || may_fill) return next_delivery();
+  if (wire_.empty() || may_fill()) return next_delivery();
   return timer_at_or_after(wire_.back().arrival(wire_.back().left() - 1));
 }
 

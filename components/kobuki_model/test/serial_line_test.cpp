@@ -131,6 +131,31 @@ TEST(SerialLine, TakesASmallerPacketWhileOneIsWaiting) {
   EXPECT_EQ(received, 40U);
 }
 
+TEST(SerialLine, GivesTheSameBytesInOnePieceAsInPackets) {
+  for (const int ms : {1, 16}) {  // with 16 ms packets fill, and move the timer
+    SerialLine in_packets{latency(ms), 1, t0};
+    SerialLine sut{latency(ms), 1, t0};
+    Bytes expected;
+    Bytes whole;
+    for (Time now = t0; now < t0 + seconds(1); now += std::chrono::milliseconds(20)) {
+      const Bytes frame(81, static_cast<std::uint8_t>(to_seconds(now) * 50));
+      in_packets.send({frame.data(), frame.size()}, now);
+      sut.send({frame.data(), frame.size()}, now);
+      const auto add_to = [](Bytes& all) {
+        return [&all](ByteView p) { all.insert(all.end(), p.begin(), p.end()); };
+      };
+      while (sut.last_delivery() < now + std::chrono::milliseconds(20)) {
+        const Time due = sut.last_delivery();
+        sut.deliver_all(due, add_to(whole));
+        in_packets.deliver(due, add_to(expected));
+      }
+      EXPECT_EQ(whole, expected);
+      EXPECT_EQ(sut.next_delivery(), in_packets.next_delivery());
+    }
+    EXPECT_GT(whole.size(), 3900U);
+  }
+}
+
 TEST(SerialLine, LosesWhatIsOnTheWayWhenCleared) {
   SerialLine sut{latency(1), 1, t0};
   const Bytes bytes(40, 7);

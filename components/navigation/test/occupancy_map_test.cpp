@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "drawn_map.hpp"
@@ -112,6 +114,24 @@ TEST(Collides, IgnoresUnknownCellsAndTheOutside) {
   EXPECT_FALSE(drawn_map({"?.?"}).collides(1.5, 0.5, 3));
   EXPECT_FALSE(room.collides(-50, 80, 1));
   EXPECT_FALSE(room.collides(nan, 1, 1));
+}
+
+TEST(Collides, AgreesWithEveryCellLookedAt) {
+  const auto sut = drawn_map({"..#....", ".......", "#......", "......#", "...#..."});
+  for (double x = -1; x < 8; x += 0.37) {
+    for (double y = -1; y < 6; y += 0.41) {
+      bool touches = false;
+      for (int row = 0; row < 5; ++row) {
+        for (int column = 0; column < 7; ++column) {
+          if (sut.at(CellIndex{column, row}) != Cell::occupied) continue;
+          const double dx = std::max({column - x, 0.0, x - column - 1});
+          const double dy = std::max({row - y, 0.0, y - row - 1});
+          touches = touches || std::hypot(dx, dy) <= 0.9;
+        }
+      }
+      EXPECT_EQ(sut.collides(x, y, 0.9), touches) << x << ", " << y;
+    }
+  }
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ int link_quality(double rssi_dbm) {
 RadioChannel::RadioChannel(const ChannelParams& params, std::vector<Wall> walls, std::uint64_t seed,
                            Time start)
     : params_(params),
+      has_mac_(params.mode == "radio"),
       walls_(std::move(walls)),
       seed_(seed),
       start_(start),
@@ -36,6 +37,7 @@ void RadioChannel::configure(const ChannelParams& params) {
   const double x_m = propagation_.x_m();
   const double y_m = propagation_.y_m();
   params_ = params;
+  has_mac_ = params.mode == "radio";
   propagation_ = Propagation(params, walls_, seed_, start_);
   propagation_.set_position(x_m, y_m);
   medium_.configure(params);
@@ -53,7 +55,7 @@ FrameId RadioChannel::push(Direction direction, int bytes, bool group_addressed,
   totals(direction).bytes_pushed += static_cast<std::uint64_t>(bytes);
   const bool acknowledged = direction == Direction::uplink || !group_addressed;
   const AirFrame frame{next_id_++, bytes, acknowledged};
-  if (params_.mode == "radio") {
+  if (has_mac_) {
     push_radio(direction, frame, now);
   } else {
     push_without_mac(direction, frame, now);

@@ -49,6 +49,9 @@ class RadioLink {
   /// The same for a single packet.
   void send(radio::Direction direction, std::size_t ip_bytes, std::function<void()> on_arrival);
   [[nodiscard]] Time next_event() const { return sent_ ? core_.now : channel_.next_event(); }
+  /// When a packet next arrives or is lost, or `limit`, before which nothing else happens. What the
+  /// radio does until then is done.
+  [[nodiscard]] Time next_outcome(Time limit);
   /// Does what is due at the core's time.
   void advance();
   /// From now on; may be changed at any time.

@@ -128,7 +128,7 @@ void SimBase::step_model() {
 
 void SimBase::deliver() {
   const std::size_t before = arrived_.size();
-  line_.deliver(core_.now, [this](kobuki::ByteView packet) {
+  line_.deliver_all(core_.now, [this](kobuki::ByteView packet) {
     if (readable_) arrived_.insert(arrived_.end(), packet.begin(), packet.end());
   });
   if (arrived_.size() == before) return;

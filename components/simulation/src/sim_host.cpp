@@ -94,7 +94,7 @@ bool SimHost::has_readers(const SimProcess::Topic& topic) {
 }
 
 void SimHost::deliver(const SimProcess::Topic& from, const Sample& sample) {
-  if (from.qos.keeps_last()) from.on_host->last = sample;
+  if (from.keeps_last) from.on_host->last = sample;
   for (SimProcess::Topic* topic : from.on_host->processes) {
     topic->deliver(sample);
   }

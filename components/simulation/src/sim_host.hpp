@@ -79,6 +79,7 @@ class SimProcess final : public Bus {
     TopicEnd end;
     Origin origin;  ///< of the last write
     QosProfile qos;
+    bool keeps_last;
     TopicExchange kept;  ///< gives late readers what they are promised
     std::vector<Receiver*> receivers;
     void attach(Receiver& receiver);

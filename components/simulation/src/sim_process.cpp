@@ -29,7 +29,7 @@ class OpenWriter final : public Publication {
     return process_.write(topic_, message);
   }
   [[nodiscard]] bool has_readers() const override {
-    return topic_.gated || topic_.qos.keeps_last() || SimHost::has_readers(topic_);
+    return topic_.gated || topic_.keeps_last || SimHost::has_readers(topic_);
   }
 
  private:
@@ -40,20 +40,20 @@ class OpenWriter final : public Publication {
 }  // namespace
 
 SimProcess::Topic::Topic(const Endpoint& its, const QosProfile& profile)
-    : endpoint(its), qos(profile), kept(profile.keeps_last()) {}
+    : endpoint(its), qos(profile), keeps_last(profile.keeps_last()), kept(keeps_last) {}
 
 void SimProcess::Topic::attach(Receiver& receiver) {
   receivers.push_back(&receiver);
-  if (qos.keeps_last()) kept.attach(receiver);
+  if (keeps_last) kept.attach(receiver);
 }
 
 void SimProcess::Topic::detach(Receiver& receiver) {
   receivers.erase(std::remove(receivers.begin(), receivers.end(), &receiver), receivers.end());
-  if (qos.keeps_last()) kept.detach(receiver);
+  if (keeps_last) kept.detach(receiver);
 }
 
 void SimProcess::Topic::deliver(const Sample& sample) {
-  if (qos.keeps_last()) return kept.deliver(sample);
+  if (keeps_last) return kept.deliver(sample);
   for (Receiver* receiver : receivers) receiver->receive(sample);
 }
 

@@ -176,12 +176,12 @@ void World::feed_position(const std::string& host, const SimBase& base) {
   core.events.at(core.now + position_period, [this, &host, &base] { feed_position(host, base); });
 }
 
-Time World::next() const {
-  Time next = std::min({core.events.next(), link_.next_event(), scheduler_.next()});
+Time World::next() {
+  Time next = std::min(core.events.next(), scheduler_.next());
   for (const Side& side : sides_) {
     for (const SimBase& base : side.bases) next = std::min(next, base.next_event());
   }
-  return std::max(next, core.now);
+  return std::max(link_.next_outcome(next), core.now);
 }
 
 void World::step(Time now) {

@@ -30,7 +30,7 @@ class World {
   World& operator=(const World&) = delete;
 
   /// When something is to be done next.
-  [[nodiscard]] Time next() const;
+  [[nodiscard]] Time next();
   /// Does all that is due at `now`.
   void step(Time now);
   [[nodiscard]] bool over() const { return exit_code_ && options_.ends_with_mission; }

@@ -44,6 +44,19 @@ TEST_F(RadioLinkTest, PacketSentOnArrivalArrivesToo) {
   EXPECT_EQ(arrived_, "r");
 }
 
+TEST_F(RadioLinkTest, DoesAllUntilAPacketArrivesAndNothingBeyondTheLimit) {
+  send(radio::Direction::uplink, 'a');
+  sut_.advance();  // the packet is under way
+  const Time limit = core_.now + Duration{1};
+  EXPECT_EQ(sut_.next_outcome(limit), limit);
+  core_.now = sut_.next_outcome(core_.now + seconds(1));
+  EXPECT_LT(core_.now, start_time + seconds(1));
+  EXPECT_EQ(arrived_, "");
+  sut_.advance();
+  EXPECT_EQ(arrived_, "a");
+  EXPECT_EQ(sut_.next_outcome(core_.now + seconds(1)), core_.now + seconds(1));
+}
+
 TEST_F(RadioLinkTest, DeliversNothingFarAway) {
   sut_.set_position(20'000, 0);
   for (const char name : std::string("abc")) send(radio::Direction::uplink, name);

@@ -45,6 +45,8 @@ class SerialLine {
   void send(ByteView bytes, Time now);
   /// Hands over every packet that is due.
   void deliver(Time now, const Sink& sink);
+  /// Hands over everything that is on the way, in one piece; not before `last_delivery`.
+  void deliver_all(Time now, const Sink& sink);
   /// When the next packet is due; `never` when nothing is on the way.
   [[nodiscard]] Time next_delivery() const;
   /// When all that is on the way is handed over, if nothing follows; may be earlier, never later.
@@ -69,6 +71,7 @@ class SerialLine {
   void receive(Time now, const Sink& sink);
   void flush(const Sink& sink);
   [[nodiscard]] bool chance(double probability);
+  [[nodiscard]] bool may_fill() const;
   [[nodiscard]] Duration latency() const {
     return std::chrono::milliseconds(params_.usb_latency_ms);
   }

@@ -86,6 +86,7 @@ class RadioChannel {
   void advance(Time now);
   /// The next outcome in order of time, empty when none is known yet.
   [[nodiscard]] std::optional<Outcome> take();
+  [[nodiscard]] bool has_outcome() const { return !outcomes_.empty(); }
 
   /// Nothing is received for `length` from `now` on.
   void begin_outage(Time now, Duration length) { outages_.begin(now, length); }
@@ -114,6 +115,7 @@ class RadioChannel {
   [[nodiscard]] double busy_share(Time now);
 
   ChannelParams params_;
+  bool has_mac_ = true;  ///< mode radio; the other modes are pure losses
   std::vector<Wall> walls_;
   std::uint64_t seed_;
   Time start_;

@@ -28,7 +28,8 @@ struct TopicEnd {
   bool drops = false;     ///< and then its samples are dropped
 };
 
-/// A sample that a component wrote. Its readers on the same host have it already.
+/// A sample that a component wrote. Its readers on the same host have it already. A component need
+/// not write what nobody reads.
 struct Written {
   const TopicEnd& from;
   Time time;
