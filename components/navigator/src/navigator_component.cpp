@@ -54,29 +54,51 @@ NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
       navigator_(params.navigator, load_required_map(context.name, params.map_file)),
       file_(memory_path(context)),
       localiser_(
-          make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})) {
-  wake_every(seconds(1 / params.rate_hz));
-}
+          make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})) {}
 
 void NavigatorComponent::tick(Time now) {
-  take_inputs(now);
-  const Navigator::Output output = navigator_.update(now);
-  drive(output.velocity);
+  take_odometry(now);
+  const bool is_ordered = take_orders(now);
   report_location(now);
-  report_status(output.status, now);
+  if (is_turn(now) || is_ordered) {
+    const Navigator::Output output = navigator_.update(now);
+    drive(output.velocity);
+    report_status(output.status, now);
+  }
   remember(now);
+  wake_at(next_turn_);
 }
 
-void NavigatorComponent::take_inputs(Time now) {
+/// Whether a velocity is due: it need not follow each of fifty poses a second.
+bool NavigatorComponent::is_turn(Time now) {
+  if (now < next_turn_) return false;
+  const Duration period = seconds(1 / params_.rate_hz);
+  next_turn_ = std::max(next_turn_ + period, now + period / 2);
+  return true;
+}
+
+void NavigatorComponent::take_odometry(Time now) {
   while (const auto odom = odom_.take()) {
     pose_ = localiser_.update(pose_of(odom->pose().pose()), now);
     if (pose_) navigator_.on_pose(*pose_, now);
   }
-  while (const auto stop = emergency_stop_.take()) navigator_.on_emergency_stop(stop->data());
+}
+
+/// True when there was one to answer at once.
+bool NavigatorComponent::take_orders(Time now) {
+  bool any = false;
+  while (const auto stop = emergency_stop_.take()) {
+    navigator_.on_emergency_stop(stop->data());
+    any = true;
+  }
   while (const auto heartbeat = heartbeat_.take()) {
     if (heartbeat->role() == "gcs") navigator_.on_ground_station(now);
   }
-  while (const auto goal = goal_.take()) take_goal(*goal, now);
+  while (const auto goal = goal_.take()) {
+    take_goal(*goal, now);
+    any = true;
+  }
+  return any;
 }
 
 void NavigatorComponent::take_goal(const topic::Goal::Message& message, Time now) {

@@ -103,6 +103,32 @@ TEST_F(NavigatorComponentTest, DrivesToAGoal) {
   EXPECT_NEAR(odom_.x, 3, 0.2);
 }
 
+TEST_F(NavigatorComponentTest, CommandsAtItsRateHoweverOftenAPoseComes) {
+  bus_.add(*sut_);
+  send_goal(5, 2);
+  for (int i = 0; i < 100; ++i) {  // two seconds
+    bus_.publish<topic::Odom>(odometry());
+    bus_.run_for(seconds(0.02));
+  }
+  EXPECT_NEAR(static_cast<double>(commands_.take().size()), 40, 2);
+}
+
+TEST_F(NavigatorComponentTest, AnswersAnEmergencyStopBetweenTwoCommands) {
+  bus_.add(*sut_);
+  send_goal(5, 2);
+  for (int i = 0; i < 30; ++i) {
+    bus_.publish<topic::Odom>(odometry());
+    bus_.run_for(seconds(0.02));
+  }
+  bus_.run_for(seconds(0.001));
+  ASSERT_GT(commands_.take().back().linear().x(), 0);
+  press_emergency_stop(true);
+  bus_.run_for(Duration{0});
+  const auto commands = commands_.take();
+  ASSERT_EQ(commands.size(), 1U);
+  EXPECT_EQ(commands[0].linear().x(), 0);
+}
+
 TEST_F(NavigatorComponentTest, StaysSilentToTheBaseWhileItStands) {
   run(1);
   commands_.take();

@@ -29,7 +29,7 @@ class NavigatorComponent final : public Component {
       v("start_x_m", start_x_m, {-1e5, 1e5}, "[m] where odometry begins, map frame");
       v("start_y_m", start_y_m, {-1e5, 1e5}, "[m]");
       v("start_yaw_rad", start_yaw_rad, {-7, 7}, "[rad]");
-      v("rate_hz", rate_hz, {5, 50}, "[Hz] of velocity commands, at least");
+      v("rate_hz", rate_hz, {5, 50}, "[Hz] of velocity commands");
       v("location_hz", location_hz, {0.2, 20}, "[Hz] of the location, over the radio");
       v("status_period_s", status_period_s, {0.1, 60}, "[s] between reports without a change");
       navigator.visit(v);
@@ -41,7 +41,9 @@ class NavigatorComponent final : public Component {
   void tick(Time now) override;
 
  private:
-  void take_inputs(Time now);
+  void take_odometry(Time now);
+  bool take_orders(Time now);
+  bool is_turn(Time now);
   void take_goal(const topic::Goal::Message& message, Time now);
   void drive(const navigation::Velocity& velocity);
   void report_location(Time now);
@@ -62,6 +64,7 @@ class NavigatorComponent final : public Component {
   LocaliserFile file_;
   OdometryLocaliser localiser_;
   std::optional<navigation::Pose2> pose_;
+  Time next_turn_{};
   Time next_location_{};
   Time next_status_{};
   Time next_save_{};
