@@ -2,6 +2,7 @@
 #include "simulate.hpp"
 
 #include <exception>
+#include <utility>
 
 #include "experiment/tape.hpp"
 #include "simulation/sim_world.hpp"
@@ -9,14 +10,19 @@
 namespace tocsin::experiment {
 namespace {
 
-RunResult play(const Run& run, const Timing& timing, const Places& places) {
+simulation::SimWorld make_world(const Run& run, const Timing& timing, const Places& places,
+                                simulation::Observer* observer) {
   auto deployment = deployment_of(run, timing, places.share, places.folder);
   instrument(deployment);
-  Tape tape;
   simulation::WorldOptions options;
   options.digest = false;
-  options.observer = &tape;
-  simulation::SimWorld world(std::move(deployment), options);
+  options.observer = observer;
+  return simulation::SimWorld(std::move(deployment), options);
+}
+
+RunResult play(const Run& run, const Timing& timing, const Places& places) {
+  Tape tape;
+  simulation::SimWorld world = make_world(run, timing, places, &tape);
   const auto outcome = world.run(seconds(timing.duration_s));
   report::Recording& recording = tape.recording();
   recording.begin_s = recording.link.empty() ? 0 : recording.link.front().time_s;
@@ -25,6 +31,13 @@ RunResult play(const Run& run, const Timing& timing, const Places& places) {
 }
 
 }  // namespace
+
+void prepare(const Run& run, const Timing& timing, const Places& places) {
+  try {
+    (void)make_world(run, timing, places, nullptr);
+  } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the run itself will tell
+  }
+}
 
 RunResult simulate(const Run& run, const Timing& timing, const Places& places) {
   try {
