@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast the main job runs in simulated time, with and without its parts.
+// How fast the main job runs in simulated time, with and without its parts, and a run of the
+// thesis's experiment as `tocsin experiment run` does it.
 // usage: simulation_speed [MISSIONS [SECONDS [ROW]]]   missions with seeds 1.. (default 5), each of
-// so many simulated seconds (0: until it is over), all rows or one. CPU time of one thread.
+// so many simulated seconds (0: until it is over; runs of the experiment take 600), all rows or
+// one. CPU time of one thread.
 #include <time.h>
 #include <unistd.h>
 
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "deployment/deployment.hpp"
+#include "foundation/yaml_file.hpp"
 #include "simulation/sim_world.hpp"
 
 namespace {
@@ -24,6 +27,14 @@ struct Setup {
   std::vector<std::string> without;  // components
   bool digest;
   std::vector<std::string> set;
+  int experiment_mission = -1;  // place in thesis.yaml; else mission A of the bringup
+};
+
+/// What the experiment looks at while it runs.
+struct Listening final : simulation::Observer {
+  void on_written(const simulation::Written& written) override { bytes += written.bytes; }
+  void on_delivered(const simulation::Delivered& delivered) override { bytes += delivered.bytes; }
+  std::size_t bytes = 0;
 };
 
 struct Effort {
@@ -40,24 +51,65 @@ double cpu_s() {
   return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
-void run_one(const Setup& setup, int seed, double duration_s, Effort& effort) {
+/// Mission, settings, channel and what is left out, as thesis.yaml says.
+void set_experiment(const Setup& setup, deployment::Overrides& overrides) {
+  const std::string folder = overrides.share + "/config/experiments/";
+  const YAML::Node file = read_yaml_file(folder + "thesis.yaml");
+  const YAML::Node mission = file["missions"][setup.experiment_mission];
+  const auto name = mission["name"].as<std::string>();
+  for (const auto& one : mission["set"]) overrides.set.push_back(one.as<std::string>());
+  overrides.set.push_back("mission_control.mission_file=" + folder +
+                          mission["file"].as<std::string>());
+  auto channel = file["channels"][0]["file"].as<std::string>();
+  channel.replace(channel.find("${mission}"), 10, name);
+  overrides.channel = folder + channel;
+  overrides.without = {"gcs/view"};
+}
+
+/// In place of a recorder the experiment only listens.
+void put_listeners(deployment::Deployment& deployment) {
+  for (auto& host : deployment.hosts) {
+    for (auto& container : host.containers) {
+      for (auto& one : container.components) {
+        if (one.component != "recorder") continue;
+        one.component = "experiment";
+        one.parameters = std::make_shared<const YAML::Node>(YAML::NodeType::Map);
+        one.origins.clear();
+      }
+    }
+  }
+}
+
+deployment::Deployment load(const Setup& setup, int seed, const fs::path& run_dir) {
   const fs::path share =
       fs::read_symlink("/proc/self/exe").parent_path() / "../../bringup/share/tocsin";
-  const fs::path run_dir = fs::temp_directory_path() / ("sim_speed_" + std::to_string(::getpid()));
-  fs::remove_all(run_dir);
-  fs::create_directory(run_dir);
   deployment::Overrides overrides;
   overrides.share = fs::canonical(share).string();
   overrides.run_dir = run_dir.string();
   overrides.seed = seed;
   overrides.set = setup.set;
+  const bool experiment = setup.experiment_mission >= 0;
+  if (experiment) set_experiment(setup, overrides);
+  auto deployment = load_deployment(overrides.share + "/bringup/mission.yaml", overrides);
+  if (experiment) put_listeners(deployment);
+  return deployment;
+}
+
+void run_one(const Setup& setup, int seed, double duration_s, Effort& effort) {
+  const fs::path run_dir = fs::temp_directory_path() / ("sim_speed_" + std::to_string(::getpid()));
+  fs::remove_all(run_dir);
+  fs::create_directory(run_dir);
+  const bool experiment = setup.experiment_mission >= 0;
+  if (experiment && duration_s <= 0) duration_s = 600;
   const double start = cpu_s();
-  const auto deployment = load_deployment(overrides.share + "/bringup/mission.yaml", overrides);
+  const auto deployment = load(setup, seed, run_dir);
   const double loaded = cpu_s();
+  Listening listening;
   simulation::WorldOptions options;
   options.digest = setup.digest;
   options.without = setup.without;
-  options.ends_with_mission = duration_s <= 0;
+  options.ends_with_mission = experiment || duration_s <= 0;
+  if (experiment) options.observer = &listening;
   simulation::SimWorld world(deployment, options);
   const double built = cpu_s();
   effort.last = world.run(seconds(duration_s > 0 ? duration_s : 3600));
@@ -91,6 +143,8 @@ int main(int argc, char** argv) {
       {"no recorders", {"recorder"}, true, {}},
       {"no recorders, no digest", {"recorder"}, false, {}},
       {"no recorders, no digest, no camera", {"recorder", "camera"}, false, {}},
+      {"thesis's experiment with camera, mission A", {}, false, {}, 0},
+      {"thesis's experiment with camera, mission B", {}, false, {}, 1},
   };
   std::printf("%d missions; CPU time of one thread\n", missions);
   std::printf("%-44s %8s %8s  %7s %7s %8s  %6s %6s %6s\n", "", "times rt", "run only", "load ms",
