@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Round trips between two processes: components against raw Fast DDS read by a wait-set, both on
 // loopback UDP and on shared memory, and Cyclone's ddsperf when it is installed.
-// The ways take turns, a few round trips each, forwards and backwards; a share is the median over
-// blocks of turns, with the 95 % confidence interval of that median.
+// The ways take turns, a few round trips each, forwards and backwards, with new processes every few
+// blocks of turns; a share is the median over the blocks, with its 95 % confidence interval.
 // usage: runtime_processes [--quick [BYTES]]
 #include <sys/wait.h>
 #include <unistd.h>
@@ -63,7 +63,8 @@ RawParticipant::Transport transport_of(const Way& way) {
   for (;;) pause();
 }
 
-pid_t start_echo(const char* self, std::size_t index) {
+pid_t start_echo(std::size_t index) {
+  const char* const self = "/proc/self/exe";
   const pid_t child = fork();
   if (child == 0) {
     execl(self, self, "--echo", std::to_string(index).c_str(), nullptr);
@@ -113,9 +114,10 @@ class End {
 };
 
 struct Plan {
-  int blocks;
-  int turns;  // of each way in a block
-  int trips;  // in a turn
+  int generations;  // of processes: where the scheduler puts two of them stays for their life
+  int blocks;       // of a generation
+  int turns;        // of each way in a block
+  int trips;        // in a turn
 };
 
 /// Round trips of one block, by way.
@@ -148,14 +150,38 @@ void print(std::size_t bytes, const std::vector<Block>& blocks) {
   }
 }
 
-void compare(std::size_t bytes, const Plan& plan) {
+/// The other ends, until it is destroyed.
+class Echoes {
+ public:
+  Echoes() {
+    for (std::size_t i = 0; i < way_count; ++i) children_.push_back(start_echo(i));
+  }
+  ~Echoes() {
+    for (const pid_t child : children_) {
+      kill(child, SIGKILL);
+      waitpid(child, nullptr, 0);
+    }
+  }
+  Echoes(const Echoes&) = delete;
+  Echoes& operator=(const Echoes&) = delete;
+
+ private:
+  std::vector<pid_t> children_;
+};
+
+void run_generation(std::size_t bytes, const Plan& plan, std::vector<Block>& blocks) {
+  const Echoes echoes;
   std::vector<std::unique_ptr<End>> ends;
   for (std::size_t i = 0; i < way_count; ++i) ends.push_back(std::make_unique<End>(i, bytes));
   for (std::size_t i = 0; i < way_count; ++i) {
     if (!ends[i]->discover()) std::printf("%s: silent\n", ways.at(i).name);
   }
-  std::vector<Block> blocks;
   for (int i = 0; i < plan.blocks; ++i) blocks.push_back(take_turns(ends, plan));
+}
+
+void compare(std::size_t bytes, const Plan& plan) {
+  std::vector<Block> blocks;
+  for (int i = 0; i < plan.generations; ++i) run_generation(bytes, plan, blocks);
   print(bytes, blocks);
 }
 
@@ -175,17 +201,11 @@ void cyclone(std::size_t bytes) {
 }
 
 /// `only`: one size in bytes; 0: all.
-int measure(const char* self, bool quick, std::size_t only) {
-  std::vector<pid_t> echoes;
-  for (std::size_t i = 0; i < way_count; ++i) echoes.push_back(start_echo(self, i));
+int measure(bool quick, std::size_t only) {
   std::printf("round trip between processes [us], median / p99; share of the raw one above it\n");
   for (const std::size_t bytes : {64U, 1024U, 65536U, 1U << 20U}) {
-    const Plan plan{quick ? 5 : 25, 8, bytes > 65536 ? 10 : 50};
+    const Plan plan{quick ? 2 : 8, 3, 6, bytes > 65536 ? 10 : 50};
     if (only == 0 || only == bytes) compare(bytes, plan);
-  }
-  for (const pid_t child : echoes) {
-    kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
   }
   if (!quick) cyclone(64);
   if (!quick) cyclone(65536);
@@ -200,5 +220,5 @@ int main(int argc, char** argv) {
     tocsin::bench::echo(std::strtoul(argv[2], nullptr, 10));
   const std::size_t only = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 0;
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
-  return tocsin::bench::measure("/proc/self/exe", quick, only);
+  return tocsin::bench::measure(quick, only);
 }
