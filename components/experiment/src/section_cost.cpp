@@ -66,7 +66,7 @@ void add_cost_table(const std::vector<const Group*>& round, Document& document) 
 void add_cost_figure(const std::vector<const Group*>& round, Document& document) {
   Figure figure("cost_" + round_id(*round.front()),
                 mission_name(round.front()->mission) + ": cost above the clairvoyant");
-  figure.axes("", "cost above the clairvoyant per 1000 observations").with("set yrange [0:*]");
+  figure.axes("", "cost per 1000 observations").with("set yrange [0:*]");
   for (const Group* group : round) {
     const Estimate one = estimate(group->metric("slot_regret"));
     figure.interval(display_name(group->policy), one.mean, one.low, one.high);
