@@ -48,22 +48,27 @@ void Odometry::update(const CoreSensors& core, const std::optional<Inertia>& ine
   if (!possible) ++rejected_jumps_;
   if (!possible || step.dt_s > trusted_gap_s) {
     const bool confirmed = agrees_with_suspect(now);
-    const auto other = std::exchange(suspect_, now);
-    if (!confirmed) return;                      // the next sample may confirm this one
-    if (!possible) step = measure(*other, now);  // the base was restarted
+    const auto other = std::exchange(suspect_, Suspect{now, possible});
+    if (!confirmed) return;  // the next sample may confirm this one
+    if (!possible) {
+      if (other->possible) return;         // this one may be damaged
+      step = measure(other->sample, now);  // the base was restarted
+    }
   }
   take(now, step);
 }
 
 bool Odometry::agrees_with_suspect(const Sample& now) const {
   if (!suspect_) return false;
-  const Step since = measure(*suspect_, now);
+  const Step since = measure(suspect_->sample, now);
   return plausible(since) && since.dt_s <= trusted_gap_s;
 }
 
 void Odometry::undo_if_damaged(const Sample& now) {
   if (!before_last_ || plausible(measure(*last_, now))) return;
-  if (!plausible(measure(before_last_->sample, now))) return;
+  const Step without_last = measure(before_last_->sample, now);
+  // In a longer time too much is possible.
+  if (!plausible(without_last) || without_last.dt_s > 2 * trusted_gap_s) return;
   pose_ = before_last_->pose;
   gyro_heading_rad_ = before_last_->gyro_heading_rad;
   left_ = before_last_->left;

@@ -263,6 +263,28 @@ TEST(Odometry, UndoesADamagedSampleThatLookedPossible) {
   EXPECT_EQ(sut.rejected_jumps(), 1U);
 }
 
+TEST(Odometry, UndoesNothingForASampleThatIsLongAfterwards) {
+  Odometry sut{by_encoder()};
+  sut.update(core(0, 0, 0), {});
+  sut.update(core(60, 500, 500), {});
+  sut.update(core(201, 900, 900), {});
+  sut.update(core(221, 900, 900), {});    // confirms a pause
+  sut.update(core(281, 10000, 900), {});  // damaged; 0.2 s after the last but one
+  sut.update(core(301, 900, 900), {});
+  EXPECT_NEAR(sut.pose().x_m, 900 * tick_m, 1e-9);
+  sut.update(core(621, 6000, 900), {});  // damaged; possible after the last but one only
+  EXPECT_NEAR(sut.pose().x_m, 900 * tick_m, 1e-9);
+}
+
+TEST(Odometry, IsNotRestartedByADamagedSampleAfterAGoodOne) {
+  Odometry sut{by_encoder()};
+  sut.update(core(0, 0, 0), {});
+  sut.update(core(500, 8898, 8898), {});  // just possible
+  sut.update(core(520, 9356, 9356), {});  // no more, but not far from the one before
+  sut.update(core(540, 8950, 8950), {});
+  EXPECT_NEAR(sut.pose().x_m, 8950 * tick_m, 1e-9);
+}
+
 TEST(Odometry, WaitsForTwoSamplesTogetherOnANoisyLine) {
   Odometry sut{OdometryParams{}};
   sut.update(core(0, 0, 0), inertia(0));

@@ -62,8 +62,9 @@ struct OdometrySnapshot {
 /// the millisecond stamp are differences modulo 65536. The checksum lets some damaged frames
 /// through, so that a sample with a jump that no wheel and no turn can do is left out. When it fits
 /// to the last sample but one, the last one was damaged and is undone; when the next one agrees
-/// with it, the base was restarted, and motion counts from there. The first sample after a pause of
-/// more than 0.1 s waits for the next one in the same way, which brings the motion of the pause.
+/// with it and is as impossible, the base was restarted, and motion counts from there. The first
+/// sample after a pause of more than 0.1 s waits for the next one in the same way, which brings the
+/// motion of the pause.
 ///
 /// After more than 3 s stamp and encoders may have wrapped. Then the sample is motion when its
 /// stamp agrees with the computer's clock and its wheels rolled at most 1.2 m, as of a base that
@@ -101,6 +102,10 @@ class Odometry {
     CoreSensors core;
     std::optional<Inertia> inertia;
   };
+  struct Suspect {
+    Sample sample;
+    bool possible;  ///< after the last one
+  };
   struct Step {
     double left_m = 0;
     double right_m = 0;
@@ -136,7 +141,7 @@ class Odometry {
   WheelState right_;
   std::optional<Sample> last_;
   std::optional<State> before_last_;
-  std::optional<Sample> suspect_;  ///< waits for the next one to agree
+  std::optional<Suspect> suspect_;  ///< waits for the next one to agree
   std::uint64_t rejected_jumps_ = 0;
 };
 
