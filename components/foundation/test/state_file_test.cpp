@@ -94,6 +94,8 @@ TEST_F(StateFileTest, KeepsNothingWithoutAPath) {
   StateFile sut("");
   EXPECT_TRUE(sut.save("x"));
   EXPECT_FALSE(sut.load());
+  EXPECT_FALSE(sut.keeps());
+  EXPECT_TRUE(StateFile("/nowhere/file").keeps());
 }
 
 }  // namespace

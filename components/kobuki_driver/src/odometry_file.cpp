@@ -27,7 +27,7 @@ std::optional<OdometryMemory> OdometryFile::load() const {
 
 bool OdometryFile::save(const OdometryMemory& memory) {
   const OdometrySnapshot& s = memory.odometry;
-  if (!s.inertia) return true;
+  if (!s.inertia || !file_.keeps()) return true;
   std::ostringstream out;
   out.precision(std::numeric_limits<double>::max_digits10);
   out << ::getppid() << ' ' << s.pose.x_m << ' ' << s.pose.y_m << ' ' << s.pose.heading_rad << ' '

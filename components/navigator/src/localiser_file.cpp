@@ -20,6 +20,7 @@ std::optional<OdometryLocaliser::Memory> LocaliserFile::load() const {
 }
 
 bool LocaliserFile::save(const OdometryLocaliser::Memory& memory) {
+  if (!file_.keeps()) return true;
   std::ostringstream text;
   text.precision(std::numeric_limits<double>::max_digits10);
   text << ::getppid();

@@ -22,6 +22,8 @@ class StateFile {
   StateFile(const StateFile&) = delete;
   StateFile& operator=(const StateFile&) = delete;
 
+  /// False: it keeps nothing, so that a text need not be made.
+  [[nodiscard]] bool keeps() const { return !path_.empty(); }
   /// The newest whole text, also of an earlier process. Empty when there is none.
   [[nodiscard]] std::optional<std::string> load() const;
   /// False when it could not be written, and for a text that is too long; the one before is kept.
