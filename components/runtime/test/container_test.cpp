@@ -71,8 +71,8 @@ Outcome run(const std::string& command) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
 }
 
-/// One container `drive` with one lamp, as tocsin launch would write it.
-deployment::Deployment deployment_with(int domain, const std::string& run_dir) {
+/// One container `drive` with lamps, as tocsin launch would write it.
+deployment::Deployment deployment_with(int domain, const std::string& run_dir, int lamps = 1) {
   deployment::Deployment deployment;
   deployment.file = run_dir + "/deployment.yaml";
   deployment.run_dir = run_dir;
@@ -86,9 +86,12 @@ deployment::Deployment deployment_with(int domain, const std::string& run_dir) {
   deployment.link_domain = domain + 2;
   deployment::Container& container = host.containers.emplace_back();
   container.name = "drive";
-  deployment::ComponentInstance& lamp = container.components.emplace_back();
-  lamp.component = lamp.name = "link_lamp";
-  lamp.parameters = std::make_shared<const YAML::Node>(YAML::NodeType::Map);
+  for (int i = 1; i <= lamps; ++i) {
+    deployment::ComponentInstance& lamp = container.components.emplace_back();
+    lamp.component = lamp.name = "link_lamp";
+    if (i < lamps) lamp.name += std::to_string(i);
+    lamp.parameters = std::make_shared<const YAML::Node>(YAML::NodeType::Map);
+  }
   return deployment;
 }
 
@@ -180,6 +183,20 @@ TEST_F(ContainerTest, AContainerOfAResolvedFileRunsAndObeysCommands) {
   EXPECT_EQ(run("tocsin-component unload drive second" + at).text,
             "Unloaded component 2 from container drive\n");
   EXPECT_EQ(sut.end(SIGINT), 0);
+}
+
+// The time is printed; the limit is for a machine that is busy with other things.
+TEST_F(ContainerTest, FifteenComponentsAreActiveAndHeardSoonAfterExec) {
+  const auto deployment = deployment_with(domain_, folder_.path(), 15);
+  write_resolved(deployment, deployment.file);
+  const auto bus = make_bus();
+  ContainerClient client(*bus);
+  const auto begin = std::chrono::steady_clock::now();
+  Process sut({bin + "tocsin-container", deployment.file, "gcs", "drive"});
+  EXPECT_EQ(wait_for(client, sut.pid(), "link_lamp", "active"), "active");
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
+  std::printf("15 components: first sample %.0f ms after exec\n", taken.count());
+  EXPECT_LT(taken.count(), 2000);
 }
 
 TEST_F(ContainerTest, AHostOrContainerThatTheFileDoesNotHaveIsExitCode2) {
