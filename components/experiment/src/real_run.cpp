@@ -93,16 +93,19 @@ std::vector<std::string> launch_command(const Run& run, const Timing& timing,
 }
 
 RunResult drive(const Run& run, const Timing& timing, const Places& places) {
+  int status = 0;
   try {
     const std::string folder = run_folder(run, places);
     fs::remove_all(folder);
-    const int status = execute(launch_command(run, timing, places), timing.duration_s);
+    status = execute(launch_command(run, timing, places), timing.duration_s);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 127) {
       return {launcher() + ": cannot be started", 0, {}};
     }
     return measure_folder(folder, timing);
   } catch (const std::exception& error) {
-    return {error.what(), 0, {}};
+    const bool refused = WIFEXITED(status) && WEXITSTATUS(status) != 0;
+    const std::string code = "tocsin-launch ended with " + std::to_string(WEXITSTATUS(status));
+    return {(refused ? code + "; " : "") + error.what(), 0, {}};
   }
 }
 
