@@ -192,6 +192,25 @@ TEST_F(ExperimentTest, DoesNotMixTwoExperiments) {
   EXPECT_THAT(sut.output, HasSubstr("other settings"));
 }
 
+TEST_F(ExperimentTest, SaysWhatItCannotFitTo) {
+  const std::string plain = folder_.write("plain.yaml", text_of(two));
+  const Ended nowhere = call("fit " + plain + " --out " + folder_.path("fit"));
+  EXPECT_EQ(nowhere.code, 2);
+  EXPECT_THAT(nowhere.output, HasSubstr("experiment.fitted: names no file to write to"));
+  const std::string text = "fitted: fitted.yaml\n" + text_of(two);
+  const Ended none =
+      call("fit " + folder_.write("none.yaml", text) + " --out " + folder_.path("n"));
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.output, HasSubstr("none is for this command"));
+  Slice slice;
+  slice.kind = "fit";
+  const std::string policy = "fitted: fitted.yaml\n" + text_of(slice);
+  const Ended sut =
+      call("fit " + folder_.write("policy.yaml", policy) + " --out " + folder_.path("p"));
+  EXPECT_EQ(sut.code, 2);
+  EXPECT_THAT(sut.output, HasSubstr("fitted to runs without a policy"));
+}
+
 TEST_F(ExperimentTest, RefusesABadCommandLine) {
   EXPECT_EQ(call("run").code, 2);
   EXPECT_EQ(call("run /nonexistent.yaml").code, 2);

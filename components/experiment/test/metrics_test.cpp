@@ -148,5 +148,43 @@ TEST(Observations, MarkWhenTheMachineFroze) {
   EXPECT_DOUBLE_EQ(sut.values[metric_index("stalled")], 10);
 }
 
+TEST(Measure, TellsTheShareOfEachObservationThatIsPoor) {
+  const auto sut = measure(toy_recording(), toy_timing()).series;
+  ASSERT_EQ(sut.size(), 10U);
+  EXPECT_EQ(sut[3].poor, 0);
+  EXPECT_EQ(sut[4].poor, 1);
+  EXPECT_EQ(sut[5].poor, 1);
+  EXPECT_EQ(sut[6].poor, 0);
+}
+
+TEST(Measure, CostsAPauseThatFitsNoMoreThanTheClairvoyants) {
+  const auto values = measure(toy_recording(), toy_timing()).values;
+  // Two poor slots in silence, two changes, of ten slots.
+  EXPECT_NEAR(values[metric_index("slot_cost")], 100 * (2 * 0.1 + 2 * 0.5), 1e-6);
+  EXPECT_NEAR(values[metric_index("slot_regret")], 0, 1e-6);
+}
+
+TEST(Measure, CountsGoalsThatWereLost) {
+  auto recording = toy_recording();
+  for (const std::uint64_t sequence : {1, 2, 4}) {
+    const double at_s = 1000 + 10 * static_cast<double>(sequence);
+    recording.arrivals["gcs high"].push_back({at_s, at_s + 0.1, "goal", "1", sequence, 200});
+  }
+  const auto values = measure(recording, toy_timing()).values;
+  EXPECT_NEAR(values[metric_index("goals_lost")], 25, 1e-6);
+}
+
+TEST(Measure, TellsTheAgeOfEachTopicByItself) {
+  auto recording = toy_recording();
+  for (int i = 0; i < 50; ++i) {
+    const double at_s = 1000 + 2 * i;
+    recording.arrivals["uxv critical"].push_back(
+        {at_s, at_s, "heartbeat", "1", static_cast<std::uint64_t>(i + 1), 20});
+  }
+  const auto values = measure(recording, toy_timing()).values;
+  EXPECT_NEAR(values[metric_index("heartbeat_age_mean")], 0.75, 0.3);
+  EXPECT_TRUE(std::isnan(values[metric_index("cpu_age_mean")]));
+}
+
 }  // namespace
 }  // namespace tocsin::experiment
