@@ -20,12 +20,12 @@ void Schedule::input_arrived() {
   if (input_pending.exchange(true)) return;  // whoever set it has woken, too
   const Waker* const waker = waker_.load();
   if (waker == nullptr || waker == waker_of_this_thread) return;
-  const std::lock_guard<std::mutex> lock(wake_mutex_);
+  const std::lock_guard<TurnLock> lock(wake_turn_);
   if (Waker* const still = waker_.load(std::memory_order_relaxed)) still->wake();
 }
 
 void Schedule::set_waker(Waker* waker) {
-  const std::lock_guard<std::mutex> lock(wake_mutex_);
+  const std::lock_guard<TurnLock> lock(wake_turn_);
   waker_.store(waker);
 }
 

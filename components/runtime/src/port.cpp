@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/port.hpp"
 
+#include <mutex>
+
 namespace tocsin {
 
 InputPort::InputPort(Component& owner, const Endpoint& endpoint)
@@ -12,7 +14,7 @@ InputPort::~InputPort() { owner_.remove_port(*this); }
 
 void InputPort::receive(const Sample& sample) {
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<TurnLock> lock(turn_);
     ++received_;
     last_ = sample.received;
     if (!queue_.push(sample)) ++dropped_;
@@ -24,7 +26,7 @@ void InputPort::receive(const Sample& sample) {
 // A tick that an input asked for sees the flag that was set before, see Schedule::begin_tick.
 std::optional<Sample> InputPort::take_sample() {
   if (!has_sample_.load(std::memory_order_relaxed)) return std::nullopt;
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<TurnLock> lock(turn_);
   if (queue_.size() == 0) return std::nullopt;
   has_sample_.store(queue_.size() > 1, std::memory_order_relaxed);
   return queue_.pop();
@@ -32,12 +34,14 @@ std::optional<Sample> InputPort::take_sample() {
 
 std::shared_ptr<const void> InputPort::take_message() {
   if (!has_sample_.load(std::memory_order_relaxed)) return nullptr;
-  std::optional<Sample> sample = take_sample();
-  return sample ? std::move(sample->message) : nullptr;
+  const std::lock_guard<TurnLock> lock(turn_);
+  if (queue_.size() == 0) return nullptr;
+  has_sample_.store(queue_.size() > 1, std::memory_order_relaxed);
+  return queue_.pop().message;
 }
 
 PortHealth InputPort::health() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<TurnLock> lock(turn_);
   return {endpoint_.topic.name, received_, dropped_, queue_.size(), last_};
 }
 
@@ -48,7 +52,7 @@ void InputPort::listen(bool on) {
     return;
   }
   subscription_.reset();
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<TurnLock> lock(turn_);
   queue_.clear();
   has_sample_.store(false, std::memory_order_relaxed);
 }

@@ -2,6 +2,7 @@
 #include "runtime/middleware/topic_exchange.hpp"
 
 #include <algorithm>
+#include <mutex>
 
 namespace tocsin {
 namespace {
@@ -29,7 +30,7 @@ bool TopicExchange::expired(const Sample& sample, Time now) const {
 }
 
 void TopicExchange::attach(Receiver& receiver, Time now) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<TurnLock> lock(turn_);
   receivers_.push_back(&receiver);
   has_receivers_.store(true, std::memory_order_relaxed);
   for (const auto& writer : kept_) {
@@ -40,13 +41,13 @@ void TopicExchange::attach(Receiver& receiver, Time now) {
 }
 
 void TopicExchange::detach(Receiver& receiver) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<TurnLock> lock(turn_);
   receivers_.erase(std::remove(receivers_.begin(), receivers_.end(), &receiver), receivers_.end());
   has_receivers_.store(!receivers_.empty(), std::memory_order_relaxed);
 }
 
 void TopicExchange::deliver(const Sample& sample) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<TurnLock> lock(turn_);
   deadline_.on_sample(sample.received);
   if (!separation_.pass(sample.source, sample.received)) return;
   ++samples_;
@@ -61,13 +62,13 @@ void TopicExchange::keep(const Sample& sample) {
 }
 
 void TopicExchange::forget(std::uint64_t source) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<TurnLock> lock(turn_);
   kept_.erase(source);
   separation_.forget(source);
 }
 
 TopicExchange::Account TopicExchange::account(Time now) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<TurnLock> lock(turn_);
   return {samples_, separation_.dropped(), deadline_.missed(now), deadline_.last()};
 }
 

@@ -106,5 +106,15 @@ TEST(TopicExchange, SeparationAndDeadlineCountWhereverASampleCameFrom) {
   EXPECT_EQ(account.last, t0 + seconds(0.1));
 }
 
+TEST(TopicExchange, TellsWhetherSomebodyReceives) {
+  TopicExchange sut{QosProfile{}};
+  EXPECT_FALSE(sut.has_receivers());
+  Notes receiver;
+  sut.attach(receiver);
+  EXPECT_TRUE(sut.has_receivers());
+  sut.detach(receiver);
+  EXPECT_FALSE(sut.has_receivers());
+}
+
 }  // namespace
 }  // namespace tocsin

@@ -14,6 +14,7 @@
 #include "runtime/bus.hpp"
 #include "runtime/devices.hpp"
 #include "runtime/logger.hpp"
+#include "runtime/middleware/turn_lock.hpp"
 
 namespace tocsin {
 
@@ -62,7 +63,7 @@ struct Schedule {
 
  private:
   Time begun_ = never;
-  std::mutex wake_mutex_;
+  TurnLock wake_turn_;
   std::atomic<Waker*> waker_{nullptr};
 };
 

@@ -3,13 +3,13 @@
 
 #include <atomic>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <utility>
 
 #include "runtime/bus.hpp"
 #include "runtime/component.hpp"
 #include "runtime/middleware/sample_queue.hpp"
+#include "runtime/middleware/turn_lock.hpp"
 
 namespace tocsin {
 
@@ -33,7 +33,7 @@ class InputPort : private Receiver {
   void receive(const Sample& sample) override;
   Component& owner_;
   const Endpoint endpoint_;
-  mutable std::mutex mutex_;
+  mutable TurnLock turn_;
   SampleQueue queue_{capacity};
   std::atomic<bool> has_sample_{false};  ///< so that to look into an empty queue takes no lock
   std::uint64_t received_ = 0;

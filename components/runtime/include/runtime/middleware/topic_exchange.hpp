@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <deque>
 #include <map>
-#include <mutex>
 #include <vector>
 
 #include "runtime/bus.hpp"
 #include "runtime/middleware/qos_policies.hpp"
 #include "runtime/middleware/thinning.hpp"
+#include "runtime/middleware/turn_lock.hpp"
 
 namespace tocsin {
 
@@ -52,7 +52,7 @@ class TopicExchange {
 
   const std::size_t kept_per_writer_;
   const Duration lifespan_;
-  mutable std::mutex mutex_;
+  mutable TurnLock turn_;
   std::vector<Receiver*> receivers_;
   std::atomic<bool> has_receivers_{false};
   std::map<std::uint64_t, std::deque<Sample>> kept_;
