@@ -90,7 +90,8 @@ void SimHost::attach(SimProcess::Topic& topic) {
 
 bool SimHost::has_readers(const SimProcess::Topic& topic) {
   const auto& all = topic.on_host->processes;
-  return std::any_of(all.begin(), all.end(), [](const auto* one) { return !one->receivers.empty(); });
+  return std::any_of(all.begin(), all.end(),
+                     [](const auto* one) { return !one->receivers.empty(); });
 }
 
 void SimHost::deliver(const SimProcess::Topic& from, const Sample& sample) {
