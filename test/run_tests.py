@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the tests of every package of a build tree and counts their cases.
+"""Runs the tests of every package of a build tree, or of some, and counts their cases.
 
-usage: run_tests.py BUILD_FOLDER LABEL_REGEX
+usage: run_tests.py BUILD_FOLDER LABEL_REGEX [PACKAGE ...]
 
 Unit and component tests run in parallel, system tests one after the other. A test program that
 crashes, or leaves no result file, counts as one failed case. The last line is
@@ -63,10 +63,12 @@ def run(test):
 
 
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 3:
         sys.exit(__doc__.split("\n\n")[1])
+    wanted = sys.argv[3:]
     packages = sorted(file.parent for file in
-                      pathlib.Path(sys.argv[1]).glob("*/CTestTestfile.cmake"))
+                      pathlib.Path(sys.argv[1]).glob("*/CTestTestfile.cmake")
+                      if not wanted or file.parent.name in wanted)
     tests = [test for package in packages for test in tests_of(package, sys.argv[2])]
     alone = [test for test in tests if "system" in test[2]]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
