@@ -8,7 +8,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-
 #include "kobuki_driver/odometry_file.hpp"
 
 namespace tocsin::kobuki {
