@@ -5,26 +5,10 @@
 
 #include <cmath>
 
+#include "odometry_samples.hpp"
+
 namespace tocsin::kobuki {
 namespace {
-
-CoreSensors core(int t_ms, int left, int right) {
-  CoreSensors sensors;
-  sensors.timestamp_ms = static_cast<std::uint16_t>(t_ms);
-  sensors.left_encoder = static_cast<std::uint16_t>(left);
-  sensors.right_encoder = static_cast<std::uint16_t>(right);
-  return sensors;
-}
-
-Inertia inertia(int angle_cdeg, int rate = 0) {
-  return {static_cast<std::int16_t>(angle_cdeg), static_cast<std::int16_t>(rate)};
-}
-
-OdometryParams by_encoder() {
-  OdometryParams params;
-  params.use_gyro_heading = false;
-  return params;
-}
 
 TEST(Odometry, HasTheConstantsOfTheBase) {
   EXPECT_NEAR(tick_rad, 0.002436916871363930, 1e-15);
