@@ -20,7 +20,7 @@ Fitted example() {
 }
 
 std::string error_of_file(const std::string& text) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   return error_of([&] { (void)load_fitted(folder.write("fitted.yaml", text)); });
 }
 
@@ -36,7 +36,7 @@ TEST(SettingsFor, AreNoneForWhatWasNotFitted) {
 }
 
 TEST(FittedFile, ComesBackAsItWasWritten) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   const std::string text = fitted_text(example(), "By a test.\nIn two lines.");
   EXPECT_THAT(text, StartsWith("# SPDX-License-Identifier: Apache-2.0\n# By a test.\n# In two"));
   EXPECT_EQ(load_fitted(folder.write("fitted.yaml", text)), example());

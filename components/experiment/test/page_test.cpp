@@ -101,7 +101,7 @@ TEST(Figure, DrawsLinesInOrder) {
 }
 
 TEST(Figure, DrawsEveryKindWithoutComplaint) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   Figure figure("all", "All kinds");
   figure.axes("x", "y").band({1, 2}, {3, 4}, 1).line("", {2, 3}, 1);
   Figure boxes("boxes", "Boxes");
@@ -129,7 +129,7 @@ TEST(Figure, PutsMarksOfAPolicyBesideTheirCategories) {
 }
 
 TEST(Draw, SaysThatGnuplotFailed) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   EXPECT_THROW(draw({Figure("bad", "Bad").with("no such command")}, folder.path()),
                EnvironmentError);
 }

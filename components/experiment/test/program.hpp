@@ -20,7 +20,7 @@ struct Ended {
 };
 
 /// Runs a shell command, at most two minutes long.
-inline Ended call_shell(const std::string& command, const ToyFolder& folder) {
+inline Ended call_shell(const std::string& command, const TemporaryFolder& folder) {
   const std::string script = folder.write("command", command);
   const std::string whole = "timeout 120 sh " + script + " >" + folder.path("output") + " 2>&1";
   const int status = std::system(whole.c_str());
@@ -72,7 +72,7 @@ class ExperimentTest : public ::testing::Test {
   [[nodiscard]] report::CsvTable table(const std::string& name) const {
     return report::CsvTable::read(folder_.path(name));
   }
-  ToyFolder folder_;
+  TemporaryFolder folder_;
 };
 
 }  // namespace tocsin::experiment

@@ -107,7 +107,7 @@ TEST(ResultStore, GoesOnWithTheSameSettingsOnly) {
 }
 
 TEST(ResultStore, GoesOnWithAnotherBuildOnlyWhenTold) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   const ResultStore sut(folder.path("out"), "series");
   sut.open("build: one\nseeds: 3\n");
   EXPECT_THAT(error_of([&] { sut.open("build: two\nseeds: 3\n"); }), HasSubstr("--other-build"));
@@ -121,7 +121,7 @@ TEST(ResultStore, GoesOnWithAnotherBuildOnlyWhenTold) {
 }
 
 TEST(ResultStore, DoesNotMixExperimentsWhateverTheBuild) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   const ResultStore sut(folder.path("out"), "series");
   sut.open("build: one\nseeds: 3\n");
   EXPECT_THAT(error_of([&] { sut.open("build: two\nseeds: 4\n", true); }),
@@ -152,7 +152,7 @@ TEST(ResultStore, SaysThatAFolderCannotBeMade) {
 }
 
 TEST(ReplaceFile, LeavesTheOldOneWhenTheDiskIsFull) {
-  const ToyFolder folder;
+  const TemporaryFolder folder;
   const std::string path = folder.path("file");
   replace_file(path, "old");
   {

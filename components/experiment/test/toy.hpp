@@ -9,8 +9,6 @@
 
 namespace tocsin::experiment {
 
-using ToyFolder = TemporaryFolder;
-
 inline constexpr const char* toy_text =
     "duration_s: 100\n"
     "warm_up_s: 0\n"
@@ -30,7 +28,7 @@ inline constexpr const char* toy_text =
     "  - {name: main, kind: thesis, title: The main set, payloads: [camera], seeds: 3}\n";
 
 /// An experiment file with the files that it names.
-class ToyExperiment : public ToyFolder {
+class ToyExperiment : public TemporaryFolder {
  public:
   explicit ToyExperiment(const std::string& text = toy_text) {
     write("toy.yaml", text);

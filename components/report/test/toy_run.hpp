@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <unistd.h>
-
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
+
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin::report {
 
 /// The folder of a run of 100 s that began at 1000 s, as the recorders write it; removed at the
 /// end. The vehicle pauses from 1020 to 1030 s and from 1060 s to the end.
-class ToyRun {
+class ToyRun : public TemporaryFolder {
  public:
   ToyRun() {
-    std::string name = "/tmp/report_test_XXXXXX";
-    path_ = ::mkdtemp(name.data());
     write("traffic.yaml",
           "uxv:\n"
           "  critical: {while_poor: send, topics: [transmission_state]}\n"
@@ -48,25 +43,10 @@ class ToyRun {
     write("uxv/network_quality.csv",
           "receive_s,send_s,per_percent,signal_dbm\n1000,1000,0,-50\n1020,1020,40,-80\n");
   }
-  ~ToyRun() { std::filesystem::remove_all(path_); }
-  ToyRun(const ToyRun&) = delete;
-  ToyRun& operator=(const ToyRun&) = delete;
-
-  void write(const std::string& name, const std::string& text) const {
-    std::filesystem::create_directories((path_ / name).parent_path());
-    std::ofstream(path_ / name) << text;
-  }
-  void remove(const std::string& name) const { std::filesystem::remove_all(path_ / name); }
-  [[nodiscard]] std::string path(const std::string& name = "") const { return path_ / name; }
-  [[nodiscard]] std::string read(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(path_ / name).rdbuf();
-    return text.str();
-  }
+  void remove(const std::string& name) const { std::filesystem::remove_all(path(name)); }
 
  private:
   const std::string head = "receive_s,send_s,topic,writer,sequence,bytes\n";
-  std::filesystem::path path_;
 };
 
 }  // namespace tocsin::report
