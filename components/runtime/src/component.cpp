@@ -14,12 +14,17 @@ thread_local const Waker* waker_of_this_thread = nullptr;
 
 void Waker::claim_this_thread() const { waker_of_this_thread = this; }
 
-// The flag and the waker pair up with the runner, which stores its waker, or that it sleeps, before
-// it looks at the flag: one of the two sees the other.
+// From the thread that ticks the component, which looks before it sleeps: nothing to wake, and
+// nobody else to agree with. From another, the flag and the waker pair up with the runner, which
+// stores its waker, or that it sleeps, before it looks at the flag: one of the two sees the other.
 void Schedule::input_arrived() {
+  const Waker* const waker = waker_of_this_thread;
+  if (waker != nullptr && waker_.load(std::memory_order_relaxed) == waker) {
+    own_input_.store(true, std::memory_order_relaxed);
+    return;
+  }
   if (input_pending.exchange(true)) return;  // whoever set it has woken, too
-  const Waker* const waker = waker_.load();
-  if (waker == nullptr || waker == waker_of_this_thread) return;
+  if (waker_.load() == nullptr) return;
   const std::lock_guard<TurnLock> lock(wake_turn_);
   if (Waker* const still = waker_.load(std::memory_order_relaxed)) still->wake();
 }
@@ -30,7 +35,10 @@ void Schedule::set_waker(Waker* waker) {
 }
 
 void Schedule::begin_tick(Time now) {
-  input_pending.exchange(false);  // reads what the input's thread did before it set it
+  own_input_.store(false, std::memory_order_relaxed);
+  if (input_pending.load(std::memory_order_relaxed)) {
+    input_pending.exchange(false);  // reads what the input's thread did before it set it
+  }
   deadline = never;
   begun_ = now;
   if (period <= Duration::zero()) return;

@@ -12,6 +12,7 @@
 #include "foundation/error.hpp"
 #include "late_interface.hpp"
 #include "runtime/logger.hpp"
+#include "tick_time.hpp"
 #include "topic_channel.hpp"
 
 namespace tocsin {
@@ -117,13 +118,11 @@ class ChannelPublication : public Publication {
   ~ChannelPublication() override { channel_.forget(source_); }
 
   Status write(const std::shared_ptr<const void>& message) override {
-    Sample sample;
-    sample.message = message;
-    sample.received = bus_.now();
-    sample.sent_wall_ns = sample.received_wall_ns = wall_.at(sample.received);
-    sample.sequence = ++written_;
-    sample.source = source_;
-    return channel_.write(sample);
+    Sample head;
+    head.received = TickTime::now() != never ? TickTime::now() : bus_.now();
+    head.sent_wall_ns = head.received_wall_ns = wall_.at(head.received);
+    head.source = source_;
+    return channel_.write(message, std::move(head), delivered_);
   }
   [[nodiscard]] bool has_readers() const override { return channel_.has_readers(); }
 
@@ -131,7 +130,7 @@ class ChannelPublication : public Publication {
   const FastDdsBus& bus_;
   TopicChannel& channel_;
   const std::uint64_t source_ = fresh_source();
-  std::atomic<std::uint64_t> written_{0};
+  std::uint64_t delivered_ = 0;  // guarded by the channel
   WallClock wall_;
 };
 

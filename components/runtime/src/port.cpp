@@ -2,6 +2,7 @@
 #include "runtime/port.hpp"
 
 #include <mutex>
+#include <utility>
 
 namespace tocsin {
 
@@ -12,12 +13,12 @@ InputPort::InputPort(Component& owner, const Endpoint& endpoint)
 
 InputPort::~InputPort() { owner_.remove_port(*this); }
 
-void InputPort::receive(const Sample& sample) {
+void InputPort::receive_last(Sample&& sample) {
   {
     const std::lock_guard<TurnLock> lock(turn_);
     ++received_;
     last_ = sample.received;
-    if (!queue_.push(sample)) ++dropped_;
+    if (!queue_.push(std::move(sample))) ++dropped_;
     has_sample_.store(true, std::memory_order_relaxed);
   }
   owner_.schedule().input_arrived();

@@ -8,6 +8,8 @@
 #include <exception>
 #include <utility>
 
+#include "tick_time.hpp"
+
 namespace tocsin {
 
 Runner::Runner(std::string name, Bus& bus, std::function<void()> on_failure)
@@ -96,8 +98,8 @@ bool Runner::tick_due() {
 bool Runner::is_due(const Entry& entry) const {
   if (entry.failed) return false;
   const Schedule& schedule = entry.component->schedule();
-  return !entry.started || schedule.input_pending.load(std::memory_order_relaxed) ||
-         schedule.due() <= now_ || descriptor_ready(schedule);
+  return !entry.started || schedule.has_input() || schedule.due() <= now_ ||
+         descriptor_ready(schedule);
 }
 
 bool Runner::descriptor_ready(const Schedule& schedule) const {
@@ -112,16 +114,19 @@ void Runner::tick(Entry& entry) {
   const Time began = now_;
   entry.account->begin(began);
   entry.component->schedule().begin_tick(began);
-  std::string error = "something that is no std::exception";
   try {
+    const TickTime time(began);
     entry.component->tick(began);
-    now_ = bus_.now();
-    entry.account->end(began, now_);
-    return;
   } catch (const std::exception& thrown) {
-    error = thrown.what();
-  } catch (...) {  // NOLINT(bugprone-empty-catch): said below
+    return fail(entry, thrown.what());
+  } catch (...) {
+    return fail(entry, "something that is no std::exception");
   }
+  now_ = bus_.now();
+  entry.account->end(began, now_);
+}
+
+void Runner::fail(Entry& entry, const std::string& error) {
   now_ = bus_.now();
   entry.failed = true;
   Logger(entry.component->name()).error("failed and is ticked no more: {}", error);
@@ -131,7 +136,7 @@ void Runner::tick(Entry& entry) {
 
 bool Runner::has_work() const {
   const auto pending = [](const Entry& entry) {
-    return !entry.failed && entry.component->schedule().input_pending;
+    return !entry.failed && entry.component->schedule().has_input();
   };
   return stopping_ || has_changes_ || std::any_of(entries_.begin(), entries_.end(), pending);
 }

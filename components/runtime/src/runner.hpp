@@ -50,6 +50,7 @@ class Runner {
   /// True when one was due.
   bool tick_due();
   void tick(Entry& entry);
+  void fail(Entry& entry, const std::string& error);
   void sleep();
   void look_at_descriptors();
   [[nodiscard]] bool is_due(const Entry& entry) const;

@@ -14,8 +14,7 @@ bool RateLimit::pass(Time now) {
   return true;
 }
 
-bool Separation::pass(std::uint64_t source, Time now) {
-  if (least_ <= Duration::zero()) return true;
+bool Separation::is_apart(std::uint64_t source, Time now) {
   const auto [found, is_new] = last_.try_emplace(source, now);
   if (!is_new && now - found->second < least_) {
     ++dropped_;
@@ -23,11 +22,6 @@ bool Separation::pass(std::uint64_t source, Time now) {
   }
   found->second = now;
   return true;
-}
-
-void DeadlineWatch::on_sample(Time now) {
-  missed_ = missed(now);
-  last_ = now;
 }
 
 std::uint64_t DeadlineWatch::missed(Time now) const {

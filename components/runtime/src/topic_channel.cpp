@@ -26,8 +26,13 @@ ChannelOptions with_digest(ChannelOptions options) {
 
 TopicChannel::TopicChannel(ChannelOptions options, FastDdsParticipant& host,
                            FastDdsParticipant* link)
-    : options_(with_digest(std::move(options))), host_(host), link_(link), exchange_(options_.qos) {
-  if (options_.qos.exclusive() && options_.endpoint.topic.scope == Scope::link) {
+    : options_(with_digest(std::move(options))),
+      exclusive_(options_.qos.exclusive()),
+      always_sent_(exclusive_ || options_.qos.keeps_last()),
+      host_(host),
+      link_(link),
+      exchange_(options_.qos) {
+  if (exclusive_ && options_.endpoint.topic.scope == Scope::link) {
     throw ConfigError(std::string("topic ") + options_.endpoint.topic.name +
                       ": crosses the link; ownership: exclusive is for host topics");
   }
@@ -77,8 +82,7 @@ void TopicChannel::advertise(const TrafficRule& rule, bool open) {
 }
 
 bool TopicChannel::has_readers_on_host() const {
-  return options_.qos.keeps_last() || options_.qos.exclusive() ||
-         host_writer_->matched_readers() > 0;
+  return always_sent_ || host_writer_->matched_readers() > 0;
 }
 
 bool TopicChannel::too_soon(Time now) {
@@ -89,11 +93,15 @@ bool TopicChannel::too_soon(Time now) {
   return false;
 }
 
-Status TopicChannel::write(const Sample& sample) {
-  if (too_soon(sample.received)) return Status::ok;  // the profile asks for no more
-  if (!options_.qos.exclusive()) exchange_.deliver(sample);
-  const bool host_ok = !has_readers_on_host() || host_writer_->send(sample.message.get());
-  const Status link = gated_ ? gated_->write(sample.message) : Status::ok;
+Status TopicChannel::write(const std::shared_ptr<const void>& message, Sample&& head,
+                           std::uint64_t& delivered) {
+  if (too_soon(head.received)) return Status::ok;  // the profile asks for no more
+  if (!exclusive_) {
+    head.message = message;
+    exchange_.deliver(std::move(head), delivered);
+  }
+  const bool host_ok = !has_readers_on_host() || host_writer_->send(message.get());
+  const Status link = gated_ ? gated_->write(message) : Status::ok;
   return host_ok ? link : Status::failed;
 }
 

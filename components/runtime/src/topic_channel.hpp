@@ -39,7 +39,8 @@ class TopicChannel {
   void advertise(const TrafficRule& rule, bool open);
   /// The link is up: from now on the topic crosses it, if it is one that does.
   void join(FastDdsParticipant& link);
-  Status write(const Sample& sample);
+  /// `head` lacks the message and its number, the next after `delivered`.
+  Status write(const std::shared_ptr<const void>& message, Sample&& head, std::uint64_t& delivered);
   /// Whether a sample that is written now gets anywhere, or is kept or counted for others.
   [[nodiscard]] bool has_readers() const {
     return gated_ || deadline_ || exchange_.has_receivers() || has_readers_on_host();
@@ -60,6 +61,8 @@ class TopicChannel {
                                              const TopicExchange::Account& account) const;
 
   const ChannelOptions options_;
+  const bool exclusive_;
+  const bool always_sent_;  // to the host, whoever reads
   FastDdsParticipant& host_;
   FastDdsParticipant* link_;
   TopicExchange exchange_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
 
 namespace tocsin {
 namespace {
@@ -46,13 +47,25 @@ void TopicExchange::detach(Receiver& receiver) {
   has_receivers_.store(!receivers_.empty(), std::memory_order_relaxed);
 }
 
-void TopicExchange::deliver(const Sample& sample) {
+void TopicExchange::deliver(Sample&& sample) {
   const std::lock_guard<TurnLock> lock(turn_);
+  hand_over(std::move(sample));
+}
+
+void TopicExchange::deliver(Sample&& sample, std::uint64_t& sequence) {
+  const std::lock_guard<TurnLock> lock(turn_);
+  sample.sequence = ++sequence;
+  hand_over(std::move(sample));
+}
+
+void TopicExchange::hand_over(Sample&& sample) {
   deadline_.on_sample(sample.received);
   if (!separation_.pass(sample.source, sample.received)) return;
   ++samples_;
   if (kept_per_writer_ > 0) keep(sample);
-  for (Receiver* receiver : receivers_) receiver->receive(sample);
+  if (receivers_.empty()) return;
+  for (auto one = receivers_.begin(); one + 1 != receivers_.end(); ++one) (*one)->receive(sample);
+  receivers_.back()->receive_last(std::move(sample));
 }
 
 void TopicExchange::keep(const Sample& sample) {

@@ -10,6 +10,7 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "../src/tick_time.hpp"
 #include "foundation/error.hpp"
 #include "rtps_capture.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -137,6 +138,26 @@ TEST_F(FastDdsBusTest, ReadersInTheProcessGetTheVeryObjectOnce) {
   ASSERT_TRUE(own.wait_for(2));
   EXPECT_EQ(own.samples().size(), 2U);
   EXPECT_EQ(own.samples()[0].message, message);
+}
+
+TEST_F(FastDdsBusTest, WhatATickWritesHasTheTimeOfTheTickAndOtherThingsTheirOwn) {
+  const auto bus = make("gcs", domain(), 1);
+  Collector collector;
+  const auto reader = bus->subscribe(endpoint<topic::Goal>(), collector);
+  const auto writer = bus->advertise(endpoint<topic::Goal>());
+  const Time before = bus->now();
+  const Time tick = before - std::chrono::milliseconds(5);
+  {
+    const TickTime time(tick);
+    ASSERT_EQ(writer->write(goal(1)), Status::ok);
+  }
+  ASSERT_EQ(writer->write(goal(2)), Status::ok);
+  const auto samples = collector.samples();
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_EQ(samples[0].received, tick);
+  EXPECT_GE(samples[1].received, before);
+  EXPECT_GE(samples[1].received_wall_ns - samples[0].received_wall_ns, 5'000'000);
+  EXPECT_EQ(samples[1].sequence, samples[0].sequence + 1);
 }
 
 TEST_F(FastDdsBusTest, LateReaderOfAStateTopicGetsTheLastSampleAcrossTheLink) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "runtime/sim_bus.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -110,6 +112,33 @@ TEST_F(PortTest, WakesOnceForSeveralInputsUntilTheNextTick) {
   sut_.schedule().begin_tick(bus_.now());
   publish_goal();
   EXPECT_EQ(waker.calls, 2);
+  sut_.schedule().set_waker(nullptr);
+}
+
+TEST_F(PortTest, TheThreadThatTicksItIsNotWokenButSeesItsOwnInputUntilTheNextTick) {
+  CountingWaker waker;
+  sut_.schedule().set_waker(&waker);
+  std::thread([&] {
+    waker.claim_this_thread();
+    publish_goal();
+  }).join();
+  EXPECT_EQ(waker.calls, 0);
+  EXPECT_TRUE(sut_.schedule().has_input());
+  sut_.schedule().begin_tick(bus_.now());
+  EXPECT_FALSE(sut_.schedule().has_input());
+  sut_.schedule().set_waker(nullptr);
+}
+
+TEST_F(PortTest, AThreadThatTicksAnotherComponentWakesIt) {
+  CountingWaker waker;
+  CountingWaker other;
+  sut_.schedule().set_waker(&waker);
+  std::thread([&] {
+    other.claim_this_thread();
+    publish_goal();
+  }).join();
+  EXPECT_EQ(waker.calls, 1);
+  EXPECT_TRUE(sut_.schedule().has_input());
   sut_.schedule().set_waker(nullptr);
 }
 

@@ -10,6 +10,8 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "../src/tick_time.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -206,6 +208,53 @@ TEST_F(RunnerTest, NeighboursThatKeepEachOtherBusyDoNotStarveADescriptor) {
   }
   close(ends[0]);
   close(ends[1]);
+}
+
+TEST_F(RunnerTest, TheTimeOfATickHoldsForItsWritesAndEndsWithIt) {
+  Counting component(context_);
+  Counting throwing(context_);
+  Time given{};
+  Time within{};
+  std::promise<Time> later;
+  component.on_tick = [&](Time now) {
+    given = now;
+    within = TickTime::now();
+  };
+  throwing.on_tick = [](Time) { throw std::runtime_error("on purpose"); };
+  TickAccount account;
+  Runner sut("test", bus_, [&] { later.set_value(TickTime::now()); });
+  sut.add(component, account_);
+  sut.add(throwing, account);
+  sut.start();
+  EXPECT_EQ(later.get_future().get(), never);
+  EXPECT_EQ(within, given);
+  EXPECT_EQ(TickTime::now(), never);
+}
+
+/// Neighbours on one thread, and inputs from another: none may stay where it is for good.
+TEST_F(RunnerTest, LosesNoInputOfANeighbourNorOfAnotherThread) {
+  Counting first(context_);
+  Counting second(context_);
+  std::atomic<int> sent{0};
+  std::atomic<int> passed{0};
+  std::atomic<int> seen{0};
+  first.on_tick = [&](Time) {
+    passed = sent.load();
+    second.schedule().input_arrived();
+  };
+  second.on_tick = [&](Time) { seen = passed.load(); };
+  TickAccount account;
+  Runner sut("test", bus_);
+  sut.add(second, account);  // before the one that it hears
+  sut.add(first, account_);
+  sut.start();
+  for (int i = 1; i <= 10000; ++i) {
+    sent = i;
+    first.schedule().input_arrived();
+    if (i % 3 == 0) second.schedule().input_arrived();
+    const Time limit = bus_.now() + patience;
+    while (i % 16 == 0 && seen < i) ASSERT_LT(bus_.now(), limit);
+  }
 }
 
 /// Many inputs from another thread: none may find the runner asleep for good.

@@ -40,11 +40,11 @@ TEST(SampleQueue, IsFullOnlyAtItsCapacityAndThenDropsTheOldest) {
 TEST(SampleQueue, HoldsNoMessageThatWasTakenDroppedOrCleared) {
   SampleQueue sut(1);
   const Sample first = numbered(1);
-  EXPECT_TRUE(sut.push(first));
+  EXPECT_TRUE(sut.push(Sample(first)));
   EXPECT_FALSE(sut.push(numbered(2)));
   EXPECT_EQ(first.message.use_count(), 1);
   EXPECT_EQ(sut.pop().sequence, 2U);
-  EXPECT_TRUE(sut.push(first));
+  EXPECT_TRUE(sut.push(Sample(first)));
   sut.clear();
   EXPECT_EQ(first.message.use_count(), 1);
   EXPECT_EQ(sut.size(), 0U);

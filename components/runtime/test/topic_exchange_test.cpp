@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace tocsin {
@@ -30,6 +32,14 @@ Sample sample(std::uint64_t source, std::uint64_t sequence, Time received = t0) 
   return one;
 }
 
+/// Moves from the sample when it may.
+class Owner : public Receiver {
+ public:
+  void receive(const Sample& sample) override { message = sample.message; }
+  void receive_last(Sample&& sample) override { message = std::move(sample.message); }
+  std::shared_ptr<const void> message;
+};
+
 QosProfile keeping(int depth) {
   QosProfile qos;
   qos.durability = "transient_local";
@@ -48,6 +58,46 @@ TEST(TopicExchange, DeliversInOrderToEveryReceiverUntilItDetaches) {
   sut.deliver(sample(1, 2));
   EXPECT_THAT(a.sequences, ElementsAre(1, 2));
   EXPECT_THAT(b.sequences, ElementsAre(1));
+}
+
+TEST(TopicExchange, EveryReceiverGetsTheMessageAndNobodyElseHoldsIt) {
+  TopicExchange sut{QosProfile{}};
+  Owner a;
+  Owner b;
+  Owner c;
+  for (Owner* one : {&a, &b, &c}) sut.attach(*one);
+  sut.deliver(sample(1, 1));
+  ASSERT_NE(a.message, nullptr);
+  EXPECT_EQ(b.message, a.message);
+  EXPECT_EQ(c.message, a.message);
+  EXPECT_EQ(a.message.use_count(), 3);
+}
+
+TEST(TopicExchange, AReceiverThatMovesFromTheSampleLeavesTheKeptOneWhole) {
+  TopicExchange sut{keeping(1)};
+  Owner first;
+  sut.attach(first);
+  sut.deliver(sample(1, 1));
+  Owner late;
+  sut.attach(late);
+  EXPECT_NE(late.message, nullptr);
+  EXPECT_EQ(late.message, first.message);
+}
+
+TEST(TopicExchange, AnOwnWriterOfTwoThreadsDeliversItsNumbersInOrder) {
+  constexpr std::uint64_t each = 20000;
+  TopicExchange sut{QosProfile{}};
+  Notes notes;
+  sut.attach(notes);
+  std::uint64_t delivered = 0;
+  const auto write = [&] {
+    for (std::uint64_t i = 0; i < each; ++i) sut.deliver(sample(1, 0), delivered);
+  };
+  std::thread other(write);
+  write();
+  other.join();
+  ASSERT_EQ(notes.sequences.size(), 2 * each);
+  for (std::uint64_t i = 0; i < 2 * each; ++i) ASSERT_EQ(notes.sequences[i], i + 1);
 }
 
 TEST(TopicExchange, AVolatileTopicKeepsNothingForLateReceivers) {

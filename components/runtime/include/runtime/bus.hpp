@@ -9,6 +9,7 @@
 #include "foundation/time.hpp"
 #include "idl_support/topic_info.hpp"
 #include "idl_support/type_info.hpp"
+#include "runtime/middleware/accounts.hpp"
 
 namespace tocsin {
 
@@ -22,7 +23,7 @@ enum class [[nodiscard]] Status{
 /// One message with what is known of its way here.
 struct Sample {
   std::shared_ptr<const void> message;
-  Time received{};                    ///< when it reached this process
+  Time received{};                    ///< when it reached this process, or its writer's tick began
   std::int64_t sent_wall_ns = 0;      ///< [ns] since the Unix epoch, writer's clock
   std::int64_t received_wall_ns = 0;  ///< [ns] since the Unix epoch, own clock
   std::uint64_t sequence = 0;  ///< of the writer, gaps are samples that never came; 0 unknown
@@ -34,6 +35,8 @@ struct Sample {
 struct Receiver {
   virtual ~Receiver() = default;
   virtual void receive(const Sample& sample) = 0;
+  /// Called instead when nobody gets it after this one, who may move from it.
+  virtual void receive_last(Sample&& sample) { receive(sample); }
 };
 
 /// One end of a topic, as the bus sees it.
@@ -55,37 +58,6 @@ class Publication {
   virtual Status write(const std::shared_ptr<const void>& message) = 0;
   /// False: nobody would notice a write, now or as a late joiner. Thread-safe.
   [[nodiscard]] virtual bool has_readers() const { return true; }
-};
-
-/// Account of one gated writer since start.
-struct TopicTraffic {
-  std::string topic;
-  std::string traffic_class;
-  bool paused = false;
-  std::uint64_t written = 0;
-  std::uint64_t sent = 0;
-  std::uint64_t dropped = 0;
-  std::uint64_t held = 0;
-  std::uint64_t sent_bytes = 0;
-};
-
-/// Account of one writer or reader of this process towards other processes, since start.
-struct EndpointHealth {
-  std::string topic;
-  bool writer = false;         ///< else a reader
-  bool link = false;           ///< on the radio's domain, else on the host's
-  bool waits = false;          ///< not there yet: the interface of the link has not come up
-  std::uint64_t samples = 0;   ///< written, or received
-  std::uint64_t lost = 0;      ///< refused by the middleware, or known to be missed by the reader
-  std::uint64_t rejected = 0;  ///< received, but not of the topic's type
-  int matched = 0;             ///< other ends now
-  std::uint64_t incompatible_qos = 0;  ///< other ends whose QoS does not fit
-  std::string incompatible_policy;     ///< DDS name of the policy that did not fit last
-  std::string other_type;  ///< of an end that has another type or layout, and its participant
-  std::uint64_t deadlines_missed = 0;
-  std::uint64_t liveliness_lost = 0;  ///< times that a writer stopped to be alive
-  std::uint64_t thinned = 0;          ///< dropped by max_rate_hz or minimum_separation_s
-  Time last{};                        ///< of the last sample; zero: none yet
 };
 
 /// The only seam between components and the middleware.

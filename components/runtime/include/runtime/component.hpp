@@ -44,7 +44,7 @@ class Waker {
 /// When a component runs next. The component asks through its protected functions; the runner
 /// reads. Only `input_arrived` and `set_waker` may be called from another thread.
 struct Schedule {
-  std::atomic<bool> input_pending{false};
+  std::atomic<bool> input_pending{false};  ///< one that another thread has delivered
   Time deadline = never;
   Duration period{0};
   Time next_period = never;
@@ -52,8 +52,10 @@ struct Schedule {
   std::vector<int> descriptors;
   void input_arrived();
   /// `waker` is woken by the first input after each tick; null ends that, and waits for a call
-  /// that is running.
+  /// that is running. Between two wakers the component does not listen.
   void set_waker(Waker* waker);
+  /// Since the last tick began, an input came.
+  [[nodiscard]] bool has_input() const { return own_input_ || input_pending; }
   /// The next instant at which a tick is due without input.
   [[nodiscard]] Time due() const { return std::min(deadline, next_period); }
   /// Forgets what the tick at `now` answers to.
@@ -63,6 +65,7 @@ struct Schedule {
 
  private:
   Time begun_ = never;
+  std::atomic<bool> own_input_{false};  // delivered and looked at by the waker's thread alone
   TurnLock wake_turn_;
   std::atomic<Waker*> waker_{nullptr};
 };

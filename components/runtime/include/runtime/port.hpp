@@ -30,7 +30,8 @@ class InputPort : private Receiver {
 
  private:
   static constexpr std::size_t capacity = 64;
-  void receive(const Sample& sample) override;
+  void receive(const Sample& sample) override { receive_last(Sample(sample)); }
+  void receive_last(Sample&& sample) override;
   Component& owner_;
   const Endpoint endpoint_;
   mutable TurnLock turn_;

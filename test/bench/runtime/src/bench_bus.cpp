@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <fstream>
-#include <thread>
 
 #include "runtime/fast_dds_bus.hpp"
 
@@ -57,26 +56,31 @@ void Ping::tick(Time) {
     const int left = wanted_.load(std::memory_order_relaxed);
     if (left == 0) continue;  // an answer to an earlier try
     series_->add(now_ns() - sent_ns_);
-    wanted_.store(left - 1, std::memory_order_release);
-    if (left > 1) send();
+    if (left == 1) return finish();
+    wanted_.store(left - 1, std::memory_order_relaxed);
+    send();
   }
 }
 
+void Ping::finish() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  wanted_ = 0;
+  finished_.notify_all();
+}
+
 bool Ping::run(int count, Series& series) {
+  std::unique_lock<std::mutex> lock(mutex_);
   series_ = &series;
   wanted_ = count;
   start_ = true;
   schedule().input_arrived();
-  int before = count;
-  int still = 0;
-  while (wanted_.load(std::memory_order_acquire) > 0) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    still = wanted_ == before ? still + 1 : 0;
-    before = wanted_;
-    if (still == 400) {
+  const auto none_left = [this] { return wanted_ == 0; };
+  for (int before = count; !finished_.wait_for(lock, std::chrono::seconds(2), none_left);) {
+    if (wanted_ == before) {
       wanted_ = 0;
       return false;
     }
+    before = wanted_;
   }
   return true;
 }

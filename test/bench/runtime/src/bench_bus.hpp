@@ -2,7 +2,9 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "idl_support/topic_info.hpp"
@@ -45,11 +47,14 @@ class Ping : public Component {
 
  private:
   void send();
+  void finish();
   Input<PongTopic> pong_{*this};
   Output<PingTopic> ping_{*this};
   std::shared_ptr<const Blob> message_;
   std::int64_t sent_ns_ = 0;
   Series* series_ = nullptr;
+  std::mutex mutex_;
+  std::condition_variable finished_;
   std::atomic<int> wanted_{0};
   std::atomic<bool> start_{false};
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Round trips inside one process: components of one container against raw Fast DDS intra-process.
+// The ways take turns in this process, and are set up anew for each generation.
 // usage: runtime_latency [--quick]
+#include <array>
 #include <cstdio>
 #include <cstring>
 #include <list>
@@ -10,6 +12,7 @@
 #include "bench_bus.hpp"
 #include "raw_dds.hpp"
 #include "runner.hpp"
+#include "turns.hpp"
 
 namespace tocsin::bench {
 namespace {
@@ -17,20 +20,11 @@ namespace {
 struct Load {
   std::size_t bytes;
   int readers;
-  int count;
-};
-
-/// Something that does round trips.
-class Contender {
- public:
-  virtual ~Contender() = default;
-  virtual bool run(int count) = 0;
-  [[nodiscard]] virtual const char* name() const = 0;
-  Series series;
+  int trips;  // in a turn
 };
 
 /// The answer is written in the listener, so the whole round trip is one call of write.
-class RawListeners : public Contender {
+class RawListeners : public Way {
  public:
   explicit RawListeners(const Load& load)
       : bytes_(load.bytes),
@@ -39,21 +33,21 @@ class RawListeners : public Contender {
           (void)pong_->write(const_cast<Bytes*>(&bytes), eprosima::fastdds::dds::HANDLE_NIL);
         }),
         silent_([](const Bytes&) {}),
-        done_([this](const Bytes&) { series.add(now_ns() - sent_ns_); }) {
+        done_([this](const Bytes&) { series_->add(now_ns() - sent_ns_); }) {
     pong_ = participant_.writer("pong");
     ping_ = participant_.writer("ping");
     participant_.reader("pong", &done_);
     for (int i = 1; i < load.readers; ++i) participant_.reader("ping", &silent_);
     participant_.reader("ping", &echo_);
   }
-  bool run(int count) override {
-    for (int i = 0; i < count; ++i) {
+  bool run(int trips, Series& series) override {
+    series_ = &series;
+    for (int i = 0; i < trips; ++i) {
       sent_ns_ = now_ns();
       (void)ping_->write(&bytes_, eprosima::fastdds::dds::HANDLE_NIL);
     }
     return true;
   }
-  [[nodiscard]] const char* name() const override { return "raw Fast DDS, listeners"; }
 
  private:
   Bytes bytes_;
@@ -64,9 +58,10 @@ class RawListeners : public Contender {
   eprosima::fastdds::dds::DataWriter* pong_ = nullptr;
   eprosima::fastdds::dds::DataWriter* ping_ = nullptr;
   std::int64_t sent_ns_ = 0;
+  Series* series_ = nullptr;
 };
 
-class RawWaitSets : public Contender {
+class RawWaitSets : public Way {
  public:
   explicit RawWaitSets(const Load& load)
       : participant_(62, RawParticipant::Transport::udp), ping_(participant_, load.bytes) {
@@ -74,8 +69,7 @@ class RawWaitSets : public Contender {
       echoes_.push_back(std::make_unique<RawEcho>(participant_, i > 0));
     }
   }
-  bool run(int count) override { return ping_.run(count, series); }
-  [[nodiscard]] const char* name() const override { return "raw Fast DDS, wait-sets"; }
+  bool run(int trips, Series& series) override { return ping_.run(trips, series); }
 
  private:
   RawParticipant participant_;
@@ -83,7 +77,7 @@ class RawWaitSets : public Contender {
   std::vector<std::unique_ptr<RawEcho>> echoes_;
 };
 
-class Components : public Contender {
+class Components : public Way {
  public:
   Components(const Load& load, bool one_thread)
       : one_thread_(one_thread),
@@ -98,10 +92,7 @@ class Components : public Contender {
     for (Runner& runner : runners_) runner.start();
   }
   ~Components() override { runners_.clear(); }
-  bool run(int count) override { return ping_.run(count, series); }
-  [[nodiscard]] const char* name() const override {
-    return one_thread_ ? "components, one thread" : "components, a thread each";
-  }
+  bool run(int trips, Series& series) override { return ping_.run(trips, series); }
 
  private:
   void add(Component& component) {
@@ -117,27 +108,26 @@ class Components : public Contender {
   std::list<Runner> runners_;
 };
 
-void compare(const Load& load, bool quick) {
-  std::vector<std::unique_ptr<Contender>> all;
-  all.push_back(std::make_unique<RawListeners>(load));
-  all.push_back(std::make_unique<Components>(load, true));
-  all.push_back(std::make_unique<RawWaitSets>(load));
-  all.push_back(std::make_unique<Components>(load, false));
-  for (const auto& one : all) {  // caches, discovery, memory
-    (void)one->run(100);
-    one->series = {};
-  }
-  const int rounds = quick ? 2 : 8;
-  for (int round = 0; round < rounds; ++round) {
-    for (const auto& one : all) {
-      if (!one->run(load.count / rounds)) std::printf("%s: no answer\n", one->name());
-    }
-  }
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const double rival = all[i < 2 ? 0 : 2]->series.percentile(0.5);
-    std::printf("%8zu B 1:%-2d  %-26s %s   %7.4f\n", load.bytes, load.readers, all[i]->name(),
-                all[i]->series.text().c_str(), all[i]->series.percentile(0.5) / rival);
-  }
+Generation set_up(const Load& load) {
+  Generation generation;
+  auto& ways = generation.ways;
+  ways.push_back(std::make_unique<RawListeners>(load));
+  ways.push_back(std::make_unique<Components>(load, true));
+  ways.push_back(std::make_unique<RawWaitSets>(load));
+  ways.push_back(std::make_unique<Components>(load, false));
+  Series ignored;  // caches, discovery, memory
+  for (const auto& way : ways) (void)way->run(20, ignored);
+  return generation;
+}
+
+void measure(const Load& load, bool quick) {
+  const std::vector<Title> titles{{"raw Fast DDS, listeners", 0},
+                                  {"components, one thread", 0},
+                                  {"raw Fast DDS, wait-sets", 2},
+                                  {"components, a thread each", 2}};
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "%8zu B 1:%-2d", load.bytes, load.readers);
+  compare(text.data(), titles, {quick ? 2 : 8, 3, 6, load.trips}, [&] { return set_up(load); });
 }
 
 }  // namespace
@@ -145,13 +135,11 @@ void compare(const Load& load, bool quick) {
 
 int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
-  const int n = quick ? 10 : 1;
-  std::printf("round trip in one process [us], median / p99, share of the rival above it\n");
+  std::printf("round trip in one process [us], median / p99; share of the raw one above it\n");
   for (const int readers : {1, 10}) {
-    tocsin::bench::compare({64, readers, 20000 / n}, quick);
-    tocsin::bench::compare({1024, readers, 20000 / n}, quick);
-    tocsin::bench::compare({65536, readers, 4000 / n}, quick);
-    tocsin::bench::compare({1U << 20U, readers, 800 / n}, quick);
+    for (const std::size_t bytes : {64U, 1024U, 65536U, 1U << 20U}) {
+      tocsin::bench::measure({bytes, readers, bytes > 65536 ? 10 : 100}, quick);
+    }
   }
   return 0;
 }

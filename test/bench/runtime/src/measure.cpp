@@ -43,7 +43,7 @@ std::string share_text(std::vector<double> shares) {
     return shares[static_cast<std::size_t>(std::clamp(rank, 0.0, n - 1))];
   };
   std::array<char, 64> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.3f [%.3f, %.3f]", at(std::floor(n / 2)),
+  (void)std::snprintf(text.data(), text.size(), "%.3g [%.3g, %.3g]", at(std::floor(n / 2)),
                       at(std::floor(n / 2 - half)), at(std::ceil(n / 2 + half)));
   return text.data();
 }

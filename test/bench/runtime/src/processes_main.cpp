@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Round trips between two processes: components against raw Fast DDS read by a wait-set, both on
 // loopback UDP and on shared memory, and Cyclone's ddsperf when it is installed.
-// The ways take turns, a few round trips each, forwards and backwards, with new processes every few
-// blocks of turns; a share is the median over the blocks, with its 95 % confidence interval.
+// The ways take turns, with new processes for each generation.
 // usage: runtime_processes [--quick [BYTES]]
 #include <sys/wait.h>
 #include <unistd.h>
@@ -19,12 +18,13 @@
 #include "bench_bus.hpp"
 #include "raw_dds.hpp"
 #include "runner.hpp"
+#include "turns.hpp"
 
 namespace tocsin::bench {
 namespace {
 
 constexpr int first_domain = 70;
-struct Way {
+struct Setting {
   const char* name;
   bool raw;
   bool shared_memory;
@@ -32,28 +32,28 @@ struct Way {
   std::size_t rival;
 };
 constexpr std::size_t way_count = 5;
-constexpr std::array<Way, way_count> ways{
+constexpr std::array<Setting, way_count> settings{
     {{"raw Fast DDS, wait-set, UDP", true, false, Timing::raw, 0},
      {"components, UDP", false, false, Timing::raw, 0},
      {"components, UDP, Tocsin's timing", false, false, Timing::tocsin, 0},
      {"raw Fast DDS, wait-set, SHM", true, true, Timing::raw, 3},
      {"components, SHM", false, true, Timing::raw, 3}}};
 
-RawParticipant::Transport transport_of(const Way& way) {
-  return way.shared_memory ? RawParticipant::Transport::shared_memory
-                           : RawParticipant::Transport::udp;
+RawParticipant::Transport transport_of(const Setting& setting) {
+  return setting.shared_memory ? RawParticipant::Transport::shared_memory
+                               : RawParticipant::Transport::udp;
 }
 
 /// Until it is killed.
 [[noreturn]] void echo(std::size_t index) {
-  const Way& way = ways.at(index);
+  const Setting& setting = settings.at(index);
   const int domain = first_domain + static_cast<int>(index);
-  if (way.raw) {
-    RawParticipant participant(domain, transport_of(way));
+  if (setting.raw) {
+    RawParticipant participant(domain, transport_of(setting));
     const RawEcho echo(participant);
     for (;;) pause();
   }
-  const auto bus = make_bench_bus("echo", domain, way.shared_memory, way.timing);
+  const auto bus = make_bench_bus("echo", domain, setting.shared_memory, setting.timing);
   Context context{*bus, "echo", "uxv", ""};
   Pong pong(context);
   TickAccount account;
@@ -74,26 +74,26 @@ pid_t start_echo(std::size_t index) {
 }
 
 /// Our end of one way, for one size.
-class End {
+class End : public Way {
  public:
   End(std::size_t index, std::size_t bytes) {
-    const Way& way = ways.at(index);
+    const Setting& setting = settings.at(index);
     const int domain = first_domain + static_cast<int>(index);
-    if (way.raw) {
-      participant_ = std::make_unique<RawParticipant>(domain, transport_of(way));
+    if (setting.raw) {
+      participant_ = std::make_unique<RawParticipant>(domain, transport_of(setting));
       raw_ = std::make_unique<RawPing>(*participant_, bytes);
       return;
     }
-    bus_ = make_bench_bus("ping", domain, way.shared_memory, way.timing);
+    bus_ = make_bench_bus("ping", domain, setting.shared_memory, setting.timing);
     context_ = std::make_unique<Context>(Context{*bus_, "ping", "uxv", ""});
     ping_ = std::make_unique<Ping>(*context_, bytes);
     runner_ = std::make_unique<Runner>("ping", *bus_);
     runner_->add(*ping_, account_);
     runner_->start();
   }
-  ~End() { runner_.reset(); }
-  bool run(int count, Series& series) {
-    return raw_ ? raw_->run(count, series) : ping_->run(count, series);
+  ~End() override { runner_.reset(); }
+  bool run(int trips, Series& series) override {
+    return raw_ ? raw_->run(trips, series) : ping_->run(trips, series);
   }
   bool discover() {
     Series ignored;
@@ -112,43 +112,6 @@ class End {
   TickAccount account_;
   std::unique_ptr<Runner> runner_;
 };
-
-struct Plan {
-  int generations;  // of processes: where the scheduler puts two of them stays for their life
-  int blocks;       // of a generation
-  int turns;        // of each way in a block
-  int trips;        // in a turn
-};
-
-/// Round trips of one block, by way.
-using Block = std::array<Series, way_count>;
-
-Block take_turns(const std::vector<std::unique_ptr<End>>& ends, const Plan& plan) {
-  Block block;
-  for (int turn = 0; turn < plan.turns; ++turn) {
-    for (std::size_t i = 0; i < way_count; ++i) {
-      const std::size_t way = turn % 2 == 0 ? i : way_count - 1 - i;
-      (void)ends[way]->run(plan.trips, block.at(way));
-    }
-  }
-  return block;
-}
-
-void print(std::size_t bytes, const std::vector<Block>& blocks) {
-  for (std::size_t way = 0; way < way_count; ++way) {
-    Series all;
-    std::vector<double> medians;
-    std::vector<double> tails;
-    for (const Block& block : blocks) {
-      const Series& rival = block.at(ways.at(way).rival);
-      all.add(block.at(way));
-      medians.push_back(block.at(way).percentile(0.5) / rival.percentile(0.5));
-      tails.push_back(block.at(way).percentile(0.99) / rival.percentile(0.99));
-    }
-    std::printf("%8zu B  %-32s %s   median %s   p99 %s\n", bytes, ways.at(way).name,
-                all.text().c_str(), share_text(medians).c_str(), share_text(tails).c_str());
-  }
-}
 
 /// The other ends, until it is destroyed.
 class Echoes {
@@ -169,20 +132,15 @@ class Echoes {
   std::vector<pid_t> children_;
 };
 
-void run_generation(std::size_t bytes, const Plan& plan, std::vector<Block>& blocks) {
-  const Echoes echoes;
-  std::vector<std::unique_ptr<End>> ends;
-  for (std::size_t i = 0; i < way_count; ++i) ends.push_back(std::make_unique<End>(i, bytes));
+Generation set_up(std::size_t bytes) {
+  Generation generation;
+  generation.others = std::make_shared<Echoes>();
   for (std::size_t i = 0; i < way_count; ++i) {
-    if (!ends[i]->discover()) std::printf("%s: silent\n", ways.at(i).name);
+    auto end = std::make_unique<End>(i, bytes);
+    if (!end->discover()) std::printf("%s: silent\n", settings.at(i).name);
+    generation.ways.push_back(std::move(end));
   }
-  for (int i = 0; i < plan.blocks; ++i) blocks.push_back(take_turns(ends, plan));
-}
-
-void compare(std::size_t bytes, const Plan& plan) {
-  std::vector<Block> blocks;
-  for (int i = 0; i < plan.generations; ++i) run_generation(bytes, plan, blocks);
-  print(bytes, blocks);
+  return generation;
 }
 
 void cyclone(std::size_t bytes) {
@@ -200,12 +158,21 @@ void cyclone(std::size_t bytes) {
               last == std::string::npos ? "not installed\n" : text.substr(last).c_str());
 }
 
+std::string load_text(std::size_t bytes) {
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "%8zu B", bytes);
+  return text.data();
+}
+
 /// `only`: one size in bytes; 0: all.
 int measure(bool quick, std::size_t only) {
   std::printf("round trip between processes [us], median / p99; share of the raw one above it\n");
+  std::vector<Title> titles;
+  for (const Setting& setting : settings) titles.push_back({setting.name, setting.rival});
   for (const std::size_t bytes : {64U, 1024U, 65536U, 1U << 20U}) {
+    if (only != 0 && only != bytes) continue;
     const Plan plan{quick ? 2 : 8, 3, 6, bytes > 65536 ? 10 : 50};
-    if (only == 0 || only == bytes) compare(bytes, plan);
+    compare(load_text(bytes), titles, plan, [bytes] { return set_up(bytes); });
   }
   if (!quick) cyclone(64);
   if (!quick) cyclone(65536);

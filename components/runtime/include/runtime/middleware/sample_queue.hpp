@@ -19,14 +19,14 @@ class SampleQueue {
   explicit SampleQueue(std::size_t capacity) : capacity_(capacity) {}
 
   /// False when the oldest sample was dropped for it.
-  bool push(const Sample& sample) {
+  bool push(Sample&& sample) {
     const bool full = size_ == capacity_;
     if (full) {
       drop_oldest();
     } else if (size_ == ring_.size()) {
       grow();
     }
-    ring_[(first_ + size_) & (ring_.size() - 1)] = sample;
+    ring_[(first_ + size_) & (ring_.size() - 1)] = std::move(sample);
     ++size_;
     return !full;
   }

@@ -29,12 +29,15 @@ class Separation {
  public:
   /// Zero passes everything.
   explicit Separation(Duration least) : least_(least) {}
-  [[nodiscard]] bool pass(std::uint64_t source, Time now);
+  [[nodiscard]] bool pass(std::uint64_t source, Time now) {
+    return least_ <= Duration::zero() || is_apart(source, now);
+  }
   /// The writer is gone.
   void forget(std::uint64_t source) { last_.erase(source); }
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
 
  private:
+  [[nodiscard]] bool is_apart(std::uint64_t source, Time now);
   Duration least_;
   std::map<std::uint64_t, Time> last_;
   std::uint64_t dropped_ = 0;
@@ -45,7 +48,10 @@ class DeadlineWatch {
  public:
   /// An infinite `period` (Duration::max()) is never missed.
   explicit DeadlineWatch(Duration period) : period_(period) {}
-  void on_sample(Time now);
+  void on_sample(Time now) {
+    if (period_ != Duration::max()) missed_ = missed(now);
+    last_ = now;
+  }
   /// Whole periods without a sample up to `now`, since the start.
   [[nodiscard]] std::uint64_t missed(Time now) const;
   /// Of the last sample; zero: none yet.

@@ -30,7 +30,10 @@ class TopicExchange {
   void attach(Receiver& receiver, Time now = Time{});
   /// Waits until `receiver` is not being called any more.
   void detach(Receiver& receiver);
-  void deliver(const Sample& sample);
+  void deliver(Sample&& sample);
+  /// The same for a writer of this process. Gives the sample the next number after `sequence`, so
+  /// that the numbers are in the order of delivery, whatever threads the writer is called from.
+  void deliver(Sample&& sample, std::uint64_t& sequence);
   /// Whether somebody gets a sample that is delivered now.
   [[nodiscard]] bool has_receivers() const {
     return has_receivers_.load(std::memory_order_relaxed);
@@ -47,6 +50,7 @@ class TopicExchange {
   [[nodiscard]] Account account(Time now) const;
 
  private:
+  void hand_over(Sample&& sample);
   void keep(const Sample& sample);
   [[nodiscard]] bool expired(const Sample& sample, Time now) const;
 

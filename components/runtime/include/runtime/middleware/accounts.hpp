@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "foundation/time.hpp"
+
+namespace tocsin {
+
+/// Account of one gated writer since start.
+struct TopicTraffic {
+  std::string topic;
+  std::string traffic_class;
+  bool paused = false;
+  std::uint64_t written = 0;
+  std::uint64_t sent = 0;
+  std::uint64_t dropped = 0;
+  std::uint64_t held = 0;
+  std::uint64_t sent_bytes = 0;
+};
+
+/// Account of one writer or reader of this process towards other processes, since start.
+struct EndpointHealth {
+  std::string topic;
+  bool writer = false;         ///< else a reader
+  bool link = false;           ///< on the radio's domain, else on the host's
+  bool waits = false;          ///< not there yet: the interface of the link has not come up
+  std::uint64_t samples = 0;   ///< written, or received
+  std::uint64_t lost = 0;      ///< refused by the middleware, or known to be missed by the reader
+  std::uint64_t rejected = 0;  ///< received, but not of the topic's type
+  int matched = 0;             ///< other ends now
+  std::uint64_t incompatible_qos = 0;  ///< other ends whose QoS does not fit
+  std::string incompatible_policy;     ///< DDS name of the policy that did not fit last
+  std::string other_type;  ///< of an end that has another type or layout, and its participant
+  std::uint64_t deadlines_missed = 0;
+  std::uint64_t liveliness_lost = 0;  ///< times that a writer stopped to be alive
+  std::uint64_t thinned = 0;          ///< dropped by max_rate_hz or minimum_separation_s
+  Time last{};                        ///< of the last sample; zero: none yet
+};
+
+}  // namespace tocsin

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "measure.hpp"
+
+namespace tocsin::bench {
+
+/// A way of doing round trips, set up for one size of message.
+class Way {
+ public:
+  virtual ~Way() = default;
+  /// False when an answer did not come.
+  virtual bool run(int trips, Series& series) = 0;
+};
+
+/// What is printed of a way, and the number of the way that its share is of.
+struct Title {
+  const char* name;
+  std::size_t rival;
+};
+
+/// The ways of a comparison from their set-up to their end.
+struct Generation {
+  std::shared_ptr<void> others;  ///< whoever answers, destroyed last
+  std::vector<std::unique_ptr<Way>> ways;
+};
+
+struct Plan {
+  int generations;  ///< where the scheduler puts a process, and the allocator an object, stays
+  int blocks;       ///< of a generation
+  int turns;        ///< of each way in a block
+  int trips;        ///< in a turn
+};
+
+/// The ways take turns, a few round trips each, forwards and backwards, so that a machine whose
+/// speed changes changes it for all. Prints median and 99th percentile in microseconds, and their
+/// shares of the rival's: the median over the blocks with its 95 % confidence interval.
+void compare(const std::string& load, const std::vector<Title>& titles, const Plan& plan,
+             const std::function<Generation()>& set_up);
+
+}  // namespace tocsin::bench
