@@ -19,7 +19,7 @@ struct Message {
 inline constexpr const char* camera_topic = "camera/image_raw/compressed";
 
 /// Everything sent in [begin, end), as the gaps in each writer's sequence tell.
-[[nodiscard]] std::vector<Message> messages_of(std::vector<report::Arrival> arrivals,
+[[nodiscard]] std::vector<Message> messages_of(const std::vector<report::Arrival>& arrivals,
                                                double begin_s, double end_s);
 
 }  // namespace tocsin::experiment

@@ -6,43 +6,58 @@
 #include <csignal>
 #include <cstddef>
 #include <functional>
-#include <map>
-#include <string>
+#include <list>
+#include <optional>
 
 namespace tocsin::experiment {
 
-/// How a job's process ended.
+/// How a job ended.
 struct JobEnd {
   std::size_t job;
   int exit_code = 0;  ///< of the body; meaningless after a signal
   int signal = 0;     ///< that killed it; 0: none
 };
 
-/// Runs jobs in processes of their own, several at a time: one that crashes or leaks harms nobody.
-/// SIGINT and SIGTERM while it lives are noted, not obeyed. One at a time in a process.
+/// Runs jobs in a few worker processes, one job at a time in each: one that crashes takes its
+/// worker with it and no other job; a new worker is made for the next. What a worker has read and
+/// computed once stays there for its later jobs. SIGINT and SIGTERM while it lives are noted, not
+/// obeyed. One at a time in a process.
 class Pool {
  public:
-  /// `body` runs in the child process; what it returns is the exit code.
+  /// `body` runs in a worker process; what it returns, 0 to 255, is the exit code.
   Pool(int at_a_time, std::function<int(std::size_t job)> body);
   /// Kills what still runs, by its process id.
   ~Pool();
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
-  [[nodiscard]] bool has_room() const { return running_.size() < at_a_time_; }
-  [[nodiscard]] bool idle() const { return running_.empty(); }
+  [[nodiscard]] bool has_room() const { return busy() < at_a_time_; }
+  [[nodiscard]] bool idle() const { return busy() == 0; }
   /// Throws EnvironmentError when no process can be made.
   void start(std::size_t job);
   /// Waits for the next job to end; true and `end` filled. False when interrupted or idle.
   [[nodiscard]] bool wait(JobEnd& end);
   [[nodiscard]] bool interrupted() const;
-  /// Ends all jobs and waits for them.
+  /// Ends all jobs and workers and waits for them.
   void stop();
 
  private:
+  struct Worker {
+    pid_t process;
+    int socket;  ///< jobs go in, exit codes come out
+    std::optional<std::size_t> job;
+  };
+  using Workers = std::list<Worker>;
+  [[nodiscard]] std::size_t busy() const;
+  Worker& free_worker();
+  Worker& make_worker();
+  [[noreturn]] void work(int socket);
+  [[nodiscard]] Workers::iterator next_ready();
+  JobEnd take(Workers::iterator worker);
+
   std::size_t at_a_time_;
   std::function<int(std::size_t)> body_;
-  std::map<pid_t, std::size_t> running_;
+  Workers workers_;
   struct sigaction old_int_ {};
   struct sigaction old_term_ {};
 };

@@ -126,9 +126,6 @@ void Session::copy_twins() const {
 
 int Session::run() {
   find_pending();
-  if (options_.task != Task::real && !pending_.empty()) {
-    prepare(plan_[pending_.front()], experiment_.timing, {options_.share, options_.out});
-  }
   const std::size_t total = plan_.size() - twins_.size();
   Progress progress(total, total - pending_.size(), ::isatty(STDOUT_FILENO) == 1);
   Pool pool(options_.jobs, [this](std::size_t job) { return play(job); });

@@ -32,13 +32,6 @@ RunResult play(const Run& run, const Timing& timing, const Places& places) {
 
 }  // namespace
 
-void prepare(const Run& run, const Timing& timing, const Places& places) {
-  try {
-    (void)make_world(run, timing, places, nullptr);
-  } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the run itself will tell
-  }
-}
-
 RunResult simulate(const Run& run, const Timing& timing, const Places& places) {
   try {
     return play(run, timing, places);

@@ -21,10 +21,6 @@ struct Places {
   std::string folder;  ///< of the experiment's results
 };
 
-/// Reads the files and computes the tables that runs have in common, so that processes which are
-/// forked from this one need not.
-void prepare(const Run& run, const Timing& timing, const Places& places);
-
 /// Runs the components in virtual time on this thread. A component that throws, or a bringup that
 /// is wrong, is a failure of the result.
 [[nodiscard]] RunResult simulate(const Run& run, const Timing& timing, const Places& places);

@@ -39,10 +39,8 @@ void set_mission(const simulation::Written& written, report::Recording& recordin
                        message.elapsed_s()};
 }
 
-/// Whether the traffic file puts it into a class; a recording is read by classes, too.
-bool is_classified(const simulation::TopicEnd& end) {
-  return !end.traffic_class.empty() && end.traffic_class != "none";
-}
+/// Who sends, and class.
+std::string class_of(const simulation::TopicEnd& end) { return end.role + " " + end.traffic_class; }
 
 /// Airtime and bytes of both directions.
 report::LinkState state_of(const radio::LinkReport& report, Time now) {
@@ -58,25 +56,57 @@ report::LinkState state_of(const radio::LinkReport& report, Time now) {
 
 }  // namespace
 
-void Tape::on_written(const simulation::Written& written) {
-  const simulation::TopicEnd& from = written.from;
-  if (!is_classified(from)) return;
-  ++recording_.written[from.role + " " + from.traffic_class];
-  if (from.role == "gcs") {
-    if (from.topic == topic::MissionStatus::info.name) set_mission(written, recording_);
-    return;
+Tape::Writer Tape::writer_of(const simulation::TopicEnd& end) {
+  Writer writer;
+  writer.classified = !end.traffic_class.empty() && end.traffic_class != "none";
+  const auto is = [&](const char* role, const char* topic) {
+    return end.role == role && end.topic == topic;
+  };
+  if (is("gcs", topic::MissionStatus::info.name)) writer.kept = Kept::mission;
+  if (is("uxv", topic::TransmissionState::info.name)) writer.kept = Kept::decision;
+  if (is("uxv", topic::NetworkQuality::info.name)) writer.kept = Kept::quality;
+  if (is("uxv", topic::Location::info.name)) writer.kept = Kept::place;
+  return writer;
+}
+
+Tape::Writer& Tape::writer(const simulation::TopicEnd& end) {
+  const auto found = writers_.find(&end);
+  return found != writers_.end() ? found->second
+                                 : writers_.emplace(&end, writer_of(end)).first->second;
+}
+
+void Tape::keep(Kept kept, const simulation::Written& written) {
+  switch (kept) {
+    case Kept::no:
+      return;
+    case Kept::decision:
+      return add_decision(written, recording_);
+    case Kept::quality:
+      return add_quality(written, recording_);
+    case Kept::place:
+      return add_place(written, recording_);
+    case Kept::mission:
+      return set_mission(written, recording_);
   }
-  if (from.topic == topic::TransmissionState::info.name) add_decision(written, recording_);
-  if (from.topic == topic::NetworkQuality::info.name) add_quality(written, recording_);
-  if (from.topic == topic::Location::info.name) add_place(written, recording_);
+}
+
+void Tape::on_written(const simulation::Written& written) {
+  if (written.from.traffic_class.empty()) return;
+  Writer& from = writer(written.from);
+  if (!from.classified) return;
+  if (from.written == nullptr) from.written = &recording_.written[class_of(written.from)];
+  ++*from.written;
+  keep(from.kept, written);
 }
 
 void Tape::on_delivered(const simulation::Delivered& delivered) {
-  const simulation::TopicEnd& from = delivered.from;
-  if (delivered.to.process != "recorder" || !is_classified(from)) return;
-  recording_.arrivals[from.role + " " + from.traffic_class].push_back(
-      {to_seconds(delivered.sent_at), to_seconds(delivered.received), from.topic, from.process,
-       delivered.sequence, static_cast<double>(delivered.bytes)});
+  if (delivered.to.process != "recorder") return;
+  Writer& from = writer(delivered.from);
+  if (!from.classified) return;
+  if (from.arrivals == nullptr) from.arrivals = &recording_.arrivals[class_of(delivered.from)];
+  from.arrivals->push_back({to_seconds(delivered.sent_at), to_seconds(delivered.received),
+                            delivered.from.topic, delivered.from.process, delivered.sequence,
+                            static_cast<double>(delivered.bytes)});
 }
 
 void Tape::on_channel(const radio::LinkReport& report, Time now) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
+#include <cstdint>
 #include <string>
+#include <unordered_map>
+#include <vector>
 
 #include "report/recording.hpp"
 #include "simulation/observer.hpp"
@@ -24,8 +26,21 @@ class Tape final : public simulation::Observer {
   [[nodiscard]] const std::string& failure() const { return failure_; }
 
  private:
+  /// What a sample is kept as, besides its arrival.
+  enum class Kept : std::uint8_t { no, decision, quality, place, mission };
+  /// Where the samples of a writer go; found by its address.
+  struct Writer {
+    bool classified = false;  ///< the traffic file puts it into a class
+    Kept kept = Kept::no;
+    std::uint64_t* written = nullptr;
+    std::vector<report::Arrival>* arrivals = nullptr;
+  };
+  Writer& writer(const simulation::TopicEnd& end);
+  static Writer writer_of(const simulation::TopicEnd& end);
+  void keep(Kept kept, const simulation::Written& written);
+
   report::Recording recording_;
-  std::map<const simulation::TopicEnd*, std::string> classes_;
+  std::unordered_map<const simulation::TopicEnd*, Writer> writers_;
   std::string failure_;
 };
 
