@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sections.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include "section_fixture.hpp"
 
 namespace tocsin::experiment {
 namespace {
@@ -12,57 +10,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-/// Results of one set with these groups; values by metric.
-class SectionTest : public ::testing::Test {
- protected:
-  SectionTest() {
-    RunSet set;
-    set.name = "main";
-    set.kind = "comparison";
-    set.title = "The main set";
-    results_.experiment.sets = {set};
-  }
-  Group& add(const std::string& policy, const std::string& payload = "camera") {
-    Group group;
-    group.set = "main";
-    group.mission = "a";
-    group.channel = "near";
-    group.payload = payload;
-    group.policy = policy;
-    for (int i = 1; i <= 5; ++i) {
-      group.indices.push_back(i);
-      group.values.emplace_back(metric_texts().size(), std::nan(""));
-      group.series.emplace_back();
-    }
-    results_.groups.push_back(group);
-    return results_.groups.back();
-  }
-  static void set(Group& group, const std::string& metric, double first) {
-    double value = first;
-    for (auto& run : group.values) run[metric_index(metric)] = value += 0.01;
-  }
-  /// Both policies, with the highest PER and the p99 latency of each.
-  void pair(double none_per, double dsp_per, double none_ms, double dsp_ms) {
-    Group& none = add("none");
-    set(none, "telemetry_per_max", none_per);
-    set(none, "high_latency_p99", none_ms);
-    Group& dsp = add("tocp_dsp");
-    set(dsp, "telemetry_per_max", dsp_per);
-    set(dsp, "high_latency_p99", dsp_ms);
-  }
-  template <class Add>
-  std::string text(Add add_section) {
-    Document document;
-    add_section(results_, document);
-    std::string body;
-    for (const Figure& figure : document.figures()) body += figure.title() + "\n";
-    figures_ = body;
-    return document.text();
-  }
-  Results results_;
-  std::string figures_;
-};
 
 TEST_F(SectionTest, SaysWhereAPolicyHelps) {
   pair(30, 20, 900, 500);
