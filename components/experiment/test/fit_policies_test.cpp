@@ -110,5 +110,39 @@ TEST(TraceOf, TakesQualityAndTruthOfEachObservation) {
   EXPECT_EQ(sut.bad, (std::vector<bool>{false, true, false}));
 }
 
+TEST(FitLaws, TakesALengthOfOneForOneAndAHalf) {
+  // A mean of one would say that the link never stays as it is.
+  Trace trace;
+  for (int i = 0; i < 100; ++i) {
+    trace.bad.push_back(i % 2 == 0);
+    trace.qni.push_back((i % 2 == 0 ? 50 : 80) + i % 7);
+  }
+  const auto sut = fit_laws({trace}, "a");
+  EXPECT_EQ(sut.mean_good_samples, 1.5);
+  EXPECT_EQ(sut.mean_bad_samples, 1.5);
+}
+
+TEST(FitLaws, CountsAStretchInEachTraceByItself) {
+  // 20 good and 10 bad slots in either; what ends one trace does not go on in the next.
+  std::vector<Trace> traces(2);
+  for (Trace& trace : traces) {
+    for (int i = 0; i < 30; ++i) {
+      trace.bad.push_back(i >= 20);
+      trace.qni.push_back((i >= 20 ? 50 : 80) + i % 5);
+    }
+  }
+  const auto sut = fit_laws(traces, "a");
+  EXPECT_DOUBLE_EQ(sut.mean_good_samples, 20);
+  EXPECT_DOUBLE_EQ(sut.mean_bad_samples, 10);
+}
+
+TEST(TraceOf, KeepsSlotsWithoutASample) {
+  const Observation silent{0, NAN, NAN, NAN, 1, 0.6, 0, 0, NAN, false};
+  const Trace sut = trace_of({silent});
+  ASSERT_EQ(sut.qni.size(), 1U);
+  EXPECT_TRUE(std::isnan(sut.qni[0]));
+  EXPECT_TRUE(sut.bad[0]);
+}
+
 }  // namespace
 }  // namespace tocsin::experiment

@@ -72,5 +72,34 @@ TEST(Estimate, CoversTheTruthInNinetyFiveOfAHundredCases) {
   EXPECT_NEAR(covered / 2000.0, 0.95, 0.015);
 }
 
+TEST(Estimate, OfEqualRunsHasNoWidth) {
+  const Estimate sut = estimate({4, 4, 4});
+  EXPECT_EQ(sut.mean, 4);
+  EXPECT_EQ(sut.low, 4);
+  EXPECT_EQ(sut.high, 4);
+}
+
+TEST(Estimate, IsStudentsIntervalByHand) {
+  // Mean 2, variance 1, three runs: 2 +- 4.30265 / sqrt(3).
+  const Estimate sut = estimate({1, 2, 3});
+  EXPECT_NEAR(sut.high - sut.mean, 4.30265 / std::sqrt(3.0), 1e-5);
+  EXPECT_NEAR(sut.mean - sut.low, 4.30265 / std::sqrt(3.0), 1e-5);
+}
+
+TEST(Estimate, LeavesOutTheInfinite) {
+  EXPECT_EQ(estimate({1, HUGE_VAL, 3}).mean, 2);
+  EXPECT_EQ(estimate({1, HUGE_VAL, 3}).runs, 2);
+}
+
+TEST(PairedDifference, OfNoPairIsNoAnswer) {
+  const Estimate sut = paired_difference({NAN, 1}, {1, NAN});
+  EXPECT_EQ(sut.runs, 0);
+  EXPECT_TRUE(std::isnan(sut.mean));
+}
+
+TEST(PairedDifference, IsTheFirstMinusTheSecond) {
+  EXPECT_EQ(paired_difference({5, 6}, {1, 2}).mean, 4);
+}
+
 }  // namespace
 }  // namespace tocsin::experiment

@@ -1,77 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each metric on samples that are few enough to compute it by hand.
+// Each metric of quality, loss, latency, age and link on samples that are few enough to compute
+// it by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <initializer_list>
+#include <string>
 #include <utility>
 
-#include "experiment/metrics.hpp"
+#include "hand.hpp"
 #include "messages.hpp"
 
 namespace tocsin::experiment {
 namespace {
-
-constexpr double begin_s = 1000;
-
-/// A run of 100 s that is filled sample by sample; times count from its begin.
-class Hand {
- public:
-  Hand() {
-    recording_.begin_s = begin_s;
-    recording_.end_s = begin_s + 100;
-    timing_.duration_s = 100;
-    timing_.warm_up_s = 0;
-    timing_.observation_s = 10;
-    timing_.poor_below_snr_db = 10;
-  }
-  Hand& warm_up(double s) {
-    timing_.warm_up_s = s;
-    return *this;
-  }
-  /// Sample `sequence` of a topic, sent at `sent_s`, that took `latency_s`.
-  Hand& arrives(const char* name, const char* topic, std::uint64_t sequence, double sent_s,
-                double latency_s, const char* writer = "1") {
-    const double at_s = begin_s + sent_s;
-    recording_.arrivals[name].push_back({at_s, at_s + latency_s, topic, writer, sequence, 50});
-    return *this;
-  }
-  Hand& written(const char* name, std::uint64_t count) {
-    recording_.written[name] = count;
-    return *this;
-  }
-  Hand& decides(double at_s, bool active, double qni) {
-    recording_.decisions.push_back({begin_s + at_s, active, "toy", "steady", qni});
-    return *this;
-  }
-  Hand& probes(double at_s, double per) {
-    recording_.qualities.push_back({begin_s + at_s, per, -60, 5});
-    return *this;
-  }
-  /// The link's SNR second by second: pairs of (from this second on, value).
-  Hand& link(std::initializer_list<std::pair<int, double>> steps) {
-    double snr_db = 0;
-    for (int i = 0; i <= 100; ++i) {
-      for (const auto& [from_s, value] : steps) snr_db = i == from_s ? value : snr_db;
-      recording_.link.push_back({begin_s + i, snr_db, 0.5, 0.2 * i, 25'000.0 * i, 0});
-    }
-    return *this;
-  }
-  Hand& done_after(double s) {
-    recording_.mission = {"toy", "done", 8, 9, 9, s};
-    return *this;
-  }
-  [[nodiscard]] double value(const char* metric) const {
-    return measure(recording_, timing_).values[metric_index(metric)];
-  }
-  [[nodiscard]] Observation observation(std::size_t i) const {
-    return measure(recording_, timing_).series.at(i);
-  }
-
- private:
-  report::Recording recording_;
-  Timing timing_;
-};
 
 TEST(QniMetrics, AreMeanAndLeastOfTheDecisionsThatHaveOne) {
   const auto sut = Hand().decides(1, true, 80).decides(2, true, NAN).decides(3, true, 50);
@@ -268,163 +208,6 @@ TEST(LinkMetrics, AreDifferencesOverTheWindow) {
 TEST(LinkMetrics, HaveNoAnswerWithoutTwoReports) {
   EXPECT_TRUE(std::isnan(Hand().value("link_bytes")));
   EXPECT_TRUE(std::isnan(Hand().value("airtime")));
-}
-
-/// Poor from 30 to 50 s and from 60 to 90 s; silent from 35 to 56 s.
-Hand half_found() {
-  return Hand()
-      .link({{0, 20}, {30, 5}, {50, 20}, {60, 5}, {90, 20}})
-      .decides(0, true, 80)
-      .decides(35, false, 30)
-      .decides(56, true, 80);
-}
-
-TEST(TruthMetrics, ShareAndCountWhatWasPoor) {
-  const auto sut = Hand().link({{0, 20}, {20, 9.9}, {50, 10}, {75, 5}, {99, 20}});
-  EXPECT_NEAR(sut.value("poor_share"), 30 + 24, 1e-9);
-  EXPECT_EQ(sut.value("poor_intervals"), 2);
-}
-
-TEST(TruthMetrics, LeaveOutWhatIsShorterThanTwoObservations) {
-  EXPECT_EQ(Hand().link({{0, 20}, {20, 5}, {39, 20}}).value("poor_intervals"), 0);
-  EXPECT_EQ(Hand().link({{0, 20}, {20, 5}, {40, 20}}).value("poor_intervals"), 1);
-}
-
-TEST(TruthMetrics, JoinIntervalsOverAGapShorterThanTwoObservations) {
-  EXPECT_EQ(half_found().value("poor_intervals"), 1) << "10 s between them";
-  EXPECT_EQ(Hand().link({{0, 20}, {20, 5}, {40, 20}, {60, 5}, {80, 20}}).value("poor_intervals"),
-            2);
-}
-
-TEST(TruthMetrics, TellWhenAPolicyFoundItAndSpokeAgain) {
-  const auto sut = Hand()
-                       .link({{0, 20}, {20, 5}, {50, 20}})
-                       .decides(0, true, 80)
-                       .decides(26, false, 30)
-                       .decides(58, true, 80);
-  EXPECT_NEAR(sut.value("detect"), 6, 1e-9);
-  EXPECT_NEAR(sut.value("resume"), 8, 1e-9);
-  EXPECT_EQ(sut.value("missed"), 0);
-  EXPECT_NEAR(sut.value("sent_in_poor"), 100.0 * 6 / 30, 1e-9);
-  EXPECT_NEAR(sut.value("silent_in_good"), 100.0 * 8 / 70, 1e-9);
-}
-
-TEST(TruthMetrics, TellWhatAPolicyMissed) {
-  const auto sut = Hand()
-                       .link({{0, 20}, {10, 5}, {30, 20}, {60, 5}, {80, 20}})
-                       .decides(0, true, 80)
-                       .decides(64, false, 30)
-                       .decides(80, true, 80);
-  EXPECT_EQ(sut.value("missed"), 1);
-  EXPECT_NEAR(sut.value("detect"), 4, 1e-9) << "of the one that was found";
-  EXPECT_NEAR(sut.value("resume"), 0, 1e-9);
-  EXPECT_NEAR(sut.value("sent_in_poor"), 100.0 * (20 + 4) / 40, 1e-9);
-}
-
-TEST(TruthMetrics, HaveNoAnswerWhereNothingWasPoor) {
-  const auto sut = Hand().link({{0, 20}}).decides(0, true, 80);
-  EXPECT_EQ(sut.value("poor_share"), 0);
-  EXPECT_TRUE(std::isnan(sut.value("detect")));
-  EXPECT_TRUE(std::isnan(sut.value("resume")));
-  EXPECT_TRUE(std::isnan(sut.value("sent_in_poor")));
-  EXPECT_EQ(sut.value("silent_in_good"), 0);
-}
-
-TEST(SilenceMetrics, AreCountMeanAndLongest) {
-  const auto sut = Hand()
-                       .decides(10, false, 30)
-                       .decides(14, true, 80)
-                       .decides(40, false, 30)
-                       .decides(50, true, 80);
-  EXPECT_EQ(sut.value("pauses"), 2);
-  EXPECT_NEAR(sut.value("silence_mean"), 7, 1e-9);
-  EXPECT_NEAR(sut.value("silence_max"), 10, 1e-9);
-}
-
-TEST(SilenceMetrics, EndWithTheRun) {
-  const auto sut = Hand().decides(0, true, 80).decides(85, false, 30);
-  EXPECT_EQ(sut.value("pauses"), 1);
-  EXPECT_NEAR(sut.value("silence_max"), 15, 1e-9);
-}
-
-TEST(SilenceMetrics, BeginWithTheWindow) {
-  auto sut = Hand().decides(5, false, 30).decides(25, true, 80);
-  sut.warm_up(20);
-  EXPECT_NEAR(sut.value("silence_max"), 5, 1e-9);
-}
-
-TEST(SilenceMetrics, OfWhoNeverPausesAreNoneAndZero) {
-  const auto sut = Hand().decides(0, true, 80);
-  EXPECT_EQ(sut.value("pauses"), 0);
-  EXPECT_TRUE(std::isnan(sut.value("silence_mean")));
-  EXPECT_EQ(sut.value("silence_max"), 0);
-}
-
-TEST(SlotMetrics, CostOnePerPoorSlotSpokenIn) {
-  // Three of ten slots are poor and none is silent. The clairvoyant's silence: 3 x 0.1 + 2 x 0.5.
-  const auto sut = Hand().link({{0, 20}, {30, 5}, {60, 20}}).decides(0, true, 80);
-  EXPECT_NEAR(sut.value("slot_cost"), 100 * 3, 1e-6);
-  EXPECT_NEAR(sut.value("slot_regret"), 100 * (3 - 1.3), 1e-6);
-}
-
-TEST(SlotMetrics, CostHalfPerGoodSlotInSilence) {
-  const auto sut =
-      Hand().link({{0, 20}}).decides(0, true, 80).decides(40, false, 30).decides(70, true, 80);
-  EXPECT_NEAR(sut.value("slot_cost"), 100 * (3 * 0.5 + 2 * 0.5), 1e-6);
-  EXPECT_NEAR(sut.value("slot_regret"), sut.value("slot_cost"), 1e-6) << "he never falls silent";
-}
-
-TEST(MissionMetrics, AreOfAMissionThatWasDone) {
-  EXPECT_EQ(Hand().done_after(71.5).value("completion"), 71.5);
-  EXPECT_EQ(Hand().done_after(71.5).value("completed"), 1);
-  EXPECT_EQ(Hand().value("completed"), 0);
-  EXPECT_TRUE(std::isnan(Hand().value("completion")));
-}
-
-TEST(ObservationTest, KeepsTheLastDecisionAndMeasurementInIt) {
-  const auto sut = Hand()
-                       .decides(20, true, 70)
-                       .decides(29.9, true, 60)
-                       .decides(30, true, 50)
-                       .probes(21, 10)
-                       .probes(28, 15);
-  EXPECT_EQ(sut.observation(2).qni, 60);
-  EXPECT_EQ(sut.observation(2).probe_per, 15);
-  EXPECT_EQ(sut.observation(3).qni, 50);
-  EXPECT_TRUE(std::isnan(sut.observation(3).probe_per));
-}
-
-TEST(ObservationTest, KeepsAQniWhenTheNextDecisionHasNone) {
-  EXPECT_EQ(Hand().decides(20, true, 70).decides(25, true, NAN).observation(2).qni, 70);
-}
-
-TEST(ObservationTest, AveragesTheSnrOfItsSeconds) {
-  // Five seconds of 20 dB and five of 10 dB.
-  EXPECT_DOUBLE_EQ(Hand().link({{0, 20}, {25, 10}}).observation(2).snr_db, 15);
-}
-
-TEST(ObservationTest, TellsTheShareInWhichTheGateWasOpen) {
-  const auto sut = Hand().decides(0, true, 80).decides(22, false, 30).decides(25, true, 80);
-  EXPECT_NEAR(sut.observation(2).active, 0.7, 1e-9);
-  EXPECT_EQ(sut.observation(1).active, 1);
-}
-
-TEST(ObservationTest, TellsTheShareThatWasPoor) {
-  const auto sut = Hand().link({{0, 20}, {24, 5}, {60, 20}});
-  EXPECT_NEAR(sut.observation(2).poor, 0.6, 1e-9);
-  EXPECT_EQ(sut.observation(3).poor, 1);
-  EXPECT_EQ(sut.observation(6).poor, 0);
-}
-
-TEST(ObservationTest, HasTheMedianLatencyOfWhatWasSentInIt) {
-  const auto sut = Hand()
-                       .arrives("uxv high", "location", 1, 20, 0.010)
-                       .arrives("uxv high", "location", 2, 21, 0.500)
-                       .arrives("uxv critical", "heartbeat", 1, 29, 0.030)
-                       .arrives("uxv low", camera_topic, 1, 25, 0.9);
-  EXPECT_NEAR(sut.observation(2).latency_ms, 30, 1e-6);
-  EXPECT_EQ(sut.observation(2).sent, 3);
-  EXPECT_TRUE(std::isnan(sut.observation(3).latency_ms));
 }
 
 TEST(MetricTexts, AreAllDefinedWithAUnit) {

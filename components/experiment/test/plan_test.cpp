@@ -105,5 +105,66 @@ TEST(Instrument, PutsAListenerInPlaceOfEachRecorder) {
   EXPECT_EQ(sut.hosts[0].containers[1].components[0].component, "camera");
 }
 
+TEST(Plan, NamesItsFilesByAllThatTellsRunsApart) {
+  std::set<std::string> ids;
+  const auto plan = make_plan(ToyExperiment().load());
+  for (const auto& run : plan) EXPECT_TRUE(ids.insert(run.id()).second) << run.id();
+  EXPECT_EQ(ids.size(), 12U);
+}
+
+TEST(Plan, GivesEveryPayloadTheSameRadio) {
+  const ToyExperiment toy(with(toy_text, "payloads: [camera], ", ""));
+  const auto sut = make_plan(toy.load());
+  ASSERT_EQ(sut.size(), 24U);
+  EXPECT_EQ(sut[6].payload.name, "plain");
+  EXPECT_EQ(sut[6].seed, sut[0].seed);
+}
+
+TEST(Plan, KeepsToTheNamesOfASet) {
+  const ToyExperiment toy(with(toy_text, "payloads: [camera]", "missions: [b], policies: [none]"));
+  for (const auto& run : make_plan(toy.load())) {
+    EXPECT_EQ(run.mission.name, "b");
+    EXPECT_EQ(run.policy.name, "none");
+  }
+}
+
+TEST(Seeds, ArePositiveAndAlwaysTheSame) {
+  // What has been published must stay what it is.
+  EXPECT_EQ(seed_of("quick", "thesis_a", 1), 63613586);
+  EXPECT_EQ(seed_of("quick", "thesis_a", 12), 601164442);
+  for (int i = 1; i <= 1000; ++i) {
+    EXPECT_GE(seed_of("a", "thesis", i), 1);
+    EXPECT_LE(seed_of("a", "thesis", i), 1'000'000'000);
+  }
+}
+
+TEST(Overrides, LetThePolicyHaveTheLastWord) {
+  const ToyExperiment toy(with(toy_text, "{name: camera, camera: true}",
+                               "{name: camera, camera: true, set: [network_monitor.window=20]}"));
+  const Experiment experiment = toy.load();
+  const auto sut = overrides_of(make_plan(experiment)[3], experiment.timing, "/share", "/run").set;
+  const auto place = [&](const char* text) { return std::find(sut.begin(), sut.end(), text); };
+  EXPECT_LT(place("navigator.speed_mps=0.1"), place("network_monitor.window=20"));
+  EXPECT_LT(place("network_monitor.window=20"), place("network_monitor.window=10"));
+  EXPECT_NE(place("network_monitor.window=10"), sut.end());
+}
+
+TEST(Overrides, TakeADotInAValueForNoComponent) {
+  const ToyExperiment toy(with(toy_text, "alpha=3", "alpha=3.5"));
+  const Experiment experiment = toy.load();
+  EXPECT_THAT(overrides_of(make_plan(experiment)[3], experiment.timing, "/share", "/run").set,
+              Contains("transmission_controller.alpha=3.5"));
+}
+
+TEST(Overrides, HoldSeedFolderAndShare) {
+  const ToyExperiment toy;
+  const Experiment experiment = toy.load();
+  const auto run = make_plan(experiment)[2];
+  const auto sut = overrides_of(run, experiment.timing, "/share", "/run");
+  EXPECT_EQ(sut.seed, run.seed);
+  EXPECT_EQ(sut.share, "/share");
+  EXPECT_EQ(sut.run_dir, "/run");
+}
+
 }  // namespace
 }  // namespace tocsin::experiment

@@ -58,5 +58,32 @@ TEST(Progress, RewritesOneLineOnATerminal) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
 }
 
+TEST(ClockText, RoundsToWholeSeconds) {
+  EXPECT_EQ(clock_text(59.4), "0:59");
+  EXPECT_EQ(clock_text(59.6), "1:00");
+  EXPECT_EQ(clock_text(3599.6), "1:00:00");
+  EXPECT_EQ(clock_text(HUGE_VAL), "-:--");
+}
+
+TEST(ProgressText, IsFullAtTheEndAndOfNothing) {
+  EXPECT_EQ(progress_text(800, 800, 40, 20),
+            "800 of 800 runs [####################] 100 %, 0:40, 0:00 left");
+  EXPECT_EQ(progress_text(0, 0, 0, 0), "0 of 0 runs [####################] 100 %, 0:00, -:-- left");
+}
+
+TEST(ProgressText, FillsTheBarByWholeTwentieths) {
+  EXPECT_NE(progress_text(39, 800, 1, 1).find("[....................]"), std::string::npos);
+  EXPECT_NE(progress_text(40, 800, 1, 1).find("[#...................]"), std::string::npos);
+}
+
+TEST(Progress, TellsNoTenthAgainThatWasThereAlready) {
+  ::testing::internal::CaptureStdout();
+  Progress sut(10, 9, false);
+  sut.advance();
+  sut.finish();
+  const std::string text = ::testing::internal::GetCapturedStdout();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+}
+
 }  // namespace
 }  // namespace tocsin::experiment

@@ -163,5 +163,87 @@ TEST(ReplaceFile, LeavesTheOldOneWhenTheDiskIsFull) {
   EXPECT_FALSE(std::filesystem::exists(path + ".draft"));
 }
 
+TEST(ResultText, HasSixDigitsAndNothingForNothing) {
+  RunResult result;
+  result.simulated_s = 1234567.8;
+  result.measures.values = {1.0 / 3, std::nan(""), -0.0};
+  const std::string sut = to_text(result);
+  EXPECT_THAT(sut, HasSubstr("seconds 1.23457e+06\n"));
+  EXPECT_THAT(sut, HasSubstr("values 0.333333,,0\n"));
+}
+
+TEST(ResultText, KeepsEveryPartOfAnObservation) {
+  RunResult result;
+  result.measures.values = {1};
+  result.measures.series = {
+      {6, 71, 5, 12, 0.5, 0.25, 30, 3, 20, true},
+      {12, std::nan(""), std::nan(""), std::nan(""), 1, 0, 0, 0, std::nan(""), false}};
+  const auto sut = parse_result(to_text(result));
+  ASSERT_TRUE(sut);
+  const Observation& one = sut->measures.series[0];
+  EXPECT_EQ(one.time_s, 6);
+  EXPECT_EQ(one.qni, 71);
+  EXPECT_EQ(one.probe_per, 5);
+  EXPECT_EQ(one.snr_db, 12);
+  EXPECT_EQ(one.active, 0.5);
+  EXPECT_EQ(one.poor, 0.25);
+  EXPECT_EQ(one.sent, 30);
+  EXPECT_EQ(one.lost, 3);
+  EXPECT_EQ(one.latency_ms, 20);
+  EXPECT_TRUE(one.stalled);
+  EXPECT_TRUE(std::isnan(sut->measures.series[1].qni));
+  EXPECT_TRUE(std::isnan(sut->measures.series[1].latency_ms));
+  EXPECT_FALSE(sut->measures.series[1].stalled);
+}
+
+TEST(ResultText, OfFewerMetricsHasNoAnswerForTheNewOnes) {
+  const auto sut = parse_result(
+      "failure \nseconds 3\nvalues 1,2\n"
+      "time_s,qni,probe_per,snr_db,active,poor,sent,lost,latency_ms,stalled\nend\n");
+  ASSERT_TRUE(sut);
+  EXPECT_EQ(sut->measures.values.size(), metric_texts().size());
+  EXPECT_EQ(sut->measures.values[1], 2);
+  EXPECT_TRUE(std::isnan(sut->measures.values[2]));
+}
+
+TEST(ResultText, WithAnotherHeadIsNoResult) {
+  EXPECT_FALSE(parse_result("failure \nseconds 3\nvalues 1\ntime_s,qni\nend\n"));
+  EXPECT_FALSE(parse_result(""));
+  EXPECT_FALSE(parse_result("seconds 3\n"));
+}
+
+TEST(ResultText, OfAShortRowIsNoResult) {
+  std::string text = to_text(good());
+  const std::size_t row = text.find("\n10,");
+  text.erase(row + 1, 3);
+  EXPECT_FALSE(parse_result(text));
+}
+
+TEST(ResultStore, KeepsEachKindInAFolderAndATableOfItsOwn) {
+  const ToyExperiment toy;
+  const auto plan = make_plan(toy.load());
+  for (const char* kind : {"series", "real", "fit"}) {
+    const ResultStore sut(toy.path("out"), kind);
+    sut.open("s");
+    sut.write(plan[0], good());
+    sut.write_table(plan);
+    EXPECT_TRUE(std::filesystem::exists(
+        toy.path("out/" + std::string(kind) + "/" + plan[0].id() + ".csv")));
+  }
+  for (const char* table : {"runs.csv", "real.csv", "fit.csv"}) {
+    EXPECT_TRUE(std::filesystem::exists(toy.path("out/" + std::string(table)))) << table;
+  }
+}
+
+TEST(ResultStore, QuotesAReasonThatHasQuotes) {
+  const ToyExperiment toy;
+  const auto plan = make_plan(toy.load());
+  const ResultStore sut(toy.path("out"), "series");
+  sut.open("s");
+  sut.write(plan[0], {"said \"no\"", 0, {}});
+  sut.write_table(plan);
+  EXPECT_THAT(toy.read("out/runs.csv"), HasSubstr(",\"said \"\"no\"\"\",0,"));
+}
+
 }  // namespace
 }  // namespace tocsin::experiment

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "real_run.hpp"
 #include "toy.hpp"
 
@@ -50,6 +52,32 @@ TEST(LaunchCommand, SaysWhatTheSimulationIsTold) {
   EXPECT_THAT(sut, Contains(std::to_string(run.seed)));
   EXPECT_THAT(sut, Contains("transmission_controller.alpha=3"));
   EXPECT_THAT(sut, Contains("gcs/view"));
+}
+
+TEST(LaunchCommand, HasASetAndAWithoutBeforeEachOfThem) {
+  const ToyExperiment toy;
+  Experiment experiment = toy.load();
+  experiment.timing.without = {"gcs/view", "gcs/recorder"};
+  const auto sut = launch_command(make_plan(experiment)[0], experiment.timing, {"/share", "/out"});
+  EXPECT_EQ(std::count(sut.begin(), sut.end(), "--without"), 2);
+  EXPECT_EQ(std::count(sut.begin(), sut.end(), "--set"), 3) << "mission file, policy, speed";
+  const auto seed = std::find(sut.begin(), sut.end(), "--seed");
+  ASSERT_LT(seed + 1, sut.end());
+  EXPECT_EQ(*(seed + 1), std::to_string(seed_of("a", "near", 1)));
+  EXPECT_EQ(sut[1], experiment.timing.bringup);
+}
+
+TEST(Settings, TellTheSeedOfARunOnceForAllPolicies) {
+  const std::string sut = settings_of(ToyExperiment());
+  const std::string line = "a.near.1: ";
+  EXPECT_EQ(sut.find(line), sut.rfind(line));
+  EXPECT_THAT(sut, HasSubstr("runs: 12\n"));
+}
+
+TEST(Settings, HoldTheFileOfFittedParameters) {
+  const ToyExperiment toy(std::string("fitted: fitted.yaml\n") + toy_text);
+  toy.write("fitted.yaml", "a: {tocp: [alpha=9]}\n");
+  EXPECT_THAT(settings_of(toy), HasSubstr("fitted.yaml: |\n    a: {tocp: [alpha=9]}\n"));
 }
 
 }  // namespace

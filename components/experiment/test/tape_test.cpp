@@ -91,5 +91,106 @@ TEST(Tape, NamesTheFirstComponentThatThrew) {
   EXPECT_EQ(sut.failure(), "policy: one");
 }
 
+TEST(Tape, KeepsMeasurementsOfTheLinkInTheirUnits) {
+  topic::NetworkQuality::Message message;
+  message.per_percent(12.5);
+  message.signal_dbm(-70);
+  message.rtt_mean_ms(8);
+  const auto from = end_of("uxv", "link", "network_quality", "high");
+  Tape sut;
+  sut.on_written({from, t0 + seconds(1.5), 1, 50, &message, Status::ok});
+  ASSERT_EQ(sut.recording().qualities.size(), 1U);
+  EXPECT_EQ(sut.recording().qualities[0].time_s, 101.5);
+  EXPECT_EQ(sut.recording().qualities[0].per_percent, 12.5);
+  EXPECT_EQ(sut.recording().qualities[0].signal_dbm, -70);
+  EXPECT_EQ(sut.recording().qualities[0].rtt_mean_ms, 8);
+}
+
+TEST(Tape, FollowsThePath) {
+  topic::Location::Message message;
+  message.pose().pose().position().x(3);
+  message.pose().pose().position().y(-4);
+  const auto from = end_of("uxv", "drive", "location", "high");
+  Tape sut;
+  sut.on_written({from, t0, 1, 50, &message, Status::ok});
+  ASSERT_EQ(sut.recording().path.size(), 1U);
+  EXPECT_EQ(sut.recording().path[0].x_m, 3);
+  EXPECT_EQ(sut.recording().path[0].y_m, -4);
+}
+
+TEST(Tape, KeepsTheLastStateOfTheMission) {
+  topic::MissionStatus::Message message;
+  message.mission("square");
+  const auto from = end_of("gcs", "mission", "mission_status", "critical");
+  Tape sut;
+  for (const char* state : {"running", "done"}) {
+    message.state(state);
+    message.elapsed_s(message.elapsed_s() + 40);
+    sut.on_written({from, t0, 1, 50, &message, Status::ok});
+  }
+  EXPECT_EQ(sut.recording().mission.name, "square");
+  EXPECT_EQ(sut.recording().mission.state, "done");
+  EXPECT_EQ(sut.recording().mission.elapsed_s, 80);
+}
+
+TEST(Tape, IgnoresAMissionThatTheVehicleTells) {
+  topic::MissionStatus::Message message;
+  message.state("done");
+  const auto from = end_of("uxv", "mission", "mission_status", "critical");
+  Tape sut;
+  sut.on_written({from, t0, 1, 50, &message, Status::ok});
+  EXPECT_EQ(sut.recording().mission.state, "");
+}
+
+TEST(Tape, CountsEachClassOfEachSideByItself) {
+  topic::BatteryState::Message message;
+  const auto low = end_of("uxv", "drive", "battery_state", "low");
+  const auto more = end_of("uxv", "drive", "cpu_load", "low");
+  const auto high = end_of("uxv", "drive", "docking/status", "high");
+  const auto ground = end_of("gcs", "mission", "goal", "low");
+  Tape sut;
+  for (const auto* from : {&low, &more, &high, &ground}) {
+    sut.on_written({*from, t0, 1, 50, &message, Status::ok});
+  }
+  EXPECT_EQ(sut.recording().written.at("uxv low"), 2U);
+  EXPECT_EQ(sut.recording().written.at("uxv high"), 1U);
+  EXPECT_EQ(sut.recording().written.at("gcs low"), 1U);
+}
+
+TEST(Tape, IgnoresLinkTopicsWithoutAClass) {
+  topic::BatteryState::Message message;
+  const auto from = end_of("uxv", "drive", "battery_state", "none");
+  const auto recorder = end_of("gcs", "recorder", "battery_state", "");
+  Tape sut;
+  sut.on_written({from, t0, 1, 50, &message, Status::ok});
+  sut.on_delivered({from, recorder, 1, 1, t0, t0, t0, 300, nullptr});
+  EXPECT_TRUE(sut.recording().written.empty());
+  EXPECT_TRUE(sut.recording().arrivals.empty());
+}
+
+TEST(Tape, KeepsArrivalsOfAClassTogetherInTheOrderOfTheirComing) {
+  const auto one = end_of("uxv", "drive", "location", "high");
+  const auto other = end_of("uxv", "link", "network_quality", "high");
+  const auto recorder = end_of("gcs", "recorder", "", "");
+  Tape sut;
+  sut.on_delivered({one, recorder, 1, 1, t0, t0, t0 + seconds(1), 300, nullptr});
+  sut.on_delivered({other, recorder, 5, 5, t0, t0, t0 + seconds(2), 80, nullptr});
+  sut.on_delivered({one, recorder, 2, 2, t0, t0, t0 + seconds(3), 300, nullptr});
+  const auto& arrivals = sut.recording().arrivals.at("uxv high");
+  ASSERT_EQ(arrivals.size(), 3U);
+  EXPECT_EQ(arrivals[1].topic, "network_quality");
+  EXPECT_EQ(arrivals[1].writer, "link");
+  EXPECT_EQ(arrivals[2].sequence, 2U);
+}
+
+TEST(Tape, CountsFromTheTimeOfSendingNotOfWriting) {
+  // The gate held it back for 10 s.
+  const auto from = end_of("uxv", "drive", "location", "high");
+  const auto recorder = end_of("gcs", "recorder", "location", "");
+  Tape sut;
+  sut.on_delivered({from, recorder, 1, 1, t0, t0 + seconds(10), t0 + seconds(11), 300, nullptr});
+  EXPECT_EQ(sut.recording().arrivals.at("uxv high")[0].sent_s, 110);
+}
+
 }  // namespace
 }  // namespace tocsin::experiment
