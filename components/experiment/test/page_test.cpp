@@ -25,24 +25,42 @@ std::string page_of(const ToyResults& toy) {
   return toy.read("out/report.html");
 }
 
+/// The page of the toy experiment as it is; drawing it takes a second, so that tests share it.
+struct Shared {
+  ToyResults toy;
+  std::string page = page_of(toy);
+};
+const Shared& shared() {
+  static const Shared one;
+  return one;
+}
+
+/// The page with real runs beside it.
+const std::string& page_with_real_runs() {
+  static const std::string page = [] {
+    const ToyResults toy;
+    toy.add_real();
+    return page_of(toy);
+  }();
+  return page;
+}
+
 TEST(Page, IsWholeAndNeedsNothingElse) {
-  const ToyResults toy;
-  const std::string sut = page_of(toy);
+  const std::string& sut = shared().page;
   EXPECT_THAT(sut, AllOf(HasSubstr("</html>"), HasSubstr("<svg"), HasSubstr("0.1.0+toy")));
   EXPECT_THAT(sut, Not(HasSubstr("<!-- figure")));
   EXPECT_THAT(sut, Not(HasSubstr("src=")));
-  EXPECT_TRUE(std::filesystem::exists(toy.path("out/figures/fig43_main_a_near_camera_none.png")));
+  EXPECT_TRUE(
+      std::filesystem::exists(shared().toy.path("out/figures/fig43_main_a_near_camera_none.png")));
 }
 
 TEST(Page, IsTheSameEachTime) {
-  const ToyResults toy;
-  const std::string first = page_of(toy);
-  EXPECT_EQ(first, page_of(toy));
+  const std::string first = shared().page;
+  EXPECT_EQ(first, page_of(shared().toy));
 }
 
 TEST(Page, JudgesByTheIntervals) {
-  const ToyResults toy;
-  const std::string sut = page_of(toy);
+  const std::string& sut = shared().page;
   EXPECT_THAT(sut, HasSubstr("Mission A: TOCP-DSP <span class=\"yes\">beats</span> no policy on "
                              "probe_per_max: 52.0 against 72.0 %"));
   EXPECT_THAT(sut, HasSubstr("TOCP-DSP <span class=\"open\">does not beat</span> no policy on "
@@ -50,32 +68,26 @@ TEST(Page, JudgesByTheIntervals) {
 }
 
 TEST(Page, PutsTheThesisBesideOurs) {
-  const ToyResults toy;
-  EXPECT_THAT(page_of(toy), HasSubstr("<td>TOCP-DSP</td><td>10.0</td><td>52.0 [49.5, 54.5]</td>"));
+  EXPECT_THAT(shared().page, HasSubstr("<td>TOCP-DSP</td><td>10.0</td><td>52.0 [49.5, 54.5]</td>"));
 }
 
 TEST(Page, DefinesEveryMetric) {
-  const ToyResults toy;
-  const std::string sut = page_of(toy);
+  const std::string& sut = shared().page;
   for (const MetricText& text : metric_texts()) {
     EXPECT_THAT(sut, HasSubstr(std::string("<td>") + text.name + "</td>"));
   }
 }
 
 TEST(Page, ComparesSimulatedAndRealWhenBothAreThere) {
-  const ToyResults toy;
-  EXPECT_THAT(page_of(toy), Not(HasSubstr("Simulated against real")));
-  toy.add_real();
-  EXPECT_THAT(page_of(toy),
+  EXPECT_THAT(shared().page, Not(HasSubstr("Simulated against real")));
+  EXPECT_THAT(page_with_real_runs(),
               AllOf(HasSubstr("Simulated against real"),
                     HasSubstr("mean QNI, all pairs, within 2.00 over at least 20 paired runs; "
                               "real minus simulated 1.00")));
 }
 
 TEST(Page, LeavesOutPairsOfMissionsThatWereNotDone) {
-  const ToyResults toy;
-  toy.add_real();
-  EXPECT_THAT(page_of(toy),
+  EXPECT_THAT(page_with_real_runs(),
               AllOf(HasSubstr("pairs left out: none 1."), HasSubstr("over 11 pairs"),
                     HasSubstr("over 12 pairs"), HasSubstr("so far, over too few pairs")));
 }
