@@ -85,7 +85,7 @@ TEST(LossMetrics, PlaceWhatIsMissingBetweenItsNeighbours) {
                        .arrives("uxv high", "location", 6, 60, 0.1);
   EXPECT_EQ(sut.observation(1).sent, 1);
   EXPECT_EQ(sut.observation(1).lost, 0);
-  for (std::size_t i : {2, 3, 4, 5}) {
+  for (std::size_t i = 2; i <= 5; ++i) {
     EXPECT_EQ(sut.observation(i).sent, 1) << i;
     EXPECT_EQ(sut.observation(i).lost, 1) << i;
   }
