@@ -7,6 +7,7 @@
 include_guard(GLOBAL)
 set(TOCSIN_DESCRIBE_IDL "${CMAKE_CURRENT_LIST_DIR}/describe_idl.py")
 set(TOCSIN_GENERATE_IDL "${CMAKE_CURRENT_LIST_DIR}/generate_idl.cmake")
+set(TOCSIN_INLINE_TYPES "${CMAKE_CURRENT_LIST_DIR}/inline_types.py")
 
 function(tocsin_idl_library name)
   cmake_parse_arguments(A "" "" "IDL;LINK" ${ARGN})
@@ -16,12 +17,15 @@ function(tocsin_idl_library name)
   endif()
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   set(gen "${CMAKE_CURRENT_BINARY_DIR}/gen/${name}")
+  set(raw "${CMAKE_CURRENT_BINARY_DIR}/fastddsgen")
   set(idls ${A_IDL})
   list(TRANSFORM idls PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  set(stems)
   set(outputs)
   set(sources)
   foreach(idl IN LISTS idls)
     get_filename_component(stem "${idl}" NAME_WE)
+    list(APPEND stems ${stem})
     list(APPEND outputs "${gen}/${stem}.h" "${gen}/${stem}.hpp")
     list(APPEND sources "${gen}/${stem}.cxx" "${gen}/${stem}_type_info.cpp")
   endforeach()
@@ -35,15 +39,18 @@ function(tocsin_idl_library name)
   add_custom_command(
     OUTPUT ${outputs} ${sources}
     COMMAND "${CMAKE_COMMAND}" "-DGENERATOR=${FASTDDSGEN_EXECUTABLE}" "-DIDLS=${idl_list}"
-            "-DSEARCH=${search_list}" "-DOUT=${gen}" -P "${TOCSIN_GENERATE_IDL}"
-    COMMAND Python3::Interpreter "${TOCSIN_DESCRIBE_IDL}" ${name} "${gen}" ${idls}
-    DEPENDS ${idls} "${TOCSIN_GENERATE_IDL}" "${TOCSIN_DESCRIBE_IDL}"
+            "-DSEARCH=${search_list}" "-DOUT=${raw}" -P "${TOCSIN_GENERATE_IDL}"
+    COMMAND "${CMAKE_COMMAND}" -E make_directory "${gen}"
+    COMMAND Python3::Interpreter -B "${TOCSIN_INLINE_TYPES}" "${raw}" "${gen}" ${stems}
+    COMMAND Python3::Interpreter -B "${TOCSIN_DESCRIBE_IDL}" ${name} "${gen}" ${idls}
+    DEPENDS ${idls} "${TOCSIN_GENERATE_IDL}" "${TOCSIN_INLINE_TYPES}" "${TOCSIN_DESCRIBE_IDL}"
     COMMENT "fastddsgen ${name}" VERBATIM)
   add_library(${name} SHARED ${sources})
   target_include_directories(${name} SYSTEM PUBLIC
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}/gen>" "$<BUILD_INTERFACE:${gen}>"
     "$<INSTALL_INTERFACE:include>" "$<INSTALL_INTERFACE:include/${name}>")
   target_compile_options(${name} PRIVATE -w)  # generated code gets none of our warnings
+  tocsin_link_directly(${name})
   target_link_libraries(${name} PUBLIC idl_support::idl_support ${A_LINK})
   if(IS_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/include")
     target_include_directories(${name} PUBLIC

@@ -104,4 +104,5 @@ def main():
         put(out / f"{path.stem}_type_info.cpp", source(package, path.stem, types))
 
 
-main()
+if __name__ == "__main__":
+    main()

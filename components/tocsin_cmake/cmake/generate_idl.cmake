@@ -2,7 +2,7 @@
 # cmake -DGENERATOR=... -DIDLS=a,b -DSEARCH=dir,dir -DOUT=dir -P generate_idl.cmake
 # Runs fastddsgen 2.3 into a scratch directory and copies the type files of IDLS only:
 # * it also writes every included IDL, flattened by base name   -> copy our own stems
-# * comments carry JVM object hashes (not reproducible)         -> stripped, and copied if different
+# * comments carry JVM object hashes (not reproducible)         -> stripped
 cmake_minimum_required(VERSION 3.25)
 foreach(variable IDLS SEARCH)
   string(REPLACE "," ";" ${variable} "${${variable}}")
@@ -24,13 +24,7 @@ foreach(idl IN LISTS IDLS)
   foreach(extension h cxx)
     file(READ "${scratch}/out/${stem}.${extension}" text)
     string(REGEX REPLACE "(//[^\n]*)@[0-9a-f]+" "\\1" text "${text}")
-    set(old "")
-    if(EXISTS "${OUT}/${stem}.${extension}")
-      file(READ "${OUT}/${stem}.${extension}" old)
-    endif()
-    if(NOT old STREQUAL text)
-      file(WRITE "${OUT}/${stem}.${extension}" "${text}")
-    endif()
+    file(WRITE "${OUT}/${stem}.${extension}" "${text}")
   endforeach()
 endforeach()
 file(REMOVE_RECURSE "${scratch}")

@@ -3,8 +3,12 @@
 // 4-byte encapsulation 00 01 00 00, then each primitive aligned to its size from there.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
+#include <new>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "idl_support/type_registry.hpp"
@@ -23,6 +27,34 @@ std::vector<std::uint8_t> encode(const T& message) {
   std::vector<std::uint8_t> bytes(info.serialized_size(&message));
   EXPECT_EQ(info.serialize(&message, bytes.data(), bytes.size()), bytes.size());
   return bytes;
+}
+
+TEST(GeneratedTypes, ADefaultMessageIsZero) {
+  // In memory that held something else before.
+  alignas(nav_msgs::msg::Odometry) std::array<unsigned char, sizeof(nav_msgs::msg::Odometry)> room;
+  room.fill(0xA5);
+  auto* const sut = new (room.data()) nav_msgs::msg::Odometry;
+  EXPECT_EQ(sut->header().stamp().sec(), 0);
+  EXPECT_EQ(sut->child_frame_id(), "");
+  EXPECT_EQ(sut->pose().pose().orientation().z(), 0);
+  for (const double value : sut->twist().covariance()) EXPECT_EQ(value, 0);
+  sut->~Odometry();
+}
+
+TEST(GeneratedTypes, CopiesAreEqualAndIndependentAndMovesLeaveNothingBehind) {
+  using Odometry = nav_msgs::msg::Odometry;
+  static_assert(std::is_nothrow_move_constructible_v<Odometry>);
+  static_assert(std::is_nothrow_move_assignable_v<Odometry>);
+  Odometry sut;
+  sut.child_frame_id("a name that is longer than the small buffer of a string");
+  sut.pose().covariance()[35] = 0.5;
+  Odometry copy = sut;
+  EXPECT_EQ(copy, sut);
+  copy.pose().covariance()[35] = 1;
+  EXPECT_EQ(sut.pose().covariance()[35], 0.5);
+  const char* const text = sut.child_frame_id().data();
+  const Odometry moved = std::move(sut);
+  EXPECT_EQ(moved.child_frame_id().data(), text);
 }
 
 TEST(Wire, TypeNamesAreThoseOfRos2) {
