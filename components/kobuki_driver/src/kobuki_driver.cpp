@@ -36,6 +36,7 @@ void KobukiDriver::on_frame(ByteView payload, Time now, const ReadingSink& sink)
   inquiry_.on_feedback(feedback);
   check_firmware(feedback);
   sink(read(feedback, now));
+  if (next_command_ - now <= command_period) next_command_ = now;
 }
 
 void KobukiDriver::come_online(Time now) {
@@ -123,7 +124,8 @@ void KobukiDriver::run(Time now, const ByteSink& sink) {
   if (state_ == BaseState::no_port || !heard_) return;
   watch(now);
   if (now < next_command_) return;
-  next_command_ = std::max(next_command_ + command_period, now + command_period / 2);
+  const bool is_answer = state_ == BaseState::online;
+  next_command_ = now + (is_answer ? command_period * 3 / 2 : command_period);
   send_commands(now, sink);
 }
 

@@ -78,10 +78,10 @@ bool NavigatorComponent::is_turn(Time now) {
 }
 
 void NavigatorComponent::take_odometry(Time now) {
-  while (const auto odom = odom_.take()) {
-    pose_ = localiser_.update(pose_of(odom->pose().pose()), now);
-    if (pose_) navigator_.on_pose(*pose_, now);
-  }
+  const auto odom = odom_.take_latest();
+  if (!odom) return;
+  pose_ = localiser_.update(pose_of(odom->pose().pose()), now);
+  if (pose_) navigator_.on_pose(*pose_, now);
 }
 
 /// True when there was one to answer at once.

@@ -9,8 +9,8 @@
 
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
-#include "runtime/fast_dds_bus.hpp"
 #include "runtime/middleware/component_library.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/fast_dds_bus.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
 
 #include <atomic>
 #include <chrono>

@@ -23,6 +23,7 @@ void GateComponent::tick(Time now) {
 
 void GateComponent::report(Time now) {
   next_report_ = now + report_period_;
+  if (!report_.wanted()) return;
   tocsin_msgs::msg::TrafficReport message;
   message.stamp(wall(now));
   message.role(context().role);

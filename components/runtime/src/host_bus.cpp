@@ -8,7 +8,7 @@
 #include "deployment/deployment.hpp"
 #include "deployment/running_host.hpp"
 #include "foundation/error.hpp"
-#include "runtime/fast_dds_bus.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin {
 namespace {

@@ -6,8 +6,11 @@
 
 namespace tocsin {
 
-InputPort::InputPort(Component& owner, const Endpoint& endpoint)
-    : owner_(owner), endpoint_(endpoint), subscription_(owner.bus().subscribe(endpoint, *this)) {
+InputPort::InputPort(Component& owner, const Endpoint& endpoint, Arrival arrival)
+    : owner_(owner),
+      endpoint_(endpoint),
+      arrival_(arrival),
+      subscription_(owner.bus().subscribe(endpoint, *this)) {
   owner_.add_port(*this);
 }
 
@@ -21,12 +24,13 @@ void InputPort::receive_last(Sample&& sample) {
     if (!queue_.push(std::move(sample))) ++dropped_;
     has_sample_.store(true, std::memory_order_relaxed);
   }
-  owner_.schedule().input_arrived();
+  if (arrival_ == Arrival::ticks) owner_.schedule().input_arrived();
 }
 
 // A tick that an input asked for sees the flag that was set before, see Schedule::begin_tick.
+// Another may miss it, and the next one sees it.
 std::optional<Sample> InputPort::take_sample() {
-  if (!has_sample_.load(std::memory_order_relaxed)) return std::nullopt;
+  if (!has_sample()) return std::nullopt;
   const std::lock_guard<TurnLock> lock(turn_);
   if (queue_.size() == 0) return std::nullopt;
   has_sample_.store(queue_.size() > 1, std::memory_order_relaxed);
@@ -34,7 +38,7 @@ std::optional<Sample> InputPort::take_sample() {
 }
 
 std::shared_ptr<const void> InputPort::take_message() {
-  if (!has_sample_.load(std::memory_order_relaxed)) return nullptr;
+  if (!has_sample()) return nullptr;
   const std::lock_guard<TurnLock> lock(turn_);
   if (queue_.size() == 0) return nullptr;
   has_sample_.store(queue_.size() > 1, std::memory_order_relaxed);

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "runtime/fast_dds_bus.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin {
 

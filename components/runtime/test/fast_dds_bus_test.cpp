@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Real Fast DDS over real UDP on loopback. Each test has DDS domains of its own.
-#include "runtime/fast_dds_bus.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
 
 #include <fastrtps/attributes/LibrarySettingsAttributes.h>
 #include <fastrtps/xmlparser/XMLProfileManager.h>

@@ -19,6 +19,14 @@ class Reading : public Component {
   Input<topic::Goal> command{*this};
 };
 
+/// Looks at its input when it is ticked for another reason.
+class Polling : public Component {
+ public:
+  explicit Polling(Context& context) : Component(context) {}
+  void tick(Time) override {}
+  Input<topic::Goal> command{*this, Arrival::waits};
+};
+
 /// Counts the calls.
 class CountingWaker : public Waker {
  public:
@@ -51,6 +59,27 @@ TEST_F(PortTest, TakingEmptiesTheQueueAndKeepsTheCount) {
   EXPECT_EQ(sut_.command.take(), nullptr);
   EXPECT_EQ(sut_.command.health().depth, 0U);
   EXPECT_EQ(sut_.command.health().received, 1U);
+}
+
+TEST_F(PortTest, ASampleAsksForATick) {
+  sut_.schedule().begin_tick(bus_.now());
+  publish_goal();
+  EXPECT_TRUE(sut_.schedule().input_pending);
+}
+
+TEST_F(PortTest, ASampleThatWaitsAsksForNoTickAndIsThereInTheNext) {
+  Polling sut(context_);
+  CountingWaker waker;
+  sut.schedule().set_waker(&waker);
+  sut.schedule().begin_tick(bus_.now());
+  EXPECT_FALSE(sut.command.has_sample());
+  publish_goal();
+  EXPECT_FALSE(sut.schedule().input_pending);
+  EXPECT_EQ(waker.calls, 0);
+  sut.schedule().begin_tick(bus_.now());
+  EXPECT_TRUE(sut.command.has_sample());
+  EXPECT_NE(sut.command.take(), nullptr);
+  sut.schedule().set_waker(nullptr);
 }
 
 TEST_F(PortTest, AComponentTellsTheAccountOfAllItsInputs) {

@@ -42,7 +42,8 @@ enum class BaseState {
 /// The driver without its port: bytes in, readings out, commands out at a fixed rate.
 ///
 /// Nothing is sent before the first good frame, so that a wrong device gets no bytes. From then on
-/// a velocity goes out every 20 ms by our own clock, also while the base is silent (then zero).
+/// a velocity follows each frame (every 20 ms, as kobuki_core does it), 30 ms after the last one
+/// when no frame comes, and every 20 ms while the base is silent (then zero).
 /// Going silent forgets the velocity: driving resumes only by a new command. Pure, one thread;
 /// `now` must not decrease.
 class KobukiDriver {

@@ -65,7 +65,7 @@ class KobukiDriverComponent final : public Component {
   void report_gains();
   void remember(Time now);
 
-  Input<topic::CmdVel> cmd_vel_{*this};
+  Input<topic::CmdVel> cmd_vel_{*this, Arrival::waits};
   CommandTopics commands_{*this};
   BaseTopics base_topics_{*this};
 

@@ -51,7 +51,7 @@ class NavigatorComponent final : public Component {
   void log_change(const Navigator::Status& status);
   void remember(Time now);
 
-  Input<topic::Odom> odom_{*this};
+  Input<topic::Odom> odom_{*this, Arrival::waits};
   Input<topic::Goal> goal_{*this};
   Input<topic::EmergencyStop> emergency_stop_{*this};
   Input<topic::Heartbeat> heartbeat_{*this};

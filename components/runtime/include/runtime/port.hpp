@@ -13,13 +13,19 @@
 
 namespace tocsin {
 
+/// What a sample that comes does: ask for a tick, or wait for the next one (of a component that
+/// acts at its own rate, and would only look at it before).
+enum class Arrival { ticks, waits };
+
 /// The reading end of a topic, without its C++ type: a queue that drops its oldest sample when it
 /// is full. Filled by the bus from any thread, emptied by the component's tick.
 class InputPort : private Receiver {
  public:
-  InputPort(Component& owner, const Endpoint& endpoint);
+  InputPort(Component& owner, const Endpoint& endpoint, Arrival arrival = Arrival::ticks);
   ~InputPort() override;
 
+  /// Whether there is one to take; costs nothing.
+  [[nodiscard]] bool has_sample() const { return has_sample_.load(std::memory_order_relaxed); }
   /// The oldest sample that was not taken yet.
   [[nodiscard]] std::optional<Sample> take_sample();
   [[nodiscard]] std::shared_ptr<const void> take_message();  ///< null when there is none
@@ -34,6 +40,7 @@ class InputPort : private Receiver {
   void receive_last(Sample&& sample) override;
   Component& owner_;
   const Endpoint endpoint_;
+  const Arrival arrival_;
   mutable TurnLock turn_;
   SampleQueue queue_{capacity};
   std::atomic<bool> has_sample_{false};  ///< so that to look into an empty queue takes no lock
@@ -50,10 +57,12 @@ template <class Topic>
 class Input : public InputPort {
  public:
   using Message = typename Topic::Message;
-  explicit Input(Component& owner) : InputPort(owner, {Topic::info, &type_info<Message>()}) {}
+  explicit Input(Component& owner, Arrival arrival = Arrival::ticks)
+      : InputPort(owner, {Topic::info, &type_info<Message>()}, arrival) {}
 
   /// The oldest message that was not taken yet; null when there is none.
   [[nodiscard]] std::shared_ptr<const Message> take() {
+    if (!has_sample()) return nullptr;
     return std::static_pointer_cast<const Message>(take_message());
   }
   /// The newest message; all older ones are dropped. Null when nothing new came.

@@ -16,8 +16,8 @@
 #include "feeder.hpp"
 #include "foundation/error.hpp"
 #include "odom_watch.hpp"
-#include "runtime/fast_dds_bus.hpp"
 #include "runtime/middleware/component_library.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin::bench {
 namespace {

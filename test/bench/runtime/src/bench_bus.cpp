@@ -6,7 +6,7 @@
 #include <chrono>
 #include <fstream>
 
-#include "runtime/fast_dds_bus.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin::bench {
 namespace {
