@@ -2,6 +2,7 @@
 #include "kobuki_protocol/command.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace tocsin::kobuki {

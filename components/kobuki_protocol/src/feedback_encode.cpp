@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cassert>
+
 #include "feedback_ids.hpp"
 #include "kobuki_protocol/feedback.hpp"
 

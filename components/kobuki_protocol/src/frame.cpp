@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kobuki_protocol/frame.hpp"
 
+#include <cassert>
+
 namespace tocsin::kobuki {
 
 Frame::Frame() {
@@ -13,6 +15,19 @@ bool Frame::begin(std::uint8_t id, std::size_t size) {
   u8(id);
   u8(static_cast<std::uint8_t>(size));
   return true;
+}
+
+// These two are not inline: a frame is 80 of them in a row, and the checks would fill the
+// instruction cache.
+void Frame::u8(std::uint8_t value) {
+  assert(!closed_ && payload_size() < max_payload);
+  bytes_[size_++] = value;
+}
+
+void Frame::u16(std::uint16_t value) {
+  assert(!closed_ && payload_size() + 1 < max_payload);
+  bytes_[size_++] = static_cast<std::uint8_t>(value & 0xFFU);
+  bytes_[size_++] = static_cast<std::uint8_t>(value >> 8U);
 }
 
 void Frame::close() {

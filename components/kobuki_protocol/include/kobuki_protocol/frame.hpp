@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cassert>
 #include <cstdint>
 #include <optional>
 
@@ -25,14 +24,8 @@ class Frame {
   /// Begins a sub-payload of `size` data bytes, which must follow. False, and nothing written, when
   /// it does not fit into the 255 payload bytes.
   [[nodiscard]] bool begin(std::uint8_t id, std::size_t size);
-  void u8(std::uint8_t value) {
-    assert(!closed_ && payload_size() < max_payload);
-    bytes_[size_++] = value;
-  }
-  void u16(std::uint16_t value) {
-    u8(static_cast<std::uint8_t>(value & 0xFFU));
-    u8(static_cast<std::uint8_t>(value >> 8U));
-  }
+  void u8(std::uint8_t value);
+  void u16(std::uint16_t value);
   void u32(std::uint32_t value) {
     u16(static_cast<std::uint16_t>(value & 0xFFFFU));
     u16(static_cast<std::uint16_t>(value >> 16U));
