@@ -16,10 +16,11 @@ namespace tocsin::simulation {
 
 /// Sizes of what RTPS 2.2 puts around data, in bytes (DDSI-RTPS 2.2, 9.4). Checked against captured
 /// packets of Debian's Fast DDS 2.9.1: a full fragment is an IP packet of 1396 bytes with 1224 of
-/// the sample, an ACKNACK without bits one of 152.
+/// the sample, an ACKNACK without bits one of 152, a HEARTBEAT one of 140.
 namespace wire {
 inline constexpr std::size_t ip_and_udp = 28;
-inline constexpr std::size_t message_header = 20 + 16;  ///< RTPS header, INFO_DST
+inline constexpr std::size_t message_header = 20;
+inline constexpr std::size_t info_destination = 16;  ///< before fragments, ACKNACK and GAP only
 inline constexpr std::size_t info_timestamp = 12;
 inline constexpr std::size_t data_header = 24;
 inline constexpr std::size_t data_fragment_header = 36;

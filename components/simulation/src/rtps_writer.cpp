@@ -9,11 +9,12 @@ namespace tocsin::simulation {
 std::vector<std::size_t> wire::packets_of(std::size_t bytes) {
   constexpr std::size_t around = message_header + info_timestamp + statistics;
   // Fast DDS keeps room for a heartbeat, and measures whole samples as if they were fragments.
-  constexpr std::size_t fragment = longest_message - around - data_fragment_header - heartbeat;
+  constexpr std::size_t around_fragment = around + info_destination + data_fragment_header;
+  constexpr std::size_t fragment = longest_message - around_fragment - heartbeat;
   if (bytes <= fragment) return {ip_and_udp + around + data_header + bytes};
   std::vector<std::size_t> packets;
   for (std::size_t left = bytes; left > 0; left -= std::min(left, fragment)) {
-    packets.push_back(ip_and_udp + around + data_fragment_header + std::min(left, fragment));
+    packets.push_back(ip_and_udp + around_fragment + std::min(left, fragment));
   }
   return packets;
 }
@@ -140,8 +141,8 @@ void RtpsWriter::send_heartbeat(Proxy& proxy) {
   link_.send(owner_.direction, bytes, [this, &proxy, first, last] {
     const Time answer_at = core_.now + seconds(proxy.reader->qos().heartbeat_response_delay_s);
     core_.events.at(answer_at, [this, &proxy, first, last] {
-      constexpr std::size_t size =
-          wire::ip_and_udp + wire::message_header + wire::acknack + wire::statistics;
+      constexpr std::size_t size = wire::ip_and_udp + wire::message_header +
+                                   wire::info_destination + wire::acknack + wire::statistics;
       if (!proxy.reader->alive()) return;
       auto missing = proxy.reader->on_heartbeat(owner_.source, first, last, core_.now);
       link_.send(back(owner_.direction), size, [this, &proxy, last, missing = std::move(missing)] {
@@ -166,8 +167,8 @@ void RtpsWriter::on_acknack(Proxy& proxy, std::uint64_t last,
 
 void RtpsWriter::repair(RtpsReader& reader, std::uint64_t sequence) {
   if (const Change* change = find(sequence)) return transmit(reader, *change);
-  constexpr std::size_t bytes =
-      wire::ip_and_udp + wire::message_header + wire::gap + wire::statistics;
+  constexpr std::size_t bytes = wire::ip_and_udp + wire::message_header + wire::info_destination +
+                                wire::gap + wire::statistics;
   link_.send(owner_.direction, bytes,
              [this, &reader, sequence] { reader.on_gap(owner_.source, sequence, core_.now); });
 }

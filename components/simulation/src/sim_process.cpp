@@ -53,7 +53,7 @@ void SimProcess::Topic::detach(Receiver& receiver) {
 }
 
 void SimProcess::Topic::deliver(const Sample& sample) {
-  if (keeps_last) return kept.deliver(sample);
+  if (keeps_last) return kept.deliver(Sample(sample));
   for (Receiver* receiver : receivers) receiver->receive(sample);
 }
 

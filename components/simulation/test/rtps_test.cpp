@@ -262,8 +262,8 @@ TEST(RtpsReader, GivesADuplicateOnce) {
 }
 
 TEST(WirePackets, KeepASmallSampleWhole) {
-  EXPECT_EQ(wire::packets_of(100), std::vector<std::size_t>{28 + 36 + 12 + 24 + 60 + 100});
-  EXPECT_EQ(wire::packets_of(1224), std::vector<std::size_t>{1384});
+  EXPECT_EQ(wire::packets_of(100), std::vector<std::size_t>{28 + 20 + 12 + 24 + 60 + 100});
+  EXPECT_EQ(wire::packets_of(1224), std::vector<std::size_t>{1368});
 }
 
 TEST(WirePackets, CutALargeSample) {
