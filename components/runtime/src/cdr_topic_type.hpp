@@ -5,12 +5,14 @@
 #include <memory>
 
 #include "idl_support/type_info.hpp"
+#include "message_pool.hpp"
 
 namespace tocsin {
 
 /// What take_next_sample fills.
 struct IncomingSample {
-  std::shared_ptr<void> message;  ///< set before: decode into it; else a new one is made
+  MessagePool* pool = nullptr;  ///< set before: where to take the message from
+  std::shared_ptr<void> message;
   std::uint32_t bytes = 0;
   bool valid = false;
   bool skip = false;  ///< set before: take the sample off the reader without decoding it

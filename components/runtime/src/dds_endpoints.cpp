@@ -81,10 +81,10 @@ bool DdsReader::has_other_layout(const RemoteEnds::Guid& writer) {
 
 void DdsReader::drain(Reader* reader) {
   IncomingSample incoming;
+  incoming.pool = &pool_;
   dds::SampleInfo info;
   for (;;) {
     incoming.skip = next_is_own(reader);  // spares the decoding
-    if (!incoming.skip) incoming.message = pool_.take();
     if (reader->take_next_sample(&incoming, &info) != ReturnCode::RETCODE_OK) return;
     if (!info.valid_data || incoming.skip) continue;
     if (skips_own_ && participant_.owns(info.sample_identity.writer_guid())) continue;

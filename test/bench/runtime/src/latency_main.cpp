@@ -127,7 +127,7 @@ void measure(const Load& load, bool quick) {
                                   {"components, a thread each", 2}};
   std::array<char, 32> text{};
   (void)std::snprintf(text.data(), text.size(), "%8zu B 1:%-2d", load.bytes, load.readers);
-  compare(text.data(), titles, {quick ? 2 : 8, 3, 6, load.trips}, [&] { return set_up(load); });
+  compare(text.data(), titles, {quick ? 2 : 8, 3, 3, load.trips}, [&] { return set_up(load); });
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ int main(int argc, char** argv) {
   std::printf("round trip in one process [us], median / p99; share of the raw one above it\n");
   for (const int readers : {1, 10}) {
     for (const std::size_t bytes : {64U, 1024U, 65536U, 1U << 20U}) {
-      tocsin::bench::measure({bytes, readers, bytes > 65536 ? 10 : 100}, quick);
+      tocsin::bench::measure({bytes, readers, bytes > 65536 ? 40 : 400}, quick);
     }
   }
   return 0;

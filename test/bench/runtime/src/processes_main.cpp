@@ -3,6 +3,7 @@
 // loopback UDP and on shared memory, and Cyclone's ddsperf when it is installed.
 // The ways take turns, with new processes for each generation.
 // usage: runtime_processes [--quick [BYTES]]
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -67,6 +68,7 @@ pid_t start_echo(std::size_t index) {
   const char* const self = "/proc/self/exe";
   const pid_t child = fork();
   if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     execl(self, self, "--echo", std::to_string(index).c_str(), nullptr);
     _exit(1);
   }
@@ -171,7 +173,7 @@ int measure(bool quick, std::size_t only) {
   for (const Setting& setting : settings) titles.push_back({setting.name, setting.rival});
   for (const std::size_t bytes : {64U, 1024U, 65536U, 1U << 20U}) {
     if (only != 0 && only != bytes) continue;
-    const Plan plan{quick ? 2 : 8, 3, 6, bytes > 65536 ? 10 : 50};
+    const Plan plan{quick ? 2 : 8, 3, 3, bytes > 65536 ? 40 : 200};
     compare(load_text(bytes), titles, plan, [bytes] { return set_up(bytes); });
   }
   if (!quick) cyclone(64);

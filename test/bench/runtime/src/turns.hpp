@@ -34,7 +34,7 @@ struct Plan {
   int generations;  ///< where the scheduler puts a process, and the allocator an object, stays
   int blocks;       ///< of a generation
   int turns;        ///< of each way in a block
-  int trips;        ///< in a turn
+  int trips;        ///< in a turn; 200 or so, as the first one, on cold caches, takes long
 };
 
 /// The ways take turns, a few round trips each, forwards and backwards, so that a machine whose
