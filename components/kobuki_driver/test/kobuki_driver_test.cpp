@@ -35,59 +35,6 @@ TEST(KobukiDriver, CommandsFiftyTimesASecond) {
   EXPECT_NEAR(sut.count<BaseControl>(), 500, 2);
 }
 
-/// A driver that is given frames by hand: counts the bursts of commands.
-struct ByHand {
-  ByHand() { driver.on_port_open(); }
-  void frame() {
-    Feedback feedback;
-    feedback.core = CoreSensors{};
-    const Frame bytes = encode_feedback(feedback);
-    driver.on_bytes(bytes.bytes(), now, [](const Reading&) {});
-  }
-  int run() {
-    int writes = 0;
-    driver.run(now, [&](ByteView) { ++writes; });
-    return writes;
-  }
-  void pass(int ms) { now += std::chrono::milliseconds(ms); }
-  Time now = Time{} + seconds(10);
-  KobukiDriver driver{KobukiDriver::Params{}};
-};
-
-TEST(KobukiDriver, AnswersEachFrameAtOnce) {
-  ByHand sut;
-  for (int i = 0; i < 50; ++i) {
-    sut.frame();
-    EXPECT_GE(sut.run(), 1) << i;
-    EXPECT_EQ(sut.run(), 0) << i;
-    sut.pass(20);
-    EXPECT_EQ(sut.run(), 0) << i;
-  }
-}
-
-TEST(KobukiDriver, CommandsAfterThirtyMillisecondsWhenAFrameIsLate) {
-  ByHand sut;
-  sut.frame();
-  EXPECT_GE(sut.run(), 1);
-  sut.pass(29);
-  EXPECT_EQ(sut.run(), 0);
-  EXPECT_EQ(sut.driver.next_deadline(), sut.now + std::chrono::milliseconds(1));
-  sut.pass(1);
-  EXPECT_GE(sut.run(), 1);
-}
-
-TEST(KobukiDriver, TwoFramesInOneReadAreOneCommand) {
-  ByHand sut;
-  sut.frame();
-  EXPECT_GE(sut.run(), 1);
-  sut.pass(9);
-  sut.frame();
-  EXPECT_EQ(sut.run(), 0);
-  sut.pass(1);
-  sut.frame();
-  EXPECT_GE(sut.run(), 1);
-}
-
 TEST(KobukiDriver, CommandsByItsOwnClockWhenTheBaseIsSilent) {
   ModelRig sut;
   sut.run(0.1, BodyVelocity{0.3, 0});

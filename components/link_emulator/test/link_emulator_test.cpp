@@ -37,13 +37,14 @@ struct Ends {
   UdpSocket gcs{Namespaces::gcs(), "10.77.0.2", "10.77.0.1"};
 };
 
-/// Sends `count` numbered datagrams in small bursts; returns those that arrive.
+/// Sends `count` numbered datagrams in small bursts; returns those that arrive. Waits for the last
+/// of each: four bursts that an emulator without a processor finds in its queue fill it.
 std::set<int> stream(UdpSocket& from, UdpSocket& to, int count) {
   std::set<int> arrived;
   for (int i = 0; i < count; ++i) {
     from.send(i, 100);
     if (i % 25 != 24 && i + 1 < count) continue;
-    const int timeout_ms = i + 1 < count ? 4 : 500;
+    const int timeout_ms = i + 1 < count ? 50 : 500;
     while (const auto number = to.receive(timeout_ms)) {
       arrived.insert(*number);
       if (*number == i) break;
