@@ -114,4 +114,18 @@ OccupancyMap load_map(const std::string& yaml_path) {
   return known.get(yaml_path, [&] { return read_map(yaml_path); });
 }
 
+std::shared_ptr<const CostMap> load_costs(const std::string& yaml_path,
+                                          const InflationParams& params) {
+  struct Known {
+    InflationParams params;
+    std::shared_ptr<const CostMap> costs;
+  };
+  static FileCache<Known> known;
+  const auto compute = [&] {
+    return Known{params, std::make_shared<const CostMap>(load_map(yaml_path), params)};
+  };
+  const Known found = known.get(yaml_path, compute);
+  return found.params == params ? found.costs : compute().costs;
+}
+
 }  // namespace tocsin::navigation

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -122,6 +123,29 @@ TEST_F(LoadMap, ReadsYamlAndImage) {
   EXPECT_DOUBLE_EQ(sut.grid().resolution_m, 0.1);
   EXPECT_EQ(sut.at(Point2{-0.95, 2.05}), Cell::free);
   EXPECT_EQ(sut.at(Point2{-0.85, 2.05}), Cell::occupied);
+}
+
+TEST_F(LoadMap, CostsAreThoseOfTheMapWithTheParametersAskedFor) {
+  std::string pixels(400, '\xfe');
+  pixels[210] = '\0';
+  write("m.pgm", "P5 20 20 255\n" + pixels);
+  write("m.yaml", good_);
+  const auto an_hour_ago = std::filesystem::file_time_type::clock::now() - std::chrono::hours(1);
+  std::filesystem::last_write_time(path(), an_hour_ago);  // old enough to be remembered
+  const OccupancyMap map = load_map(path());
+  for (const double radius_m : {0.05, 0.3, 0.05}) {
+    InflationParams params;
+    params.robot_radius_m = radius_m;
+    const CostMap expected(map, params);
+    const auto sut = load_costs(path(), params);
+    ASSERT_EQ(sut->grid().size(), expected.grid().size());
+    for (std::size_t i = 0; i < expected.grid().size(); ++i) {
+      EXPECT_EQ(sut->cost(i), expected.cost(i)) << radius_m << " m, cell " << i;
+    }
+    if (radius_m < 0.1) {
+      EXPECT_EQ(load_costs(path(), params), load_costs(path(), params));
+    }
+  }
 }
 
 TEST_F(LoadMap, NamesAMissingYamlFile) {

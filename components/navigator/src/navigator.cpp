@@ -29,10 +29,11 @@ Pose2 ahead(const Pose2& pose, double metres) {
 }  // namespace
 
 Navigator::Navigator(const Params& params, navigation::OccupancyMap map)
-    : params_(params),
-      map_(std::move(map)),
-      costs_(map_, params.inflation),
-      follower_(params.follower) {}
+    : Navigator(params, map, std::make_shared<const navigation::CostMap>(map, params.inflation)) {}
+
+Navigator::Navigator(const Params& params, navigation::OccupancyMap map,
+                     std::shared_ptr<const navigation::CostMap> costs)
+    : params_(params), map_(std::move(map)), costs_(std::move(costs)), follower_(params.follower) {}
 
 GoalAnswer Navigator::on_goal(Goal goal, Time now) {
   const GoalAnswer answer = goals_.on_goal(std::move(goal), now);
@@ -136,7 +137,7 @@ Navigator::Output Navigator::align(const Target& target, Duration dt) {
 
 Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration dt) {
   if (!has_path_) {
-    auto path = plan(costs_, position(pose_), position(target.pose));
+    auto path = plan(*costs_, position(pose_), position(target.pose));
     if (!path) return block(now, "no_path");
     follower_.start(std::move(*path));
     has_path_ = true;

@@ -14,9 +14,10 @@ using navigation::Pose2;
 
 namespace {
 
-navigation::OccupancyMap load_required_map(const std::string& name, const std::string& path) {
-  if (path.empty()) throw ConfigError(name + ".map_file: is required");
-  return navigation::load_map(path);
+Navigator make_navigator(const std::string& name, const NavigatorComponent::Params& params) {
+  if (params.map_file.empty()) throw ConfigError(name + ".map_file: is required");
+  return {params.navigator, navigation::load_map(params.map_file),
+          navigation::load_costs(params.map_file, params.navigator.inflation)};
 }
 
 Pose2 pose_of(const geometry_msgs::msg::Pose& message) {
@@ -51,7 +52,7 @@ std::string memory_path(const Context& context) {
 NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
     : Component(context),
       params_(params),
-      navigator_(params.navigator, load_required_map(context.name, params.map_file)),
+      navigator_(make_navigator(context.name, params)),
       file_(memory_path(context)),
       localiser_(
           make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})) {}

@@ -21,6 +21,10 @@ struct InflationParams {
     v("soft_radius_m", soft_radius_m, {0, 3}, "[m] nearer to a wall costs more");
     v("soft_weight", soft_weight, {0, 50}, "[1] extra cost of a cell at a wall");
   }
+  friend bool operator==(const InflationParams& a, const InflationParams& b) {
+    return a.robot_radius_m == b.robot_radius_m && a.margin_m == b.margin_m &&
+           a.soft_radius_m == b.soft_radius_m && a.soft_weight == b.soft_weight;
+  }
 };
 
 /// What it costs to cross each cell: walls and what lies within the robot's radius and margin of

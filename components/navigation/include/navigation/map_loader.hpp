@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 
+#include "navigation/cost_map.hpp"
 #include "navigation/occupancy_map.hpp"
 #include "navigation/pgm.hpp"
 
@@ -24,5 +26,8 @@ struct MapScale {
 /// Throws ConfigError naming file and reason: unreadable, unknown or missing key, value out of
 /// range, rotated origin, other mode than trinary, bad image.
 [[nodiscard]] OccupancyMap load_map(const std::string& yaml_path);
+/// What it costs to cross the cells of that map; computed once for the same file and parameters.
+[[nodiscard]] std::shared_ptr<const CostMap> load_costs(const std::string& yaml_path,
+                                                        const InflationParams& params);
 
 }  // namespace tocsin::navigation

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -63,6 +64,9 @@ class Navigator {
 
   /// Throws ConfigError when the parameters contradict each other.
   Navigator(const Params& params, navigation::OccupancyMap map);
+  /// The same with costs that were computed before, from this map and `params.inflation`.
+  Navigator(const Params& params, navigation::OccupancyMap map,
+            std::shared_ptr<const navigation::CostMap> costs);
 
   [[nodiscard]] GoalAnswer on_goal(Goal goal, Time now);
   /// Pose of the vehicle in the map frame; one that is not finite is ignored.
@@ -103,7 +107,7 @@ class Navigator {
 
   Params params_;
   navigation::OccupancyMap map_;
-  navigation::CostMap costs_;
+  std::shared_ptr<const navigation::CostMap> costs_;
   navigation::PathFollower follower_;
 
   GoalList goals_;
