@@ -28,7 +28,7 @@ Pose2 ahead(const Pose2& pose, double metres) {
 
 }  // namespace
 
-Navigator::Navigator(const Params& params, navigation::OccupancyMap map)
+Navigator::Navigator(const Params& params, const navigation::OccupancyMap& map)
     : Navigator(params, map, std::make_shared<const navigation::CostMap>(map, params.inflation)) {}
 
 Navigator::Navigator(const Params& params, navigation::OccupancyMap map,

@@ -63,7 +63,7 @@ class Navigator {
   };
 
   /// Throws ConfigError when the parameters contradict each other.
-  Navigator(const Params& params, navigation::OccupancyMap map);
+  Navigator(const Params& params, const navigation::OccupancyMap& map);
   /// The same with costs that were computed before, from this map and `params.inflation`.
   Navigator(const Params& params, navigation::OccupancyMap map,
             std::shared_ptr<const navigation::CostMap> costs);
