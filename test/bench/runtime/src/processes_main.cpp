@@ -8,12 +8,14 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "bench_bus.hpp"
@@ -137,10 +139,16 @@ class Echoes {
 Generation set_up(std::size_t bytes) {
   Generation generation;
   generation.others = std::make_shared<Echoes>();
+  std::vector<End*> ends;
   for (std::size_t i = 0; i < way_count; ++i) {
     auto end = std::make_unique<End>(i, bytes);
-    if (!end->discover()) std::printf("%s: silent\n", settings.at(i).name);
+    ends.push_back(end.get());
     generation.ways.push_back(std::move(end));
+  }
+  // What is written to nobody is waited for in vain, two seconds each.
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  for (std::size_t i = 0; i < way_count; ++i) {
+    if (!ends[i]->discover()) std::printf("%s: silent\n", settings.at(i).name);
   }
   return generation;
 }
@@ -173,7 +181,7 @@ int measure(bool quick, std::size_t only) {
   for (const Setting& setting : settings) titles.push_back({setting.name, setting.rival});
   for (const std::size_t bytes : {64U, 1024U, 65536U, 1U << 20U}) {
     if (only != 0 && only != bytes) continue;
-    const Plan plan{quick ? 2 : 8, 3, 3, bytes > 65536 ? 40 : 200};
+    const Plan plan{quick ? 4 : 32, 9, bytes > 65536 ? 40 : 200};
     compare(load_text(bytes), titles, plan, [bytes] { return set_up(bytes); });
   }
   if (!quick) cyclone(64);

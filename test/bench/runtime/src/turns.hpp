@@ -32,14 +32,14 @@ struct Generation {
 
 struct Plan {
   int generations;  ///< where the scheduler puts a process, and the allocator an object, stays
-  int blocks;       ///< of a generation
-  int turns;        ///< of each way in a block
+  int turns;        ///< of each way in a generation
   int trips;        ///< in a turn; 200 or so, as the first one, on cold caches, takes long
 };
 
 /// The ways take turns, a few round trips each, forwards and backwards, so that a machine whose
 /// speed changes changes it for all. Prints median and 99th percentile in microseconds, and their
-/// shares of the rival's: the median over the blocks with its 95 % confidence interval.
+/// shares of the rival's: the median over the generations, which alone are independent, with its
+/// 95 % confidence interval.
 void compare(const std::string& load, const std::vector<Title>& titles, const Plan& plan,
              const std::function<Generation()>& set_up);
 
