@@ -14,28 +14,36 @@ constexpr double near_bytes_m = 9600;
 constexpr double nearest_m = 0.3;
 constexpr double farthest_m = 60;
 constexpr double least_bytes = 500;  // tables and headers of a JPEG
-constexpr int rays = 8;
+
+/// The middles of as many equal strips of the picture.
+Fan fan_of(double field_of_view_deg) {
+  const double half_width = std::tan(field_of_view_deg * pi / 360.0);
+  Fan sideways{};
+  for (std::size_t i = 0; i < sideways.size(); ++i) {
+    const double strip = static_cast<double>(i) + 0.5;
+    sideways[i] = half_width * (2 * strip / static_cast<double>(sideways.size()) - 1);
+  }
+  return sideways;
+}
 
 }  // namespace
 
 PictureSize::PictureSize(double field_of_view_deg, std::vector<Wall> walls)
-    : half_width_(std::tan(field_of_view_deg * pi / 360.0)), walls_(std::move(walls)) {}
+    : sideways_(fan_of(field_of_view_deg)), walls_(std::move(walls)) {}
 
-double PictureSize::law(const View& view) {
-  double inverse_per_m = 0;
-  for (int i = 0; i < rays; ++i) {
-    const Ray ray = ray_through(view, half_width_ * ((2 * i + 1.0) / rays - 1));
-    const double depth_m = depth_to_wall_m(ray, walls_).value_or(farthest_m);
-    inverse_per_m += 1 / std::max(depth_m, nearest_m) / rays;
+double PictureSize::law(const View& view) const {
+  double sum_per_m = 0;
+  for (const double wall_per_m : inverse_depths_per_m(view, sideways_, walls_)) {
+    sum_per_m += wall_per_m > 0 ? std::min(wall_per_m, 1 / nearest_m) : 1 / farthest_m;
   }
-  return open_bytes - near_bytes_m * inverse_per_m;
+  return open_bytes - near_bytes_m * sum_per_m / static_cast<double>(sideways_.size());
 }
 
 void PictureSize::calibrate(const View& view, std::size_t bytes) {
   factor_ = static_cast<double>(bytes) / law(view);
 }
 
-std::size_t PictureSize::bytes(const View& view) {
+std::size_t PictureSize::bytes(const View& view) const {
   return static_cast<std::size_t>(std::max(least_bytes, factor_ * law(view)));
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace tocsin::camera {
 namespace {
@@ -91,19 +92,54 @@ TEST(Cast, TellsASideLookFromASquareOne) {
   EXPECT_NEAR(sut[0].facing, std::sqrt(0.5), tiny);
 }
 
-TEST(DepthToWall, IsThatOfTheNearestWallBehindAnyFurniture) {
-  const std::vector<Wall> walls{wall(7, -1, 7, 1), furniture(2, -1, 2, 1), wall(5, -1, 5, 1),
-                                wall(-3, -1, -3, 1), wall(0, 2, 9, 2)};
-  const auto depth_m = depth_to_wall_m(ray_through({0, 0, 0}, 0), walls);
-  ASSERT_TRUE(depth_m);
-  EXPECT_NEAR(*depth_m, 5, tiny);
-  EXPECT_NEAR(*depth_m, hits_of({0, 0, 0}, walls).at(0).depth_m, tiny);
+constexpr Fan fan{-1.2, -0.6, -0.3, -0.1, 0, 0.2, 0.5, 1.5};
+
+/// Along the middle of the view from the origin along x.
+double inverse_depth_ahead_per_m(const std::vector<Wall>& walls) {
+  return inverse_depths_per_m({0, 0, 0}, fan, walls)[4];
 }
 
-TEST(DepthToWall, IsEmptyWhereOnlyFurnitureStandsOrThePlaceIsInTheWall) {
-  EXPECT_FALSE(depth_to_wall_m(ray_through({0, 0, 0}, 0), {furniture(2, -1, 2, 1)}));
-  EXPECT_FALSE(depth_to_wall_m(ray_through({0, 0, 0}, 0), {wall(0.04, -1, 0.04, 1)}));
-  EXPECT_TRUE(depth_to_wall_m(ray_through({0, 0, 0}, 0), {wall(0.06, -1, 0.06, 1)}));
+TEST(InverseDepths, AreThoseOfTheNearestWallBehindAnyFurniture) {
+  const std::vector<Wall> walls{wall(7, -1, 7, 1), furniture(2, -1, 2, 1), wall(5, -1, 5, 1),
+                                wall(-3, -1, -3, 1), wall(0, 2, 9, 2)};
+  EXPECT_NEAR(inverse_depth_ahead_per_m(walls), 0.2, tiny);
+}
+
+TEST(InverseDepths, AreZeroWhereOnlyFurnitureStandsOrThePlaceIsInTheWall) {
+  EXPECT_EQ(inverse_depth_ahead_per_m({furniture(2, -1, 2, 1)}), 0);
+  EXPECT_EQ(inverse_depth_ahead_per_m({wall(0.04, -1, 0.04, 1)}), 0);
+  EXPECT_NEAR(inverse_depth_ahead_per_m({wall(0.06, -1, 0.06, 1)}), 1 / 0.06, tiny);
+}
+
+TEST(InverseDepths, DoNotCountAWallSeenFromTheSide) {
+  EXPECT_EQ(inverse_depth_ahead_per_m({wall(1, 0, 2, 0)}), 0);
+  EXPECT_EQ(inverse_depth_ahead_per_m({wall(-1, 0, 2, 0)}), 0);
+  EXPECT_EQ(inverse_depth_ahead_per_m({wall(2, 0, 2, 0)}), 0);
+  EXPECT_EQ(inverse_depth_ahead_per_m({wall(1, 0, 2, 0), wall(3, -1, 3, 1)}), 1 / 3.0);
+}
+
+/// Of the first that `cast` gives, which is the farthest, if that is a wall.
+double cast_per_m(const View& view, const std::vector<Wall>& walls, double sideways) {
+  const auto hits = hits_of(view, walls, sideways);
+  return hits.empty() || hits[0].is_furniture ? 0 : 1 / hits[0].depth_m;
+}
+
+TEST(InverseDepths, AreThoseThatCastTellsFromEveryPlaceInEveryDirection) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place_m(-4, 4);
+  std::vector<Wall> walls;
+  for (int i = 0; i < 30; ++i) {
+    walls.push_back(
+        {place_m(random), place_m(random), place_m(random), place_m(random), i % 3 == 0});
+  }
+  for (int i = 0; i < 300; ++i) {
+    const View view{place_m(random), place_m(random), place_m(random)};
+    const Fan sut = inverse_depths_per_m(view, fan, i % 2 == 0 ? walls : std::vector(2, walls[1]));
+    for (std::size_t ray = 0; ray < fan.size(); ++ray) {
+      const double cast = cast_per_m(view, i % 2 == 0 ? walls : std::vector(2, walls[1]), fan[ray]);
+      EXPECT_NEAR(sut[ray], cast, 1e-6 * cast) << i << ' ' << ray;
+    }
+  }
 }
 
 }  // namespace

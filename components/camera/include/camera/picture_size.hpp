@@ -20,11 +20,11 @@ class PictureSize {
   /// Learns the factor from a picture that was drawn.
   void calibrate(const View& view, std::size_t bytes);
   /// [B] at least 500.
-  [[nodiscard]] std::size_t bytes(const View& view);
+  [[nodiscard]] std::size_t bytes(const View& view) const;
 
  private:
-  [[nodiscard]] double law(const View& view);
-  double half_width_;  ///< of the picture, in focal lengths
+  [[nodiscard]] double law(const View& view) const;
+  Fan sideways_;
   std::vector<Wall> walls_;
   double factor_ = 1;
 };

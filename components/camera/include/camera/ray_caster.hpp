@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
+#include <array>
 #include <vector>
 
 #include "camera/walls.hpp"
@@ -39,8 +39,13 @@ struct Hit {
 /// furniture before it. Nothing is nearer than 5 cm. Replaces the content of `hits`.
 void cast(const Ray& ray, const std::vector<Wall>& walls, std::vector<Hit>& hits);
 
-/// Depth of the nearest wall that is no furniture, at least 5 cm; empty when there is none. What
-/// `cast` tells of it, at a fifth of the cost.
-[[nodiscard]] std::optional<double> depth_to_wall_m(const Ray& ray, const std::vector<Wall>& walls);
+/// A number for each ray of a fan.
+using Fan = std::array<double, 8>;
+
+/// Inverse depth [1/m] of the nearest wall that is no furniture along the ray through each of the
+/// points `sideways`, at most that of 5 cm; 0 where there is none. What `cast` tells of them, much
+/// cheaper.
+[[nodiscard]] Fan inverse_depths_per_m(const View& view, const Fan& sideways,
+                                       const std::vector<Wall>& walls);
 
 }  // namespace tocsin::camera
