@@ -2,7 +2,7 @@
 // Round trips between two processes: components against raw Fast DDS read by a wait-set, both on
 // loopback UDP and on shared memory, and Cyclone's ddsperf when it is installed.
 // The ways take turns, with new processes for each generation.
-// usage: runtime_processes [--quick [BYTES]]
+// usage: runtime_processes [--quick] [BYTES]
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -26,25 +27,28 @@
 namespace tocsin::bench {
 namespace {
 
+using Transport = RawParticipant::Transport;
+
 constexpr int first_domain = 70;
 struct Setting {
   const char* name;
-  bool raw;
-  bool shared_memory;
+  std::optional<RawType> raw;  // empty: components
+  Transport transport;
   Timing timing;
-  std::size_t rival;
+  std::vector<std::size_t> rivals;
 };
-constexpr std::size_t way_count = 5;
-constexpr std::array<Setting, way_count> settings{
-    {{"raw Fast DDS, wait-set, UDP", true, false, Timing::raw, 0},
-     {"components, UDP", false, false, Timing::raw, 0},
-     {"components, UDP, Tocsin's timing", false, false, Timing::tocsin, 0},
-     {"raw Fast DDS, wait-set, SHM", true, true, Timing::raw, 3},
-     {"components, SHM", false, true, Timing::raw, 3}}};
+constexpr std::size_t way_count = 6;
+const std::array<Setting, way_count> settings{
+    {{"raw, octets, UDP", RawType::octets, Transport::udp, Timing::raw, {}},
+     {"raw, the same message, UDP", RawType::message, Transport::udp, Timing::raw, {0}},
+     {"components, UDP", {}, Transport::udp, Timing::raw, {1, 0}},
+     {"components, UDP, Tocsin's timing", {}, Transport::udp, Timing::tocsin, {1, 0}},
+     {"raw, the same message, SHM", RawType::message, Transport::shared_memory, Timing::raw, {1}},
+     {"components, SHM", {}, Transport::shared_memory, Timing::raw, {4}}}};
 
-RawParticipant::Transport transport_of(const Setting& setting) {
-  return setting.shared_memory ? RawParticipant::Transport::shared_memory
-                               : RawParticipant::Transport::udp;
+std::unique_ptr<Bus> make_bus(const char* name, const Setting& setting, int domain) {
+  return make_bench_bus(name, domain, setting.transport == Transport::shared_memory,
+                        setting.timing);
 }
 
 /// Until it is killed.
@@ -52,11 +56,11 @@ RawParticipant::Transport transport_of(const Setting& setting) {
   const Setting& setting = settings.at(index);
   const int domain = first_domain + static_cast<int>(index);
   if (setting.raw) {
-    RawParticipant participant(domain, transport_of(setting));
+    RawParticipant participant(domain, setting.transport, *setting.raw);
     const RawEcho echo(participant);
     for (;;) pause();
   }
-  const auto bus = make_bench_bus("echo", domain, setting.shared_memory, setting.timing);
+  const auto bus = make_bus("echo", setting, domain);
   Context context{*bus, "echo", "uxv", ""};
   Pong pong(context);
   TickAccount account;
@@ -84,11 +88,11 @@ class End : public Way {
     const Setting& setting = settings.at(index);
     const int domain = first_domain + static_cast<int>(index);
     if (setting.raw) {
-      participant_ = std::make_unique<RawParticipant>(domain, transport_of(setting));
+      participant_ = std::make_unique<RawParticipant>(domain, setting.transport, *setting.raw);
       raw_ = std::make_unique<RawPing>(*participant_, bytes);
       return;
     }
-    bus_ = make_bench_bus("ping", domain, setting.shared_memory, setting.timing);
+    bus_ = make_bus("ping", setting, domain);
     context_ = std::make_unique<Context>(Context{*bus_, "ping", "uxv", ""});
     ping_ = std::make_unique<Ping>(*context_, bytes);
     runner_ = std::make_unique<Runner>("ping", *bus_);
@@ -176,9 +180,10 @@ std::string load_text(std::size_t bytes) {
 
 /// `only`: one size in bytes; 0: all.
 int measure(bool quick, std::size_t only) {
-  std::printf("round trip between processes [us], median / p99; share of the raw one above it\n");
+  std::printf(
+      "round trip between processes [us], median / p99; raw Fast DDS is read by a wait-set\n");
   std::vector<Title> titles;
-  for (const Setting& setting : settings) titles.push_back({setting.name, setting.rival});
+  for (const Setting& setting : settings) titles.push_back({setting.name, setting.rivals});
   for (const std::size_t bytes : {64U, 1024U, 65536U, 1U << 20U}) {
     if (only != 0 && only != bytes) continue;
     const Plan plan{quick ? 4 : 32, 9, bytes > 65536 ? 40 : 200};
@@ -195,7 +200,14 @@ int measure(bool quick, std::size_t only) {
 int main(int argc, char** argv) {
   if (argc == 3 && std::strcmp(argv[1], "--echo") == 0)
     tocsin::bench::echo(std::strtoul(argv[2], nullptr, 10));
-  const std::size_t only = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 0;
-  const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
+  bool quick = false;
+  std::size_t only = 0;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--quick") == 0) {
+      quick = true;
+    } else {
+      only = std::strtoul(argv[i], nullptr, 10);
+    }
+  }
   return tocsin::bench::measure(quick, only);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "raw_dds.hpp"
 
+#include <fastcdr/Cdr.h>
+#include <fastcdr/FastBuffer.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 
@@ -14,47 +16,86 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/TopicDataType.hpp>
+#include <vector>
+
+#include "ros_idl/sensor_msgs.hpp"
 
 namespace tocsin::bench {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
+namespace cdr = eprosima::fastcdr;
 using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
 
-/// A sequence of octets, coded by one memcpy.
-class BytesType : public dds::TopicDataType {
+using Octets = std::vector<std::uint8_t>;
+using Message = sensor_msgs::msg::CompressedImage;
+
+template <class T>
+class RawTopicType : public dds::TopicDataType {
  public:
-  static constexpr std::uint32_t head = 8;
-  BytesType() {
-    setName("Bytes");
-    m_typeSize = head;
+  explicit RawTopicType(const char* name) {
+    setName(name);
+    m_typeSize = 8;
     auto_fill_type_object(false);
     auto_fill_type_information(false);
   }
+  void* createData() override { return new T; }
+  void deleteData(void* data) override { delete static_cast<T*>(data); }
+  bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
+};
+
+class OctetsType : public RawTopicType<Octets> {
+ public:
+  static constexpr std::uint32_t head = 8;
+  OctetsType() : RawTopicType("Octets") {}
   bool serialize(void* data, rtps::SerializedPayload_t* payload) override {
-    const Bytes& bytes = *static_cast<Bytes*>(data);
-    const auto size = static_cast<std::uint32_t>(bytes.size());
+    const Octets& octets = *static_cast<Octets*>(data);
+    const auto size = static_cast<std::uint32_t>(octets.size());
     const std::uint32_t encapsulation = 0x100;
     std::memcpy(payload->data, &encapsulation, 4);
     std::memcpy(payload->data + 4, &size, 4);
-    std::memcpy(payload->data + head, bytes.data(), size);
+    std::memcpy(payload->data + head, octets.data(), size);
     payload->length = head + size;
     payload->encapsulation = CDR_LE;
     return true;
   }
   bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
-    Bytes& bytes = *static_cast<Bytes*>(data);
-    bytes.resize(payload->length - head);
-    std::memcpy(bytes.data(), payload->data + head, bytes.size());
+    Octets& octets = *static_cast<Octets*>(data);
+    octets.resize(payload->length - head);
+    std::memcpy(octets.data(), payload->data + head, octets.size());
     return true;
   }
   std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return [data] { return head + static_cast<std::uint32_t>(static_cast<Bytes*>(data)->size()); };
+    return [data] { return head + static_cast<std::uint32_t>(static_cast<Octets*>(data)->size()); };
   }
-  void* createData() override { return new Bytes; }
-  void deleteData(void* data) override { delete static_cast<Bytes*>(data); }
-  bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
+};
+
+class MessageType : public RawTopicType<Message> {
+ public:
+  MessageType() : RawTopicType("Message") {}
+  bool serialize(void* data, rtps::SerializedPayload_t* payload) override {
+    cdr::FastBuffer buffer(reinterpret_cast<char*>(payload->data), payload->max_size);
+    cdr::Cdr encoder(buffer, cdr::Cdr::LITTLE_ENDIANNESS, cdr::Cdr::DDS_CDR);
+    encoder.serialize_encapsulation();
+    static_cast<Message*>(data)->serialize(encoder);
+    payload->length = static_cast<std::uint32_t>(encoder.getSerializedDataLength());
+    payload->encapsulation = CDR_LE;
+    return true;
+  }
+  bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
+    cdr::FastBuffer buffer(reinterpret_cast<char*>(payload->data), payload->length);
+    cdr::Cdr decoder(buffer, cdr::Cdr::DEFAULT_ENDIAN, cdr::Cdr::DDS_CDR);
+    decoder.read_encapsulation();
+    static_cast<Message*>(data)->deserialize(decoder);
+    return true;
+  }
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
+    return [data] {
+      const Message& message = *static_cast<Message*>(data);
+      return static_cast<std::uint32_t>(Message::getCdrSerializedSize(message)) + 4U;
+    };
+  }
 };
 
 template <class Qos>
@@ -95,12 +136,15 @@ dds::DomainParticipantQos participant_qos(RawParticipant::Transport transport) {
 
 }  // namespace
 
-RawParticipant::RawParticipant(int domain, Transport transport)
-    : participant_(dds::DomainParticipantFactory::get_instance()->create_participant(
+RawParticipant::RawParticipant(int domain, Transport transport, RawType type)
+    : type_(type),
+      participant_(dds::DomainParticipantFactory::get_instance()->create_participant(
           static_cast<std::uint32_t>(domain), participant_qos(transport), nullptr,
           dds::StatusMask::none())) {
   assert(participant_ != nullptr);
-  dds::TypeSupport(new BytesType).register_type(participant_);
+  dds::TopicDataType* const known =
+      type == RawType::octets ? static_cast<dds::TopicDataType*>(new OctetsType) : new MessageType;
+  dds::TypeSupport(known).register_type(participant_);
 }
 
 RawParticipant::~RawParticipant() {
@@ -108,11 +152,19 @@ RawParticipant::~RawParticipant() {
   dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
 }
 
+std::shared_ptr<void> RawParticipant::sample(std::size_t octets) const {
+  if (type_ == RawType::octets) return std::make_shared<Octets>(octets);
+  auto message = std::make_shared<Message>();
+  message->data().resize(octets);
+  return message;
+}
+
 dds::Topic* RawParticipant::topic(const std::string& name) {
   if (auto* found = participant_->lookup_topicdescription(name)) {
     return static_cast<dds::Topic*>(found);
   }
-  return participant_->create_topic(name, "Bytes", dds::TOPIC_QOS_DEFAULT);
+  return participant_->create_topic(name, type_ == RawType::octets ? "Octets" : "Message",
+                                    dds::TOPIC_QOS_DEFAULT);
 }
 
 dds::DataWriter* RawParticipant::writer(const std::string& name) {
@@ -126,17 +178,17 @@ dds::DataReader* RawParticipant::reader(const std::string& name,
       ->create_datareader(topic(name), usual<dds::DataReaderQos>(), listener);
 }
 
-int take_all(dds::DataReader& reader, Bytes& bytes) {
+int take_all(dds::DataReader& reader, void* sample) {
   int count = 0;
   dds::SampleInfo info;
-  while (reader.take_next_sample(&bytes, &info) == ReturnCode::RETCODE_OK) {
+  while (reader.take_next_sample(sample, &info) == ReturnCode::RETCODE_OK) {
     count += info.valid_data ? 1 : 0;
   }
   return count;
 }
 
 void RawListener::on_data_available(dds::DataReader* reader) {
-  if (take_all(*reader, bytes_) > 0) on_sample_(bytes_);
+  if (take_all(*reader, sample_.get()) > 0) on_sample_(sample_.get());
 }
 
 RawWaiter::RawWaiter(dds::DataReader& reader) : reader_(reader) {
@@ -145,14 +197,15 @@ RawWaiter::RawWaiter(dds::DataReader& reader) : reader_(reader) {
   waits_.attach_condition(condition);
 }
 
-int RawWaiter::wait(Bytes& bytes) {
+int RawWaiter::wait(void* sample) {
   dds::ConditionSeq active;
   (void)waits_.wait(active, {0, 100'000'000});
-  return take_all(reader_, bytes);
+  return take_all(reader_, sample);
 }
 
 RawEcho::RawEcho(RawParticipant& participant, bool silent)
     : silent_(silent),
+      sample_(participant.sample(0)),
       reader_(participant.reader("ping")),
       writer_(participant.writer("pong")),
       thread_([this] { run(); }) {}
@@ -164,25 +217,25 @@ RawEcho::~RawEcho() {
 
 void RawEcho::run() {
   RawWaiter waiter(*reader_);
-  Bytes bytes;
   while (!stop_) {
-    if (waiter.wait(bytes) > 0 && !silent_) (void)writer_->write(&bytes, dds::HANDLE_NIL);
+    if (waiter.wait(sample_.get()) == 0 || silent_) continue;
+    (void)writer_->write(sample_.get(), dds::HANDLE_NIL);
   }
 }
 
-RawPing::RawPing(RawParticipant& participant, std::size_t bytes)
-    : bytes_(bytes),
+RawPing::RawPing(RawParticipant& participant, std::size_t octets)
+    : ping_(participant.sample(octets)),
+      pong_(participant.sample(0)),
       writer_(participant.writer("ping")),
       reader_(participant.reader("pong")),
       waiter_(*reader_) {}
 
 bool RawPing::run(int count, Series& series) {
-  Bytes answer;
   for (int i = 0; i < count; ++i) {
     const std::int64_t sent = now_ns();
-    (void)writer_->write(&bytes_, dds::HANDLE_NIL);
+    (void)writer_->write(ping_.get(), dds::HANDLE_NIL);
     int got = 0;
-    for (int tries = 0; got == 0 && tries < 20; ++tries) got = waiter_.wait(answer);
+    for (int tries = 0; got == 0 && tries < 20; ++tries) got = waiter_.wait(pong_.get());
     if (got == 0) return false;
     series.add(now_ns() - sent);
   }

@@ -11,46 +11,52 @@
 #include <memory>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "measure.hpp"
 
 namespace tocsin::bench {
 
-using Bytes = std::vector<std::uint8_t>;
+/// What the rival sends.
+enum class RawType {
+  octets,   ///< a sequence of octets, coded by one memcpy
+  message,  ///< the components' message, coded as the code of Fast DDS-Gen does
+};
 
 /// The rival: Fast DDS as its manual shows it, reliable, depth 4, buffers that are reused, large
 /// socket buffers and segments.
 class RawParticipant {
  public:
   enum class Transport { udp, shared_memory };
-  RawParticipant(int domain, Transport transport);
+  RawParticipant(int domain, Transport transport, RawType type = RawType::octets);
   ~RawParticipant();
   RawParticipant(const RawParticipant&) = delete;
   RawParticipant& operator=(const RawParticipant&) = delete;
 
+  /// One of its type with so many octets.
+  [[nodiscard]] std::shared_ptr<void> sample(std::size_t octets) const;
   [[nodiscard]] eprosima::fastdds::dds::DataWriter* writer(const std::string& topic);
   eprosima::fastdds::dds::DataReader* reader(
       const std::string& topic, eprosima::fastdds::dds::DataReaderListener* listener = nullptr);
 
  private:
   eprosima::fastdds::dds::Topic* topic(const std::string& name);
+  RawType type_;
   eprosima::fastdds::dds::DomainParticipant* participant_;
 };
 
-/// Takes all that waits; `bytes` holds the last.
-int take_all(eprosima::fastdds::dds::DataReader& reader, Bytes& bytes);
+/// Takes all that waits; `sample` holds the last.
+int take_all(eprosima::fastdds::dds::DataReader& reader, void* sample);
 
 /// Calls `on_sample` inside the middleware's thread: what a listener is.
 class RawListener : public eprosima::fastdds::dds::DataReaderListener {
  public:
-  explicit RawListener(std::function<void(const Bytes&)> on_sample)
-      : on_sample_(std::move(on_sample)) {}
+  RawListener(const RawParticipant& participant, std::function<void(void* sample)> on_sample)
+      : on_sample_(std::move(on_sample)), sample_(participant.sample(0)) {}
   void on_data_available(eprosima::fastdds::dds::DataReader* reader) override;
 
  private:
-  std::function<void(const Bytes&)> on_sample_;
-  Bytes bytes_;
+  std::function<void(void*)> on_sample_;
+  std::shared_ptr<void> sample_;
 };
 
 /// Waits for samples of one reader on the caller's thread.
@@ -58,7 +64,7 @@ class RawWaiter {
  public:
   explicit RawWaiter(eprosima::fastdds::dds::DataReader& reader);
   /// The number of samples taken; 0 when none came within 100 ms.
-  int wait(Bytes& bytes);
+  int wait(void* sample);
 
  private:
   eprosima::fastdds::dds::DataReader& reader_;
@@ -74,6 +80,7 @@ class RawEcho {
 
  private:
   bool silent_;
+  std::shared_ptr<void> sample_;
   eprosima::fastdds::dds::DataReader* reader_;
   eprosima::fastdds::dds::DataWriter* writer_;
   std::atomic<bool> stop_{false};
@@ -83,11 +90,12 @@ class RawEcho {
 /// Writes pings and waits for the pongs on the caller's thread.
 class RawPing {
  public:
-  RawPing(RawParticipant& participant, std::size_t bytes);
+  RawPing(RawParticipant& participant, std::size_t octets);
   [[nodiscard]] bool run(int count, Series& series);
 
  private:
-  Bytes bytes_;
+  std::shared_ptr<void> ping_;
+  std::shared_ptr<void> pong_;
   eprosima::fastdds::dds::DataWriter* writer_;
   eprosima::fastdds::dds::DataReader* reader_;
   RawWaiter waiter_;

@@ -21,20 +21,27 @@ Trips take_turns(const Generation& generation, const Plan& plan) {
   return trips;
 }
 
+/// The shares of a rival's median and 99th percentile.
+std::string shares(const std::vector<Trips>& generations, std::size_t way, std::size_t rival) {
+  std::vector<double> medians;
+  std::vector<double> tails;
+  for (const Trips& trips : generations) {
+    medians.push_back(trips[way].percentile(0.5) / trips[rival].percentile(0.5));
+    tails.push_back(trips[way].percentile(0.99) / trips[rival].percentile(0.99));
+  }
+  return "median " + share_text(medians) + "   p99 " + share_text(tails);
+}
+
 void print(const std::string& load, const std::vector<Title>& titles,
            const std::vector<Trips>& generations) {
   for (std::size_t way = 0; way < titles.size(); ++way) {
     Series all;
-    std::vector<double> medians;
-    std::vector<double> tails;
-    for (const Trips& trips : generations) {
-      const Series& rival = trips[titles[way].rival];
-      all.add(trips[way]);
-      medians.push_back(trips[way].percentile(0.5) / rival.percentile(0.5));
-      tails.push_back(trips[way].percentile(0.99) / rival.percentile(0.99));
+    for (const Trips& trips : generations) all.add(trips[way]);
+    std::printf("%s  %-32s %s\n", load.c_str(), titles[way].name, all.text().c_str());
+    for (const std::size_t rival : titles[way].rivals) {
+      std::printf("%s    of %-29s %s\n", load.c_str(), titles[rival].name,
+                  shares(generations, way, rival).c_str());
     }
-    std::printf("%s  %-32s %s   median %s   p99 %s\n", load.c_str(), titles[way].name,
-                all.text().c_str(), share_text(medians).c_str(), share_text(tails).c_str());
   }
   (void)std::fflush(stdout);
 }

@@ -18,10 +18,10 @@ class Way {
   virtual bool run(int trips, Series& series) = 0;
 };
 
-/// What is printed of a way, and the number of the way that its share is of.
+/// What is printed of a way, and the numbers of the ways that its shares are of.
 struct Title {
   const char* name;
-  std::size_t rival;
+  std::vector<std::size_t> rivals;
 };
 
 /// The ways of a comparison from their set-up to their end.
