@@ -110,8 +110,8 @@ bool OccupancyMap::may_have_occupied(const Window& window) const {
   return static_cast<std::uint16_t>(count) != 0;
 }
 
-bool OccupancyMap::collides(double x, double y, double radius_m) const {
-  if (!is_finite(Point2{x, y})) return false;
+OccupancyMap::Window OccupancyMap::window_around(double x, double y, double radius_m) const {
+  if (!is_finite(Point2{x, y})) return {{0, 0}, {-1, -1}};
   const double r = grid_.resolution_m;
   const double column = std::floor((x - grid_.origin.x) / r);
   const double row = std::floor((y - grid_.origin.y) / r);
@@ -119,17 +119,26 @@ bool OccupancyMap::collides(double x, double y, double radius_m) const {
   const auto clamp = [](double cell, int size) {
     return static_cast<int>(std::clamp(cell, -1.0, static_cast<double>(size)));
   };
-  const Window window{{std::max(0, clamp(column - reach, grid_.width)),
-                       std::max(0, clamp(row - reach, grid_.height))},
-                      {std::min(clamp(column + reach, grid_.width), grid_.width - 1),
-                       std::min(clamp(row + reach, grid_.height), grid_.height - 1)}};
+  return {{std::max(0, clamp(column - reach, grid_.width)),
+           std::max(0, clamp(row - reach, grid_.height))},
+          {std::min(clamp(column + reach, grid_.width), grid_.width - 1),
+           std::min(clamp(row + reach, grid_.height), grid_.height - 1)}};
+}
+
+bool OccupancyMap::is_clear(double x, double y, double reach_m) const {
+  return !may_have_occupied(window_around(x, y, reach_m));
+}
+
+bool OccupancyMap::collides(double x, double y, double radius_m) const {
+  const Window window = window_around(x, y, radius_m);
   if (!may_have_occupied(window)) return false;
+  const double r = grid_.resolution_m;
   for (int i = window.low.row; i <= window.high.row; ++i) {
     const double dy = distance_to_interval(y - grid_.origin.y, i * r, (i + 1) * r);
     for (int j = window.low.column; j <= window.high.column; ++j) {
       if (at(CellIndex{j, i}) != Cell::occupied) continue;
       const double dx = distance_to_interval(x - grid_.origin.x, j * r, (j + 1) * r);
-      if (std::hypot(dx, dy) <= radius_m) return true;
+      if (dx * dx + dy * dy <= radius_m * radius_m) return true;
     }
   }
   return false;

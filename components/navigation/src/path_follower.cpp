@@ -43,6 +43,10 @@ void PathFollower::start(Path path) {
   assert(!path.empty());
   path_ = std::move(path);
   if (path_.size() == 1) path_.push_back(path_.front());
+  to_end_m_.assign(path_.size(), 0);
+  for (std::size_t i = path_.size() - 1; i > 0; --i) {
+    to_end_m_[i - 1] = to_end_m_[i] + distance(path_[i - 1], path_[i]);
+  }
   segment_ = 0;
   share_ = 0;
   turning_ = false;
@@ -66,7 +70,7 @@ Velocity PathFollower::halt() { return velocity_ = {0, 0}; }
 
 void PathFollower::advance(const Point2& p) {
   deviation_m_ = std::numeric_limits<double>::infinity();
-  double ahead_m = -share_ * distance(path_[segment_], path_[segment_ + 1]);
+  double ahead_m = -share_ * length_m(segment_);
   for (std::size_t i = segment_; i + 1 < path_.size() && ahead_m < search_m; ++i) {
     const double share = nearest_share(path_[i], path_[i + 1], p);
     const double away_m = distance(p, between(path_[i], path_[i + 1], share));
@@ -75,18 +79,15 @@ void PathFollower::advance(const Point2& p) {
       segment_ = i;
       share_ = share;
     }
-    ahead_m += distance(path_[i], path_[i + 1]);
+    ahead_m += length_m(i);
   }
-  remaining_m_ = (1 - share_) * distance(path_[segment_], path_[segment_ + 1]);
-  for (std::size_t i = segment_ + 1; i + 1 < path_.size(); ++i) {
-    remaining_m_ += distance(path_[i], path_[i + 1]);
-  }
+  remaining_m_ = to_end_m_[segment_] - share_ * length_m(segment_);
 }
 
 Point2 PathFollower::point_ahead(double ahead_m) const {
   double share = share_;
   for (std::size_t i = segment_; i + 1 < path_.size(); ++i) {
-    const double length = distance(path_[i], path_[i + 1]);
+    const double length = length_m(i);
     const double rest = (1 - share) * length;
     if (rest >= ahead_m && length > 0)
       return between(path_[i], path_[i + 1], share + ahead_m / length);

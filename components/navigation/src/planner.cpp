@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace tocsin::navigation {
@@ -29,7 +30,17 @@ CellIndex add(CellIndex a, CellIndex b) { return {a.column + b.column, a.row + b
 /// nor above it by more than one step, so neither a heap nor a comparison is needed.
 class OpenCells {
  public:
-  explicit OpenCells(std::uint32_t first) : buckets_(ring_size), current_(first) {}
+  OpenCells() : buckets_(ring_size) {}
+
+  /// Leaves none; no estimate will be below `first`.
+  void restart(std::uint32_t first) {
+    for (; !empty(); ++current_) {
+      auto& bucket = buckets_[current_ % ring_size];
+      count_ -= bucket.size();
+      bucket.clear();
+    }
+    current_ = first;
+  }
 
   void put(std::uint32_t estimate, CellIndex cell) {
     assert(estimate - current_ < ring_size);
@@ -54,24 +65,26 @@ class OpenCells {
   static constexpr std::uint32_t ring_size = 8192;
   static_assert(diagonal * (CostMap::dearest + CostMap::plain) < ring_size);
   std::vector<std::vector<CellIndex>> buckets_;
-  std::uint32_t current_;
+  std::uint32_t current_ = 0;
   std::size_t count_ = 0;
 };
 
-class Search {
+}  // namespace
+
+class Planner::Search {
  public:
-  Search(const CostMap& map, CellIndex start, CellIndex goal)
+  explicit Search(const CostMap& map)
       : map_(map),
         grid_(map.grid()),
-        start_(start),
-        goal_(goal),
         cost_(grid_.size(), unreached),
-        came_by_(grid_.size(), no_step),
-        open_(rest(start)) {}
+        came_by_(grid_.size(), no_step) {}
 
   /// Cells from start to goal, empty when the goal cannot be reached.
-  std::vector<CellIndex> run() {
-    open(start_, 0, no_step);
+  std::vector<CellIndex> run(CellIndex start, CellIndex goal) {
+    forget();
+    goal_ = goal;
+    open_.restart(rest(start));
+    open(start, 0, no_step);
     while (!open_.empty()) {
       const CellIndex cell = open_.take();
       const std::size_t offset = grid_.offset(cell);
@@ -83,6 +96,11 @@ class Search {
   }
 
  private:
+  void forget() {
+    for (const std::size_t offset : reached_) cost_[offset] = unreached;
+    reached_.clear();
+  }
+
   std::uint32_t rest(CellIndex c) const {
     const auto dx = static_cast<std::uint32_t>(std::abs(c.column - goal_.column));
     const auto dy = static_cast<std::uint32_t>(std::abs(c.row - goal_.row));
@@ -93,6 +111,7 @@ class Search {
 
   void open(CellIndex c, std::uint32_t cost, std::uint8_t step) {
     const std::size_t offset = grid_.offset(c);
+    if (cost_[offset] == unreached) reached_.push_back(offset);
     cost_[offset] = cost;
     came_by_[offset] = step;
     open_.put(cost + rest(c), c);
@@ -130,12 +149,14 @@ class Search {
 
   const CostMap& map_;
   const Grid& grid_;
-  CellIndex start_;
   CellIndex goal_;
-  std::vector<std::uint32_t> cost_;
-  std::vector<std::uint8_t> came_by_;
+  std::vector<std::uint32_t> cost_;    // of the cells reached, from the start
+  std::vector<std::uint8_t> came_by_;  // of them
+  std::vector<std::size_t> reached_;
   OpenCells open_;
 };
+
+namespace {
 
 std::optional<CellIndex> nearest_free(const CostMap& map, const Point2& p, double reach_m) {
   const Grid& grid = map.grid();
@@ -209,11 +230,17 @@ void pin(const CostMap& map, Point2& end, const Point2& exact) {
 
 }  // namespace
 
-std::optional<Path> plan(const CostMap& map, const Point2& start, const Point2& goal) {
+Planner::Planner(std::shared_ptr<const CostMap> map)
+    : map_(std::move(map)), search_(std::make_unique<Search>(*map_)) {}
+
+Planner::~Planner() = default;
+
+std::optional<Path> Planner::plan(const Point2& start, const Point2& goal) {
+  const CostMap& map = *map_;
   const auto from = nearest_free(map, start, start_reach_m);
   const auto to = nearest_free(map, goal, goal_reach_m);
   if (!from || !to) return std::nullopt;
-  const auto cells = Search(map, *from, *to).run();
+  const auto cells = search_->run(*from, *to);
   if (cells.empty()) return std::nullopt;
   Path path;
   for (const CellIndex c : cells) path.push_back(map.grid().centre(c));

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 
 #include "navigation/map_loader.hpp"
 #include "navigation/mission.hpp"
@@ -31,12 +32,12 @@ Mission shipped(const std::string& name) {
 
 /// Plans all legs, from the map's origin on; the longest planning time in milliseconds.
 double plan_all(const OccupancyMap& map, const Mission& mission) {
-  const CostMap costs(map, {});
+  Planner sut(std::make_shared<const CostMap>(map, InflationParams{}));
   double worst_ms = 0;
   Point2 from{0, 0};
   for (const Pose2& waypoint : mission.waypoints) {
     const auto before = std::chrono::steady_clock::now();
-    const auto path = plan(costs, from, position(waypoint));
+    const auto path = sut.plan(from, position(waypoint));
     const std::chrono::duration<double, std::milli> took =
         std::chrono::steady_clock::now() - before;
     EXPECT_TRUE(path) << waypoint.x << ", " << waypoint.y;
@@ -63,11 +64,11 @@ TEST(Classroom, HasTheMissionsOfTheThesisLength) {
 
 TEST(Classroom, IsDrivenThroughWithoutTouchingAWall) {
   const auto map = classroom();
-  const CostMap costs(map, {});
+  Planner planner(std::make_shared<const CostMap>(map, InflationParams{}));
   PathFollower sut{{}};
   Pose2 pose{0, 0, 0};
   for (const Pose2& waypoint : shipped("mission_a").waypoints) {
-    const auto path = plan(costs, position(pose), position(waypoint));
+    const auto path = planner.plan(position(pose), position(waypoint));
     ASSERT_TRUE(path);
     sut.start(*path);
     for (int i = 0; i < 4000 && distance(position(pose), position(waypoint)) > 0.2; ++i) {
@@ -99,11 +100,12 @@ TEST(Plan, OfALabyrinthStaysQuick) {
     for (int row = from; row < from + 636; ++row)
       cells[grid.offset({column, row})] = Cell::occupied;
   }
-  const CostMap costs({grid, cells}, {});
+  const OccupancyMap map{grid, cells};
+  Planner sut(std::make_shared<const CostMap>(map, InflationParams{}));
   double best_ms = 1e9;  // of several, because these machines freeze now and then
   for (int i = 0; i < 5; ++i) {
     const auto before = std::chrono::steady_clock::now();
-    ASSERT_TRUE(plan(costs, {1, 1}, {46, 1}));
+    ASSERT_TRUE(sut.plan({1, 1}, {46, 1}));
     const std::chrono::duration<double, std::milli> took =
         std::chrono::steady_clock::now() - before;
     best_ms = std::min(best_ms, took.count());

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "navigation/occupancy_map.hpp"
+#include "navigation/planner.hpp"
 
 namespace tocsin::navigation {
 
@@ -19,6 +22,11 @@ inline OccupancyMap drawn_map(const std::vector<std::string>& rows, double resol
     }
   }
   return {grid, cells};
+}
+
+/// A plan of a planner that made none before.
+inline std::optional<Path> plan(const CostMap& map, const Point2& start, const Point2& goal) {
+  return Planner(std::make_shared<const CostMap>(map)).plan(start, goal);
 }
 
 /// A free rectangle of this many cells of 0.05 m.

@@ -116,6 +116,35 @@ TEST(Collides, IgnoresUnknownCellsAndTheOutside) {
   EXPECT_FALSE(room.collides(nan, 1, 1));
 }
 
+TEST(IsClear, TellsWhetherASquareTouchesAWall) {
+  const auto sut = drawn_map({"....", "....", "#..."});
+  EXPECT_TRUE(sut.is_clear(3.5, 0.5, 2));
+  EXPECT_FALSE(sut.is_clear(3.5, 0.5, 3));
+  EXPECT_FALSE(sut.is_clear(2.5, 2.5, 2));  // although it is 2.1 m away
+}
+
+TEST(IsClear, IsTrueOutsideAndForNan) {
+  const auto sut = drawn_map({"#"});
+  EXPECT_TRUE(sut.is_clear(-50, 80, 1));
+  EXPECT_TRUE(sut.is_clear(nan, 0.5, 1));
+  EXPECT_TRUE(sut.is_clear(0.5, nan, 1));
+}
+
+TEST(IsClear, IsTrueOnlyWhereNoDiscWithinReachCollides) {
+  const auto sut = drawn_map({"..#....", ".......", "#......", "......#", "...#..."});
+  int clear = 0;
+  for (double x = -1; x < 8; x += 0.23) {
+    for (double y = -1; y < 6; y += 0.29) {
+      if (!sut.is_clear(x, y, 0.9)) continue;
+      ++clear;
+      for (double bearing = 0; bearing < 6.3; bearing += 0.1) {
+        EXPECT_FALSE(sut.collides(x + 0.6 * std::cos(bearing), y + 0.6 * std::sin(bearing), 0.3));
+      }
+    }
+  }
+  EXPECT_GT(clear, 50);
+}
+
 TEST(Collides, AgreesWithEveryCellLookedAt) {
   const auto sut = drawn_map({"..#....", ".......", "#......", "......#", "...#..."});
   for (double x = -1; x < 8; x += 0.37) {

@@ -61,6 +61,21 @@ TEST(PathFollower, ReachesTheEndOfPathsInEveryDirection) {
   }
 }
 
+TEST(PathFollower, TellsHowFarItIsToTheEndAlongThePath) {
+  PathFollower sut{{}};
+  sut.start({{0, 0}, {2, 0}, {2, 0}, {2, 3}});
+  (void)sut.follow({0.5, 0.1, 0}, tick);
+  EXPECT_NEAR(sut.remaining_m(), 4.5, 1e-9);
+  EXPECT_NEAR(sut.deviation_m(), 0.1, 1e-9);
+  (void)sut.follow({1.4, 0, 0}, tick);
+  (void)sut.follow({2.2, 1, 0}, tick);
+  EXPECT_NEAR(sut.remaining_m(), 2, 1e-9);
+  EXPECT_NEAR(sut.deviation_m(), 0.2, 1e-9);
+  sut.start({{2, 1}, {2, 3}});
+  (void)sut.follow({2, 2, 0}, tick);
+  EXPECT_NEAR(sut.remaining_m(), 1, 1e-9);
+}
+
 TEST(PathFollower, KeepsItsSpeedAndTurnLimits) {
   FollowerParams params;
   params.speed_mps = 0.4;

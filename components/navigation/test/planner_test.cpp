@@ -33,6 +33,16 @@ double clearance_m(const OccupancyMap& map, const Path& path) {
   return least_m;
 }
 
+void expect_equal(const std::optional<Path>& path, const std::optional<Path>& other) {
+  ASSERT_EQ(path.has_value(), other.has_value());
+  if (!path) return;
+  ASSERT_EQ(path->size(), other->size());
+  for (std::size_t i = 0; i < path->size(); ++i) {
+    EXPECT_EQ((*path)[i].x, (*other)[i].x);
+    EXPECT_EQ((*path)[i].y, (*other)[i].y);
+  }
+}
+
 TEST(CostMap, BlocksRadiusAndMarginAroundAWall) {
   const CostMap sut(floor_with_wall(1), {0.18, 0.07, 0.6, 3});
   EXPECT_TRUE(sut.blocked(Point2{4.025, 1}));
@@ -152,11 +162,21 @@ TEST(Plan, GivesTheSamePathAgain) {
   const CostMap map(floor_with_wall(1.2), {});
   const auto first = plan(map, {3, 0.5}, {5, 0.5});
   const auto second = plan(map, {3, 0.5}, {5, 0.5});
-  ASSERT_TRUE(first && second);
-  ASSERT_EQ(first->size(), second->size());
-  for (std::size_t i = 0; i < first->size(); ++i) {
-    EXPECT_EQ((*first)[i].x, (*second)[i].x);
-    EXPECT_EQ((*first)[i].y, (*second)[i].y);
+  ASSERT_TRUE(first);
+  expect_equal(first, second);
+}
+
+TEST(Planner, PlansAsIfItHadPlannedNothingBefore) {
+  auto floor = floor_with_wall(1.2);
+  std::vector<Cell> cells = floor.cells();
+  for (int row = 0; row < 80; ++row) cells[floor.grid().offset({130, row})] = Cell::occupied;
+  const CostMap map({floor.grid(), cells}, {});
+  Planner sut(std::make_shared<const CostMap>(map));
+  const std::vector<Point2> places{{3, 0.5}, {5, 0.5}, {1, 3}, {7.5, 2}, {5.5, 3}, {0.5, 0.5}};
+  for (const Point2& start : places) {
+    for (const Point2& goal : places) {
+      expect_equal(sut.plan(start, goal), plan(map, start, goal));  // none over the second wall
+    }
   }
 }
 

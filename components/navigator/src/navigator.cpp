@@ -33,7 +33,10 @@ Navigator::Navigator(const Params& params, const navigation::OccupancyMap& map)
 
 Navigator::Navigator(const Params& params, navigation::OccupancyMap map,
                      std::shared_ptr<const navigation::CostMap> costs)
-    : params_(params), map_(std::move(map)), costs_(std::move(costs)), follower_(params.follower) {}
+    : params_(params),
+      map_(std::move(map)),
+      planner_(std::move(costs)),
+      follower_(params.follower) {}
 
 GoalAnswer Navigator::on_goal(Goal goal, Time now) {
   const GoalAnswer answer = goals_.on_goal(std::move(goal), now);
@@ -137,7 +140,7 @@ Navigator::Output Navigator::align(const Target& target, Duration dt) {
 
 Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration dt) {
   if (!has_path_) {
-    auto path = plan(*costs_, position(pose_), position(target.pose));
+    auto path = planner_.plan(position(pose_), position(target.pose));
     if (!path) return block(now, "no_path");
     follower_.start(std::move(*path));
     has_path_ = true;
@@ -174,9 +177,11 @@ Velocity Navigator::follow_with_care(Duration dt) {
 bool Navigator::would_hit() const {
   const Velocity v = follower_.velocity();
   const double radius_m = params_.inflation.robot_radius_m;
-  if (v.v_mps <= 0 || map_.collides(pose_.x, pose_.y, radius_m)) return false;
+  if (v.v_mps <= 0) return false;
   const double braking_m =
       v.v_mps * v.v_mps / (2 * params_.follower.acceleration_mps2) + bumper_gap_m;
+  const bool is_clear = map_.is_clear(pose_.x, pose_.y, radius_m + braking_m);
+  if (is_clear || map_.collides(pose_.x, pose_.y, radius_m)) return false;
   Pose2 pose = pose_;
   constexpr int samples = 4;
   for (int i = 0; i < samples; ++i) {

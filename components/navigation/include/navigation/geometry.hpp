@@ -40,7 +40,9 @@ using Path = std::vector<Point2>;
 }
 
 [[nodiscard]] inline double distance(const Point2& a, const Point2& b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  return std::sqrt(dx * dx + dy * dy);  // no map is so large that std::hypot were worth its price
 }
 
 /// Direction of `to` seen from `from` [rad] [range -pi,pi].

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "foundation/time.hpp"
 #include "navigation/geometry.hpp"
 
@@ -63,6 +66,8 @@ class PathFollower {
 
  private:
   void advance(const Point2& p);
+  /// Of the part of the path from its corner `i` to the next one.
+  [[nodiscard]] double length_m(std::size_t i) const { return to_end_m_[i] - to_end_m_[i + 1]; }
   [[nodiscard]] Point2 point_ahead(double ahead_m) const;
   [[nodiscard]] Velocity pursue(const Pose2& pose);
   [[nodiscard]] Velocity turn(double error_rad) const;
@@ -70,8 +75,9 @@ class PathFollower {
 
   FollowerParams params_;
   Path path_;
-  std::size_t segment_ = 0;  // the robot is beside path_[segment_] .. path_[segment_ + 1]
-  double share_ = 0;         // of that segment that lies behind the robot
+  std::vector<double> to_end_m_;  // along the path, from each corner
+  std::size_t segment_ = 0;       // the robot is beside path_[segment_] .. path_[segment_ + 1]
+  double share_ = 0;              // of that segment that lies behind the robot
   double remaining_m_ = 0;
   double deviation_m_ = 0;
   bool turning_ = false;

@@ -1,19 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "navigation/cost_map.hpp"
 
 namespace tocsin::navigation {
 
-/// The cheapest path over the cost map: A* over eight neighbours with the octile distance, then
+/// The cheapest path over a cost map: A* over eight neighbours with the octile distance, then
 /// straightened wherever the straight line costs no more. The same request gives the same path.
 ///
 /// A start that is blocked (the robot stands too near to a wall) is first left for the nearest
 /// free cell within 0.5 m; a goal, within 0.15 m. The path begins at `start` itself.
-/// Empty when there is no path, or a point is outside the map or not finite.
-[[nodiscard]] std::optional<Path> plan(const CostMap& map, const Point2& start, const Point2& goal);
+///
+/// Keeps the memory of its search, 5 bytes for each cell, from one plan to the next.
+class Planner {
+ public:
+  explicit Planner(std::shared_ptr<const CostMap> map);
+  ~Planner();
+
+  /// Empty when there is no path, or a point is outside the map or not finite.
+  [[nodiscard]] std::optional<Path> plan(const Point2& start, const Point2& goal);
+
+ private:
+  class Search;
+  std::shared_ptr<const CostMap> map_;
+  std::unique_ptr<Search> search_;
+};
 
 /// Length of a path [m].
 [[nodiscard]] double length_m(const Path& path);

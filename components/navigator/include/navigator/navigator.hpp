@@ -107,7 +107,7 @@ class Navigator {
 
   Params params_;
   navigation::OccupancyMap map_;
-  std::shared_ptr<const navigation::CostMap> costs_;
+  navigation::Planner planner_;
   navigation::PathFollower follower_;
 
   GoalList goals_;
