@@ -16,29 +16,32 @@ void set_bits(std::uint16_t& bits, unsigned mask, bool on) {
 
 /// Writes the sub-payload of each kind; false when it does not fit.
 struct Writer {
-  Frame& out;
+  Frame& frame;
 
   bool operator()(const BaseControl& c) {
-    if (!out.begin(1, 4)) return false;
-    out.i16(c.speed_mm_s);
-    out.i16(c.radius_mm);
+    auto out = frame.begin(1, 4);
+    if (!out) return false;
+    out->i16(c.speed_mm_s);
+    out->i16(c.radius_mm);
     return true;
   }
   bool operator()(const Tone& c) {
-    if (!out.begin(3, 3)) return false;
-    out.u16(c.note);
-    out.u8(c.duration_ms);
+    auto out = frame.begin(3, 3);
+    if (!out) return false;
+    out->u16(c.note);
+    out->u8(c.duration_ms);
     return true;
   }
   bool operator()(Tune c) { return byte(4, static_cast<std::uint8_t>(c)); }
   bool operator()(const RequestExtra& c) { return word(9, c.flags); }
   bool operator()(const OutputRegister& c) { return word(12, c.bits); }
   bool operator()(const SetGains& c) {
-    if (!out.begin(13, 13)) return false;
-    out.u8(c.gains.type);
-    out.u32(c.gains.kp_milli);
-    out.u32(c.gains.ki_milli);
-    out.u32(c.gains.kd_milli);
+    auto out = frame.begin(13, 13);
+    if (!out) return false;
+    out->u8(c.gains.type);
+    out->u32(c.gains.kp_milli);
+    out->u32(c.gains.ki_milli);
+    out->u32(c.gains.kd_milli);
     return true;
   }
   bool operator()(const GetGains&) { return byte(14, 0); }
@@ -47,13 +50,15 @@ struct Writer {
 
  private:
   bool byte(std::uint8_t id, std::uint8_t value) {
-    if (!out.begin(id, 1)) return false;
-    out.u8(value);
+    auto out = frame.begin(id, 1);
+    if (!out) return false;
+    out->u8(value);
     return true;
   }
   bool word(std::uint8_t id, std::uint16_t value) {
-    if (!out.begin(id, 2)) return false;
-    out.u16(value);
+    auto out = frame.begin(id, 2);
+    if (!out) return false;
+    out->u16(value);
     return true;
   }
 };

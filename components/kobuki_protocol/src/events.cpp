@@ -43,26 +43,27 @@ Events EventDetector::update(const Feedback& feedback) {
 void EventDetector::buttons(std::uint8_t now, Events& out) {
   for (int i = 0; i < 3; ++i) {
     const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(i));
-    if (changed(now, last_.buttons, bit)) out.add(ButtonEvent{i, (now & bit) != 0});
+    if (changed(now, last_.buttons, bit)) out.emplace_back(ButtonEvent{i, (now & bit) != 0});
   }
 }
 
 void EventDetector::bumpers(std::uint8_t now, Events& out) {
   for (const auto& [side, bit] : sides) {
-    if (changed(now, last_.bumper, bit)) out.add(BumperEvent{side, (now & bit) != 0});
+    if (changed(now, last_.bumper, bit)) out.emplace_back(BumperEvent{side, (now & bit) != 0});
   }
 }
 
 void EventDetector::cliffs(std::uint8_t now, const std::optional<CliffAdc>& adc, Events& out) {
   for (const auto& [side, bit] : sides) {
     if (!changed(now, last_.cliff, bit)) continue;
-    out.add(CliffEvent{side, (now & bit) != 0, adc_of(side, adc)});
+    out.emplace_back(CliffEvent{side, (now & bit) != 0, adc_of(side, adc)});
   }
 }
 
 void EventDetector::wheels(std::uint8_t now, Events& out) {
   for (const auto& [side, bit] : wheel_sides) {
-    if (changed(now, last_.wheel_drop, bit)) out.add(WheelDropEvent{side, (now & bit) != 0});
+    if (changed(now, last_.wheel_drop, bit))
+      out.emplace_back(WheelDropEvent{side, (now & bit) != 0});
   }
 }
 
@@ -72,7 +73,7 @@ void EventDetector::inputs(const GeneralInput& input, Events& out) {
   last_input_ = now;
   InputEvent event;
   for (std::size_t i = 0; i < 4; ++i) event.values[i] = (now >> i & 1U) != 0;
-  out.add(event);
+  out.emplace_back(event);
 }
 
 void EventDetector::power(const Battery& now, Events& out) {
@@ -84,14 +85,14 @@ void EventDetector::plugging(const Battery& now, Events& out) {
   if (now.source != source_) {
     source_ = now.source;
     charged_for_ = 0;
-    if (source_ == ChargingSource::none) out.add(PowerEvent::unplugged);
-    if (source_ == ChargingSource::adapter) out.add(PowerEvent::plugged_to_adapter);
-    if (source_ == ChargingSource::dock) out.add(PowerEvent::plugged_to_dock);
+    if (source_ == ChargingSource::none) out.emplace_back(PowerEvent::unplugged);
+    if (source_ == ChargingSource::adapter) out.emplace_back(PowerEvent::plugged_to_adapter);
+    if (source_ == ChargingSource::dock) out.emplace_back(PowerEvent::plugged_to_dock);
   }
   if (now.state != ChargingState::charged) {
     charged_for_ = 0;
   } else if (charged_for_ < charged_frames && ++charged_for_ == charged_frames) {
-    out.add(PowerEvent::charge_completed);
+    out.emplace_back(PowerEvent::charge_completed);
   }
 }
 
@@ -102,8 +103,8 @@ void EventDetector::levels(const Battery& now, Events& out) {
   }
   if (now.level >= worst_) return;
   worst_ = now.level;
-  if (worst_ == BatteryLevel::low) out.add(PowerEvent::battery_low);
-  if (worst_ == BatteryLevel::dangerous) out.add(PowerEvent::battery_critical);
+  if (worst_ == BatteryLevel::low) out.emplace_back(PowerEvent::battery_low);
+  if (worst_ == BatteryLevel::dangerous) out.emplace_back(PowerEvent::battery_critical);
 }
 
 }  // namespace tocsin::kobuki

@@ -2,6 +2,7 @@
 #include "kobuki_protocol/frame.hpp"
 
 #include <cassert>
+#include <cstring>
 
 namespace tocsin::kobuki {
 
@@ -10,24 +11,14 @@ Frame::Frame() {
   bytes_[1] = header_1;
 }
 
-bool Frame::begin(std::uint8_t id, std::size_t size) {
-  if (payload_size() + 2 + size > max_payload) return false;
-  u8(id);
-  u8(static_cast<std::uint8_t>(size));
-  return true;
-}
-
-// These two are not inline: a frame is 80 of them in a row, and the checks would fill the
-// instruction cache.
-void Frame::u8(std::uint8_t value) {
-  assert(!closed_ && payload_size() < max_payload);
-  bytes_[size_++] = value;
-}
-
-void Frame::u16(std::uint16_t value) {
-  assert(!closed_ && payload_size() + 1 < max_payload);
-  bytes_[size_++] = static_cast<std::uint8_t>(value & 0xFFU);
-  bytes_[size_++] = static_cast<std::uint8_t>(value >> 8U);
+std::uint8_t* Frame::add(std::uint8_t id, std::size_t size) {
+  assert(!closed_);
+  if (payload_size() + 2 + size > max_payload) return nullptr;
+  bytes_[size_] = id;
+  bytes_[size_ + 1] = static_cast<std::uint8_t>(size);
+  std::uint8_t* const data = bytes_.data() + size_ + 2;
+  size_ += 2 + size;
+  return data;
 }
 
 void Frame::close() {
@@ -38,9 +29,20 @@ void Frame::close() {
   closed_ = true;
 }
 
+// Eight at a time: as fast for a frame as what a compiler makes of single bytes, and a tenth of its
+// size in the instruction cache.
 std::uint8_t xor_of(ByteView bytes) {
-  unsigned sum = 0;
-  for (const std::uint8_t byte : bytes) sum ^= byte;
+  std::uint64_t sum = 0;
+  std::size_t at = 0;
+  for (; bytes.size - at >= sizeof sum; at += sizeof sum) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data + at, sizeof word);
+    sum ^= word;
+  }
+  std::uint64_t rest = 0;
+  std::memcpy(&rest, bytes.data + at, bytes.size - at);
+  sum ^= rest;
+  for (unsigned half = 32; half >= 8; half /= 2) sum ^= sum >> half;
   return static_cast<std::uint8_t>(sum);
 }
 

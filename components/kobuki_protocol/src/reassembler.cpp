@@ -6,7 +6,7 @@
 namespace tocsin::kobuki {
 
 std::size_t Reassembler::missing() const {
-  if (size_ < 3) return 1;
+  if (size_ < 3) return min_payload + 4 - size_;  // no frame is shorter
   const std::size_t whole = std::size_t{buffer_[2]} + 4;
   assert(size_ < whole);  // find_frame() accepts or rejects every whole frame
   return whole - size_;

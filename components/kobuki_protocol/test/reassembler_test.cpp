@@ -200,6 +200,17 @@ TEST(Reassembler, AccountsForEveryByteOfNoise) {
   EXPECT_GE(sut.counts().frames, 1990U);
 }
 
+TEST(Reassembler, HandsOverAFrameOnItsLastByteAlsoTheShortest) {
+  for (const Bytes& frame : {from_hex("aa 55 03 04 01 04 02"), typical_frame(1)}) {
+    Reassembler sut;
+    for (const std::uint8_t noise : from_hex("99 aa 42 55")) (void)received(sut, {{noise}});
+    EXPECT_EQ(received(sut, {{frame.begin(), frame.end() - 1}}).size(), 0U);
+    EXPECT_EQ(received(sut, {{frame.back()}}), std::vector<Bytes>{frame});
+    EXPECT_EQ(sut.pending(), 0U);
+    EXPECT_EQ(sut.counts().discarded, 4U);
+  }
+}
+
 TEST(Reassembler, ForgetsAHalfFrameWhenCleared) {
   Reassembler sut;
   const Bytes frame = typical_frame(1);

@@ -26,6 +26,7 @@ struct ByteView {
 };
 
 /// Reads little-endian numbers one after the other. Reading past the end is our bug: it aborts.
+/// Both are inline, so that where the size is a constant the compiler makes the checks, once.
 class ByteReader {
  public:
   explicit ByteReader(ByteView bytes) : bytes_(bytes) {}
@@ -43,6 +44,32 @@ class ByteReader {
 
  private:
   ByteView bytes_;
+  std::size_t at_ = 0;
+};
+
+/// Writes little-endian numbers one after the other into a place of `size` bytes. Writing past the
+/// end is our bug: it aborts.
+class ByteWriter {
+ public:
+  ByteWriter(std::uint8_t* to, std::size_t size) : to_(to), size_(size) {}
+  void u8(std::uint8_t value) {
+    assert(at_ < size_);
+    to_[at_++] = value;
+  }
+  void u16(std::uint16_t value) {
+    u8(static_cast<std::uint8_t>(value & 0xFFU));
+    u8(static_cast<std::uint8_t>(value >> 8U));
+  }
+  void u32(std::uint32_t value) {
+    u16(static_cast<std::uint16_t>(value & 0xFFFFU));
+    u16(static_cast<std::uint16_t>(value >> 16U));
+  }
+  void i8(std::int8_t value) { u8(static_cast<std::uint8_t>(value)); }
+  void i16(std::int16_t value) { u16(static_cast<std::uint16_t>(value)); }
+
+ private:
+  std::uint8_t* to_;
+  std::size_t size_;
   std::size_t at_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "kobuki_protocol/battery.hpp"
 #include "kobuki_protocol/feedback.hpp"
@@ -45,22 +46,8 @@ struct InputEvent {
 using Event =
     std::variant<ButtonEvent, BumperEvent, CliffEvent, WheelDropEvent, PowerEvent, InputEvent>;
 
-/// The events of one frame; never more than fit.
-class Events {
- public:
-  void add(const Event& event) {
-    assert(count_ < events_.size());
-    events_[count_++] = event;
-  }
-  [[nodiscard]] const Event* begin() const { return events_.data(); }
-  [[nodiscard]] const Event* end() const { return events_.data() + count_; }
-  [[nodiscard]] std::size_t size() const { return count_; }
-  [[nodiscard]] bool empty() const { return count_ == 0; }
-
- private:
-  std::array<Event, 16> events_{};
-  std::size_t count_ = 0;
-};
+/// The events of one frame; mostly none, which costs nothing.
+using Events = std::vector<Event>;
 
 /// Turns states into edges. All states are false at the start, so what is already true at the first
 /// frame is an event.

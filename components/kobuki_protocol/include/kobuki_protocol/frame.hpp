@@ -17,20 +17,17 @@ inline constexpr std::size_t max_frame = max_payload + 4;
 
 /// One frame as on the wire, both directions: AA 55 | LEN | payload | XOR of LEN and payload.
 ///
-/// Written as sub-payloads (ID, SUBLEN, data) and closed once. Fixed size, no allocation.
+/// Made of sub-payloads (ID, SUBLEN, data) and closed once. Fixed size, no allocation.
 class Frame {
  public:
   Frame();
-  /// Begins a sub-payload of `size` data bytes, which must follow. False, and nothing written, when
-  /// it does not fit into the 255 payload bytes.
-  [[nodiscard]] bool begin(std::uint8_t id, std::size_t size);
-  void u8(std::uint8_t value);
-  void u16(std::uint16_t value);
-  void u32(std::uint32_t value) {
-    u16(static_cast<std::uint16_t>(value & 0xFFFFU));
-    u16(static_cast<std::uint16_t>(value >> 16U));
+  /// Adds a sub-payload of `size` data bytes, which are 0 until they are written. Empty, and
+  /// nothing added, when it does not fit into the 255 payload bytes.
+  [[nodiscard]] std::optional<ByteWriter> begin(std::uint8_t id, std::size_t size) {
+    std::uint8_t* const data = add(id, size);
+    if (data == nullptr) return std::nullopt;
+    return ByteWriter(data, size);
   }
-  void i16(std::int16_t value) { u16(static_cast<std::uint16_t>(value)); }
   /// Sets LEN and the checksum. Nothing may be written afterwards.
   void close();
 
@@ -38,6 +35,8 @@ class Frame {
   [[nodiscard]] ByteView payload() const { return {bytes_.data() + 3, payload_size()}; }
 
  private:
+  /// Where the data goes; null when it does not fit.
+  [[nodiscard]] std::uint8_t* add(std::uint8_t id, std::size_t size);
   [[nodiscard]] std::size_t payload_size() const { return size_ - (closed_ ? 4 : 3); }
   std::array<std::uint8_t, max_frame> bytes_{};
   std::size_t size_ = 3;
