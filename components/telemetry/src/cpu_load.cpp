@@ -3,34 +3,31 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <sstream>
+#include <string_view>
 #include <utility>
+
+#include "telemetry/words.hpp"
 
 namespace tocsin::telemetry {
 namespace {
 
 /// user, nice, system, idle, iowait, irq, softirq, steal (proc(5)).
-std::optional<CpuTimes> parse_times(std::istream& in) {
+std::optional<CpuTimes> parse_times(std::string_view words) {
   std::array<std::uint64_t, 8> ticks{};
   for (auto& tick : ticks) {
-    std::string word;
-    if (!(in >> word)) return std::nullopt;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), tick);
-    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    const auto number = whole_number<std::uint64_t>(take_word(words));
+    if (!number) return std::nullopt;
+    tick = *number;
   }
   const auto [user, nice, system, idle, iowait, irq, softirq, steal] = ticks;
   return CpuTimes{user + nice + system + irq + softirq + steal, idle + iowait};
 }
 
 /// The number in "cpu12"; empty for anything else.
-std::optional<int> core_number(const std::string& word) {
-  if (word.compare(0, 3, "cpu") != 0) return std::nullopt;
-  int number = 0;
-  const char* last = word.data() + word.size();
-  const auto [end, error] = std::from_chars(word.data() + 3, last, number);
-  if (error != std::errc{} || end != last || number < 0) return std::nullopt;
-  return number;
+std::optional<int> core_number(std::string_view word) {
+  if (word.substr(0, 3) != "cpu") return std::nullopt;
+  const auto number = whole_number<int>(word.substr(3));
+  return number && *number >= 0 ? number : std::nullopt;
 }
 
 /// Counters may step back a little (iowait does, proc(5)): that is no time.
@@ -50,11 +47,9 @@ std::optional<double> load_percent(const CpuTimes& from, const CpuTimes& to) {
 std::optional<CpuSnapshot> parse_proc_stat(const std::string& text) {
   std::optional<CpuTimes> all;
   CpuSnapshot snapshot;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    std::string name;
-    words >> name;
+  for (std::string_view rest = text; !rest.empty();) {
+    std::string_view words = take_line(rest);
+    const std::string_view name = take_word(words);
     if (name == "cpu") all = parse_times(words);
     const auto core = core_number(name);
     if (!core) continue;

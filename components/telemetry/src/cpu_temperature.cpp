@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 
 #include "telemetry/text_file.hpp"
+#include "telemetry/words.hpp"
 
 namespace tocsin::telemetry {
 namespace {
@@ -40,13 +40,9 @@ void list_folder(const std::string& folder, const std::string& name_file,
 }  // namespace
 
 std::optional<double> parse_temperature(const std::string& text) {
-  const std::string word = trimmed(text);
-  long long millidegrees = 0;
-  const char* last = word.data() + word.size();
-  const auto [end, error] = std::from_chars(word.data(), last, millidegrees);
-  if (error != std::errc{} || end != last) return std::nullopt;
-  if (millidegrees < -60'000 || millidegrees > 200'000) return std::nullopt;
-  return static_cast<double>(millidegrees) / 1000.0;
+  const auto millidegrees = whole_number<long long>(trimmed(text));
+  if (!millidegrees || *millidegrees < -60'000 || *millidegrees > 200'000) return std::nullopt;
+  return static_cast<double>(*millidegrees) / 1000.0;
 }
 
 std::optional<Thermometer> choose_cpu_thermometer(const std::vector<Thermometer>& thermometers) {

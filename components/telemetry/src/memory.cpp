@@ -2,23 +2,22 @@
 #include "telemetry/memory.hpp"
 
 #include <algorithm>
-#include <sstream>
+#include <string_view>
+
+#include "telemetry/words.hpp"
 
 namespace tocsin::telemetry {
 namespace {
 
 /// The value of "key:   1234 kB"; empty when it is none.
-std::optional<std::uint64_t> bytes_of(const std::string& line, const std::string& key) {
+std::optional<std::uint64_t> bytes_of(std::string_view line, std::string_view key) {
   constexpr std::uint64_t unit = 1024;  // "kB" of the kernel
   constexpr std::uint64_t largest = UINT64_MAX / unit;
-  if (line.compare(0, key.size(), key) != 0) return std::nullopt;
-  std::istringstream in(line.substr(key.size()));
-  std::uint64_t value = 0;
-  std::string word;
-  const bool whole = (in >> value >> word) && word == "kB" && value <= largest;
-  // A stream reads "-1" into an unsigned number without complaint.
-  if (!whole || line.find('-') != std::string::npos) return std::nullopt;
-  return value * unit;
+  if (line.substr(0, key.size()) != key) return std::nullopt;
+  line.remove_prefix(key.size());
+  const auto value = whole_number<std::uint64_t>(take_word(line));
+  if (!value || *value > largest || take_word(line) != "kB") return std::nullopt;
+  return *value * unit;
 }
 
 }  // namespace
@@ -30,8 +29,8 @@ double Memory::used_percent() const {
 
 std::optional<Memory> parse_meminfo(const std::string& text) {
   std::optional<std::uint64_t> total, available;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) {
+  for (std::string_view rest = text; !rest.empty() && !(total && available);) {
+    const std::string_view line = take_line(rest);
     if (!total) total = bytes_of(line, "MemTotal:");
     if (!available) available = bytes_of(line, "MemAvailable:");
   }

@@ -30,6 +30,7 @@ TEST(Meminfo, IsRejectedWhenDamaged) {
   EXPECT_FALSE(parse_meminfo("MemTotal: x kB\nMemAvailable: 1 kB\n"));
   EXPECT_FALSE(parse_meminfo("MemTotal: -4 kB\nMemAvailable: 1 kB\n"));
   EXPECT_FALSE(parse_meminfo("MemTotal: 4\nMemAvailable: 1 kB\n"));
+  EXPECT_FALSE(parse_meminfo("MemTotal: 4kB\nMemAvailable: 1 kB\n"));
   EXPECT_FALSE(parse_meminfo("MemTotal: 0 kB\nMemAvailable: 0 kB\n"));
   EXPECT_FALSE(parse_meminfo("MemTotal: 18014398509481985 kB\nMemAvailable: 1 kB\n"));
 }
