@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "foundation/error.hpp"
+#include "foundation/file_cache.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/yaml_file.hpp"
 #include "navigation/mission.hpp"
@@ -98,6 +99,17 @@ Mission read_json_mission(const std::string& path) {
   return mission;
 }
 
+Mission read_mission(const std::string& path) {
+  const bool is_json = std::filesystem::path(path).extension() == ".jsonl";
+  Mission mission = is_json ? read_json_mission(path) : read_yaml_mission(path);
+  mission.file = path;
+  if (mission.waypoints.empty() || mission.waypoints.size() > max_waypoints) {
+    throw ConfigError("mission.waypoints: " + std::to_string(mission.waypoints.size()) +
+                      " are outside [1, 4095] (" + path + ")");
+  }
+  return mission;
+}
+
 std::string place_of(const Mission& mission, std::size_t i) {
   const Pose2& p = mission.waypoints[i];
   const auto metres = [](double value) { return YAML::Dump(YAML::Node(value)); };
@@ -107,14 +119,8 @@ std::string place_of(const Mission& mission, std::size_t i) {
 }  // namespace
 
 Mission load_mission(const std::string& path) {
-  const bool is_json = std::filesystem::path(path).extension() == ".jsonl";
-  Mission mission = is_json ? read_json_mission(path) : read_yaml_mission(path);
-  mission.file = path;
-  if (mission.waypoints.empty() || mission.waypoints.size() > max_waypoints) {
-    throw ConfigError("mission.waypoints: " + std::to_string(mission.waypoints.size()) +
-                      " are outside [1, 4095] (" + path + ")");
-  }
-  return mission;
+  static FileCache<Mission> known;
+  return known.get(path, [&] { return read_mission(path); });
 }
 
 void require_free(const Mission& mission, const OccupancyMap& map, double radius_m) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -47,6 +48,17 @@ class LoadMission : public ::testing::Test {
       R"({"latency": "1559811064897", "orz": 0.5, "orx": 0.0, "ory": 0.0, "orw": 0.866025, )"
       R"("ts": "2019-06-06 11:51:04", "posx": -0.5, "posy": 1.25})";
 };
+
+TEST_F(LoadMission, ReadsAgainWhatHasChanged) {
+  using std::filesystem::last_write_time;
+  const std::string path = write("m.yaml", "waypoints: [{x: 1, y: 2}]");
+  last_write_time(path, last_write_time(path) - std::chrono::hours(2));
+  EXPECT_EQ(load_mission(path).waypoints.at(0).x, 1);
+  EXPECT_EQ(load_mission(path).waypoints.at(0).x, 1);
+  write("m.yaml", "waypoints: [{x: 3, y: 2}]");
+  last_write_time(path, last_write_time(path) - std::chrono::hours(1));
+  EXPECT_EQ(load_mission(path).waypoints.at(0).x, 3);
+}
 
 TEST_F(LoadMission, ReadsOurYaml) {
   const Mission sut = load("m.yaml",

@@ -2,6 +2,7 @@
 #include "velocity_mux/velocity_mux_component.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "foundation/error.hpp"
@@ -19,7 +20,7 @@ void VelocityMuxComponent::tick(Time now) {
   while (const auto stop = emergency_stop_.take()) mux_.on_emergency_stop(stop->data());
   take_list();
   take_commands(now);
-  if (const auto zero = mux_.on_time(now)) send(*zero);
+  if (mux_.on_time(now)) send(std::make_shared<const topic::CmdVelSelected::Message>());
   report_active();
   wake_at(mux_.next_deadline());
 }
@@ -59,19 +60,16 @@ void VelocityMuxComponent::take_list() {
 void VelocityMuxComponent::take_commands(Time now) {
   for (const auto& source : sources_) {
     while (const auto sample = source->port->take_sample()) {
-      const auto& wanted = *std::static_pointer_cast<const topic::CmdVel::Message>(sample->message);
-      const auto out =
-          mux_.on_command(source->name, {wanted.linear().x(), wanted.angular().z()}, now);
-      if (out) send(*out);
+      const auto wanted = std::static_pointer_cast<const topic::CmdVel::Message>(sample->message);
+      const motion::BodyVelocity velocity{wanted->linear().x(), wanted->angular().z()};
+      if (mux_.on_command(source->name, velocity, now)) send(wanted);
     }
   }
 }
 
-void VelocityMuxComponent::send(const motion::BodyVelocity& velocity) {
-  topic::CmdVelSelected::Message message;
-  message.linear().x(velocity.linear_mps);
-  message.angular().z(velocity.angular_rad_s);
-  if (selected_.write(std::move(message)) == Status::failed) log().warn("a velocity was not sent");
+void VelocityMuxComponent::send(
+    const std::shared_ptr<const topic::CmdVelSelected::Message>& velocity) {
+  if (selected_.write(velocity) == Status::failed) log().warn("a velocity was not sent");
 }
 
 void VelocityMuxComponent::report_active() {

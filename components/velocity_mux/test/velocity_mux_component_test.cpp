@@ -63,6 +63,18 @@ TEST_F(VelocityMuxComponentTest, PassesACommandAtOnceAndStopsOnceWhenItsSourceDi
   EXPECT_EQ(speeds(10), (Speeds{}));
 }
 
+TEST_F(VelocityMuxComponentTest, PassesTheMessageAsItIs) {
+  topic::CmdVelNavigation::Message message;
+  message.linear().x(0.3);
+  message.linear().y(0.01);
+  message.angular().z(-0.2);
+  bus_.publish<topic::CmdVelNavigation>(message);
+  bus_.run_for(seconds(0.1));
+  const auto passed = commands_.take();
+  ASSERT_EQ(passed.size(), 1U);
+  EXPECT_EQ(passed[0], message);
+}
+
 TEST_F(VelocityMuxComponentTest, TheOperatorTakesTheWheelAndGivesItBack) {
   drive<topic::CmdVelNavigation>(0.3);
   drive<topic::CmdVelTeleop>(0.1);

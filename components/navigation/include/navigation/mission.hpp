@@ -21,6 +21,7 @@ struct Mission {
 /// named *.jsonl, the JSON lines of the thesis (one waypoint a line: posx, posy and the quaternion
 /// orx, ory, orz, orw; latency and ts are ignored).
 /// Throws ConfigError naming file, waypoint or line, and reason. A mission has 1 to 4095 waypoints.
+/// The same file is read once, while it does not change.
 [[nodiscard]] Mission load_mission(const std::string& path);
 
 /// Throws ConfigError naming waypoint, position and file when a robot of this radius cannot stand

@@ -37,7 +37,7 @@ class VelocityMuxComponent final : public Component {
   void make_sources();
   void take_list();
   void take_commands(Time now);
-  void send(const motion::BodyVelocity& velocity);
+  void send(const std::shared_ptr<const topic::CmdVelSelected::Message>& velocity);
   void report_active();
   void report_inputs();
 
