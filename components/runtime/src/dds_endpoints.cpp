@@ -50,7 +50,10 @@ DdsReader::DdsReader(FastDdsParticipant& participant, const std::string& topic,
   if (reader_ == nullptr) throw EnvironmentError("DDS reader of " + topic + " cannot be created");
 }
 
-DdsReader::~DdsReader() { participant_.remove(reader_); }
+DdsReader::~DdsReader() {
+  participant_.remove(reader_);  // waits for the listener
+  for (const std::uint64_t source : sources_) exchange_.forget(source);
+}
 
 bool DdsReader::next_is_own(Reader* reader) const {
   if (!skips_own_ || !own_matched_) return false;
@@ -109,7 +112,13 @@ void DdsReader::on_subscription_matched(Reader*, const dds::SubscriptionMatchedS
     return;
   }
   account_.on_matched(status.current_count_change);
-  if (status.current_count_change < 0) exchange_.forget(source_of(writer));
+  const std::uint64_t source = source_of(writer);
+  const std::lock_guard<std::mutex> lock(sources_mutex_);
+  if (status.current_count_change > 0) {
+    sources_.insert(source);
+  } else if (sources_.erase(source) > 0) {
+    exchange_.forget(source);
+  }
 }
 
 void DdsReader::on_requested_incompatible_qos(Reader*,

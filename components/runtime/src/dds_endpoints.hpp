@@ -4,6 +4,8 @@
 #include <atomic>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <mutex>
+#include <set>
 #include <string>
 
 #include "endpoint_account.hpp"
@@ -22,6 +24,7 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
  public:
   DdsReader(FastDdsParticipant& participant, const std::string& topic, const TypeInfo& type,
             const QosProfile& qos, TopicExchange& exchange);
+  /// What the writers wrote that it was matched with is not kept for late receivers any more.
   ~DdsReader() override;
   [[nodiscard]] EndpointHealth health() const;
 
@@ -52,6 +55,8 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   std::atomic<unsigned> calls_{0};  // of on_data_available that wait for the one that drains
   RemoteEnds::Guid last_writer_;    // touched by the one that drains
   bool last_has_other_layout_ = false;
+  std::mutex sources_mutex_;
+  std::set<std::uint64_t> sources_;  // of the writers that it is matched with
   MessagePool pool_;
   Reader* reader_;
 };

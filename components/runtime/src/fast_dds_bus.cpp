@@ -67,6 +67,8 @@ class FastDdsBus : public Bus {
 
   std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
+  /// The publication with this source is gone.
+  void withdraw(TopicChannel& topic, std::uint64_t source);
   [[nodiscard]] Time now() const override { return std::chrono::steady_clock::now(); }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
   void set_gate(bool open) override;
@@ -114,8 +116,8 @@ std::uint64_t fresh_source() {
 
 class ChannelPublication : public Publication {
  public:
-  ChannelPublication(const FastDdsBus& bus, TopicChannel& channel) : bus_(bus), channel_(channel) {}
-  ~ChannelPublication() override { channel_.forget(source_); }
+  ChannelPublication(FastDdsBus& bus, TopicChannel& channel) : bus_(bus), channel_(channel) {}
+  ~ChannelPublication() override { bus_.withdraw(channel_, source_); }
 
   Status write(const std::shared_ptr<const void>& message) override {
     Sample head;
@@ -127,7 +129,7 @@ class ChannelPublication : public Publication {
   [[nodiscard]] bool has_readers() const override { return channel_.has_readers(); }
 
  private:
-  const FastDdsBus& bus_;
+  FastDdsBus& bus_;
   TopicChannel& channel_;
   const std::uint64_t source_ = fresh_source();
   std::uint64_t delivered_ = 0;  // guarded by the channel
@@ -184,6 +186,11 @@ std::unique_ptr<Publication> FastDdsBus::advertise(const Endpoint& endpoint) {
   const std::lock_guard<std::mutex> lock(mutex_);
   topic.advertise(rule, gate_open_);
   return std::make_unique<ChannelPublication>(*this, topic);
+}
+
+void FastDdsBus::withdraw(TopicChannel& topic, std::uint64_t source) {
+  const std::lock_guard<std::mutex> lock(mutex_);  // the gate and the accounts look at its writers
+  topic.withdraw(source);
 }
 
 std::int64_t FastDdsBus::wall_ns(Time t) const { return wall_now_ns() - (now() - t).count(); }

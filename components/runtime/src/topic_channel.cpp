@@ -63,22 +63,44 @@ void TopicChannel::join(FastDdsParticipant& link) {
 }
 
 void TopicChannel::attach(Receiver& receiver, Time now) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!host_reader_) host_reader_ = make_reader(host_);
+    if (!link_reader_ && link_ != nullptr) link_reader_ = make_reader(*link_);
+    ++receivers_;
+  }
   exchange_.attach(receiver, now);
+}
+
+void TopicChannel::detach(Receiver& receiver) {
+  exchange_.detach(receiver);
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (host_reader_) return;
-  host_reader_ = make_reader(host_);
-  if (link_ != nullptr) link_reader_ = make_reader(*link_);
+  if (--receivers_ > 0) return;
+  link_reader_.reset();
+  host_reader_.reset();
 }
 
 void TopicChannel::advertise(const TrafficRule& rule, bool open) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (host_writer_) return;
-  host_writer_ =
-      std::make_unique<DdsWriter>(host_, options_.dds_name, *options_.endpoint.type, options_.qos);
-  if (!options_.crosses) return;
-  gated_ = std::make_unique<GatedWriter>(options_.endpoint.topic.name, rule, make_link_writer(),
-                                         freshness(options_.qos));
-  gated_->set_open(open);
+  if (!host_writer_) {
+    host_writer_ = std::make_unique<DdsWriter>(host_, options_.dds_name, *options_.endpoint.type,
+                                               options_.qos);
+  }
+  if (!gated_ && options_.crosses) {
+    gated_ = std::make_unique<GatedWriter>(options_.endpoint.topic.name, rule, make_link_writer(),
+                                           freshness(options_.qos));
+    gated_->set_open(open);
+  }
+  ++publications_;
+}
+
+void TopicChannel::withdraw(std::uint64_t source) {
+  exchange_.forget(source);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (--publications_ > 0) return;
+  link_writer_ = nullptr;
+  gated_.reset();
+  host_writer_.reset();
 }
 
 bool TopicChannel::has_readers_on_host() const {

@@ -33,10 +33,13 @@ class TopicChannel {
   /// The gate of this topic, null when it has none.
   [[nodiscard]] GatedWriter* gated_writer() { return gated_.get(); }
 
+  /// The first receiver makes the readers, the last one that goes removes them.
   void attach(Receiver& receiver, Time now);
-  void detach(Receiver& receiver) { exchange_.detach(receiver); }
-  /// Makes the writers, once. `rule` and `open` are those of the gate.
+  void detach(Receiver& receiver);
+  /// The first publication makes the writers, the last one that goes removes them. `rule` and
+  /// `open` are those of the gate.
   void advertise(const TrafficRule& rule, bool open);
+  void withdraw(std::uint64_t source);
   /// The link is up: from now on the topic crosses it, if it is one that does.
   void join(FastDdsParticipant& link);
   /// `head` lacks the message and its number, the next after `delivered`.
@@ -45,8 +48,6 @@ class TopicChannel {
   [[nodiscard]] bool has_readers() const {
     return gated_ || deadline_ || exchange_.has_receivers() || has_readers_on_host();
   }
-  /// The writer with this source is gone.
-  void forget(std::uint64_t source) { exchange_.forget(source); }
   /// Every DDS endpoint of this topic.
   [[nodiscard]] std::vector<EndpointHealth> health(Time now) const;
 
@@ -66,7 +67,9 @@ class TopicChannel {
   FastDdsParticipant& host_;
   FastDdsParticipant* link_;
   TopicExchange exchange_;
-  mutable std::mutex mutex_;  // guards the creation of endpoints
+  mutable std::mutex mutex_;  // guards the making and removing of endpoints
+  std::size_t receivers_ = 0;
+  std::size_t publications_ = 0;
   mutable std::mutex written_mutex_;
   std::optional<RateLimit> rate_;
   std::optional<DeadlineWatch> deadline_;

@@ -33,6 +33,10 @@ class Samples : public Receiver {
     const std::lock_guard<std::mutex> lock(mutex_);
     return samples_;
   }
+  void clear() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    samples_.clear();
+  }
 
  private:
   std::mutex mutex_;

@@ -7,45 +7,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <condition_variable>
-#include <mutex>
-
 #include "../src/tick_time.hpp"
+#include "bus_fixture.hpp"
 #include "foundation/error.hpp"
 #include "rtps_capture.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
 namespace {
-
-constexpr auto patience = std::chrono::seconds(5);
-
-/// Collects samples and waits for them.
-class Collector : public Receiver {
- public:
-  void receive(const Sample& sample) override {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    samples_.push_back(sample);
-    changed_.notify_all();
-  }
-  bool wait_for(std::size_t wanted) {
-    std::unique_lock<std::mutex> lock(mutex_);
-    return changed_.wait_for(lock, patience, [&] { return samples_.size() >= wanted; });
-  }
-  std::vector<Sample> samples() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return samples_;
-  }
-  void clear() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    samples_.clear();
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::vector<Sample> samples_;
-};
 
 template <class Topic>
 Endpoint endpoint() {
@@ -81,13 +50,13 @@ class FastDdsBusTest : public ::testing::Test {
 
   /// Writes until `collector` has heard the writer: discovery is over then.
   template <class Topic>
-  static void write_until_heard(Publication& publication, Collector& collector) {
+  static void write_until_heard(Publication& publication, Samples& collector) {
     const auto end = std::chrono::steady_clock::now() + patience;
-    while (collector.samples().empty() && std::chrono::steady_clock::now() < end) {
+    while (collector.all().empty() && std::chrono::steady_clock::now() < end) {
       (void)publication.write(std::make_shared<const typename Topic::Message>());
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    ASSERT_FALSE(collector.samples().empty()) << "not discovered";
+    ASSERT_FALSE(collector.all().empty()) << "not discovered";
   }
   static std::shared_ptr<const tocsin_msgs::msg::Goal> goal(std::uint64_t id) {
     auto message = std::make_shared<tocsin_msgs::msg::Goal>();
@@ -100,11 +69,11 @@ TEST_F(FastDdsBusTest, LinkTopicReachesTheOtherSide) {
   const int first = domain();
   const auto uxv = make("uxv", first, 0);
   const auto gcs = make("gcs", first, 1);
-  Collector collector;
+  Samples collector;
   const auto reader = gcs->subscribe(endpoint<topic::Location>(), collector);
   const auto writer = uxv->advertise(endpoint<topic::Location>());
   write_until_heard<topic::Location>(*writer, collector);
-  const Sample sample = collector.samples().front();
+  const Sample sample = collector.all().front();
   EXPECT_GT(sample.sequence, 0U);
   EXPECT_GT(sample.bytes, 300U);
   EXPECT_LE(sample.sent_wall_ns, sample.received_wall_ns);
@@ -115,34 +84,34 @@ TEST_F(FastDdsBusTest, HostTopicReachesAnotherProcessOfTheHostButNotTheOtherSide
   const auto writer_bus = make("uxv", first, 0);
   const auto reader_bus = make("uxv", first, 0);
   const auto gcs = make("gcs", first, 1);
-  Collector near;
-  Collector far;
+  Samples near;
+  Samples far;
   const auto near_reader = reader_bus->subscribe(endpoint<topic::CmdVel>(), near);
   const auto far_reader = gcs->subscribe(endpoint<topic::CmdVel>(), far);
   const auto writer = writer_bus->advertise(endpoint<topic::CmdVel>());
   write_until_heard<topic::CmdVel>(*writer, near);
-  EXPECT_TRUE(far.samples().empty());
+  EXPECT_TRUE(far.all().empty());
 }
 
 TEST_F(FastDdsBusTest, ReadersInTheProcessGetTheVeryObjectOnce) {
   const auto bus = make("uxv", domain(), 0);
-  Collector collector;
+  Samples collector;
   const auto reader = bus->subscribe(endpoint<topic::Goal>(), collector);
   const auto gcs_rules = make("gcs", domain(), 1);
-  Collector own;
+  Samples own;
   const auto own_reader = gcs_rules->subscribe(endpoint<topic::Goal>(), own);
   const auto writer = gcs_rules->advertise(endpoint<topic::Goal>());
   const auto message = goal(1);
   ASSERT_EQ(writer->write(message), Status::ok);
   ASSERT_EQ(writer->write(goal(2)), Status::ok);
   ASSERT_TRUE(own.wait_for(2));
-  EXPECT_EQ(own.samples().size(), 2U);
-  EXPECT_EQ(own.samples()[0].message, message);
+  EXPECT_EQ(own.all().size(), 2U);
+  EXPECT_EQ(own.all()[0].message, message);
 }
 
 TEST_F(FastDdsBusTest, WhatATickWritesHasTheTimeOfTheTickAndOtherThingsTheirOwn) {
   const auto bus = make("gcs", domain(), 1);
-  Collector collector;
+  Samples collector;
   const auto reader = bus->subscribe(endpoint<topic::Goal>(), collector);
   const auto writer = bus->advertise(endpoint<topic::Goal>());
   const Time before = bus->now();
@@ -152,7 +121,7 @@ TEST_F(FastDdsBusTest, WhatATickWritesHasTheTimeOfTheTickAndOtherThingsTheirOwn)
     ASSERT_EQ(writer->write(goal(1)), Status::ok);
   }
   ASSERT_EQ(writer->write(goal(2)), Status::ok);
-  const auto samples = collector.samples();
+  const auto samples = collector.all();
   ASSERT_EQ(samples.size(), 2U);
   EXPECT_EQ(samples[0].received, tick);
   EXPECT_GE(samples[1].received, before);
@@ -168,11 +137,11 @@ TEST_F(FastDdsBusTest, LateReaderOfAStateTopicGetsTheLastSampleAcrossTheLink) {
   message->decision(42);
   ASSERT_EQ(writer->write(message), Status::ok);
   const auto gcs = make("gcs", first, 1);
-  Collector collector;
+  Samples collector;
   const auto reader = gcs->subscribe(endpoint<topic::TransmissionState>(), collector);
   ASSERT_TRUE(collector.wait_for(1));
   EXPECT_EQ(std::static_pointer_cast<const tocsin_msgs::msg::TransmissionState>(
-                collector.samples()[0].message)
+                collector.all()[0].message)
                 ->decision(),
             42U);
 }
@@ -181,7 +150,7 @@ TEST_F(FastDdsBusTest, MissingProfileIsAConfigErrorNamingTheTopic) {
   const auto bus = make("uxv", domain(), 0);
   Endpoint wrong = endpoint<topic::Goal>();
   wrong.topic.qos = "nonsense";
-  Collector collector;
+  Samples collector;
   EXPECT_THROW((void)bus->subscribe(wrong, collector), ConfigError);
 }
 
@@ -189,7 +158,7 @@ TEST_F(FastDdsBusTest, GateDropsTheLowClassAndDeliversTheNewestGoalOnResume) {
   const int first = domain();
   const auto uxv = make("uxv", first, 0);
   const auto gcs = make("gcs", first, 1);
-  Collector goals;
+  Samples goals;
   const auto reader = uxv->subscribe(endpoint<topic::Goal>(), goals);
   const auto writer = gcs->advertise(endpoint<topic::Goal>());
   write_until_heard<topic::Goal>(*writer, goals);
@@ -199,7 +168,7 @@ TEST_F(FastDdsBusTest, GateDropsTheLowClassAndDeliversTheNewestGoalOnResume) {
   EXPECT_EQ(writer->write(goal(8)), Status::paused);
   gcs->set_gate(true);
   ASSERT_TRUE(goals.wait_for(1));
-  const auto last = goals.samples().back();
+  const auto last = goals.all().back();
   EXPECT_EQ(std::static_pointer_cast<const tocsin_msgs::msg::Goal>(last.message)->id(), 8U);
 }
 
@@ -232,8 +201,8 @@ TEST_F(FastDdsBusTest, APausedWriterIsSilentOnTheWireForFiveSecondsAndResumesWit
   const auto link_ports = static_cast<std::uint16_t>(7400 + 250 * (first + 2));
   const auto uxv = make("uxv", first, 0);
   const auto gcs = make("gcs", first, 1);
-  Collector goals;
-  Collector images;
+  Samples goals;
+  Samples images;
   const auto goal_reader = uxv->subscribe(endpoint<topic::Goal>(), goals);
   const auto image_reader = gcs->subscribe(endpoint<topic::CameraImage>(), images);
   const auto goal_writer = gcs->advertise(endpoint<topic::Goal>());
@@ -271,7 +240,7 @@ TEST_F(FastDdsBusTest, LinkMessagesFitOneUnfragmentedPacket) {
   const auto link_ports = static_cast<std::uint16_t>(7400 + 250 * (first + 2));
   const auto uxv = make("uxv", first, 0);
   const auto gcs = make("gcs", first, 1);
-  Collector images;
+  Samples images;
   const auto reader = gcs->subscribe(endpoint<topic::CameraImage>(), images);
   const auto writer = uxv->advertise(endpoint<topic::CameraImage>());
   write_until_heard<topic::CameraImage>(*writer, images);
