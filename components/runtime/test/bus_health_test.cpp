@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a bus tells of its DDS endpoints, and the order of samples on all ways. Real Fast DDS on
 // loopback; each test has a domain of its own.
-#include <fastrtps/attributes/LibrarySettingsAttributes.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,11 +36,7 @@ std::vector<std::string> texts(const std::vector<Sample>& samples) {
 
 class BusHealthTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() {  // packets, not calls, between the participants of this process
-    eprosima::fastrtps::LibrarySettingsAttributes settings;
-    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
-  }
+  static void SetUpTestSuite() { deliver_by_packets(); }
   static int domain() {
     static int next = 40;
     return ++next;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // DDS endpoints live as long as a port of this process uses them: a component that is unloaded
 // leaves nothing behind. Real Fast DDS on loopback.
-#include <fastrtps/attributes/LibrarySettingsAttributes.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <gtest/gtest.h>
 
 #include "bus_fixture.hpp"
@@ -15,11 +13,7 @@ using Message = tocsin_msgs::msg::Goal;
 
 class EndpointLifeTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() {  // packets, not calls, between the participants of this process
-    eprosima::fastrtps::LibrarySettingsAttributes settings;
-    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
-  }
+  static void SetUpTestSuite() { deliver_by_packets(); }
   static int domain() {
     static int next = 180;
     return ++next;

@@ -2,8 +2,6 @@
 // Real Fast DDS over real UDP on loopback. Each test has DDS domains of its own.
 #include "runtime/middleware/fast_dds_bus.hpp"
 
-#include <fastrtps/attributes/LibrarySettingsAttributes.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,11 +21,7 @@ Endpoint endpoint() {
 
 class FastDdsBusTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() {  // packets, not calls, between the participants of this process
-    eprosima::fastrtps::LibrarySettingsAttributes settings;
-    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
-  }
+  static void SetUpTestSuite() { deliver_by_packets(); }
 
   /// Three domains of this test's own, apart from those of other processes running now.
   static int domain() {

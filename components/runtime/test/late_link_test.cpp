@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // An interface of the link that comes up after the bus was made. Real Fast DDS on a veth pair in a
 // network namespaces of the test's own.
-#include <fastrtps/attributes/LibrarySettingsAttributes.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -69,11 +67,7 @@ int own_namespace() { return open("/proc/thread-self/ns/net", O_RDONLY | O_CLOEX
 /// because `right` with 10.9.0.2 in the other one is down.
 class LateLinkTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() {  // packets, not calls, between the participants of this process
-    eprosima::fastrtps::LibrarySettingsAttributes settings;
-    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
-  }
+  static void SetUpTestSuite() { deliver_by_packets(); }
   void SetUp() override {
     for (int* one : {&right_, &left_}) {
       if (unshare(CLONE_NEWNET) != 0) GTEST_SKIP() << "no network namespace: needs CAP_SYS_ADMIN";

@@ -4,13 +4,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <fstream>
 #include <limits>
 #include <string>
 
-#include "foundation/error.hpp"
+#include "config_file.hpp"
 #include "foundation/parameters.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -21,32 +19,8 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// A file that is gone with the test.
-class File {
- public:
-  explicit File(const std::string& text)
-      : path_(::testing::TempDir() + "/qos_" + std::to_string(getpid()) + ".yaml") {
-    std::ofstream(path_) << text;
-  }
-  ~File() { unlink(path_.c_str()); }
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
-template <class Call>
-std::string error_of(const Call& call) {
-  try {
-    call();
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 std::string error_of_file(const std::string& text) {
-  const File file(text);
+  const ConfigFile file(text);
   return error_of([&] { QosProfiles{file.path()}; });
 }
 
@@ -70,7 +44,7 @@ TEST(QosProfiles, ShippedFileHasTheProfileOfEveryLinkTopicAndOfHostTopics) {
 }
 
 TEST(QosProfiles, AMissingProfileNamesTopicAndFile) {
-  const File file("sensor: {depth: 5}\n");
+  const ConfigFile file("sensor: {depth: 5}\n");
   const QosProfiles sut(file.path());
   const std::string text = error_of([&] { (void)sut.of("state", "goal"); });
   EXPECT_THAT(text, HasSubstr("topic goal: QoS profile 'state' is not in " + file.path()));
@@ -112,11 +86,12 @@ TEST(QosProfiles, AnUnreadableFileIsNamed) {
 }
 
 TEST(QosProfiles, EveryPolicyReachesTheProfile) {
-  const File file(default_yaml<QosProfile>().empty()
-                      ? ""
-                      : "all:\n  reliability: best_effort\n  deadline_s: 2\n  partition: [a, b]\n"
-                        "  history: keep_all\n  max_samples: 7\n  nack_suppression_s: 0.5\n"
-                        "  priority: -10\n  user_data: x\n");
+  const ConfigFile file(
+      default_yaml<QosProfile>().empty()
+          ? ""
+          : "all:\n  reliability: best_effort\n  deadline_s: 2\n  partition: [a, b]\n"
+            "  history: keep_all\n  max_samples: 7\n  nack_suppression_s: 0.5\n"
+            "  priority: -10\n  user_data: x\n");
   const QosProfile sut = QosProfiles(file.path()).of("all", "any");
   EXPECT_FALSE(sut.reliable());
   EXPECT_EQ(sut.deadline_s, 2);
@@ -130,7 +105,7 @@ TEST(QosProfiles, EveryPolicyReachesTheProfile) {
 
 TEST(QosProfiles, AFlowControllerIsReadAndMustBeThere) {
   const std::string flow = "flow_controllers: {radio: {max_bytes_per_period: 12500}}\n";
-  const File file(flow + "bulk: {flow_controller: radio}\n");
+  const ConfigFile file(flow + "bulk: {flow_controller: radio}\n");
   const QosProfiles sut(file.path());
   EXPECT_EQ(sut.flow_controllers().at("radio").max_bytes_per_period, 12500);
   EXPECT_EQ(sut.flow_controllers().at("radio").scheduler, "high_priority");
@@ -140,7 +115,7 @@ TEST(QosProfiles, AFlowControllerIsReadAndMustBeThere) {
 }
 
 TEST(QosProfiles, ATopicMayHaveItsOwnRateAndSeparation) {
-  const File file(
+  const ConfigFile file(
       "a: {max_rate_hz: 50}\ntopics:\n  slow: {max_rate_hz: 2}\n"
       "  sparse: {minimum_separation_s: 0.5}\n");
   const QosProfiles sut(file.path());
@@ -152,7 +127,7 @@ TEST(QosProfiles, ATopicMayHaveItsOwnRateAndSeparation) {
 }
 
 TEST(QosProfiles, AnOverrideThatContradictsTheProfileIsAnError) {
-  const File file("a: {durability: transient_local}\ntopics: {slow: {max_rate_hz: 2}}\n");
+  const ConfigFile file("a: {durability: transient_local}\ntopics: {slow: {max_rate_hz: 2}}\n");
   const QosProfiles sut(file.path());
   EXPECT_EQ(error_of([&] { (void)sut.of("a", "other"); }), "no error");
   EXPECT_THAT(error_of([&] { (void)sut.of("a", "slow"); }),

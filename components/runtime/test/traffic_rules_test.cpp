@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <fstream>
 #include <string>
 
-#include "foundation/error.hpp"
+#include "config_file.hpp"
 #include "runtime/middleware/traffic_rules.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -14,30 +12,6 @@ namespace tocsin {
 namespace {
 
 using ::testing::HasSubstr;
-
-/// A file that is gone with the test.
-class File {
- public:
-  explicit File(const std::string& text)
-      : path_(::testing::TempDir() + "/traffic_" + std::to_string(getpid()) + ".yaml") {
-    std::ofstream(path_) << text;
-  }
-  ~File() { unlink(path_.c_str()); }
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
-template <class Call>
-std::string error_of(const Call& call) {
-  try {
-    call();
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config";
 
@@ -56,26 +30,26 @@ TEST(TrafficRules, ShippedFileOfTheThesisKeepsTheNewestGoal) {
 }
 
 TEST(TrafficRules, ATopicWithoutClassIsAnError) {
-  const File file("uxv:\n  low: {while_poor: drop, topics: [a]}\n");
+  const ConfigFile file("uxv:\n  low: {while_poor: drop, topics: [a]}\n");
   const TrafficRules sut(file.path(), "uxv");
   EXPECT_THAT(error_of([&] { (void)sut.of("b"); }),
               HasSubstr("topic b: crosses the link, but has no traffic class for role uxv"));
 }
 
 TEST(TrafficRules, ATopicInTwoClassesIsAnError) {
-  const File file("uxv:\n  low: {topics: [a]}\n  high: {topics: [a]}\n");
+  const ConfigFile file("uxv:\n  low: {topics: [a]}\n  high: {topics: [a]}\n");
   EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
               HasSubstr("a is in two classes"));
 }
 
 TEST(TrafficRules, AnUnknownRoleIsAnError) {
-  const File file("uxv: {}\n");
+  const ConfigFile file("uxv: {}\n");
   EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "boat"); }),
               HasSubstr("has no map for the role 'boat'"));
 }
 
 TEST(TrafficRules, AnUnknownActionIsAnError) {
-  const File file("uxv:\n  low: {while_poor: delete}\n");
+  const ConfigFile file("uxv:\n  low: {while_poor: delete}\n");
   EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
               HasSubstr("'delete' is not one of: send, latest, drop"));
 }
