@@ -33,7 +33,7 @@ struct Generation {
 struct Plan {
   int generations;  ///< where the scheduler puts a process, and the allocator an object, stays
   int turns;        ///< of each way in a generation
-  int trips;        ///< in a turn; 200 or so, as the first one, on cold caches, takes long
+  int trips;        ///< in a turn that count; a tenth as many go before
 };
 
 /// The ways take turns, a few round trips each, forwards and backwards, so that a machine whose
