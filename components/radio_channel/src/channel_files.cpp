@@ -72,6 +72,16 @@ std::vector<Wall> read_walls(const std::string& path) {
   return walls;
 }
 
+ChannelParams read_channel(const std::string& path) {
+  const YAML::Node file = read_yaml_file(path);
+  if (!file.IsMap() || !file["radio_channel"] || file.size() != 1) {
+    throw ConfigError("radio_channel: must be the one key of the file" + yaml_place(path, file));
+  }
+  auto params = load_parameters<ChannelParams>(file["radio_channel"], "radio_channel", path);
+  (void)Outages(params.outages_s, Time{});  // throws on a bad script
+  return params;
+}
+
 }  // namespace
 
 Trace load_trace(const std::string& path) {
@@ -97,15 +107,13 @@ Trace load_trace(const std::string& path) {
 }
 
 ChannelParams load_channel(const std::string& path) {
-  const YAML::Node file = read_yaml_file(path);
-  if (!file.IsMap() || !file["radio_channel"] || file.size() != 1) {
-    throw ConfigError("radio_channel: must be the one key of the file" + yaml_place(path, file));
-  }
-  auto params = load_parameters<ChannelParams>(file["radio_channel"], "radio_channel", path);
-  (void)Outages(params.outages_s, Time{});  // throws on a bad script
+  static FileCache<ChannelParams> known;
+  static FileCache<std::shared_ptr<const Trace>> known_traces;
+  ChannelParams params = known.get(path, [&] { return read_channel(path); });
   if (!params.trace_file.empty()) {
-    const auto folder = std::filesystem::path(path).parent_path();
-    params.trace = std::make_shared<const Trace>(load_trace(folder / params.trace_file));
+    const std::string trace = std::filesystem::path(path).parent_path() / params.trace_file;
+    params.trace =
+        known_traces.get(trace, [&] { return std::make_shared<const Trace>(load_trace(trace)); });
   }
   return params;
 }

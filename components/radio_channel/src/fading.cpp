@@ -38,19 +38,16 @@ void RicianFading::move_to(double x_m, double y_m, double k_db) {
 }
 
 double RicianFading::gain_db(double t_s) const {
-  std::array<float, wave_count> turns;
-  for (std::size_t i = 0; i < wave_count; ++i) {
-    turns[i] = static_cast<float>(fraction_of_turn(turns_[i] + doppler_[i] * t_s));
-  }
-  // Four sums side by side, so that the compiler can keep them in one register.
-  constexpr std::size_t lanes = 4;
-  std::array<float, lanes> re{};
-  std::array<float, lanes> im{};
-  for (std::size_t i = 0; i < wave_count; i += lanes) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      re[lane] += fast_cos_turns(turns[i + lane]);
-      im[lane] += fast_sin_turns(turns[i + lane]);
+  Lanes re{};
+  Lanes im{};
+  for (std::size_t i = 0; i < wave_count; i += lane_count) {
+    Lanes turns;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      turns[lane] =
+          static_cast<float>(fraction_of_turn(turns_[i + lane] + doppler_[i + lane] * t_s));
     }
+    re += fast_cos_turns(turns);
+    im += fast_sin_turns(turns);
   }
   const double real = direct_re_ + scattered_ * static_cast<double>(re[0] + re[1] + re[2] + re[3]);
   const double imaginary =

@@ -2,8 +2,6 @@
 #include "radio_channel/medium.hpp"
 
 #include <algorithm>
-#include <cassert>
-#include <limits>
 
 namespace tocsin::radio {
 namespace {
@@ -11,6 +9,10 @@ namespace {
 constexpr Duration beacon_interval{102'400'000};
 constexpr int beacon_bytes = 100;
 constexpr int remembered_beacons = 8;
+
+BackgroundLoad load_of(const ChannelParams& params) {
+  return {params.background_load, params.background_stations, seconds(params.background_frame_s)};
+}
 
 }  // namespace
 
@@ -20,16 +22,19 @@ Medium::Medium(const ChannelParams& params, Propagation& propagation, const Outa
       outages_(outages),
       errors_(frame_errors()),
       random_(seed, 3),
-      background_(0, 1, slot_time),
+      background_(load_of(params)),
       idle_since_(start - difs),
       beacon_at_(start),
       heard_at_(start) {
-  configure(params);
+  set(params);
 }
 
 void Medium::configure(const ChannelParams& params) {
-  background_ = BackgroundLoad(params.background_load, params.background_stations,
-                               seconds(params.background_frame_s));
+  background_ = load_of(params);
+  set(params);
+}
+
+void Medium::set(const ChannelParams& params) {
   attempts_ = params.attempts;
   queue_frames_ = static_cast<std::size_t>(params.queue_frames);
   noise_dbm_ = params.noise_dbm;
@@ -38,9 +43,10 @@ void Medium::configure(const ChannelParams& params) {
 
 bool Medium::enqueue(int station, const AirFrame& frame, Time now) {
   Side& s = side(station);
-  if (s.queue.size() >= queue_frames_) return false;
+  const std::size_t before = s.queue.size();
+  if (before >= queue_frames_) return false;
   s.queue.push_back(frame);
-  if (s.queue.size() == 1 && !busy_) join(s, now);
+  if (before == 0 && !busy_) join(s, now);
   return true;
 }
 
@@ -99,9 +105,9 @@ Duration Medium::transmit(Side& s, Time now, bool collided) {
   Duration length = frame_duration(s.rate, bytes);
   const bool hit = collided || random_.chance(background_.collision());
   s.data_received = !hit && heard(s.rate, bytes, now);
+  if (s.data_received) hear_frame(now);
   s.acknowledged =
       frame.acknowledged && s.data_received && heard(ack_rate(s.rate), ack_bytes, now + length);
-  if (s.data_received) hear_frame(now);
   if (frame.acknowledged) length += sifs + frame_duration(ack_rate(s.rate), ack_bytes);
   ++s.counters.attempts;
   if (frame.attempt > 0) ++s.counters.retries;
@@ -154,14 +160,11 @@ void Medium::contend(Time now, Duration occupied) {
   schedule_access();
 }
 
-double Medium::snr_db(Time now) {
-  if (outages_.active(now) || propagation_.dead(now))
-    return -std::numeric_limits<double>::infinity();
-  return propagation_.rssi_dbm(now) - noise_dbm_ + snr_offset_db_;
-}
-
 bool Medium::heard(int rate, int bytes, Time now) {
-  return !random_.chance(errors_.error(rate, snr_db(now), bytes));
+  const double draw = random_.uniform();
+  if (outages_.active(now) || propagation_.dead(now)) return false;
+  const double snr_db = propagation_.rssi_dbm(now) - noise_dbm_ + snr_offset_db_;
+  return !errors_.lost(rate, snr_db, bytes, draw);
 }
 
 void Medium::hear_frame(Time now) {

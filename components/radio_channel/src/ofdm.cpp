@@ -83,6 +83,10 @@ double log_bit_success(int rate, double snr_db) {
   return std::log1p(-std::min(decoded_bit_error(r.code, p), 1 - 1e-12));
 }
 
+double error_of(double log_success) {
+  return log_success > -1e-9 ? -log_success : 1 - std::exp(log_success);
+}
+
 constexpr double table_from_db = -10;
 constexpr double table_to_db = 40;
 constexpr double steps_per_db = 20;
@@ -112,16 +116,26 @@ FrameErrorTable::FrameErrorTable() {
   }
 }
 
-double FrameErrorTable::error(int rate, double snr_db, int bytes) const {
-  if (!(snr_db > table_from_db)) return 1;
-  if (snr_db >= table_to_db) return 0;
+/// Within the table only.
+double FrameErrorTable::log_success(int rate, double snr_db, int bytes) const {
   const auto& table = log_bit_success_[rate];
   const double place = (snr_db - table_from_db) * steps_per_db;
   const auto i = static_cast<std::size_t>(place);
   const double part = place - static_cast<double>(i);
-  const double log_success = 8.0 * bytes * (table[i] + part * (table[i + 1] - table[i]));
-  if (log_success > -1e-9) return -log_success;
-  return 1 - std::exp(log_success);
+  return 8.0 * bytes * (table[i] + part * (table[i + 1] - table[i]));
+}
+
+double FrameErrorTable::error(int rate, double snr_db, int bytes) const {
+  if (!(snr_db > table_from_db)) return 1;
+  if (snr_db >= table_to_db) return 0;
+  return error_of(log_success(rate, snr_db, bytes));
+}
+
+bool FrameErrorTable::lost(int rate, double snr_db, int bytes, double draw) const {
+  if (!(snr_db > table_from_db)) return true;
+  if (snr_db >= table_to_db) return false;
+  const double log = log_success(rate, snr_db, bytes);
+  return draw < -log && draw < error_of(log);  // 1 - exp(x) is never above -x
 }
 
 const FrameErrorTable& frame_errors() {

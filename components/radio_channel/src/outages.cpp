@@ -31,12 +31,4 @@ void Outages::begin(Time now, Duration length) {
   manual_.until = std::max(manual_.until, now + length);
 }
 
-bool Outages::active(Time now) const {
-  if (now >= manual_.from && now < manual_.until) return true;
-  for (const Interval& interval : script_) {
-    if (now >= interval.from && now < interval.until) return true;
-  }
-  return false;
-}
-
 }  // namespace tocsin::radio

@@ -61,14 +61,6 @@ void Propagation::follow(Time now) {
   if (params_.trace) mean_rssi_dbm_ = params_.trace->rssi_dbm(trace_s(now));
 }
 
-bool Propagation::dead(Time now) const {
-  return params_.trace && params_.trace->dead(trace_s(now));
-}
-
-Duration Propagation::extra_delay(Time now) const {
-  return params_.trace ? seconds(params_.trace->one_way_s(trace_s(now))) : Duration::zero();
-}
-
 double Propagation::wall_loss_db() const {
   double sum = 0;
   for (const Wall& wall : walls_) {
@@ -90,18 +82,15 @@ void Propagation::set_position(double x_m, double y_m) {
     mean_rssi_dbm_ = params_.tx_dbm - path_loss_db_ + shadowing_.at(x_m, y_m);
   }
   fading_.move_to(x_m, y_m, walls_db > 0 ? params_.rician_k_walled_db : params_.rician_k_clear_db);
-  faded_step_ = -1;
+  faded_from_ = never;
 }
 
-double Propagation::rssi_dbm(Time now) {
-  const std::int64_t step = (now - start_) / fading_hold;
-  if (step != faded_step_) {
-    const double t_s = to_seconds(step * fading_hold);
-    follow(now);
-    rssi_dbm_ = mean_rssi_dbm_ + fading_.gain_db(t_s);
-    faded_step_ = step;
-  }
-  return rssi_dbm_;
+void Propagation::fade(Time now) {
+  const Duration since_start = (now - start_) / fading_hold * fading_hold;
+  follow(now);
+  rssi_dbm_ = mean_rssi_dbm_ + fading_.gain_db(to_seconds(since_start));
+  faded_from_ = start_ + since_start;
+  faded_until_ = faded_from_ + fading_hold;
 }
 
 }  // namespace tocsin::radio

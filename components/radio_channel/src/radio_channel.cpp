@@ -24,6 +24,7 @@ RadioChannel::RadioChannel(const ChannelParams& params, std::vector<Wall> walls,
                            Time start)
     : params_(params),
       has_mac_(params.mode == "radio"),
+      wire_delay_(seconds(params.wire_delay_s)),
       walls_(std::move(walls)),
       seed_(seed),
       start_(start),
@@ -38,6 +39,7 @@ void RadioChannel::configure(const ChannelParams& params) {
   const double y_m = propagation_.y_m();
   params_ = params;
   has_mac_ = params.mode == "radio";
+  wire_delay_ = seconds(params.wire_delay_s);
   propagation_ = Propagation(params, walls_, seed_, start_);
   propagation_.set_position(x_m, y_m);
   medium_.configure(params);
@@ -68,7 +70,7 @@ void RadioChannel::push_radio(Direction direction, const AirFrame& frame, Time n
     enqueue(direction, frame, now);
     return;
   }
-  Time at = now + seconds(params_.wire_delay_s) + propagation_.extra_delay(now);
+  Time at = now + wire_delay_ + propagation_.extra_delay(now);
   if (!wire_to_access_point_.empty()) at = std::max(at, wire_to_access_point_.back().at);
   wire_to_access_point_.push_back({at, frame});
 }
@@ -105,24 +107,28 @@ void RadioChannel::end(const Outcome& outcome) {
   outcomes_.push_back(outcome);
 }
 
-Time RadioChannel::next_event() const {
-  Time next = medium_.next_event();
-  if (!wire_to_access_point_.empty()) next = std::min(next, wire_to_access_point_.front().at);
-  if (!deliveries_.empty()) next = std::min(next, deliveries_.front().at);
-  return next;
+void RadioChannel::advance(Time now) {
+  for (Time next = next_event(); next <= now && next != never; next = next_event()) step(next);
 }
 
-void RadioChannel::advance(Time now) {
-  for (Time next = next_event(); next <= now && next != never; next = next_event()) {
-    if (!deliveries_.empty() && deliveries_.front().at == next) {
-      end(deliveries_.front());
-      deliveries_.pop_front();
-    } else if (!wire_to_access_point_.empty() && wire_to_access_point_.front().at == next) {
-      enqueue(Direction::downlink, wire_to_access_point_.front().frame, next);
-      wire_to_access_point_.pop_front();
-    } else {
-      step_medium();
-    }
+Time RadioChannel::advance_to_outcome(Time limit) {
+  assert(outcomes_.empty());
+  for (Time next = next_event(); next < limit; next = next_event()) {
+    step(next);
+    if (!outcomes_.empty()) return next;
+  }
+  return limit;
+}
+
+void RadioChannel::step(Time next) {
+  if (!deliveries_.empty() && deliveries_.front().at == next) {
+    end(deliveries_.front());
+    deliveries_.pop_front();
+  } else if (!wire_to_access_point_.empty() && wire_to_access_point_.front().at == next) {
+    enqueue(Direction::downlink, wire_to_access_point_.front().frame, next);
+    wire_to_access_point_.pop_front();
+  } else {
+    step_medium();
   }
 }
 
@@ -135,8 +141,7 @@ void RadioChannel::step_medium() {
     const Outcome outcome{result.id, up ? Direction::uplink : Direction::downlink, fate,
                           result.bytes, result.at};
     if (up && result.received) {
-      deliver_at(result.at + seconds(params_.wire_delay_s) + propagation_.extra_delay(result.at),
-                 outcome);
+      deliver_at(result.at + wire_delay_ + propagation_.extra_delay(result.at), outcome);
     } else {
       end(outcome);
     }

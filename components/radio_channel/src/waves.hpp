@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+
 namespace tocsin::radio {
 
 /// x minus the nearest integer, |x| < 2^51.
@@ -25,16 +27,20 @@ namespace tocsin::radio {
                                             z * (0.28200596845579 + z * -0.0363828411425456))))))));
 }
 
+/// Four numbers in one register.
+inline constexpr std::size_t lane_count = 4;
+using Lanes [[gnu::vector_size(lane_count * sizeof(float))]] = float;
+
 /// cos(2 pi x), |x| <= 0.5, error below 2e-6.
-[[nodiscard]] inline float fast_cos_turns(float x) {
-  const float z = x * x;
+[[nodiscard]] inline Lanes fast_cos_turns(Lanes x) {
+  const Lanes z = x * x;
   return 0.9999992f +
          z * (-19.73898f + z * (64.92859f + z * (-85.27084f + z * (58.78694f + z * -21.06543f))));
 }
 
 /// sin(2 pi x), |x| <= 0.5, error below 2e-6.
-[[nodiscard]] inline float fast_sin_turns(float x) {
-  const float z = x * x;
+[[nodiscard]] inline Lanes fast_sin_turns(Lanes x) {
+  const Lanes z = x * x;
   return x *
          (6.283185f +
           z * (-41.34159f + z * (81.59991f + z * (-76.61414f + z * (41.34137f + z * -12.46882f)))));

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -56,6 +58,31 @@ TEST(ChannelFile, LoadsItsTraceFromBesideIt) {
   EXPECT_DOUBLE_EQ(sut.trace->length_s(), 2);
   EXPECT_THAT(error_of(load_channel, "radio_channel: {trace_file: nowhere.csv}"),
               HasSubstr("nowhere.csv"));
+}
+
+/// As files of a finished edit are: FileCache reads younger ones each time.
+std::string settled(const std::string& path) {
+  std::filesystem::last_write_time(
+      path, std::filesystem::file_time_type::clock::now() - std::chrono::minutes(1));
+  return path;
+}
+
+TEST(ChannelFile, SharesATraceUntilTheTraceItselfChanges) {
+  const std::string trace = ::testing::TempDir() + "shared.csv";
+  std::ofstream(trace) << "time_s,rssi_dbm,ping_delay_ms\n0,-40,1\n2,-60,1\n";
+  settled(trace);
+  const std::string path = settled(written("radio_channel: {trace_file: shared.csv}"));
+  const auto first = load_channel(path).trace;
+  EXPECT_EQ(load_channel(path).trace, first);
+  std::ofstream(trace) << "time_s,rssi_dbm,ping_delay_ms\n0,-40,1\n30,-60,1\n";
+  EXPECT_DOUBLE_EQ(load_channel(path).trace->length_s(), 30);
+}
+
+TEST(ChannelFile, IsReadAgainWhenItHasChanged) {
+  const std::string path = settled(written("radio_channel: {loss: 0.25}"));
+  EXPECT_EQ(load_channel(path).loss, 0.25);
+  EXPECT_EQ(load_channel(path).loss, 0.25);
+  EXPECT_EQ(load_channel(written("radio_channel: {loss: 0.75}")).loss, 0.75);
 }
 
 TEST(ChannelFile, KeepsDefaultsAndReadsWhatItNames) {

@@ -67,6 +67,25 @@ TEST(FrameErrorTable, HoldsItsEnds) {
   EXPECT_EQ(frame_errors().error(7, 40.0, 5000), 0);
 }
 
+TEST(FrameErrorTable, LosesTheDrawsBelowTheError) {
+  for (double snr_db = -9.9; snr_db < 41; snr_db += 0.37) {
+    for (int rate = 0; rate < rate_count; ++rate) {
+      const double error = frame_errors().error(rate, snr_db, 500);
+      for (double draw = 0; draw < 1; draw += 0.01) {
+        ASSERT_EQ(frame_errors().lost(rate, snr_db, 500, draw), draw < error) << snr_db;
+      }
+      ASSERT_EQ(frame_errors().lost(rate, snr_db, 500, error * 0.999), error > 0) << snr_db;
+      ASSERT_FALSE(frame_errors().lost(rate, snr_db, 500, error * 1.001)) << snr_db;
+    }
+  }
+}
+
+TEST(FrameErrorTable, LosesAllOrNothingBeyondItsEnds) {
+  EXPECT_TRUE(frame_errors().lost(0, -10.0, 1, 0.999));
+  EXPECT_TRUE(frame_errors().lost(0, std::nan(""), 1, 0.999));
+  EXPECT_FALSE(frame_errors().lost(7, 40.0, 5000, 0));
+}
+
 TEST(FrameDuration, CountsPreambleSymbolsAndSignalExtension) {
   EXPECT_EQ(frame_duration(4, ack_bytes), microseconds{34});  // 134 bits in 2 symbols
   EXPECT_EQ(frame_duration(0, ack_bytes), microseconds{50});  // 6 symbols

@@ -84,6 +84,19 @@ TEST(Propagation, HoldsFadingForFourMilliseconds) {
   EXPECT_NE(sut.rssi_dbm(t0 + Duration{4'000'000}), here);
 }
 
+TEST(Propagation, FadesAnewAfterAMoveAndWhenTimeGoesBack) {
+  ChannelParams params;
+  params.environment_doppler_hz = 20;
+  Propagation sut(params, {}, 1, t0);
+  const double here = sut.rssi_dbm(t0);
+  EXPECT_NE(sut.rssi_dbm(t0 + seconds(0.01)), here);
+  EXPECT_EQ(sut.rssi_dbm(t0 + seconds(0.001)), here);
+  sut.set_position(0.03, 0);
+  EXPECT_NE(sut.rssi_dbm(t0), here);
+  sut.set_position(0, 0);
+  EXPECT_EQ(sut.rssi_dbm(t0), here);
+}
+
 TEST(Propagation, IgnoresAPositionThatIsNotFiniteOrTooFar) {
   Propagation sut(plain(), {}, 1, t0);
   sut.set_position(3, 4);

@@ -85,6 +85,28 @@ TEST(RadioChannel, DoesNotDependOnHowOftenItIsAdvanced) {
   for (const auto& [id, outcome] : coarse.outcomes) EXPECT_EQ(fine.outcomes.at(id).at, outcome.at);
 }
 
+TEST(RadioChannel, AdvancesFromOutcomeToOutcomeWithinTheLimit) {
+  LinkSimulation stepped(rough("radio"));
+  LinkSimulation sut(rough("radio"));
+  for (int i = 0; i < 50; ++i) {
+    stepped.push(Direction::uplink, 1400, 0);
+    sut.push(Direction::uplink, 1400, 0);
+  }
+  stepped.finish();
+  const Time limit = Time{} + seconds(0.02);
+  std::size_t count = 0;
+  for (Time at{}; (at = sut.channel.advance_to_outcome(limit)) != limit;) {
+    const Outcome outcome = sut.channel.take().value();
+    EXPECT_EQ(outcome.at, at);
+    EXPECT_EQ(stepped.outcomes.at(outcome.id).at, at);
+    while (sut.channel.take()) ++count;
+    ++count;
+  }
+  EXPECT_GT(count, 0u);
+  EXPECT_LT(count, 50u);
+  EXPECT_GE(sut.channel.next_event(), limit);
+}
+
 TEST(RadioChannel, DropsTheTailOfAQueueOfOneHundred) {
   LinkSimulation link(good);
   for (int i = 0; i < 130; ++i) link.push(Direction::uplink, 1000, 0);

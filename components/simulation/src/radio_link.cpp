@@ -58,15 +58,6 @@ void RadioLink::send(radio::Direction direction, std::size_t ip_bytes, std::shar
   sent_ = true;
 }
 
-Time RadioLink::next_outcome(Time limit) {
-  if (sent_) return core_.now;
-  for (Time next = channel_.next_event(); next < limit; next = channel_.next_event()) {
-    channel_.advance(next);
-    if (channel_.has_outcome()) return next;
-  }
-  return limit;
-}
-
 void RadioLink::advance() {
   sent_ = false;
   channel_.advance(core_.now);

@@ -51,7 +51,9 @@ class RadioLink {
   [[nodiscard]] Time next_event() const { return sent_ ? core_.now : channel_.next_event(); }
   /// When a packet next arrives or is lost, or `limit`, before which nothing else happens. What the
   /// radio does until then is done.
-  [[nodiscard]] Time next_outcome(Time limit);
+  [[nodiscard]] Time next_outcome(Time limit) {
+    return sent_ ? core_.now : channel_.advance_to_outcome(limit);
+  }
   /// Does what is due at the core's time.
   void advance();
   /// From now on; may be changed at any time.

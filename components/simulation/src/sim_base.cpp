@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/file_cache.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/yaml_file.hpp"
 #include "radio_channel/channel_files.hpp"
@@ -42,12 +43,23 @@ std::uint64_t seed_of(const std::string& text) {
   throw ConfigError("kobuki_simulator --seed: '" + text + "' is not a whole number from 0");
 }
 
-void read_config(const std::string& path, BaseOptions& options) {
+struct BaseConfig {
+  kobuki::ModelParams model;
+  kobuki::LineParams line;
+};
+
+BaseConfig read_config(const std::string& path) {
   const YAML::Node file = read_yaml_file(path);
   if (!file.IsMap()) throw ConfigError("kobuki_simulator: must be a map (" + path + ")");
-  options.model =
-      load_parameters<kobuki::ModelParams>(file["model"], "kobuki_simulator.model", path);
-  options.line = load_parameters<kobuki::LineParams>(file["line"], "kobuki_simulator.line", path);
+  return {load_parameters<kobuki::ModelParams>(file["model"], "kobuki_simulator.model", path),
+          load_parameters<kobuki::LineParams>(file["line"], "kobuki_simulator.line", path)};
+}
+
+void set_config(const std::string& path, BaseOptions& options) {
+  static FileCache<BaseConfig> known;
+  const BaseConfig config = known.get(path, [&] { return read_config(path); });
+  options.model = config.model;
+  options.line = config.line;
 }
 
 kobuki::Surroundings surroundings(const BaseOptions& options) {
@@ -73,7 +85,7 @@ BaseOptions read_base_options(const deployment::Program& program) {
   if (arguments.count("--start") > 0) options.start = pose_of("--start", arguments["--start"]);
   if (arguments.count("--dock") > 0) options.dock = pose_of("--dock", arguments["--dock"]);
   if (arguments.count("--seed") > 0) options.seed = seed_of(arguments["--seed"]);
-  if (arguments.count("--config") > 0) read_config(arguments["--config"], options);
+  if (arguments.count("--config") > 0) set_config(arguments["--config"], options);
   return options;
 }
 

@@ -177,18 +177,20 @@ void World::feed_position(const std::string& host, const SimBase& base) {
 }
 
 Time World::next() {
-  Time next = std::min(core.events.next(), scheduler_.next());
+  off_air_ = std::min(core.events.next(), scheduler_.next());
   for (const Side& side : sides_) {
-    for (const SimBase& base : side.bases) next = std::min(next, base.next_event());
+    for (const SimBase& base : side.bases) off_air_ = std::min(off_air_, base.next_event());
   }
-  return std::max(link_.next_outcome(next), core.now);
+  return std::max(link_.next_outcome(off_air_), core.now);
 }
 
 void World::step(Time now) {
   core.now = now;
-  core.events.run(now);
-  for (Side& side : sides_) {
-    for (SimBase& base : side.bases) base.advance();
+  if (off_air_ <= now) {
+    core.events.run(now);
+    for (Side& side : sides_) {
+      for (SimBase& base : side.bases) base.advance();
+    }
   }
   link_.advance();
   if (scheduler_.next() <= now) scheduler_.run(now);

@@ -87,6 +87,7 @@ class World {
   std::list<Process> processes_;
   std::optional<FullDisk> full_disk_;
   std::optional<int> exit_code_;
+  Time off_air_ = Time::min();  ///< when next() last saw something to do besides the radio
 };
 
 }  // namespace tocsin::simulation

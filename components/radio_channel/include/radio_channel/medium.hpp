@@ -90,8 +90,8 @@ class Medium {
   [[nodiscard]] const Side& side(int station) const {
     return sides_[static_cast<std::size_t>(station)];
   }
-  [[nodiscard]] double snr_db(Time now);
   [[nodiscard]] bool heard(int rate, int bytes, Time now);
+  void set(const ChannelParams& params);
   void hear_frame(Time now);
   void join(Side& side, Time now);
   void contend(Time now, Duration occupied);

@@ -41,8 +41,12 @@ class FrameErrorTable {
  public:
   FrameErrorTable();
   [[nodiscard]] double error(int rate, double snr_db, int bytes) const;
+  /// Whether `draw`, uniform in [0, 1), is below that: the frame is lost. Seldom costs the exp().
+  [[nodiscard]] bool lost(int rate, double snr_db, int bytes, double draw) const;
 
  private:
+  [[nodiscard]] double log_success(int rate, double snr_db, int bytes) const;
+
   std::vector<double> log_bit_success_[rate_count];
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "foundation/time.hpp"
@@ -16,12 +17,17 @@ class Outages {
   /// Adds an interval from now on; the later end of two counts.
   void begin(Time now, Duration length);
   /// `now` may go back.
-  [[nodiscard]] bool active(Time now) const;
+  [[nodiscard]] bool active(Time now) const {
+    return manual_.holds(now) ||
+           std::any_of(script_.begin(), script_.end(),
+                       [now](const Interval& interval) { return interval.holds(now); });
+  }
 
  private:
   struct Interval {
     Time from;
     Time until;
+    [[nodiscard]] bool holds(Time now) const { return now >= from && now < until; }
   };
   std::vector<Interval> script_;
   Interval manual_{Time::min(), Time::min()};

@@ -27,20 +27,28 @@ class Propagation {
   /// Brings the mean up to `now`; only a trace changes it without a move.
   void follow(Time now);
   /// A trace says that nothing comes through at `now`.
-  [[nodiscard]] bool dead(Time now) const;
+  [[nodiscard]] bool dead(Time now) const {
+    return params_.trace && params_.trace->dead(trace_s(now));
+  }
   /// What a trace adds to the delay of one way at `now`.
-  [[nodiscard]] Duration extra_delay(Time now) const;
+  [[nodiscard]] Duration extra_delay(Time now) const {
+    return params_.trace ? seconds(params_.trace->one_way_s(trace_s(now))) : Duration::zero();
+  }
   /// Mean over fading.
   [[nodiscard]] double mean_rssi_dbm() const { return mean_rssi_dbm_; }
   [[nodiscard]] double mean_snr_db() const { return mean_rssi_dbm_ - params_.noise_dbm; }
   /// At `now`. Fading is held for 4 ms, far below its coherence time.
-  [[nodiscard]] double rssi_dbm(Time now);
+  [[nodiscard]] double rssi_dbm(Time now) {
+    if (now < faded_from_ || now >= faded_until_) fade(now);
+    return rssi_dbm_;
+  }
   [[nodiscard]] double x_m() const { return x_m_; }
   [[nodiscard]] double y_m() const { return y_m_; }
 
  private:
   [[nodiscard]] double wall_loss_db() const;
   [[nodiscard]] double trace_s(Time now) const;
+  void fade(Time now);
 
   ChannelParams params_;
   std::vector<Wall> walls_;
@@ -53,7 +61,8 @@ class Propagation {
   double path_loss_db_ = 0;
   double mean_rssi_dbm_ = 0;
   double rssi_dbm_ = 0;
-  std::int64_t faded_step_ = -1;  // -1: rssi_dbm_ is not valid
+  Time faded_from_ = never;  // when rssi_dbm_ holds
+  Time faded_until_ = never;
 };
 
 /// Whether the open segments a-b and the wall cross. Touching ends do not count.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -81,12 +82,19 @@ class RadioChannel {
   FrameId push(Direction direction, int bytes, bool group_addressed, Time now);
 
   /// The next instant at which advance() has work; `never` when the link is at rest.
-  [[nodiscard]] Time next_event() const;
+  [[nodiscard]] Time next_event() const {
+    Time next = medium_.next_event();
+    if (!wire_to_access_point_.empty()) next = std::min(next, wire_to_access_point_.front().at);
+    if (!deliveries_.empty()) next = std::min(next, deliveries_.front().at);
+    return next;
+  }
   /// Does everything due up to and including `now`.
   void advance(Time now);
+  /// Does what is due before `limit` up to the first outcome and returns its time, or `limit`. All
+  /// outcomes must have been taken before.
+  [[nodiscard]] Time advance_to_outcome(Time limit);
   /// The next outcome in order of time, empty when none is known yet.
   [[nodiscard]] std::optional<Outcome> take();
-  [[nodiscard]] bool has_outcome() const { return !outcomes_.empty(); }
 
   /// Nothing is received for `length` from `now` on.
   void begin_outage(Time now, Duration length) { outages_.begin(now, length); }
@@ -108,6 +116,7 @@ class RadioChannel {
   void push_radio(Direction direction, const AirFrame& frame, Time now);
   void push_without_mac(Direction direction, const AirFrame& frame, Time now);
   void enqueue(Direction direction, const AirFrame& frame, Time now);
+  void step(Time next);
   void step_medium();
   void deliver_at(Time at, Outcome outcome);
   void end(const Outcome& outcome);
@@ -116,6 +125,7 @@ class RadioChannel {
 
   ChannelParams params_;
   bool has_mac_ = true;  ///< mode radio; the other modes are pure losses
+  Duration wire_delay_;
   std::vector<Wall> walls_;
   std::uint64_t seed_;
   Time start_;
