@@ -112,12 +112,12 @@ void RadioChannel::advance(Time now) {
 }
 
 Time RadioChannel::advance_to_outcome(Time limit) {
-  assert(outcomes_.empty());
-  for (Time next = next_event(); next < limit; next = next_event()) {
+  while (outcomes_.empty()) {
+    const Time next = next_event();
+    if (next >= limit) return limit;
     step(next);
-    if (!outcomes_.empty()) return next;
   }
-  return limit;
+  return outcomes_.front().at;
 }
 
 void RadioChannel::step(Time next) {

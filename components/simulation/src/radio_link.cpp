@@ -14,6 +14,7 @@ class Call final : public Cargo {
  public:
   explicit Call(std::function<void()> what) : what_(std::move(what)) {}
   void arrive(std::size_t) override { what_(); }
+  [[nodiscard]] bool waits_after(std::size_t) const override { return false; }
 
  private:
   std::function<void()> what_;
@@ -55,20 +56,34 @@ void RadioLink::send(radio::Direction direction, std::size_t ip_bytes, std::shar
   assert(id == next_);
   ++next_;
   under_way_.push_back({std::move(cargo), packet});
-  sent_ = true;
+}
+
+Time RadioLink::next_arrival(Time limit) {
+  for (;;) {
+    const Time at = channel_.advance_to_outcome(limit);
+    if (at == limit || matters(channel_.first_outcome())) return at;
+    end(*channel_.take());
+  }
+}
+
+bool RadioLink::matters(const radio::Outcome& outcome) const {
+  if (outcome.fate != radio::Fate::delivered) return false;
+  const Arrival& arrival = under_way_[outcome.id - first_];
+  return faults_.any() || !arrival.cargo->waits_after(arrival.packet);
 }
 
 void RadioLink::advance() {
-  sent_ = false;
   channel_.advance(core_.now);
-  while (const auto outcome = channel_.take()) {
-    const Arrival arrival = std::exchange(under_way_[outcome->id - first_], {});
-    while (!under_way_.empty() && !under_way_.front().cargo) {
-      under_way_.pop_front();
-      ++first_;
-    }
-    if (outcome->fate == radio::Fate::delivered) carry(arrival);
+  while (const auto outcome = channel_.take()) end(*outcome);
+}
+
+void RadioLink::end(const radio::Outcome& outcome) {
+  const Arrival arrival = std::exchange(under_way_[outcome.id - first_], {});
+  while (!under_way_.empty() && !under_way_.front().cargo) {
+    under_way_.pop_front();
+    ++first_;
   }
+  if (outcome.fate == radio::Fate::delivered) carry(arrival);
 }
 
 double RadioLink::share() { return static_cast<double>(random_() >> 11U) / 9007199254740992.0; }

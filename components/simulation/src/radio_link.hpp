@@ -35,6 +35,8 @@ class Cargo {
   virtual ~Cargo() = default;
   /// One of its packets has come to the other side; twice when the air has doubled it.
   virtual void arrive(std::size_t packet) = 0;
+  /// Whether its arrival changes nothing but the cargo: another packet has to come yet.
+  [[nodiscard]] virtual bool waits_after(std::size_t packet) const = 0;
 };
 
 /// Carries packets between the vehicle and the ground station: one radio_channel for all.
@@ -48,12 +50,10 @@ class RadioLink {
             std::size_t packet);
   /// The same for a single packet.
   void send(radio::Direction direction, std::size_t ip_bytes, std::function<void()> on_arrival);
-  [[nodiscard]] Time next_event() const { return sent_ ? core_.now : channel_.next_event(); }
-  /// When a packet next arrives or is lost, or `limit`, before which nothing else happens. What the
-  /// radio does until then is done.
-  [[nodiscard]] Time next_outcome(Time limit) {
-    return sent_ ? core_.now : channel_.advance_to_outcome(limit);
-  }
+  [[nodiscard]] Time next_event() const { return channel_.next_event(); }
+  /// When a packet next arrives that matters to others than its cargo, or `limit`, before which
+  /// nothing else happens. What the radio does until then is done.
+  [[nodiscard]] Time next_arrival(Time limit);
   /// Does what is due at the core's time.
   void advance();
   /// From now on; may be changed at any time.
@@ -70,6 +70,8 @@ class RadioLink {
     std::size_t packet = 0;
   };
   void report();
+  [[nodiscard]] bool matters(const radio::Outcome& outcome) const;
+  void end(const radio::Outcome& outcome);
   void carry(const Arrival& arrival);
   [[nodiscard]] double share();
   Core& core_;
@@ -79,7 +81,6 @@ class RadioLink {
   radio::FrameId next_ = 1;
   AirFaults faults_;
   std::mt19937_64 random_;  ///< of the faults
-  bool sent_ = false;       ///< since the last advance: outcomes may wait
   std::string wireless_text_;
 };
 

@@ -37,6 +37,9 @@ class SampleOnAir final : public Cargo {
     missing_[packet] = false;
     if (--left_ == 0) reader_.on_data(source_, change_, core_.now);
   }
+  [[nodiscard]] bool waits_after(std::size_t packet) const override {
+    return left_ > 1 || !missing_[packet];
+  }
 
  private:
   const Core& core_;

@@ -181,7 +181,7 @@ Time World::next() {
   for (const Side& side : sides_) {
     for (const SimBase& base : side.bases) off_air_ = std::min(off_air_, base.next_event());
   }
-  return std::max(link_.next_outcome(off_air_), core.now);
+  return std::max(link_.next_arrival(off_air_), core.now);
 }
 
 void World::step(Time now) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 
 namespace tocsin::simulation {
@@ -48,13 +49,49 @@ TEST_F(RadioLinkTest, DoesAllUntilAPacketArrivesAndNothingBeyondTheLimit) {
   send(radio::Direction::uplink, 'a');
   sut_.advance();  // the packet is under way
   const Time limit = core_.now + Duration{1};
-  EXPECT_EQ(sut_.next_outcome(limit), limit);
-  core_.now = sut_.next_outcome(core_.now + seconds(1));
+  EXPECT_EQ(sut_.next_arrival(limit), limit);
+  core_.now = sut_.next_arrival(core_.now + seconds(1));
   EXPECT_LT(core_.now, start_time + seconds(1));
   EXPECT_EQ(arrived_, "");
   sut_.advance();
   EXPECT_EQ(arrived_, "a");
-  EXPECT_EQ(sut_.next_outcome(core_.now + seconds(1)), core_.now + seconds(1));
+  EXPECT_EQ(sut_.next_arrival(core_.now + seconds(1)), core_.now + seconds(1));
+}
+
+/// Notes what comes.
+class Parts final : public Cargo {
+ public:
+  explicit Parts(std::size_t count) : left_(count) {}
+  void arrive(std::size_t) override { --left_; }
+  [[nodiscard]] bool waits_after(std::size_t) const override { return left_ > 1; }
+  [[nodiscard]] std::size_t left() const { return left_; }
+
+ private:
+  std::size_t left_;
+};
+
+TEST_F(RadioLinkTest, RunsOnToTheLastPartOfACargo) {
+  const auto parts = std::make_shared<Parts>(3);
+  for (std::size_t i = 0; i < 3; ++i) sut_.send(radio::Direction::uplink, 500, parts, i);
+  core_.now = sut_.next_arrival(core_.now + seconds(1));
+  EXPECT_EQ(parts->left(), 1U);
+  sut_.advance();
+  EXPECT_EQ(parts->left(), 0U);
+}
+
+TEST_F(RadioLinkTest, ComesToEveryPartWhileTheAirHasFaults) {
+  sut_.faults().duplication = 0.5;
+  const auto parts = std::make_shared<Parts>(3);
+  for (std::size_t i = 0; i < 3; ++i) sut_.send(radio::Direction::uplink, 500, parts, i);
+  (void)sut_.next_arrival(core_.now + seconds(1));
+  EXPECT_EQ(parts->left(), 3U);
+}
+
+TEST_F(RadioLinkTest, RunsOnOverPacketsThatAreLost) {
+  sut_.set_position(20'000, 0);
+  send(radio::Direction::uplink, 'a');
+  EXPECT_EQ(sut_.next_arrival(core_.now + seconds(1)), core_.now + seconds(1));
+  EXPECT_EQ(sut_.next_event(), never);
 }
 
 TEST_F(RadioLinkTest, DeliversNothingFarAway) {

@@ -90,11 +90,13 @@ class RadioChannel {
   }
   /// Does everything due up to and including `now`.
   void advance(Time now);
-  /// Does what is due before `limit` up to the first outcome and returns its time, or `limit`. All
-  /// outcomes must have been taken before.
+  /// Does what is due before `limit` until there is an outcome that was not taken. Returns its
+  /// time, or `limit`.
   [[nodiscard]] Time advance_to_outcome(Time limit);
   /// The next outcome in order of time, empty when none is known yet.
   [[nodiscard]] std::optional<Outcome> take();
+  /// What take() would give next. There must be one.
+  [[nodiscard]] const Outcome& first_outcome() const { return outcomes_.front(); }
 
   /// Nothing is received for `length` from `now` on.
   void begin_outage(Time now, Duration length) { outages_.begin(now, length); }
