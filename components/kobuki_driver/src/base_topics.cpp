@@ -98,15 +98,15 @@ BaseTopics::BaseTopics(Component& owner)
       gains_(owner),
       gyro_(owner) {}
 
-bool BaseTopics::publish(const kobuki::Reading& reading, const std_msgs::msg::Header& header,
-                         Time now) {
+bool BaseTopics::publish(const kobuki::Reading& reading, const FrameTopics& frames, Time now) {
   bool ok = true;
   if (sensors_.wanted()) {
-    ok = sensors_.write(sensor_message(reading.feedback, header)) != Status::failed;
+    ok = sensors_.write(sensor_message(reading.feedback, frames.header(now))) != Status::failed;
   }
   const auto& gyro = reading.feedback.gyro;
   if (gyro && gyro_.wanted()) ok &= publish_gyro(*gyro, now);
-  if (const auto& dock = reading.feedback.dock_infrared) ok &= publish_dock(*dock, header);
+  const auto& dock = reading.feedback.dock_infrared;
+  if (dock && dock_.wanted()) ok &= publish_dock(*dock, frames.header(now));
   for (const kobuki::Event& event : reading.events) {
     ok &= std::visit(EventWriter{*this}, event) != Status::failed;
   }
@@ -125,7 +125,6 @@ bool BaseTopics::publish_gyro(const kobuki::RawGyro& gyro, Time now) {
 
 bool BaseTopics::publish_dock(const kobuki::DockInfrared& dock,
                               const std_msgs::msg::Header& header) {
-  if (!dock_.wanted()) return true;
   DockInfraRed message;
   message.header(header);
   message.header().frame_id("dock_ir_link");

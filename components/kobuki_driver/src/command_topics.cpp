@@ -42,7 +42,13 @@ int CommandTopics::apply_outputs(kobuki::KobukiDriver& driver) {
   return refused;
 }
 
+bool CommandTopics::anything_came() const {
+  return led1_.has_sample() || led2_.has_sample() || sound_.has_sample() || digital_.has_sample() ||
+         supply_.has_sample() || reset_.has_sample() || motor_.has_sample() || gains_.has_sample();
+}
+
 int CommandTopics::apply(kobuki::KobukiDriver& driver) {
+  if (!anything_came()) return 0;
   int refused = apply_outputs(driver);
   while (const auto sound = sound_.take()) {
     const auto tune = kobuki::tune_of(*sound);

@@ -27,14 +27,14 @@ bool offer(Output<Topic>& to, const Make& make) {
 FrameTopics::FrameTopics(Component& owner, const FrameParams& params, bool gyro_heading)
     : owner_(owner),
       params_(params),
-      gyro_heading_(gyro_heading),
       odom_(owner),
       tf_(owner),
       joints_(owner),
       imu_(owner),
       battery_(owner),
       charger_(owner),
-      diagnostics_(owner) {}
+      diagnostics_(owner),
+      odom_pattern_(kobuki::odom_pattern(params.odom_frame, params.base_frame, gyro_heading)) {}
 
 builtin_interfaces::msg::Time FrameTopics::stamp(Time now) const {
   const std::int64_t ns = owner_.bus().wall_ns(now);
@@ -52,13 +52,11 @@ std_msgs::msg::Header FrameTopics::header(Time now) const {
 }
 
 bool FrameTopics::publish(const kobuki::Reading& reading, Time now) {
-  last_ = reading;
-  heard_ = true;
   bool ok = now < next_battery_ || publish_battery(reading, now);
   if (reading.pose_is_old) return ok;  // it may jump by metres with the next frame
   const kobuki::Labels labels{stamp(now), params_.odom_frame, params_.base_frame,
                               params_.wheel_left_joint_name, params_.wheel_right_joint_name};
-  ok &= offer(odom_, [&] { return kobuki::odom_message(reading, labels, gyro_heading_); });
+  ok &= offer(odom_, [&] { return kobuki::odom_message(reading, odom_pattern_, labels.stamp); });
   ok &= offer(imu_, [&] { return kobuki::imu_message(reading, labels); });
   ok &= offer(joints_, [&] { return kobuki::joint_message(reading, labels); });
   if (params_.publish_tf) ok &= offer(tf_, [&] { return kobuki::tf_message(reading, labels); });
@@ -80,7 +78,7 @@ bool FrameTopics::publish_diagnostics(const kobuki::KobukiDriver& driver, Time n
   topic::Diagnostics::Message message;
   message.header().stamp(stamp(now));
   const std::string id = hardware_id(driver.inquiry());
-  for (const auto& diagnosis : kobuki::diagnose(driver, heard_ ? &last_ : nullptr)) {
+  for (const auto& diagnosis : kobuki::diagnose(driver, driver.last_reading())) {
     message.status().push_back(kobuki::to_message(diagnosis, owner_.name(), id));
   }
   return diagnostics_.write(std::move(message)) != Status::failed;

@@ -7,6 +7,7 @@ namespace tocsin::kobuki {
 
 KobukiDriver::KobukiDriver(const Params& params)
     : params_(params),
+      offline_after_(seconds(params.offline_after_s)),
       velocity_(params.velocity),
       battery_(params.battery),
       odometry_(params.odometry),
@@ -35,7 +36,9 @@ void KobukiDriver::on_frame(ByteView payload, Time now, const ReadingSink& sink)
   last_frame_ = now;
   inquiry_.on_feedback(feedback);
   check_firmware(feedback);
-  sink(read(feedback, now));
+  reading_.feedback = feedback;
+  read(now);
+  sink(reading_);
   if (next_command_ - now <= command_period) next_command_ = now;
 }
 
@@ -54,24 +57,22 @@ void KobukiDriver::check_firmware(const Feedback& feedback) {
   state_ = refused ? BaseState::refused : BaseState::online;
 }
 
-Reading KobukiDriver::read(const Feedback& feedback, Time now) {
+void KobukiDriver::read(Time now) {
+  const Feedback& feedback = reading_.feedback;
   const CoreSensors& core = *feedback.core;
   const bool first = odometry_time_ == Time::min();
   odometry_.update(core, feedback.inertia, first ? 0 : to_seconds(now - odometry_time_));
   if (!odometry_.waits()) odometry_time_ = now;
-  Reading reading;
-  reading.feedback = feedback;
-  reading.battery = battery_.read(core.battery_dv, core.charger);
-  reading.pose = odometry_.pose();
-  reading.pose_is_old = odometry_.waits();
-  reading.linear_mps = odometry_.linear_mps();
-  reading.angular_rad_s = odometry_.angular_rad_s();
-  reading.gyro_heading_rad = odometry_.gyro_heading_rad();
-  reading.gyro_rate_rad_s = odometry_.gyro_rate_rad_s();
-  reading.left = odometry_.left();
-  reading.right = odometry_.right();
-  reading.events = events_.update(feedback);
-  return reading;
+  reading_.battery = battery_.read(core.battery_dv, core.charger);
+  reading_.pose = odometry_.pose();
+  reading_.pose_is_old = odometry_.waits();
+  reading_.linear_mps = odometry_.linear_mps();
+  reading_.angular_rad_s = odometry_.angular_rad_s();
+  reading_.gyro_heading_rad = odometry_.gyro_heading_rad();
+  reading_.gyro_rate_rad_s = odometry_.gyro_rate_rad_s();
+  reading_.left = odometry_.left();
+  reading_.right = odometry_.right();
+  reading_.events = events_.update(feedback);
 }
 
 void KobukiDriver::on_velocity(const BodyVelocity& velocity, Time now) {
@@ -112,7 +113,7 @@ bool KobukiDriver::send_once(const Command& command) {
 }
 
 void KobukiDriver::watch(Time now) {
-  const bool heard_lately = now - last_frame_ <= seconds(params_.offline_after_s);
+  const bool heard_lately = now - last_frame_ <= offline_after_;
   if (state_ == BaseState::silent || heard_lately) return;
   state_ = BaseState::silent;
   next_command_ = now;  // stop at once
@@ -148,7 +149,7 @@ BaseControl KobukiDriver::velocity_command(Time now) const {
 Time KobukiDriver::next_deadline() const {
   if (state_ == BaseState::no_port || !heard_) return never;
   if (state_ == BaseState::silent) return next_command_;
-  return std::min(next_command_, last_frame_ + seconds(params_.offline_after_s) + Duration{1});
+  return std::min(next_command_, last_frame_ + offline_after_ + Duration{1});
 }
 
 void KobukiDriver::farewell(const ByteSink& sink) const {

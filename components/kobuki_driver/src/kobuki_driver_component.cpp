@@ -2,7 +2,6 @@
 #include "kobuki_driver/kobuki_driver_component.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "foundation/error.hpp"
@@ -67,7 +66,7 @@ KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& par
 }
 
 KobukiDriverComponent::~KobukiDriverComponent() {
-  if (port_) driver_.farewell([this](kobuki::ByteView bytes) { send(bytes); });
+  if (port_) driver_.farewell(to_port_);
 }
 
 void KobukiDriverComponent::open_at_start() {
@@ -105,11 +104,9 @@ void KobukiDriverComponent::tick(Time now) {
   if (!port_) retry(now);
   if (port_) read_port(now);
   take_commands(now);
-  driver_.run(now, [this](kobuki::ByteView bytes) { send(bytes); });
+  driver_.run(now, to_port_);
   if (port_ && write_failed_) close("cannot be written");
-  report_state();
-  report_versions();
-  report_gains();
+  report();
   if (!frame_topics_.publish_diagnostics(driver_, now)) log().warn("no diagnostics published");
   remember(now);
   wake_at(
@@ -124,16 +121,16 @@ void KobukiDriverComponent::take_commands(Time now) {
 }
 
 void KobukiDriverComponent::read_port(Time now) {
-  std::array<std::uint8_t, 1024> bytes{};
   for (int reads = 0; reads < 16; ++reads) {  // bounded: commands must not wait for a flood
-    const auto count = port_->read(bytes.data(), bytes.size());
+    const auto count = port_->read(received_.data(), received_.size());
     if (!count) return close("was lost");
     if (*count == 0) return;
-    if (serial_topics_ && !serial_topics_->received({bytes.data(), *count})) {
+    const kobuki::ByteView bytes{received_.data(), *count};
+    if (serial_topics_ && !serial_topics_->received(bytes)) {
       log().warn("received bytes were not published");
     }
-    driver_.on_bytes({bytes.data(), *count}, now,
-                     [&](const Reading& reading) { publish(reading, now); });
+    driver_.on_bytes(bytes, now, [&](const Reading& reading) { publish(reading, now); });
+    if (*count < received_.size()) return;  // no more waits; what comes now wakes us again
   }
 }
 
@@ -146,13 +143,21 @@ void KobukiDriverComponent::send(kobuki::ByteView bytes) {
 void KobukiDriverComponent::publish(const Reading& reading, Time now) {
   bool ok = frame_topics_.publish(reading, now);
   if (params_.publish_base_topics) {
-    ok &= base_topics_.publish(reading, frame_topics_.header(now), now);
+    ok &= base_topics_.publish(reading, frame_topics_, now);
   }
   if (!ok) log().warn("a reading was not published");
 }
 
+void KobukiDriverComponent::report() {
+  const kobuki::Inquiry& inquiry = driver_.inquiry();
+  if (driver_.state() != reported_) report_state();
+  const bool known = inquiry.hardware() && inquiry.firmware() && inquiry.unique_id();
+  if (std::exchange(versions_reported_, known) != known && known) report_versions();
+  const bool have_gains = inquiry.gains().has_value();
+  if (std::exchange(gains_reported_, have_gains) != have_gains && have_gains) report_gains();
+}
+
 void KobukiDriverComponent::report_state() {
-  if (driver_.state() == reported_) return;
   const bool just_opened = reported_ == BaseState::no_port && driver_.state() == BaseState::silent;
   reported_ = driver_.state();
   if (just_opened) return;  // the first frame is on its way
@@ -167,10 +172,6 @@ void KobukiDriverComponent::report_state() {
 
 void KobukiDriverComponent::report_versions() {
   const kobuki::Inquiry& inquiry = driver_.inquiry();
-  const bool known = inquiry.hardware() && inquiry.firmware() && inquiry.unique_id();
-  if (known == versions_reported_) return;
-  versions_reported_ = known;
-  if (!known) return;
   log().info("hardware {}, firmware {}", to_text(*inquiry.hardware()),
              to_text(*inquiry.firmware()));
   const auto verdict = judge_firmware(*inquiry.firmware());
@@ -184,10 +185,8 @@ void KobukiDriverComponent::report_versions() {
 }
 
 void KobukiDriverComponent::report_gains() {
-  const auto& gains = driver_.inquiry().gains();
-  if (gains.has_value() == gains_reported_) return;
-  gains_reported_ = gains.has_value();
-  if (gains && !base_topics_.publish_gains(*gains)) log().warn("the gains were not published");
+  const bool sent = base_topics_.publish_gains(*driver_.inquiry().gains());
+  if (!sent) log().warn("the gains were not published");
 }
 
 void KobukiDriverComponent::remember(Time now) {

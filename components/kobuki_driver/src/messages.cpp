@@ -43,16 +43,11 @@ std::uint8_t status_of(ChargingState state) {
 
 }  // namespace
 
-topic::Odom::Message odom_message(const Reading& reading, const Labels& labels, bool gyro_heading) {
+topic::Odom::Message odom_pattern(const std::string& odom_frame, const std::string& base_frame,
+                                  bool gyro_heading) {
   topic::Odom::Message message;
-  message.header(header(labels.stamp, labels.odom_frame));
-  message.child_frame_id(labels.base_frame);
-  auto& pose = message.pose().pose();
-  pose.position().x(reading.pose.x_m);
-  pose.position().y(reading.pose.y_m);
-  pose.orientation(quaternion(reading.pose.heading_rad));
-  message.twist().twist().linear().x(reading.linear_mps);
-  message.twist().twist().angular().z(reading.angular_rad_s);
+  message.header().frame_id(odom_frame);
+  message.child_frame_id(base_frame);
   auto& covariance = message.pose().covariance();
   covariance.fill(0);
   covariance[0] = covariance[7] = 0.1;
@@ -62,40 +57,57 @@ topic::Odom::Message odom_message(const Reading& reading, const Labels& labels, 
   return message;
 }
 
-topic::Tf::Message tf_message(const Reading& reading, const Labels& labels) {
+std::shared_ptr<const topic::Odom::Message> odom_message(
+    const Reading& reading, const topic::Odom::Message& pattern,
+    const builtin_interfaces::msg::Time& stamp) {
+  auto message = std::make_shared<topic::Odom::Message>(pattern);
+  message->header().stamp(stamp);
+  auto& pose = message->pose().pose();
+  pose.position().x(reading.pose.x_m);
+  pose.position().y(reading.pose.y_m);
+  pose.orientation(quaternion(reading.pose.heading_rad));
+  auto& twist = message->twist().twist();
+  twist.linear().x(reading.linear_mps);
+  twist.angular().z(reading.angular_rad_s);
+  return message;
+}
+
+std::shared_ptr<const topic::Tf::Message> tf_message(const Reading& reading, const Labels& labels) {
   geometry_msgs::msg::TransformStamped transform;
   transform.header(header(labels.stamp, labels.odom_frame));
   transform.child_frame_id(labels.base_frame);
   transform.transform().translation().x(reading.pose.x_m);
   transform.transform().translation().y(reading.pose.y_m);
   transform.transform().rotation(quaternion(reading.pose.heading_rad));
-  topic::Tf::Message message;
-  message.transforms().push_back(transform);
+  auto message = std::make_shared<topic::Tf::Message>();
+  message->transforms().push_back(transform);
   return message;
 }
 
-topic::JointStates::Message joint_message(const Reading& reading, const Labels& labels) {
-  topic::JointStates::Message message;
-  message.header(header(labels.stamp, ""));
-  message.name({labels.left_joint, labels.right_joint});
-  message.position({reading.left.angle_rad, reading.right.angle_rad});
-  message.velocity({reading.left.rate_rad_s, reading.right.rate_rad_s});
+std::shared_ptr<const topic::JointStates::Message> joint_message(const Reading& reading,
+                                                                 const Labels& labels) {
+  auto message = std::make_shared<topic::JointStates::Message>();
+  message->header(header(labels.stamp, ""));
+  message->name({labels.left_joint, labels.right_joint});
+  message->position({reading.left.angle_rad, reading.right.angle_rad});
+  message->velocity({reading.left.rate_rad_s, reading.right.rate_rad_s});
   return message;
 }
 
-topic::Imu::Message imu_message(const Reading& reading, const Labels& labels) {
-  topic::Imu::Message message;
-  message.header(header(labels.stamp, "gyro_link"));
-  message.orientation(quaternion(reading.gyro_heading_rad));
-  message.angular_velocity().z(reading.gyro_rate_rad_s);
+std::shared_ptr<const topic::Imu::Message> imu_message(const Reading& reading,
+                                                       const Labels& labels) {
+  auto message = std::make_shared<topic::Imu::Message>();
+  message->header(header(labels.stamp, "gyro_link"));
+  message->orientation(quaternion(reading.gyro_heading_rad));
+  message->angular_velocity().z(reading.gyro_rate_rad_s);
   for (auto* covariance :
-       {&message.orientation_covariance(), &message.angular_velocity_covariance()}) {
+       {&message->orientation_covariance(), &message->angular_velocity_covariance()}) {
     covariance->fill(0);
     (*covariance)[0] = (*covariance)[4] = unused_imu;
     (*covariance)[8] = 0.05;
   }
-  message.linear_acceleration_covariance().fill(0);
-  message.linear_acceleration_covariance()[0] = -1;  // ROS: there is no such measurement
+  message->linear_acceleration_covariance().fill(0);
+  message->linear_acceleration_covariance()[0] = -1;  // ROS: there is no such measurement
   return message;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "kobuki_driver/diagnostics.hpp"
@@ -18,14 +19,21 @@ struct Labels {
   const std::string& right_joint;
 };
 
-/// The messages of a reading, with the covariances of the reference driver (reference page 2).
-[[nodiscard]] topic::Odom::Message odom_message(const Reading& reading, const Labels& labels,
-                                                bool gyro_heading);
-[[nodiscard]] topic::Tf::Message tf_message(const Reading& reading, const Labels& labels);
-[[nodiscard]] topic::JointStates::Message joint_message(const Reading& reading,
-                                                        const Labels& labels);
+/// What all odometry messages have in common, with the covariances of the reference driver
+/// (reference page 2).
+[[nodiscard]] topic::Odom::Message odom_pattern(const std::string& odom_frame,
+                                                const std::string& base_frame, bool gyro_heading);
+/// The messages of a reading.
+[[nodiscard]] std::shared_ptr<const topic::Odom::Message> odom_message(
+    const Reading& reading, const topic::Odom::Message& pattern,
+    const builtin_interfaces::msg::Time& stamp);
+[[nodiscard]] std::shared_ptr<const topic::Tf::Message> tf_message(const Reading& reading,
+                                                                   const Labels& labels);
+[[nodiscard]] std::shared_ptr<const topic::JointStates::Message> joint_message(
+    const Reading& reading, const Labels& labels);
 /// Heading and rate of the gyro, also when odometry follows the encoders.
-[[nodiscard]] topic::Imu::Message imu_message(const Reading& reading, const Labels& labels);
+[[nodiscard]] std::shared_ptr<const topic::Imu::Message> imu_message(const Reading& reading,
+                                                                     const Labels& labels);
 /// One sample of the raw gyro, taken at `wall_ns` since the Unix epoch.
 [[nodiscard]] topic::Imu::Message raw_imu_message(const RawGyro::Sample& sample,
                                                   std::int64_t wall_ns);

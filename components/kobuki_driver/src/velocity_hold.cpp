@@ -16,7 +16,7 @@ void VelocityHold::on_command(const BodyVelocity& velocity, Time now) {
 }
 
 BodyVelocity VelocityHold::velocity(Time now) const {
-  if (received_ == Time::min() || now - received_ > seconds(params_.cmd_vel_timeout_s)) return {};
+  if (received_ == Time::min() || now - received_ > timeout_) return {};
   return command_;
 }
 

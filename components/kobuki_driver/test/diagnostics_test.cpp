@@ -91,6 +91,17 @@ TEST_F(Diagnostics, HasNoSensorsBeforeTheFirstFrame) {
   EXPECT_EQ(diagnose(rig.driver, nullptr).size(), 3U);
 }
 
+TEST_F(Diagnostics, CanUseTheLastReadingThatTheDriverKeepsWhileTheBaseIsAway) {
+  EXPECT_EQ(KobukiDriver({}).last_reading(), nullptr);
+  rig.run(1);
+  rig.silent = true;
+  rig.run(1);
+  ASSERT_NE(rig.driver.last_reading(), nullptr);
+  EXPECT_EQ(rig.driver.last_reading()->feedback.core->timestamp_ms,
+            rig.last.feedback.core->timestamp_ms);
+  EXPECT_EQ(diagnose(rig.driver, rig.driver.last_reading()).size(), 11U);
+}
+
 TEST_F(Diagnostics, CountsDamagedFrames) {
   LineParams line;
   line.flip_probability = 0.01;

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "noise.hpp"
 
 namespace tocsin::kobuki {
 namespace {
 
 constexpr auto frame_period = std::chrono::milliseconds(20);
-constexpr auto physics_period = std::chrono::milliseconds(5);
 
 Version parse_version(const char* name, const std::string& text, bool old_form) {
   unsigned major = 0;
@@ -79,7 +79,7 @@ void BaseModel::power_cycle(Time now) {
   next_frame_ = now + frame_period;
 }
 
-double BaseModel::noise(double sigma) { return sigma <= 0 ? 0 : sigma * normal_(random_); }
+double BaseModel::noise(double sigma) { return sigma <= 0 ? 0 : sigma * standard_normal(random_); }
 
 void BaseModel::receive(ByteView bytes, Time now) {
   reassembler_.feed(bytes, [&](ByteView payload) {
@@ -112,40 +112,50 @@ void BaseModel::request(const RequestExtra& request) {
 
 void BaseModel::step(Time now, const FrameSink& sink) {
   while (last_ < now) {
-    const Time to = std::min({now, next_frame_, last_ + physics_period});
-    physics(to, to_seconds(to - last_));
-    last_ = to;
-    if (to < next_frame_) continue;
-    const Frame frame = encode_feedback(sense(to));
-    sink(to, frame.bytes());
+    physics(std::min({now, next_frame_, last_ + body_.longest_move(), drive_.next_change(last_)}));
+    if (last_ < next_frame_) continue;
+    drift_gyro();
+    const Frame frame = encode_feedback(sense(last_));
+    sink(last_, frame.bytes());
     next_frame_ += frame_period;
-    left_slip_ = noise(params_.slip_sigma);
-    right_slip_ = noise(params_.slip_sigma);
+    draw_slip();
   }
 }
 
-void BaseModel::physics(Time now, double dt_s) {
-  drive_.step(now, dt_s);
-  const WheelSpeeds rolling = drive_.speeds();
-  const WheelSpeeds true_speeds{
-      rolling.left_mps * params_.left_wheel_scale * (1.0 - left_slip_),
-      rolling.right_mps * params_.right_wheel_scale * (1.0 - right_slip_)};
-  velocity_ = body_.move(body_velocity(true_speeds), dt_s);
-  if (body_.blocked()) drive_.force(wheel_speeds({0, body_velocity(rolling).angular_rad_s}));
-  left_ticks_ += drive_.speeds().left_mps * dt_s / tick_m;
-  right_ticks_ += drive_.speeds().right_mps * dt_s / tick_m;
-  turn_gyro(dt_s);
-  touch_dock();
-  const WheelSpeeds target = drive_.target();
-  power_.step(dt_s, motor_current_a(drive_.speeds().left_mps, target.left_mps) +
-                        motor_current_a(drive_.speeds().right_mps, target.right_mps));
+BodyVelocity BaseModel::true_velocity(const WheelSpeeds& rolling) const {
+  return body_velocity({rolling.left_mps * params_.left_wheel_scale * (1.0 - left_slip_),
+                        rolling.right_mps * params_.right_wheel_scale * (1.0 - right_slip_)});
 }
 
-void BaseModel::turn_gyro(double dt_s) {
-  const double drift_deg = noise(params_.gyro_drift_deg_per_sqrt_s) * std::sqrt(dt_s);
-  const double bias_deg = params_.gyro_bias_dps * dt_s;
-  gyro_rad_ = wrap_angle(gyro_rad_ + params_.gyro_scale * velocity_.angular_rad_s * dt_s +
-                         (drift_deg + bias_deg) * degree_rad);
+void BaseModel::physics(Time now) {
+  const double dt_s = to_seconds(now - last_);
+  WheelSpeeds rolling = drive_.step(last_, dt_s);
+  last_ = now;
+  const BodyVelocity mean = body_.move(true_velocity(rolling), dt_s);
+  if (body_.blocked()) {
+    drive_.force(wheel_speeds({0, body_velocity(rolling).angular_rad_s}));
+    rolling = drive_.speeds();
+  }
+  velocity_ = body_.blocked() ? mean : true_velocity(drive_.speeds());
+  left_ticks_ += rolling.left_mps * dt_s / tick_m;
+  right_ticks_ += rolling.right_mps * dt_s / tick_m;
+  const double bias_rad = params_.gyro_bias_dps * dt_s * degree_rad;
+  gyro_rad_ = wrap_angle(gyro_rad_ + params_.gyro_scale * mean.angular_rad_s * dt_s + bias_rad);
+  touch_dock();
+  const WheelSpeeds& target = drive_.target();
+  power_.step(dt_s, motor_current_a(rolling.left_mps, target.left_mps) +
+                        motor_current_a(rolling.right_mps, target.right_mps));
+}
+
+void BaseModel::draw_slip() {
+  left_slip_ = noise(params_.slip_sigma);
+  right_slip_ = noise(params_.slip_sigma);
+}
+
+void BaseModel::drift_gyro() {
+  const double root_of_period = std::sqrt(to_seconds(frame_period));
+  const double drift_deg = noise(params_.gyro_drift_deg_per_sqrt_s) * root_of_period;
+  gyro_rad_ = wrap_angle(gyro_rad_ + drift_deg * degree_rad);
 }
 
 void BaseModel::touch_dock() {

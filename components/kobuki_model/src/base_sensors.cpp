@@ -12,17 +12,20 @@ std::uint16_t wrapped_ticks(double ticks) {
   return static_cast<std::uint16_t>(static_cast<std::int64_t>(std::floor(ticks)) & 0xFFFF);
 }
 
+/// To the nearest; halves away from 0.
+int rounded(double value) { return static_cast<int>(value + std::copysign(0.5, value)); }
+
 std::int8_t pwm_of(double speed_mps) {
-  return static_cast<std::int8_t>(
-      std::lround(std::clamp(100.0 * speed_mps / max_speed_mps, -100.0, 100.0)));
+  const double percent = 100.0 * speed_mps / max_speed_mps;
+  return static_cast<std::int8_t>(rounded(std::clamp(percent, -100.0, 100.0)));
 }
 
 std::int16_t to_i16(double value) {
-  return static_cast<std::int16_t>(std::clamp(std::round(value), -32768.0, 32767.0));
+  return static_cast<std::int16_t>(rounded(std::clamp(value, -32768.0, 32767.0)));
 }
 
 std::uint8_t current_byte(double current_a) {  // 10 mA units
-  return static_cast<std::uint8_t>(std::lround(std::clamp(100.0 * current_a, 0.0, 255.0)));
+  return static_cast<std::uint8_t>(rounded(std::clamp(100.0 * current_a, 0.0, 255.0)));
 }
 
 }  // namespace

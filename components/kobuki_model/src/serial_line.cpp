@@ -24,18 +24,17 @@ std::size_t SerialLine::packet_size() const {
 }
 
 Time SerialLine::Run::arrival(std::size_t of_left) const {
-  return begin + static_cast<std::int64_t>(handed_over + of_left + 1) * byte_time;
+  return begin + static_cast<std::int64_t>(of_left + 1) * byte_time;
 }
 
 void SerialLine::put(ByteView bytes) {
-  const std::size_t fit = std::min(bytes.size, max_on_wire - on_wire_);
-  const bool follows = !wire_.empty() && wire_.back().bytes.size() < max_on_wire &&
-                       wire_.back().arrival(wire_.back().left()) == line_free_ + byte_time;
+  const std::size_t fit = std::min(bytes.size, max_on_wire - on_wire());
   if (fit > 0) {
-    if (!follows) wire_.push_back({line_free_, {}});
-    auto& all = wire_.back().bytes;
-    all.insert(all.end(), bytes.begin(), bytes.begin() + fit);
-    on_wire_ += fit;
+    if (wire_.empty() || wire_.back().arrival(wire_.back().left) != line_free_ + byte_time) {
+      wire_.push_back({line_free_, 0});
+    }
+    wire_.back().left += fit;
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.begin() + fit);
   }
   line_free_ += static_cast<std::int64_t>(bytes.size) * byte_time;
 }
@@ -65,9 +64,10 @@ Time SerialLine::timer_at_or_after(Time at) const {
 }
 
 void SerialLine::flush(const Sink& sink) {
-  if (packet_.empty()) return;
-  sink({packet_.data(), packet_.size()});
-  packet_.clear();
+  if (packet_ == 0) return;
+  sink({bytes_.data(), packet_});
+  bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(packet_));
+  packet_ = 0;
 }
 
 void SerialLine::receive(Time now, const Sink& sink) {
@@ -77,16 +77,15 @@ void SerialLine::receive(Time now, const Sink& sink) {
     flush(sink);
     timer_ = timer_at_or_after(first);
   }
-  const std::size_t room = packet_.size() < packet_size() ? packet_size() - packet_.size() : 1;
+  const std::size_t room = packet_ < packet_size() ? packet_size() - packet_ : 1;
   const auto come = static_cast<std::size_t>((std::min(now, timer_) - first) / byte_time) + 1;
-  const std::size_t count = std::min({room, come, run.left()});
-  const auto from = run.bytes.begin() + static_cast<std::ptrdiff_t>(run.handed_over);
-  packet_.insert(packet_.end(), from, from + static_cast<std::ptrdiff_t>(count));
+  const std::size_t count = std::min({room, come, run.left});
   const Time last = run.arrival(count - 1);
-  run.handed_over += count;
-  on_wire_ -= count;
-  if (run.left() == 0) wire_.pop_front();
-  if (packet_.size() < packet_size()) return;
+  packet_ += count;
+  run.left -= count;
+  run.begin = last;
+  if (run.left == 0) wire_.pop_front();
+  if (packet_ < packet_size()) return;
   flush(sink);
   timer_ = last + latency();
 }
@@ -100,24 +99,20 @@ void SerialLine::deliver(Time now, const Sink& sink) {
 
 void SerialLine::deliver_all(Time now, const Sink& sink) {
   if (may_fill()) return deliver(now, sink);
-  for (const Run& run : wire_) {
-    const auto from = run.bytes.begin() + static_cast<std::ptrdiff_t>(run.handed_over);
-    packet_.insert(packet_.end(), from, run.bytes.end());
-  }
+  packet_ = bytes_.size();
   wire_.clear();
-  on_wire_ = 0;
   flush(sink);
   timer_ = timer_at_or_after(now + Duration{1});
 }
 
 Time SerialLine::next_delivery() const {
-  if (packet_.empty() && wire_.empty()) return never;
-  const Time by_timer = packet_.empty() ? timer_at_or_after(wire_.front().arrival(0)) : timer_;
-  if (packet_.size() >= packet_size()) return timer_;  // it was made smaller meanwhile
-  std::size_t missing = packet_size() - packet_.size();
-  if (missing > on_wire_) return by_timer;
+  if (bytes_.empty()) return never;
+  const Time by_timer = packet_ == 0 ? timer_at_or_after(wire_.front().arrival(0)) : timer_;
+  if (packet_ >= packet_size()) return timer_;  // it was made smaller meanwhile
+  std::size_t missing = packet_size() - packet_;
+  if (missing > on_wire()) return by_timer;
   auto run = wire_.begin();
-  for (; missing > run->left(); ++run) missing -= run->left();
+  for (; missing > run->left; ++run) missing -= run->left;
   return std::min(by_timer, run->arrival(missing - 1));
 }
 
@@ -126,13 +121,13 @@ bool SerialLine::may_fill() const { return latency() / byte_time >= params_.usb_
 
 Time SerialLine::last_delivery() const {
   if (wire_.empty() || may_fill()) return next_delivery();
-  return timer_at_or_after(wire_.back().arrival(wire_.back().left() - 1));
+  return timer_at_or_after(wire_.back().arrival(wire_.back().left - 1));
 }
 
 void SerialLine::clear() {
   wire_.clear();
-  on_wire_ = 0;
-  packet_.clear();
+  bytes_.clear();
+  packet_ = 0;
 }
 
 }  // namespace tocsin::kobuki

@@ -32,6 +32,37 @@ TEST(Body, DrivesACircleBackToItsStart) {
   EXPECT_NEAR(sut.pose().y_m, 0, 1e-6);
 }
 
+TEST(Body, EndsAnArcAtTheSamePlaceInOneMoveAsInMany) {
+  Body one{open_floor(), {}};
+  Body many{open_floor(), {}};
+  one.move({0.5, 3.2}, 0.02);
+  for (int i = 0; i < 20; ++i) many.move({0.5, 3.2}, 0.001);
+  EXPECT_NEAR(one.pose().x_m, many.pose().x_m, 1e-8);
+  EXPECT_NEAR(one.pose().y_m, many.pose().y_m, 1e-8);
+  EXPECT_NEAR(one.pose().heading_rad, 0.064, 1e-12);
+}
+
+TEST(Body, MovesInShortStepsNearAWallAndInLongOnesElsewhere) {
+  for (const double gap_m : {0.20, 0.30}) {  // beside the body, while it goes along the wall
+    Body sut(walled({{-5, body_radius_m + gap_m, 5, body_radius_m + gap_m, 0}}), {});
+    EXPECT_EQ(sut.longest_move(), std::chrono::milliseconds(5));  // it has not looked yet
+    sut.move({0.1, 0}, 0.005);
+    EXPECT_EQ(sut.longest_move(), std::chrono::milliseconds(gap_m > 0.26 ? 20 : 5)) << gap_m;
+    sut.place({0, -3, 0});
+    EXPECT_EQ(sut.longest_move(), std::chrono::milliseconds(5));
+  }
+}
+
+TEST(Body, IsNeverStoppedByTheEndOfALongMove) {
+  Body sut(walled({{5, -5, 5, 5, 0}}), {});
+  while (!sut.blocked()) {
+    const Duration longest = sut.longest_move();
+    sut.move({1.0, 0}, to_seconds(longest));
+    EXPECT_TRUE(!sut.blocked() || longest == std::chrono::milliseconds(5));
+  }
+  EXPECT_EQ(sut.bumper(), centre_bit);
+}
+
 TEST(Body, StopsAtAWallAndPressesItsBumper) {
   Body sut = facing_wall(1);
   const BodyVelocity real = drive(sut, {0.5, 0}, 4);

@@ -93,5 +93,70 @@ TEST(Drive, BoundsItsQueue) {
   EXPECT_DOUBLE_EQ(sut.target().left_mps, 0.099);  // the newest counts
 }
 
+TEST(Drive, RollsTheMeanOfRampAndSteadyPart) {
+  ModelParams params = quick();
+  params.acceleration_mps2 = 2;
+  Drive sut{params};
+  sut.command({200, 0}, t0);
+  const WheelSpeeds ramp = sut.step(t0, 0.05);
+  EXPECT_DOUBLE_EQ(ramp.left_mps, 0.05);  // from 0 to 0.1
+  const WheelSpeeds both = sut.step(t0 + seconds(0.05), 0.1);
+  EXPECT_DOUBLE_EQ(both.left_mps, (0.05 * 0.15 + 0.05 * 0.2) / 0.1);
+  EXPECT_DOUBLE_EQ(sut.step(t0 + seconds(0.15), 0.1).left_mps, 0.2);
+}
+
+TEST(Drive, RollsAsFarInOneStepAsInMany) {
+  ModelParams params = quick();
+  params.acceleration_mps2 = 1.5;
+  Drive one{params};
+  Drive many{params};
+  for (Drive* sut : {&one, &many}) sut->command({-31, 0}, t0);
+  double way_m = 0;
+  for (int i = 0; i < 40; ++i) {
+    way_m += many.step(t0 + i * std::chrono::milliseconds(1), 0.001).left_mps * 0.001;
+  }
+  EXPECT_NEAR(one.step(t0, 0.04).left_mps * 0.04, way_m, 1e-12);
+  EXPECT_DOUBLE_EQ(one.speeds().left_mps, many.speeds().left_mps);
+}
+
+TEST(Drive, KnowsWhenItsTargetChanges) {
+  ModelParams params = quick();
+  params.command_delay_s = 0.1;
+  params.command_timeout_s = 0.5;
+  Drive sut{params};
+  EXPECT_EQ(sut.next_change(t0), never);
+  sut.command({300, 0}, t0);
+  sut.command({200, 0}, t0 + seconds(0.02));
+  EXPECT_EQ(sut.next_change(t0), t0 + seconds(0.1));
+  EXPECT_EQ(sut.next_change(t0 + seconds(0.1)), t0 + seconds(0.12));
+  EXPECT_EQ(sut.next_change(t0 + seconds(0.12)), t0 + seconds(0.52) + Duration{1});
+  EXPECT_EQ(sut.next_change(t0 + seconds(1)), never);
+}
+
+TEST(Drive, HasNoChangeForARepeatedCommandWhichStillKeepsItDriving) {
+  ModelParams params = quick();
+  params.command_delay_s = 0.1;
+  params.command_timeout_s = 0.5;
+  Drive sut{params};
+  sut.command({300, 0}, t0);
+  sut.step(t0 + seconds(0.1), 0.1);
+  sut.command({300, 0}, t0 + seconds(0.2));
+  EXPECT_EQ(sut.next_change(t0 + seconds(0.2)), t0 + seconds(0.7) + Duration{1});
+  sut.step(t0 + seconds(0.6), 0.1);
+  EXPECT_DOUBLE_EQ(sut.speeds().left_mps, 0.3);
+}
+
+TEST(Drive, ObeysACommandThatChangesItsMindBeforeTheDeadTime) {
+  ModelParams params = quick();
+  params.command_delay_s = 0.1;
+  Drive sut{params};
+  sut.command({300, 0}, t0);
+  sut.command({0, 0}, t0 + seconds(0.01));
+  sut.step(t0 + seconds(0.105), 1.0);
+  EXPECT_DOUBLE_EQ(sut.speeds().left_mps, 0.3);
+  sut.step(t0 + seconds(0.11), 1.0);
+  EXPECT_EQ(sut.speeds().left_mps, 0);
+}
+
 }  // namespace
 }  // namespace tocsin::kobuki

@@ -31,10 +31,10 @@ Events EventDetector::update(const Feedback& feedback) {
   if (feedback.input) inputs(*feedback.input, out);
   if (!feedback.core) return out;
   const CoreSensors& core = *feedback.core;
-  buttons(core.buttons, out);
-  bumpers(core.bumper, out);
-  cliffs(core.cliff, feedback.cliff_adc, out);
-  wheels(core.wheel_drop, out);
+  if (core.buttons != last_.buttons) buttons(core.buttons, out);
+  if (core.bumper != last_.bumper) bumpers(core.bumper, out);
+  if (core.cliff != last_.cliff) cliffs(core.cliff, feedback.cliff_adc, out);
+  if (core.wheel_drop != last_.wheel_drop) wheels(core.wheel_drop, out);
   power(battery_.read(core.battery_dv, core.charger), out);
   last_ = core;
   return out;

@@ -42,9 +42,12 @@ void Odometry::update(const CoreSensors& core, const std::optional<Inertia>& ine
     return;
   }
   const bool silence = elapsed_s > longest_known_s;
-  if (!silence) undo_if_damaged(now);
   Step step = silence ? measure_over(elapsed_s, *last_, now) : measure(*last_, now);
-  const bool possible = silence ? bridges(step, elapsed_s) : plausible(step);
+  bool possible = silence ? bridges(step, elapsed_s) : plausible(step);
+  if (!possible && !silence && undo_if_damaged(now)) {
+    step = measure(*last_, now);
+    possible = true;
+  }
   if (!possible) ++rejected_jumps_;
   if (!possible || step.dt_s > trusted_gap_s) {
     const bool confirmed = agrees_with_suspect(now);
@@ -64,11 +67,11 @@ bool Odometry::agrees_with_suspect(const Sample& now) const {
   return plausible(since) && since.dt_s <= trusted_gap_s;
 }
 
-void Odometry::undo_if_damaged(const Sample& now) {
-  if (!before_last_ || plausible(measure(*last_, now))) return;
+bool Odometry::undo_if_damaged(const Sample& now) {
+  if (!before_last_) return false;
   const Step without_last = measure(before_last_->sample, now);
   // In a longer time too much is possible.
-  if (!plausible(without_last) || without_last.dt_s > 2 * trusted_gap_s) return;
+  if (!plausible(without_last) || without_last.dt_s > 2 * trusted_gap_s) return false;
   pose_ = before_last_->pose;
   gyro_heading_rad_ = before_last_->gyro_heading_rad;
   left_ = before_last_->left;
@@ -76,6 +79,7 @@ void Odometry::undo_if_damaged(const Sample& now) {
   last_ = before_last_->sample;
   before_last_.reset();
   ++rejected_jumps_;
+  return true;
 }
 
 void Odometry::take(const Sample& now, const Step& step) {

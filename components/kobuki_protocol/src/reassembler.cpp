@@ -38,7 +38,7 @@ void Reassembler::drop(std::size_t count) {
 }
 
 std::optional<ByteView> Reassembler::find_frame() {
-  skip_to_header(0);
+  if (size_ > 0 && !starts_frame_at(0)) skip_to_header(1);
   while (size_ >= 3) {
     const std::size_t length = buffer_[2];
     if (length >= min_payload) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kobuki_driver/frame_topics.hpp"
 #include "kobuki_driver/kobuki_driver.hpp"
 #include "kobuki_idl/topics.hpp"
 #include "runtime/component.hpp"
@@ -13,9 +14,9 @@ namespace tocsin {
 class BaseTopics {
  public:
   explicit BaseTopics(Component& owner);
-  /// Writes the sensors and events of a frame that came at `now`. False when one was refused.
-  [[nodiscard]] bool publish(const kobuki::Reading& reading, const std_msgs::msg::Header& header,
-                             Time now);
+  /// Writes the sensors and events of a frame that came at `now`. `frames` makes the headers. False
+  /// when one was refused.
+  [[nodiscard]] bool publish(const kobuki::Reading& reading, const FrameTopics& frames, Time now);
   /// Writes whether the base is online.
   [[nodiscard]] bool publish_state(bool online);
   /// Writes the versions; all of them must be known.

@@ -18,6 +18,7 @@ class CommandTopics {
   [[nodiscard]] int apply(kobuki::KobukiDriver& driver);
 
  private:
+  [[nodiscard]] bool anything_came() const;
   [[nodiscard]] int apply_outputs(kobuki::KobukiDriver& driver);
   Input<topic::Led1> led1_;
   Input<topic::Led2> led2_;

@@ -49,7 +49,6 @@ class FrameTopics {
 
   Component& owner_;
   FrameParams params_;
-  bool gyro_heading_;
   Output<topic::Odom> odom_;
   Output<topic::Tf> tf_;
   Output<topic::JointStates> joints_;
@@ -57,8 +56,7 @@ class FrameTopics {
   Output<topic::BatteryState> battery_;
   Output<topic::ChargerState> charger_;
   Output<topic::Diagnostics> diagnostics_;
-  kobuki::Reading last_;
-  bool heard_ = false;
+  const topic::Odom::Message odom_pattern_;
   Time next_battery_ = Time::min();
   Time next_diagnostics_ = Time::min();
 };

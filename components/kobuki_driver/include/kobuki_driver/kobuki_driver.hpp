@@ -99,6 +99,10 @@ class KobukiDriver {
   void farewell(const ByteSink& sink) const;
 
   [[nodiscard]] BaseState state() const { return state_; }
+  /// What the newest frame told, also while the base is away; null before the first.
+  [[nodiscard]] const Reading* last_reading() const {
+    return reading_.feedback.core ? &reading_ : nullptr;
+  }
   [[nodiscard]] const Inquiry& inquiry() const { return inquiry_; }
   [[nodiscard]] const Reassembler::Counts& frame_counts() const { return reassembler_.counts(); }
   [[nodiscard]] const DecodeCounts& decode_counts() const { return decode_counts_; }
@@ -109,13 +113,15 @@ class KobukiDriver {
   void on_frame(ByteView payload, Time now, const ReadingSink& sink);
   void come_online(Time now);
   void check_firmware(const Feedback& feedback);
-  [[nodiscard]] Reading read(const Feedback& feedback, Time now);
+  /// Makes the reading of `reading_.feedback`.
+  void read(Time now);
   void watch(Time now);
   void send_commands(Time now, const ByteSink& sink);
   [[nodiscard]] BaseControl velocity_command(Time now) const;
 
   static constexpr std::size_t max_waiting = 16;
   Params params_;
+  Duration offline_after_;
   VelocityHold velocity_;
   BatteryReader battery_;
   Odometry odometry_;
@@ -123,6 +129,7 @@ class KobukiDriver {
   Inquiry inquiry_;
   Reassembler reassembler_;
   DecodeCounts decode_counts_;
+  Reading reading_;
   OutputRegister outputs_;
   std::vector<Command> waiting_;
   BaseState state_ = BaseState::no_port;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -60,6 +62,8 @@ class KobukiDriverComponent final : public Component {
   void read_port(Time now);
   void send(kobuki::ByteView bytes);
   void publish(const kobuki::Reading& reading, Time now);
+  /// Tells what of state, versions and gains has changed.
+  void report();
   void report_state();
   void report_versions();
   void report_gains();
@@ -74,8 +78,10 @@ class KobukiDriverComponent final : public Component {
   std::optional<SerialTopics> serial_topics_;
   Opener opener_;
   kobuki::KobukiDriver driver_;
+  const kobuki::KobukiDriver::ByteSink to_port_ = [this](kobuki::ByteView bytes) { send(bytes); };
   kobuki::OdometryFile file_;
   std::unique_ptr<kobuki::BytePort> port_;
+  std::array<std::uint8_t, 1024> received_{};
   bool write_failed_ = false;
   bool versions_reported_ = false;
   bool gains_reported_ = false;

@@ -23,7 +23,8 @@ struct VelocityParams {
 /// Pure; `now` must not decrease.
 class VelocityHold {
  public:
-  explicit VelocityHold(const VelocityParams& params) : params_(params) {}
+  explicit VelocityHold(const VelocityParams& params)
+      : params_(params), timeout_(seconds(params.cmd_vel_timeout_s)) {}
   /// A command beyond the limits is scaled as a whole, which keeps the radius. NaN or infinity in
   /// either part is a stop.
   void on_command(const BodyVelocity& velocity, Time now);
@@ -33,6 +34,7 @@ class VelocityHold {
 
  private:
   VelocityParams params_;
+  Duration timeout_;
   BodyVelocity command_;
   Time received_ = Time::min();
 };

@@ -53,7 +53,8 @@ struct BaseMemory {
 /// A Kobuki base, stepped in time: takes command bytes, gives a feedback frame every 20 ms.
 ///
 /// Pure and seeded: the same calls give the same bytes. Usable behind a pseudo-terminal and in
-/// simulated time. Physics runs in steps of at most 5 ms. `now` must not decrease.
+/// simulated time. Physics runs in steps of at most a frame, of 5 ms near an obstacle.
+/// `now` must not decrease.
 class BaseModel {
  public:
   using FrameSink = std::function<void(Time sent, ByteView frame)>;
@@ -88,7 +89,7 @@ class BaseModel {
   /// The true pose in the map frame.
   [[nodiscard]] const Pose& pose() const { return body_.pose(); }
   void place(const Pose& pose) { body_.place(pose); }
-  /// True velocity of the last physics step.
+  /// True velocity at the end of the last physics step.
   [[nodiscard]] const BodyVelocity& velocity() const { return velocity_; }
   [[nodiscard]] std::uint8_t bumper() const;
   [[nodiscard]] const DecodeCounts& command_counts() const { return command_counts_; }
@@ -106,8 +107,12 @@ class BaseModel {
   };
   void obey(const Command& command, Time now);
   void request(const RequestExtra& request);
-  void physics(Time now, double dt_s);
-  void turn_gyro(double dt_s);
+  /// From `last_` to `now`.
+  void physics(Time now);
+  [[nodiscard]] BodyVelocity true_velocity(const WheelSpeeds& rolling) const;
+  /// What is drawn once a frame.
+  void draw_slip();
+  void drift_gyro();
   void touch_dock();
   [[nodiscard]] double noise(double sigma);
   [[nodiscard]] double motor_current_a(double speed_mps, double target_mps) const;
@@ -127,7 +132,6 @@ class BaseModel {
   Version firmware_;
   UniqueId unique_id_{};
   std::mt19937_64 random_;
-  std::normal_distribution<double> normal_{0, 1};
   Drive drive_;
   Body body_;
   Power power_;

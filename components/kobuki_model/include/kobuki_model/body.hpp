@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "foundation/time.hpp"
 #include "kobuki_model/walls.hpp"
 #include "kobuki_protocol/odometry.hpp"
 #include "kobuki_protocol/velocity.hpp"
@@ -16,8 +17,11 @@ namespace tocsin::kobuki {
 class Body {
  public:
   Body(Surroundings surroundings, const Pose& start);
-  /// Moves for `dt` with the velocity, unless that goes into an obstacle: then it only turns.
-  /// Returns the velocity it really had.
+  /// The longest `dt` of a move: in a longer one a body would stop too far from an obstacle to
+  /// press its bumper. Far from everything that does not matter.
+  [[nodiscard]] Duration longest_move() const;
+  /// Moves for `dt` with the velocity on an arc, unless that ends in an obstacle: then it only
+  /// turns. Returns the velocity it really had.
   BodyVelocity move(const BodyVelocity& wanted, double dt_s);
   void place(const Pose& pose) { pose_ = pose; }
 
@@ -28,8 +32,9 @@ class Body {
   [[nodiscard]] bool blocked() const { return blocked_; }
 
  private:
+  /// Whether nothing is within reach of a body there.
+  [[nodiscard]] bool is_clear(double x_m, double y_m) const;
   [[nodiscard]] bool goes_into(double x_m, double y_m, double direction_rad) const;
-  [[nodiscard]] std::vector<double> contacts(double x_m, double y_m, double radius_m) const;
   Surroundings surroundings_;
   /// Where walls were last looked for, and whether there was none within reach and some way more.
   struct Look {

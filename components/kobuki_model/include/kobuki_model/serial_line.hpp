@@ -57,12 +57,11 @@ class SerialLine {
 
  private:
   /// Bytes on the wire that follow each other without a pause.
+  /// Bytes that follow each other without a pause.
   struct Run {
-    Time begin;  ///< of the first bit of the first byte
-    std::vector<std::uint8_t> bytes;
-    std::size_t handed_over = 0;  ///< to the FT232R
+    Time begin;  ///< of the first bit of the first byte that is left
+    std::size_t left;
 
-    [[nodiscard]] std::size_t left() const { return bytes.size() - handed_over; }
     /// When the last bit of that byte of those left has come.
     [[nodiscard]] Time arrival(std::size_t of_left) const;
   };
@@ -76,14 +75,15 @@ class SerialLine {
     return std::chrono::milliseconds(params_.usb_latency_ms);
   }
   [[nodiscard]] std::size_t packet_size() const;
+  [[nodiscard]] std::size_t on_wire() const { return bytes_.size() - packet_; }
   /// The first run-out of the latency timer at or after `at`.
   [[nodiscard]] Time timer_at_or_after(Time at) const;
 
   LineParams params_;
   std::mt19937_64 random_;
-  std::deque<Run> wire_;  ///< none of them empty
-  std::size_t on_wire_ = 0;
-  std::vector<std::uint8_t> packet_;
+  std::deque<Run> wire_;             ///< none of them empty
+  std::vector<std::uint8_t> bytes_;  ///< those in the packet, then those on the wire
+  std::size_t packet_ = 0;           ///< how many are in the packet
   Time line_free_;
   Time timer_;  ///< next run-out of the latency timer
 };

@@ -126,7 +126,9 @@ class Odometry {
   [[nodiscard]] bool plausible(const Step& step) const;
   [[nodiscard]] bool bridges(const Step& step, double silence_s) const;
   [[nodiscard]] bool agrees_with_suspect(const Sample& now) const;
-  void undo_if_damaged(const Sample& now);
+  /// For a sample that does not fit to the last one: whether it fits to the one before, so that the
+  /// last one was damaged and is undone.
+  [[nodiscard]] bool undo_if_damaged(const Sample& now);
   void take(const Sample& now, const Step& step);
   void apply(const Step& step);
   void apply_rates(const Step& step, const std::optional<Inertia>& inertia);
