@@ -116,7 +116,7 @@ class Observer {
   virtual void on_process(const ProcessChange&) {}
   /// A component threw `what` and is ticked no more.
   virtual void on_failure(const std::string& /*component*/, const std::string& /*what*/, Time) {}
-  /// Everything due at this instant is done.
+  /// Everything due at this instant is done. Not told of packets that complete no sample.
   virtual void on_step(Time) {}
 };
 
