@@ -28,7 +28,9 @@ void GateComponent::report(Time now) {
   message.stamp(wall(now));
   message.role(context().role);
   message.process(process_);
-  for (const TopicTraffic& traffic : bus().link_traffic()) {
+  const std::vector<TopicTraffic> all = bus().link_traffic();
+  message.topics().reserve(all.size());
+  for (const TopicTraffic& traffic : all) {
     tocsin_msgs::msg::TopicTraffic one;
     one.topic(traffic.topic);
     one.traffic_class(traffic.traffic_class);

@@ -205,6 +205,7 @@ void SimProcess::set_gate(bool open) {
 
 std::vector<TopicTraffic> SimProcess::link_traffic() const {
   std::vector<TopicTraffic> all;
+  all.reserve(topics_.size());
   for (const auto& entry : topics_) {
     if (entry.second->gated) all.push_back(entry.second->gated->traffic());
   }
