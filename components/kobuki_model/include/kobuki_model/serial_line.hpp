@@ -57,7 +57,6 @@ class SerialLine {
 
  private:
   /// Bytes on the wire that follow each other without a pause.
-  /// Bytes that follow each other without a pause.
   struct Run {
     Time begin;  ///< of the first bit of the first byte that is left
     std::size_t left;

@@ -128,7 +128,7 @@ void measure(const Load& load, bool quick) {
                                   {"components, a thread each", {2}}};
   std::array<char, 32> text{};
   (void)std::snprintf(text.data(), text.size(), "%8zu B 1:%-2d", load.bytes, load.readers);
-  compare(text.data(), titles, {quick ? 4 : 16, 6, load.trips}, [&] { return set_up(load); });
+  compare(text.data(), titles, {quick ? 4 : 16, 2, load.trips}, [&] { return set_up(load); });
 }
 
 }  // namespace

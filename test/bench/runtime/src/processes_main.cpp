@@ -186,7 +186,7 @@ int measure(bool quick, std::size_t only) {
   for (const Setting& setting : settings) titles.push_back({setting.name, setting.rivals});
   for (const std::size_t bytes : {64U, 1024U, 65536U, 1U << 20U}) {
     if (only != 0 && only != bytes) continue;
-    const Plan plan{quick ? 4 : 32, 9, bytes > 65536 ? 40 : 200};
+    const Plan plan{quick ? 4 : 32, 2, bytes > 65536 ? 30 : 150};
     compare(load_text(bytes), titles, plan, [bytes] { return set_up(bytes); });
   }
   if (!quick) cyclone(64);

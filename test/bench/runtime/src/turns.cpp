@@ -10,12 +10,15 @@ namespace {
 /// Round trips of one generation, by way.
 using Trips = std::vector<Series>;
 
-Trips take_turns(const Generation& generation, const Plan& plan) {
+/// Each turn begins with the next way, so that none has the best place; `forwards` or backwards,
+/// so that none has always the same before it.
+Trips take_turns(const Generation& generation, const Plan& plan, bool forwards) {
   const std::size_t count = generation.ways.size();
   Trips trips(count);
-  for (int turn = 0; turn < plan.turns; ++turn) {
+  for (std::size_t turn = 0; turn < plan.rounds * count; ++turn) {
     for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t way = turn % 2 == 0 ? i : count - 1 - i;
+      const std::size_t place = (turn + i) % count;
+      const std::size_t way = forwards ? place : count - 1 - place;
       Series warm_up;  // what the way before has left behind: cold caches, answers under way
       Way& one = *generation.ways[way];
       if (!one.run(std::max(plan.trips / 10, 5), warm_up) || !one.run(plan.trips, trips[way])) {
@@ -56,7 +59,9 @@ void print(const std::string& load, const std::vector<Title>& titles,
 void compare(const std::string& load, const std::vector<Title>& titles, const Plan& plan,
              const std::function<Generation()>& set_up) {
   std::vector<Trips> generations;
-  for (int i = 0; i < plan.generations; ++i) generations.push_back(take_turns(set_up(), plan));
+  for (int i = 0; i < plan.generations; ++i) {
+    generations.push_back(take_turns(set_up(), plan, i % 2 == 0));
+  }
   print(load, titles, generations);
 }
 

@@ -31,12 +31,12 @@ struct Generation {
 };
 
 struct Plan {
-  int generations;  ///< where the scheduler puts a process, and the allocator an object, stays
-  int turns;        ///< of each way in a generation
-  int trips;        ///< in a turn that count; a tenth as many go before
+  int generations;     ///< where the scheduler puts a process, and the allocator an object, stays
+  std::size_t rounds;  ///< of a generation; in each, every way has as many turns as there are ways
+  int trips;           ///< in a turn that count; a tenth as many go before
 };
 
-/// The ways take turns, a few round trips each, forwards and backwards, so that a machine whose
+/// The ways take turns, a few round trips each, each way in every place, so that a machine whose
 /// speed changes changes it for all. Prints median and 99th percentile in microseconds, and their
 /// shares of the rival's: the median over the generations, which alone are independent, with its
 /// 95 % confidence interval.
