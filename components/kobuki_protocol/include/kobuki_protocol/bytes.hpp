@@ -26,7 +26,6 @@ struct ByteView {
 };
 
 /// Reads little-endian numbers one after the other. Reading past the end is our bug: it aborts.
-/// Both are inline, so that where the size is a constant the compiler makes the checks, once.
 class ByteReader {
  public:
   explicit ByteReader(ByteView bytes) : bytes_(bytes) {}
@@ -48,7 +47,8 @@ class ByteReader {
 };
 
 /// Writes little-endian numbers one after the other into a place of `size` bytes. Writing past the
-/// end is our bug: it aborts.
+/// end is our bug: it aborts. Inline like the reader, so that where the size is a constant the
+/// compiler makes the checks, once.
 class ByteWriter {
  public:
   ByteWriter(std::uint8_t* to, std::size_t size) : to_(to), size_(size) {}

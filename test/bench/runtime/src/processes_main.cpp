@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
@@ -29,6 +30,7 @@ namespace {
 
 using Transport = RawParticipant::Transport;
 
+constexpr std::array<std::size_t, 4> sizes{64, 1024, 65536, 1U << 20U};
 constexpr int first_domain = 70;
 struct Setting {
   const char* name;
@@ -184,7 +186,7 @@ int measure(bool quick, std::size_t only) {
       "round trip between processes [us], median / p99; raw Fast DDS is read by a wait-set\n");
   std::vector<Title> titles;
   for (const Setting& setting : settings) titles.push_back({setting.name, setting.rivals});
-  for (const std::size_t bytes : {64U, 1024U, 65536U, 1U << 20U}) {
+  for (const std::size_t bytes : sizes) {
     if (only != 0 && only != bytes) continue;
     const Plan plan{quick ? 4 : 32, 2, bytes > 65536 ? 30 : 150};
     compare(load_text(bytes), titles, plan, [bytes] { return set_up(bytes); });
@@ -198,15 +200,23 @@ int measure(bool quick, std::size_t only) {
 }  // namespace tocsin::bench
 
 int main(int argc, char** argv) {
+  using tocsin::bench::sizes;
   if (argc == 3 && std::strcmp(argv[1], "--echo") == 0)
     tocsin::bench::echo(std::strtoul(argv[2], nullptr, 10));
   bool quick = false;
   std::size_t only = 0;
   for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--quick") == 0) {
+    const auto size = std::find_if(sizes.begin(), sizes.end(), [&](std::size_t bytes) {
+      return std::to_string(bytes) == argv[i];
+    });
+    if (size != sizes.end()) {
+      only = *size;
+    } else if (std::strcmp(argv[i], "--quick") == 0) {
       quick = true;
     } else {
-      only = std::strtoul(argv[i], nullptr, 10);
+      std::fprintf(stderr, "runtime_processes: '%s' is not --quick, 64, 1024, 65536 or 1048576\n",
+                   argv[i]);
+      return 2;
     }
   }
   return tocsin::bench::measure(quick, only);
