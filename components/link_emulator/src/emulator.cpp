@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 
 #include "foundation/error.hpp"
 #include "radio_channel/channel_files.hpp"
@@ -107,11 +108,21 @@ void Emulator::carry(radio::Direction direction) {
   const int prefix = up ? options_.uxv.prefix : options_.gcs.prefix;
   for (int i = 0; i < packets_per_wake_up; ++i) {
     auto packet = from.read();
+    if (from.gone()) forget(from, up ? "uxv" : "gcs");
     if (packet.empty()) return;
     const int bytes = static_cast<int>(packet.size());
     const bool group = is_group_addressed(packet, prefix);
     packets_[channel_.push(direction, bytes, group, clock_now())] = std::move(packet);
   }
+}
+
+/// A descriptor of an interface that is gone is readable for ever.
+void Emulator::forget(const Tun& end, const std::string& name) {
+  ::epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, end.fd(), nullptr);
+  std::fprintf(stderr,
+               "link_emulator: the interface %s of %s was deleted; nothing passes until this "
+               "program is started again\n",
+               options_.interface.c_str(), name.c_str());
 }
 
 void Emulator::deliver() {
@@ -155,7 +166,8 @@ void Emulator::report() {
   if (stats_) stats_->append(stats_line(to_seconds(now - start_), link, counters_));
   if (!options_.wireless_path.empty()) {
     try {
-      replace_file(options_.wireless_path, wireless_text(options_.interface, link));
+      replace_file(options_.wireless_path,
+                   uxv_.gone() ? wireless_head() : wireless_text(options_.interface, link));
     } catch (const ConfigError&) {
       ++counters_.write_errors;
     }

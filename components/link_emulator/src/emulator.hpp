@@ -21,7 +21,8 @@ namespace tocsin::link {
 /// The program: two interfaces, the channel between them, control, statistics; one thread.
 ///
 /// What may fail fails in the constructor (ConfigError, EnvironmentError). While running, a full
-/// disk or a refused packet is counted or shows as a missing line, and the link goes on.
+/// disk or a refused packet is counted or shows as a missing line, and the link goes on. When
+/// somebody deletes an interface, its packets are lost and the wireless file no longer has it.
 class Emulator {
  public:
   explicit Emulator(const Options& options);
@@ -33,6 +34,7 @@ class Emulator {
   void wait();
   void handle(int fd);
   void carry(radio::Direction direction);
+  void forget(const Tun& end, const std::string& name);
   void deliver();
   void obey(const std::string& datagram);
   void apply(const SetParameter& command);

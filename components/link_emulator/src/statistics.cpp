@@ -57,10 +57,12 @@ std::string stats_line(double elapsed_s, const radio::LinkReport& report,
   return line.dump();
 }
 
+std::string wireless_head() {
+  return "Inter-| sta-|   Quality        |   Discarded packets               | Missed | WE\n"
+         " face | tus | link level noise |  nwid  crypt   frag  retry   misc | beacon | 22\n";
+}
+
 std::string wireless_text(const std::string& interface, const radio::LinkReport& report) {
-  std::string text =
-      "Inter-| sta-|   Quality        |   Discarded packets               | Missed | WE\n"
-      " face | tus | link level noise |  nwid  crypt   frag  retry   misc | beacon | 22\n";
   char line[160];
   const char* format =
       report.associated
@@ -69,7 +71,7 @@ std::string wireless_text(const std::string& interface, const radio::LinkReport&
   std::snprintf(line, sizeof line, format, interface.c_str(), report.quality,
                 report.associated ? std::lround(report.rssi_dbm) : 0L, report.associated ? -256 : 0,
                 static_cast<unsigned long long>(report.associated ? report.uplink.air.failed : 0));
-  return text + line;
+  return wireless_head() + line;
 }
 
 StatsFile::StatsFile(const std::string& path) : file_(path, std::ios::app) {

@@ -23,7 +23,10 @@ struct EmulatorCounters {
 [[nodiscard]] std::string stats_line(double elapsed_s, const radio::LinkReport& report,
                                      const EmulatorCounters& counters);
 
-/// The text of /proc/net/wireless for one interface, as the kernel prints it: noise is always -256,
+/// The text of /proc/net/wireless of a host without wireless interfaces.
+[[nodiscard]] std::string wireless_head();
+
+/// The same for one interface, as the kernel prints it: noise is always -256,
 /// and an unassociated interface shows zeros without dots.
 [[nodiscard]] std::string wireless_text(const std::string& interface,
                                         const radio::LinkReport& report);

@@ -130,6 +130,7 @@ Tun::Tun(const End& end, const std::string& interface) {
 std::vector<std::uint8_t> Tun::read() {
   std::uint8_t buffer[link_mtu + 100];
   const ssize_t count = ::read(fd_.get(), buffer, sizeof buffer);
+  if (count < 0 && errno == EBADFD) gone_ = true;
   if (count <= 0) return {};
   return {buffer, buffer + count};
 }

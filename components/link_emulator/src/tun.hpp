@@ -26,6 +26,8 @@ class Tun {
   [[nodiscard]] int fd() const { return fd_.get(); }
   /// The next packet; empty when none waits. Does not block.
   [[nodiscard]] std::vector<std::uint8_t> read();
+  /// Whether `read` has found that somebody deleted the interface. Nothing passes from then on.
+  [[nodiscard]] bool gone() const { return gone_; }
   /// False when the kernel refuses the packet. Does not block.
   [[nodiscard]] bool write(const std::vector<std::uint8_t>& packet);
   /// The interface disappears when this object does.
@@ -33,6 +35,7 @@ class Tun {
 
  private:
   FileDescriptor fd_;
+  bool gone_ = false;
 };
 
 /// Whether an IP packet goes to a group: multicast, or the broadcast address 255.255.255.255 or

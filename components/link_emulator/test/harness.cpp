@@ -164,6 +164,19 @@ bool loses_carrier(const std::string& netns) {
   return within_five_seconds([&netns] { return !interface_state(netns).carrier; });
 }
 
+bool delete_interface(const std::string& netns) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const int target = ::open(netns.c_str(), O_RDONLY | O_CLOEXEC);
+    if (::setns(target, CLONE_NEWNET) == 0) {
+      ::execlp("ip", "ip", "link", "delete", "wlan0", static_cast<char*>(nullptr));
+    }
+    ::_exit(127);
+  }
+  int status = 0;
+  return ::waitpid(child, &status, 0) == child && status == 0;
+}
+
 Emulator::Emulator(const std::string& channel) {
   write_file(file("channel.yaml"), channel);
   start();
@@ -232,6 +245,16 @@ nlohmann::json Emulator::next_stats() const {
   std::string last;
   for (std::string line; std::getline(stats, line);) last = line;
   return nlohmann::json::parse(last);
+}
+
+double Emulator::cpu_s() const {
+  std::ifstream stat("/proc/" + std::to_string(pid_) + "/stat");
+  std::string word;
+  for (int field = 1; field < 14; ++field) stat >> word;  // proc(5): 14 utime, 15 stime
+  double user = 0;
+  double system = 0;
+  stat >> user >> system;
+  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
 std::string Emulator::file(const std::string& name) const { return folder_.path(name); }

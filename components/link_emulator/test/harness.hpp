@@ -48,6 +48,8 @@ struct InterfaceState {
 [[nodiscard]] InterfaceState interface_state(const std::string& netns);
 /// Until wlan0 has no carrier (the kernel tells up to a second late); false after 5 s.
 [[nodiscard]] bool loses_carrier(const std::string& netns);
+/// Deletes wlan0, as `ip link del` does. False when that fails.
+[[nodiscard]] bool delete_interface(const std::string& netns);
 
 /// The program under test, in a directory of its own.
 class Emulator {
@@ -67,6 +69,8 @@ class Emulator {
   int wait();
   /// The last line of statistics that was written after this call; null after 5 s.
   [[nodiscard]] nlohmann::json next_stats() const;
+  /// Processor time that it has used.
+  [[nodiscard]] double cpu_s() const;
   [[nodiscard]] std::string file(const std::string& name) const;
 
  private:

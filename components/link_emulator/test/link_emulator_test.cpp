@@ -172,6 +172,27 @@ TEST_F(LinkEmulator, CarriesOnWhenTheWirelessFileCannotBeReplaced) {
   ::rmdir(obstacle.c_str());
 }
 
+TEST_F(LinkEmulator, ADeletedInterfaceLeavesTheWirelessFileAndCostsNothing) {
+  Emulator sut(open_channel);
+  ASSERT_TRUE(sut.ready());
+  ASSERT_TRUE(delete_interface(Namespaces::uxv()));
+  (void)sut.next_stats();
+  const double before_s = sut.cpu_s();
+  (void)sut.next_stats();  // a second later
+  EXPECT_LT(sut.cpu_s() - before_s, 0.3);
+  std::ifstream file(sut.file("wireless"));
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(text, HasSubstr("Quality"));
+  EXPECT_THAT(text, ::testing::Not(HasSubstr("wlan0")));
+  EXPECT_TRUE(interface_state(Namespaces::gcs()).carrier);
+  sut.signal(SIGKILL);
+  EXPECT_EQ(sut.wait(), -SIGKILL);
+  sut.start();  // makes it again
+  ASSERT_TRUE(sut.ready());
+  Ends ends;
+  EXPECT_TRUE(passes(ends.uxv, ends.gcs));
+}
+
 TEST_F(LinkEmulator, RemovesItsInterfacesAndSocketOnSigterm) {
   for (const int signal : {SIGTERM, SIGINT}) {
     Emulator sut(open_channel);

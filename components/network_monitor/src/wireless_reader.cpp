@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "network_monitor/wireless_reader.hpp"
 
+#include <net/if.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <sstream>
@@ -17,6 +21,17 @@ double age_s(const std::string& path) {
   timespec now{};
   if (stat(path.c_str(), &info) != 0 || clock_gettime(CLOCK_REALTIME, &now) != 0) return 0;
   return static_cast<double>(now.tv_sec - info.st_mtim.tv_sec);
+}
+
+/// Why an interface has no link at all, whatever else tells of it; empty when it may have one.
+std::string why_dead(const std::string& interface) {
+  if (if_nametoindex(interface.c_str()) == 0) return "there is no interface " + interface;
+  ifreq request{};
+  interface.copy(request.ifr_name, IFNAMSIZ - 1);
+  const int descriptor = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  const bool told = ioctl(descriptor, SIOCGIFFLAGS, &request) == 0;
+  close(descriptor);
+  return told && (request.ifr_flags & IFF_UP) == 0 ? interface + " is down" : "";
 }
 
 }  // namespace
@@ -34,6 +49,7 @@ WirelessReader::WirelessReader(std::string interface, std::string proc_path, Rea
 WirelessReading WirelessReader::read() {
   if (interface_.empty()) return absent("no interface is configured");
   if (!nl80211_) return read_simulated();
+  if (std::string dead = why_dead(interface_); !dead.empty()) return absent(std::move(dead));
   WirelessReading reading = nl80211_->read(interface_);
   if (reading.source != WirelessSource::absent) return reading;
   WirelessReading second = read_file();

@@ -51,14 +51,14 @@ class NetworkMonitorTest : public ::testing::Test {
     auto port = std::make_unique<ScriptedPort>(bus_);
     port_ = port.get();
     NetworkMonitorComponent::Params params;
-    params.interface_name = "emulated0";
+    params.interface_name = "lo";
     params.wireless_file = file_;
     sut_ = std::make_unique<NetworkMonitorComponent>(context_, params, std::move(port));
   }
   ~NetworkMonitorTest() override { std::remove(file_.c_str()); }
 
   void write_wireless(const std::string& columns) const {
-    std::ofstream(file_) << " emulated0: 0000 " << columns << "\n";
+    std::ofstream(file_) << " lo: 0000 " << columns << "\n";
   }
   std::vector<topic::NetworkQuality::Message> run(double s) {
     if (!std::exchange(running_, true)) bus_.add(*sut_);
@@ -118,7 +118,7 @@ TEST_F(NetworkMonitorTest, ReportsTheWirelessFile) {
   EXPECT_EQ(sample.quality_percent(), 50.0F);
   EXPECT_TRUE(std::isnan(sample.retry_percent()));
   EXPECT_EQ(sample.wireless_source(), "proc");
-  EXPECT_EQ(sample.interface_name(), "emulated0");
+  EXPECT_EQ(sample.interface_name(), "lo");
 }
 
 TEST_F(NetworkMonitorTest, SaysThatTheHardwareIsAbsent) {

@@ -148,8 +148,8 @@ class WirelessReaderTest : public ::testing::Test {
 };
 
 TEST_F(WirelessReaderTest, ReadsTheFileForAnInterfaceThatNl80211DoesNotKnow) {
-  write(head + " emulated0: 0000 30. -80. -94. 0 0 0 0 0 0\n");
-  WirelessReader sut("emulated0", path_);
+  write(head + "    lo: 0000 30. -80. -94. 0 0 0 0 0 0\n");
+  WirelessReader sut("lo", path_);
   EXPECT_THAT(sut.read().signal_dbm, Optional(-80.0));
   EXPECT_EQ(sut.read().source, WirelessSource::proc);
 }
@@ -162,18 +162,26 @@ TEST_F(WirelessReaderTest, SaysThatALoopbackIsNotWireless) {
 }
 
 TEST_F(WirelessReaderTest, SaysThatTheFileIsMissing) {
-  const WirelessReading sut = WirelessReader("emulated0", path_).read();
+  const WirelessReading sut = WirelessReader("lo", path_).read();
   EXPECT_EQ(sut.source, WirelessSource::absent);
   EXPECT_THAT(sut.note, HasSubstr(path_ + " cannot be read"));
 }
 
 TEST_F(WirelessReaderTest, DoesNotBelieveAFileThatNobodyUpdates) {
-  write(head + " emulated0: 0000 30. -80. -94. 0 0 0 0 0 0\n");
+  write(head + "    lo: 0000 30. -80. -94. 0 0 0 0 0 0\n");
   utimbuf hour_old{time(nullptr) - 3600, time(nullptr) - 3600};
   ASSERT_EQ(utime(path_.c_str(), &hour_old), 0);
-  const WirelessReading sut = WirelessReader("emulated0", path_).read();
+  const WirelessReading sut = WirelessReader("lo", path_).read();
   EXPECT_EQ(sut.source, WirelessSource::absent);
   EXPECT_THAT(sut.note, HasSubstr("no longer updated"));
+}
+
+TEST_F(WirelessReaderTest, DoesNotBelieveAFileAboutAnInterfaceThatIsNotThere) {
+  write(head + " deleted0: 0000 30. -80. -94. 0 0 0 0 0 0\n");
+  const WirelessReading sut = WirelessReader("deleted0", path_).read();
+  EXPECT_EQ(sut.source, WirelessSource::absent);
+  EXPECT_EQ(sut.note, "there is no interface deleted0");
+  EXPECT_EQ(sut.signal_dbm, std::nullopt);
 }
 
 TEST_F(WirelessReaderTest, SaysThatNoInterfaceIsConfigured) {

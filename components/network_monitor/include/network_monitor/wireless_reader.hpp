@@ -11,7 +11,8 @@
 namespace tocsin::network {
 
 /// Reads one interface: from nl80211 when it knows the interface, else from a file in the format
-/// of /proc/net/wireless. Never throws; what cannot be read is absent, with the reason.
+/// of /proc/net/wireless. An interface that is not there or is down has no reading, whatever a file
+/// says. Never throws; what cannot be read is absent, with the reason.
 class WirelessReader {
  public:
   /// An empty `interface` means that the vehicle has no radio: every reading is absent.
