@@ -1,20 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live_view/live_view_component.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <map>
 
+#include "foundation/error.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
 
 LiveViewComponent::LiveViewComponent(Context& context, const Params& params)
     : Component(context),
+      limits_(params.limits),
       terminal_(isatty(STDOUT_FILENO) == 1),
       period_(seconds(terminal_ ? params.refresh_s : params.line_period_s)) {
+  if (limits_.unknown_after_s < limits_.stale_after_s) {
+    throw ConfigError(fmt::format("{}.unknown_after_s: {} is less than stale_after_s, {}",
+                                  context.name, limits_.unknown_after_s, limits_.stale_after_s));
+  }
   count(topic::List<topic::BatteryState, topic::MemoryUsage, topic::CpuLoad, topic::CpuTemperature,
-                    topic::CameraImage, topic::SafetyStatus, topic::DockingStatus>{});
+                    topic::CameraImage, topic::DockingStatus>{});
+  declare_read(topic::List<topic::Location, topic::NavigationStatus, topic::NetworkQuality,
+                           topic::TransmissionState, topic::Heartbeat, topic::TrafficReport,
+                           topic::SafetyStatus, topic::MissionStatus>{});
+}
+
+template <class... Topics>
+void LiveViewComponent::declare_read(topic::List<Topics...>) {
+  (read_.insert(Topics::info.name), ...);
+  for (const std::string& name : read_) table_.on_reader(name, {});
 }
 
 template <class... Topics>
@@ -23,6 +41,7 @@ void LiveViewComponent::count(topic::List<Topics...>) {
                        std::make_unique<InputPort>(
                            *this, Endpoint{Topics::info, &type_info<typename Topics::Message>()})}),
    ...);
+  (read_.insert(Topics::info.name), ...);
 }
 
 template <class Topic>
@@ -41,14 +60,13 @@ void LiveViewComponent::tick(Time now) {
 
 void LiveViewComponent::take_inputs(Time now) {
   while (const auto message = take(location_, now)) {
-    view_.located = true;
-    view_.x_m = message->pose().pose().position().x();
-    view_.y_m = message->pose().pose().position().y();
-    located_at_ = now;
+    const auto& position = message->pose().pose().position();
+    view_.location = {{position.x(), position.y()}, now};
   }
-  while (const auto message = mission_.take()) view_.mission = *message;
-  while (const auto message = take(navigation_, now)) view_.navigation = *message;
-  while (const auto message = take(quality_, now)) view_.quality = *message;
+  while (const auto message = take(mission_, now)) view_.mission = {*message, now};
+  while (const auto message = take(navigation_, now)) view_.navigation = {*message, now};
+  while (const auto message = take(quality_, now)) view_.quality = {*message, now};
+  while (const auto message = take(safety_, now)) view_.safety = {*message, now};
   take_states(now);
   for (Counted& one : counted_) {
     while (one.input->take_sample()) table_.on_sample(one.topic, now);
@@ -59,7 +77,7 @@ void LiveViewComponent::take_states(Time now) {
   while (const auto message = transmission_.take()) {
     const bool from_vehicle = message->role() == "uxv";
     if (from_vehicle) table_.on_sample(topic::TransmissionState::info.name, now);
-    (from_vehicle ? view_.uxv : view_.gcs) = *message;
+    (from_vehicle ? view_.uxv : view_.gcs) = {*message, now};
   }
   while (const auto message = heartbeat_.take()) {
     if (message->role() == "uxv") table_.on_sample(topic::Heartbeat::info.name, now);
@@ -67,13 +85,28 @@ void LiveViewComponent::take_states(Time now) {
   while (const auto message = report_.take()) {
     if (message->role() != "uxv") continue;
     table_.on_sample(topic::TrafficReport::info.name, now);
-    table_.on_report(*message);
+    table_.on_report(*message, now);
   }
 }
 
+/// Of every topic that is counted, whether its reader has found a writer.
+void LiveViewComponent::look_at_readers() {
+  std::map<std::string, TopicReader> readers;
+  for (const EndpointHealth& endpoint : bus().health()) {
+    if (endpoint.writer || read_.count(endpoint.topic) == 0) continue;
+    TopicReader& reader = readers[endpoint.topic];
+    reader.writers = reader.writers.value_or(0) + endpoint.matched;
+    reader.thins = reader.thins || endpoint.thinned > 0;
+  }
+  for (const auto& [topic, reader] : readers) table_.on_reader(topic, reader);
+}
+
 ViewState LiveViewComponent::state(Time now) {
-  view_.location_age_s = view_.located ? to_seconds(now - located_at_) : 0;
+  look_at_readers();
   view_.traffic = table_.rows(now);
+  // It is sent on change only; while its writer tells that it lives, the last one holds.
+  const auto told = table_.reported(topic::SafetyStatus::info.name);
+  if (view_.safety && told) view_.safety->at = std::max(view_.safety->at, *told);
   return view_;
 }
 
@@ -81,9 +114,10 @@ void LiveViewComponent::draw(Time now) {
   next_draw_ = now + period_;
   const ViewState shown = state(now);
   if (terminal_) {
-    std::printf("\x1b[H\x1b[J%s", page(shown, true).c_str());
+    const terminal::Size size = terminal::size_of(STDOUT_FILENO);  // it may have been resized
+    std::printf("%s", terminal::frame(page(shown, now, size, limits_), size).c_str());
   } else {
-    std::printf("%s\n", summary_line(shown).c_str());
+    std::printf("%s\n", summary_line(shown, now, limits_).c_str());
   }
   std::fflush(stdout);
 }

@@ -4,124 +4,129 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+
+#include "traffic_page.hpp"
+#include "words.hpp"
 
 namespace tocsin {
 namespace {
 
-const char* const green = "\x1b[32m";
-const char* const red = "\x1b[31m";
-const char* const bold = "\x1b[1m";
-const char* const plain = "\x1b[0m";
+using terminal::Line;
+using terminal::Span;
+using terminal::Style;
 
-std::string paint(const std::string& text, const char* with, bool colour) {
-  return colour ? with + text + plain : text;
-}
-
-std::string number(double value, int digits, const char* unit) {
-  if (std::isnan(value)) return "-";
-  return fmt::format("{:.{}f}{}{}", value, digits, *unit == '\0' ? "" : " ", unit);
-}
-
-std::string bar(double percent) {
-  constexpr int width = 10;
-  const double share = std::isnan(percent) ? 0 : std::clamp(percent, 0.0, 100.0) / 100;
-  const auto filled = static_cast<std::size_t>(std::lround(share * width));
-  return "[" + std::string(filled, '#') + std::string(width - filled, '.') + "]";
-}
-
-std::string mission_line(const ViewState& state) {
-  if (!state.mission) return "Mission   no status yet";
-  const auto& mission = *state.mission;
-  const auto elapsed = static_cast<long>(mission.elapsed_s());
-  return fmt::format("Mission   {}: {}, waypoint {} of {}, {}:{:02} min, {} goals sent",
-                     mission.mission(), mission.state(),
-                     std::min(mission.waypoint() + 1, mission.waypoints()), mission.waypoints(),
-                     elapsed / 60, elapsed % 60, mission.goals_sent());
-}
-
-std::string vehicle_line(const ViewState& state) {
-  if (!state.located) return "Vehicle   no location yet";
-  std::string text = fmt::format("Vehicle   at ({:.2f}, {:.2f}) m, {:.1f} s ago", state.x_m,
-                                 state.y_m, state.location_age_s);
-  if (state.navigation) {
-    text += fmt::format(", {}, {} to go", state.navigation->state(),
-                        number(state.navigation->distance_m(), 1, "m"));
+/// The instant of drawing, and how old things may be then.
+struct Viewing {
+  Time now;
+  const FreshnessLimits& limits;
+  template <class Value>
+  [[nodiscard]] Freshness freshness_of(const Heard<Value>& heard) const {
+    return freshness(now - heard.at, limits);
   }
-  return text;
+};
+
+/// `words` as they may be shown at their age. Of an unknown value only its age is left.
+Line aged(Line words, Duration age, const FreshnessLimits& limits) {
+  switch (freshness(age, limits)) {
+    case Freshness::fresh:
+      return words;
+    case Freshness::stale:
+      for (Span& span : words) span.style = Style::old;
+      words.push_back({", " + age_text(age) + " ago", Style::old});
+      return words;
+    case Freshness::unknown:
+      break;
+  }
+  return {{"unknown for " + age_text(age), Style::old}};
 }
 
-std::string link_line(const ViewState& state) {
-  if (!state.quality) return "Link      no measurement yet";
-  const auto& quality = *state.quality;
-  return fmt::format("Link      PER {}, RTT {}, signal {}, link quality {}",
-                     number(quality.per_percent(), 1, "%"), number(quality.rtt_mean_ms(), 1, "ms"),
-                     number(quality.signal_dbm(), 0, "dBm"),
-                     number(quality.quality_percent(), 0, "%"));
+void append(Line& line, Line more) {
+  std::move(more.begin(), more.end(), std::back_inserter(line));
 }
 
-std::string decision_line(const char* role,
-                          const std::optional<tocsin_msgs::msg::TransmissionState>& decided,
-                          bool colour) {
-  if (!decided) return fmt::format("{:<10}no decision yet", role);
-  const auto& state = *decided;
-  const std::string word = state.active() ? "ACTIVE " : "PASSIVE";
-  std::string text =
-      fmt::format("{:<10}{} by {} ({}) QNI {} {} {}/{}", role,
-                  paint(word, state.active() ? green : red, colour), state.policy(), state.reason(),
-                  number(state.qni(), 1, ""), bar(state.qni()), number(state.statistic(), 1, ""),
-                  number(state.threshold(), 1, ""));
-  if (!state.active()) text += fmt::format(", resumes in {}", number(state.deadline_s(), 0, "s"));
-  return text;
+Line labelled(const char* label) { return {{fmt::format("{:<10}", label)}}; }
+
+/// A line about a value, or `nothing` before the first one.
+template <class Value>
+Line told(const char* label, const std::optional<Heard<Value>>& heard, const char* nothing,
+          const Viewing& viewing) {
+  Line line = labelled(label);
+  if (!heard) {
+    line.push_back({nothing});
+    return line;
+  }
+  const Duration age = viewing.now - heard->at;
+  append(line, aged(view::words(heard->value, age), age, viewing.limits));
+  return line;
 }
 
-std::string traffic_row(const TrafficRow& row, bool colour) {
-  const double share = row.sent == 0
-                           ? std::nan("")
-                           : 100.0 * static_cast<double>(std::min(row.received, row.sent)) /
-                                 static_cast<double>(row.sent);
-  const std::string paused = row.paused ? paint("PAUSED", red, colour) : "      ";
-  return fmt::format("{:<30} {:<9} {:>6.1f}/s {:>8} {:>6}/{:<6} {:>6}  {} {:>7}", row.topic,
-                     row.traffic_class, row.rate_hz, number(row.age_s, 1, "s"), row.received,
-                     row.sent, number(share, 0, "%"), paused, row.dropped);
+/// Place and doing of the vehicle: as old as the older of the two. Of a vehicle that was lost, where
+/// to look for it.
+Line vehicle_line(const ViewState& state, const Viewing& viewing) {
+  const auto& place = state.location;
+  const auto& doing = state.navigation;
+  Line line = told("Vehicle", place, "no location yet", viewing);
+  if (!place) return line;
+  if (viewing.freshness_of(*place) == Freshness::unknown) {
+    line.push_back({", last seen " + view::place_text(place->value), Style::old, 1});
+    return line;
+  }
+  if (!doing || viewing.freshness_of(*doing) == Freshness::unknown) return line;
+  const Duration age = viewing.now - std::min(place->at, doing->at);
+  Line words = view::words(place->value, age);
+  append(words, view::words(doing->value, age));
+  line = labelled("Vehicle");
+  append(line, aged(std::move(words), age, viewing.limits));
+  return line;
+}
+
+/// Whether there is more to say of safety than that all is well.
+bool safety_matters(const ViewState& state, const Viewing& viewing) {
+  if (!state.safety) return false;
+  return viewing.freshness_of(*state.safety) != Freshness::fresh ||
+         !view::hindrances(state.safety->value).empty();
+}
+
+std::vector<Line> head_lines(const ViewState& state, const Viewing& viewing) {
+  std::vector<Line> lines;
+  if (safety_matters(state, viewing)) lines.push_back(told("Safety", state.safety, "", viewing));
+  lines.push_back(told("Mission", state.mission, "no status yet", viewing));
+  lines.push_back(vehicle_line(state, viewing));
+  lines.push_back(told("Link", state.quality, "no measurement yet", viewing));
+  lines.push_back(told("Vehicle", state.uxv, "no decision yet", viewing));
+  lines.push_back(told("Station", state.gcs, "no decision yet", viewing));
+  return lines;
+}
+
+/// The first of `table`, at most `room` lines; the last of them tells how many rows are not shown.
+std::vector<Line> shortened(std::vector<Line> table, std::size_t room) {
+  if (table.size() <= room) return table;
+  constexpr std::size_t least = 3;  // its head, one row, and the line that tells
+  if (room < least) return {};
+  const std::size_t hidden = table.size() - (room - 1);
+  table.resize(room - 1);
+  table.push_back({{fmt::format("and {} topics more", hidden), Style::old}});
+  return table;
 }
 
 }  // namespace
 
-std::string page(const ViewState& state, bool colour) {
-  std::string text = paint("Tocsin", bold, colour) + "\n";
-  for (const std::string& line :
-       {mission_line(state), vehicle_line(state), link_line(state),
-        decision_line("Vehicle", state.uxv, colour), decision_line("Station", state.gcs, colour)}) {
-    text += line + "\n";
+std::vector<Line> page(const ViewState& state, Time now, terminal::Size size,
+                       const FreshnessLimits& limits) {
+  const Viewing viewing{now, limits};
+  const auto [columns, rows] = terminal::known(size);
+  std::vector<Line> lines = head_lines(state, viewing);
+  lines.resize(std::min(lines.size(), rows));
+  std::vector<Line> table = view::traffic_lines(state.traffic, limits, columns);
+  if (lines.size() + table.size() + 2 <= rows) {  // room for what only pleases the eye
+    lines.insert(lines.begin(), {{"Tocsin", Style::bold}});
+    lines.emplace_back();
   }
-  text +=
-      "\n" +
-      paint(fmt::format("{:<30} {:<9} {:>8} {:>8} {:>13} {:>6}  {:<6} {:>7}", "from the vehicle",
-                        "class", "rate", "age", "received/sent", "", "gate", "dropped"),
-            bold, colour) +
-      "\n";
-  for (const TrafficRow& row : state.traffic) text += traffic_row(row, colour) + "\n";
-  return text;
-}
-
-std::string summary_line(const ViewState& state) {
-  std::string text;
-  if (state.mission) {
-    text += fmt::format("waypoint {}/{} {}",
-                        std::min(state.mission->waypoint() + 1, state.mission->waypoints()),
-                        state.mission->waypoints(), state.mission->state());
-  }
-  if (state.located) text += fmt::format("  at ({:.2f}, {:.2f})", state.x_m, state.y_m);
-  if (state.uxv) {
-    text += fmt::format("  QNI {}  vehicle {} ({})", number(state.uxv->qni(), 1, ""),
-                        state.uxv->active() ? "active" : "passive", state.uxv->reason());
-  }
-  if (state.gcs) {
-    text += fmt::format("  station {} ({})", state.gcs->active() ? "active" : "passive",
-                        state.gcs->reason());
-  }
-  return text.empty() ? "nothing heard yet" : text;
+  table = shortened(std::move(table), rows - lines.size());
+  std::move(table.begin(), table.end(), std::back_inserter(lines));
+  for (Line& line : lines) line = terminal::fit(std::move(line), columns);
+  return lines;
 }
 
 }  // namespace tocsin

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace tocsin {
 namespace {
@@ -17,11 +16,14 @@ std::size_t rank(const std::string& traffic_class) {
 
 }  // namespace
 
+void TrafficTable::on_reader(const std::string& topic, const TopicReader& reader) {
+  entries_[topic].reader = reader;
+}
+
 void TrafficTable::on_sample(const std::string& topic, Time now) {
   Entry& entry = entries_[topic];
   entry.recent.push_back(now);
   entry.last = now;
-  entry.heard = true;
   ++entry.received_total;
 }
 
@@ -31,7 +33,7 @@ void TrafficTable::restart(Entry& entry) {
   for (auto& [process, writer] : entry.writers) writer.sent_before = writer.sent;
 }
 
-void TrafficTable::on_report(const tocsin_msgs::msg::TrafficReport& report) {
+void TrafficTable::on_report(const tocsin_msgs::msg::TrafficReport& report, Time now) {
   for (const auto& topic : report.topics()) {
     Entry& entry = entries_[topic.topic()];
     const bool is_new = entry.writers.count(report.process()) == 0;
@@ -43,24 +45,41 @@ void TrafficTable::on_report(const tocsin_msgs::msg::TrafficReport& report) {
     entry.row.topic = topic.topic();
     entry.row.traffic_class = topic.traffic_class();
     entry.row.paused = topic.paused();
+    entry.reported = now;
   }
+}
+
+std::optional<Time> TrafficTable::reported(const std::string& topic) const {
+  const auto found = entries_.find(topic);
+  if (found == entries_.end() || found->second.writers.empty()) return std::nullopt;
+  return found->second.reported;
+}
+
+Counting TrafficTable::counting(const Entry& entry) {
+  if (!entry.reader) return Counting::not_read;
+  if (entry.received_total == 0 && entry.reader->writers == 0) return Counting::no_match;
+  return entry.reader->thins ? Counting::thinned : Counting::counted;
+}
+
+TrafficRow TrafficTable::row(const Entry& entry, Time now) {
+  TrafficRow row = entry.row;
+  for (const auto& [process, writer] : entry.writers) {
+    row.sent += writer.sent - writer.sent_before;
+    row.dropped += writer.dropped;
+  }
+  row.counting = counting(entry);
+  row.rate_hz = static_cast<double>(entry.recent.size()) / to_seconds(window);
+  if (entry.last) row.age = now - *entry.last;
+  row.received = entry.received_total - entry.received_before;
+  row.report_age = now - entry.reported;
+  return row;
 }
 
 std::vector<TrafficRow> TrafficTable::rows(Time now) {
   std::vector<TrafficRow> all;
   for (auto& [name, entry] : entries_) {
     while (!entry.recent.empty() && now - entry.recent.front() > window) entry.recent.pop_front();
-    if (entry.writers.empty()) continue;
-    TrafficRow row = entry.row;
-    for (const auto& [process, writer] : entry.writers) {
-      row.sent += writer.sent - writer.sent_before;
-      row.dropped += writer.dropped;
-    }
-    row.rate_hz = static_cast<double>(entry.recent.size()) / to_seconds(window);
-    row.age_s =
-        entry.heard ? to_seconds(now - entry.last) : std::numeric_limits<double>::quiet_NaN();
-    row.received = entry.received_total - entry.received_before;
-    all.push_back(row);
+    if (!entry.writers.empty()) all.push_back(row(entry, now));
   }
   std::stable_sort(all.begin(), all.end(), [](const TrafficRow& a, const TrafficRow& b) {
     return rank(a.traffic_class) < rank(b.traffic_class);

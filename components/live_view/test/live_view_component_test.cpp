@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "foundation/error.hpp"
 #include "runtime/sim_bus.hpp"
 
 namespace tocsin {
@@ -22,9 +23,9 @@ TEST_F(LiveViewTest, KeepsWhatItHeard) {
   bus_.publish<topic::Location>(location);
   bus_.run_for(seconds(3));
   const ViewState state = sut_.state(bus_.now());
-  EXPECT_TRUE(state.located);
-  EXPECT_DOUBLE_EQ(state.x_m, 2.0);
-  EXPECT_DOUBLE_EQ(state.location_age_s, 3.0);
+  ASSERT_TRUE(state.location.has_value());
+  EXPECT_DOUBLE_EQ(state.location->value.x_m, 2.0);
+  EXPECT_EQ(bus_.now() - state.location->at, seconds(3));
 }
 
 TEST_F(LiveViewTest, TellsTheTwoRolesApart) {
@@ -60,6 +61,62 @@ TEST_F(LiveViewTest, CountsTopicsWhoseContentItDoesNotShow) {
   bus_.publish<topic::BatteryState>({});
   bus_.run_for(seconds(0.1));
   EXPECT_GT(sut_.state(bus_.now()).traffic.at(0).rate_hz, 0.0);
+}
+
+tocsin_msgs::msg::TrafficReport report_of(const std::string& topic) {
+  tocsin_msgs::msg::TrafficReport report;
+  report.role("uxv");
+  report.topics().resize(1);
+  report.topics()[0].topic(topic);
+  report.topics()[0].sent(58);
+  return report;
+}
+
+TEST_F(LiveViewTest, AStateOnChangeHoldsWhileItsWriterTellsThatItLives) {
+  tocsin_msgs::msg::SafetyStatus status;
+  status.emergency_stop(true);
+  bus_.publish<topic::SafetyStatus>(status);
+  bus_.run_for(seconds(60));
+  bus_.publish<topic::TrafficReport>(report_of("camera/image_raw/compressed"));
+  bus_.run_for(seconds(1));
+  EXPECT_EQ(bus_.now() - sut_.state(bus_.now()).safety->at, seconds(61));
+  bus_.publish<topic::TrafficReport>(report_of("safety_status"));
+  bus_.run_for(seconds(1));
+  EXPECT_EQ(bus_.now() - sut_.state(bus_.now()).safety->at, seconds(1));
+}
+
+TEST_F(LiveViewTest, KnowsWhichTopicsItDoesNotRead) {
+  bus_.publish<topic::TrafficReport>(report_of("my_topic"));
+  bus_.run_for(seconds(0.1));
+  EXPECT_EQ(sut_.state(bus_.now()).traffic.at(0).counting, Counting::not_read);
+}
+
+template <class... Topics>
+std::vector<std::string> names_of(topic::List<Topics...>) {
+  return {Topics::info.name...};
+}
+
+TEST_F(LiveViewTest, CountsEveryTopicThatTheVehicleSends) {
+  using FromTheVehicle =
+      topic::List<topic::Location, topic::NetworkQuality, topic::NavigationStatus,
+                  topic::BatteryState, topic::MemoryUsage, topic::CpuLoad, topic::CpuTemperature,
+                  topic::CameraImage, topic::SafetyStatus, topic::DockingStatus, topic::Heartbeat,
+                  topic::TransmissionState, topic::TrafficReport>;
+  for (const std::string& name : names_of(FromTheVehicle{})) {
+    bus_.publish<topic::TrafficReport>(report_of(name));
+  }
+  bus_.run_for(seconds(0.1));
+  const auto rows = sut_.state(bus_.now()).traffic;
+  EXPECT_EQ(rows.size(), 13U);
+  for (const TrafficRow& row : rows) EXPECT_EQ(row.counting, Counting::counted) << row.topic;
+}
+
+TEST(LiveView, RefusesLimitsThatContradictEachOther) {
+  SimBus bus;
+  Context context{bus, "live_view", "gcs", ""};
+  LiveViewComponent::Params params;
+  params.limits = {10, 5};
+  EXPECT_THROW(LiveViewComponent(context, params), ConfigError);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,16 @@ class LiveViewComponent final : public Component {
   struct Params {
     double refresh_s = 0.5;
     double line_period_s = 5.0;
+    FreshnessLimits limits;
     template <class Visitor>
     void visit(Visitor& v) {
       v("refresh_s", refresh_s, {0.05, 60}, "[s] between pages on a terminal");
       v("line_period_s", line_period_s, {0.5, 600}, "[s] between lines without a terminal");
+      limits.visit(v);
     }
   };
 
+  /// ConfigError when `unknown_after_s` is less than `stale_after_s`.
   LiveViewComponent(Context& context, const Params& params);
   void tick(Time now) override;
   /// What would be drawn at `now`; for tests.
@@ -39,6 +43,9 @@ class LiveViewComponent final : public Component {
   };
   template <class... Topics>
   void count(topic::List<Topics...>);
+  template <class... Topics>
+  void declare_read(topic::List<Topics...>);
+  void look_at_readers();
   void take_inputs(Time now);
   void take_states(Time now);
   template <class Topic>
@@ -52,10 +59,12 @@ class LiveViewComponent final : public Component {
   Input<topic::TransmissionState> transmission_{*this};
   Input<topic::Heartbeat> heartbeat_{*this};
   Input<topic::TrafficReport> report_{*this};
+  Input<topic::SafetyStatus> safety_{*this};
   std::vector<Counted> counted_;
   ViewState view_;
   TrafficTable table_;
-  Time located_at_{};
+  std::set<std::string> read_;  ///< topics whose samples are counted
+  const FreshnessLimits limits_;
   bool terminal_;
   Duration period_;
   Time next_draw_{};

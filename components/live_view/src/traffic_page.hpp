@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "live_view/screen.hpp"
+
+namespace tocsin::view {
+
+/// The topics of the vehicle as a table, its head first, at most `width` columns wide.
+[[nodiscard]] std::vector<terminal::Line> traffic_lines(const std::vector<TrafficRow>& traffic,
+                                                        const FreshnessLimits& limits,
+                                                        std::size_t width);
+
+}  // namespace tocsin::view

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terminal/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+
+namespace tocsin::terminal {
+namespace {
+
+TEST(WidthOf, CountsColumnsNotBytes) {
+  EXPECT_EQ(width_of(""), 0U);
+  EXPECT_EQ(width_of("abc"), 3U);
+  EXPECT_EQ(width_of("Größe"), 5U);
+  EXPECT_EQ(width_of("地図"), 4U);
+  EXPECT_EQ(width_of("🚗"), 2U);
+  EXPECT_EQ(width_of("e\xcc\x81"), 1U) << "with a combining accent";
+}
+
+TEST(WidthOf, DoesNotDependOnTheLanguageOfTheUser) {
+  ASSERT_NE(std::setlocale(LC_ALL, "C"), nullptr);
+  EXPECT_EQ(width_of("地図"), 4U);
+}
+
+TEST(WidthOf, CountsBytesThatAreNotUtf8AsOneEach) {
+  EXPECT_EQ(width_of("a\xff\xfe"), 3U);
+  EXPECT_EQ(width_of("\xe5\x9c"), 2U) << "a character that is cut";
+  EXPECT_EQ(width_of(std::string_view("a\0b", 3)), 3U);
+}
+
+TEST(Cut, LeavesWhatFits) {
+  EXPECT_EQ(cut("abc", 3), "abc");
+  EXPECT_EQ(cut("地図", 4), "地図");
+  EXPECT_EQ(cut("", 0), "");
+}
+
+TEST(Cut, MarksWhatGoesOn) {
+  EXPECT_EQ(cut("abcd", 3), "ab>");
+  EXPECT_EQ(cut("abcd", 1), ">");
+  EXPECT_EQ(cut("abcd", 0), "");
+}
+
+TEST(Cut, NeverSplitsACharacter) {
+  EXPECT_EQ(cut("地図地", 5), "地図>");
+  EXPECT_EQ(cut("地図地", 4), "地>");
+  EXPECT_EQ(cut("地図地", 2), ">");
+  EXPECT_EQ(cut("e\xcc\x81xyz", 2), "e\xcc\x81>");
+}
+
+TEST(Padded, FillsUpToTheWidth) {
+  EXPECT_EQ(padded("ab", 4, Align::left), "ab  ");
+  EXPECT_EQ(padded("ab", 4, Align::right), "  ab");
+  EXPECT_EQ(padded("地", 4, Align::right), "  地");
+  EXPECT_EQ(padded("abcdef", 4, Align::left), "abc>");
+  EXPECT_EQ(padded("地図地", 4, Align::left), "地> ");
+}
+
+}  // namespace
+}  // namespace tocsin::terminal
