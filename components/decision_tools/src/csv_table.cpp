@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "foundation/error.hpp"
+#include "foundation/printable.hpp"
 
 namespace tocsin::tools {
 namespace {
@@ -75,19 +76,25 @@ std::size_t CsvTable::index(const std::string& column) const {
   if (it != columns_.end()) return static_cast<std::size_t>(it - columns_.begin());
   std::string known;
   for (const std::string& name : columns_) known += (known.empty() ? "" : ", ") + name;
-  throw ConfigError(path_ + ": has no column '" + column + "', has: " + known);
+  throw ConfigError(path_ + ": has no column '" + column + "', has: " + printable(known));
+}
+
+std::vector<std::string> CsvTable::texts(const std::string& column) const {
+  const std::size_t at = index(column);
+  std::vector<std::string> all;
+  all.reserve(rows_.size());
+  for (const Row& row : rows_) all.push_back(trimmed(row.cells[at]));
+  return all;
 }
 
 std::vector<double> CsvTable::numbers(const std::string& column) const {
-  const std::size_t at = index(column);
   std::vector<double> values;
-  for (const Row& row : rows_) {
-    const std::string text = trimmed(row.cells[at]);
+  for (const std::string& text : texts(column)) {
     double value = std::numeric_limits<double>::quiet_NaN();
     if (!text.empty() && text != "nan" && text != "NaN") {
       const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
       if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-        throw ConfigError(place(path_, row.line) + column + ": '" + text + "' is not a number");
+        reject(values.size(), column, "'" + printable(text) + "' is not a number");
       }
     }
     values.push_back(value);
@@ -95,12 +102,16 @@ std::vector<double> CsvTable::numbers(const std::string& column) const {
   return values;
 }
 
-void CsvTable::keep(const std::string& column, const std::string& text) {
-  const std::size_t at = index(column);
-  rows_.erase(std::remove_if(rows_.begin(), rows_.end(),
-                             [&](const Row& row) { return row.cells[at] != text; }),
-              rows_.end());
-  if (rows_.empty()) throw ConfigError(path_ + ": has no row with " + column + " " + text);
+void CsvTable::keep(const std::vector<bool>& wanted) {
+  std::vector<Row> kept;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (wanted[i]) kept.push_back(std::move(rows_[i]));
+  }
+  rows_ = std::move(kept);
+}
+
+void CsvTable::reject(std::size_t row, const std::string& column, const std::string& what) const {
+  throw ConfigError(place(path_, rows_[row].line) + column + ": " + what);
 }
 
 }  // namespace tocsin::tools

@@ -20,8 +20,13 @@ class CsvTable {
   /// The numbers of a column; NaN for empty cells and the words nan and NaN.
   /// Throws ConfigError naming file, line, column and text for anything else.
   [[nodiscard]] std::vector<double> numbers(const std::string& column) const;
-  /// Keeps the rows whose `column` has this text.
-  void keep(const std::string& column, const std::string& text);
+  /// The texts of a column without spaces around them.
+  [[nodiscard]] std::vector<std::string> texts(const std::string& column) const;
+  /// Keeps the rows for which `wanted`, one per row, is true.
+  void keep(const std::vector<bool>& wanted);
+  /// Throws ConfigError "file:line: column: what".
+  [[noreturn]] void reject(std::size_t row, const std::string& column,
+                           const std::string& what) const;
 
  private:
   [[nodiscard]] std::size_t index(const std::string& column) const;

@@ -1,31 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "decision/policy.hpp"
+#include "policy_settings.hpp"
 #include "quality_trace.hpp"
 
 namespace tocsin::tools {
+
+/// One decision of a trace that is decided again.
+struct Step {
+  double time_s = 0;               ///< on the trace's clock
+  std::optional<std::size_t> row;  ///< of the trace; empty: a pause ended between two rows
+  decision::Evidence evidence;
+};
 
 /// A recorded trace decided again.
 struct DecidedTrace {
   QualityTrace trace;
   std::string policy;
-  std::vector<decision::Evidence> evidence;  ///< one per row
-  decision::PolicyParams params;
+  std::vector<Step> steps;
+  PolicySettings settings;
 };
 
-/// Feeds the trace to the policy that `params` name; "oracle" as `policy` is the clairvoyant, which
-/// needs the truth. A pause also ends at its deadline between two rows. Throws ConfigError.
+/// Feeds the trace to the policy that the settings name; "oracle" as `policy` is the clairvoyant,
+/// which needs the truth. A pause also ends at its deadline between two rows. A controller that was
+/// restarted in the recording begins anew. With the settings of the recorded run every decision is
+/// the recorded one. Throws ConfigError.
 [[nodiscard]] DecidedTrace decide_again(const QualityTrace& trace, const std::string& policy,
-                                        decision::PolicyParams params);
+                                        const PolicySettings& settings);
 
 /// What the decisions amount to.
 struct DecisionSummary {
   std::size_t samples = 0;
   std::size_t missing = 0;
-  std::size_t passive = 0;  ///< rows after which the state was passive
+  std::size_t passive = 0;  ///< samples after which the state was passive
   std::size_t pauses = 0;
   std::size_t forced = 0;  ///< pauses that ended by a limit of silence
   int longest_pause = 0;   ///< [samples]
@@ -37,5 +48,16 @@ struct DecisionSummary {
 };
 
 [[nodiscard]] DecisionSummary summarize(const DecidedTrace& decided);
+
+/// How the decisions compare with those that the recording holds.
+struct Comparison {
+  std::size_t recorded = 0;  ///< decisions in the recording
+  std::size_t recorded_pauses = 0;
+  std::size_t same = 0;                    ///< of equal state, reason and age of the pause
+  std::optional<std::size_t> first_other;  ///< row of the first one that is not
+};
+
+/// Empty when the trace holds no decisions.
+[[nodiscard]] std::optional<Comparison> compare_with_recording(const DecidedTrace& decided);
 
 }  // namespace tocsin::tools

@@ -5,6 +5,7 @@
 #include "decide_report.hpp"
 #include "model_file.hpp"
 #include "plot.hpp"
+#include "policy_settings.hpp"
 #include "trace_options.hpp"
 
 namespace tocsin::tools {
@@ -24,7 +25,8 @@ struct Request {
 
 void declare(CLI::App& app, Request& request) {
   app.add_option("TRACE", request.file, "recorded quality, CSV")->required();
-  app.add_option("--policy", request.policy, "none, threshold, tocp, tocp_dsp, ..., or oracle");
+  app.add_option("--policy", request.policy,
+                 "none, threshold, tocp, tocp_dsp, ..., or oracle [the recorded run's]");
   app.add_option("--model", request.model, "model file as tocsin fit writes it");
   app.add_option("--set", request.set, "parameter of the policy: key=value")
       ->expected(1)
@@ -37,9 +39,10 @@ void declare(CLI::App& app, Request& request) {
 }
 
 int decide(const Request& request) {
-  const decision::PolicyParams params = load_model(request.model, request.set);
-  const DecidedTrace decided =
-      decide_again(read_quality_trace(request.file, request.trace), request.policy, params);
+  const QualityTrace trace = read_quality_trace(request.file, request.trace);
+  const PolicySettings settings =
+      load_settings({trace.controller, request.model, request.set, request.policy});
+  const DecidedTrace decided = decide_again(trace, request.policy, settings);
   const bool print_table = request.table == "-";
   if (!request.table.empty() && !print_table) write_text(request.table, to_csv(decided));
   if (!request.plot.empty()) draw(decide_plot(decided), request.plot);

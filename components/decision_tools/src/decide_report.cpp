@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "decide_report.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <iomanip>
 #include <sstream>
 
+#include "foundation/printable.hpp"
 #include "plot.hpp"
 
 namespace tocsin::tools {
@@ -26,9 +28,9 @@ nlohmann::json number(double value) {
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
 }
 
-nlohmann::json row(const DecidedTrace& decided, std::size_t n) {
-  const Evidence& one = decided.evidence[n];
-  return {{"time_s", decided.trace.time_s[n]},
+nlohmann::json row(const Step& step) {
+  const Evidence& one = step.evidence;
+  return {{"time_s", step.time_s},
           {"qni", number(one.sample)},
           {"state", to_string(one.state)},
           {"reason", to_string(one.reason)},
@@ -40,10 +42,10 @@ nlohmann::json row(const DecidedTrace& decided, std::size_t n) {
 std::string changes_text(const DecidedTrace& decided) {
   std::ostringstream text;
   text << "      time_s  state    qni     statistic  threshold  age  reason\n" << std::fixed;
-  for (std::size_t n = 0; n < decided.evidence.size(); ++n) {
-    const Evidence& one = decided.evidence[n];
+  for (const Step& step : decided.steps) {
+    const Evidence& one = step.evidence;
     if (!one.changed) continue;
-    text << std::setw(12) << std::setprecision(1) << decided.trace.time_s[n] << "  " << std::left
+    text << std::setw(12) << std::setprecision(1) << step.time_s << "  " << std::left
          << std::setw(8) << to_string(one.state) << std::right << std::setprecision(2)
          << std::setw(6) << one.sample << std::setw(12) << one.statistic << std::setw(11)
          << one.threshold << std::setw(5) << one.age << "  " << to_string(one.reason) << '\n';
@@ -53,29 +55,85 @@ std::string changes_text(const DecidedTrace& decided) {
 
 std::string series(const DecidedTrace& decided) {
   std::ostringstream text;
-  for (std::size_t n = 0; n < decided.evidence.size(); ++n) {
-    const Evidence& one = decided.evidence[n];
+  for (const Step& step : decided.steps) {
+    const Evidence& one = step.evidence;
     const auto value = [](double x) { return std::isfinite(x) ? cell(x) : std::string("NaN"); };
-    text << decided.trace.time_s[n] << ' ' << value(one.sample) << ' ' << value(one.statistic)
-         << ' ' << value(one.threshold) << ' ' << (one.state == State::passive ? 100 : 0) << '\n';
+    text << step.time_s << ' ' << value(one.sample) << ' ' << value(one.statistic) << ' '
+         << value(one.threshold) << ' ' << (one.state == State::passive ? 100 : 0) << '\n';
   }
   return text.str();
+}
+
+std::string words_of(bool active, const std::string& reason) {
+  return std::string(active ? "active, " : "passive, ") + printable(reason);
+}
+
+/// The first decision that is not the recorded one.
+std::string first_other_text(const DecidedTrace& decided, std::size_t row) {
+  const RecordedDecision& recorded = decided.trace.recorded[row];
+  std::string now = "nothing";
+  for (const Step& step : decided.steps) {
+    if (step.row != row) continue;
+    now = words_of(step.evidence.state == State::active, to_string(step.evidence.reason));
+  }
+  return fmt::format("the first other one at {:.1f} s: recorded {}; decided {}",
+                     decided.trace.time_s[row], words_of(recorded.active, recorded.reason), now);
+}
+
+/// Empty when the trace is no recording of decisions.
+std::string comparison_text(const DecidedTrace& decided) {
+  const auto compared = compare_with_recording(decided);
+  if (!compared) return "";
+  std::string text =
+      fmt::format("recorded were {} pauses; {} of {} decisions are the recorded ones",
+                  compared->recorded_pauses, compared->same, compared->recorded);
+  if (compared->first_other) text += ", " + first_other_text(decided, *compared->first_other);
+  text += "\n";
+  if (decided.trace.unrecorded > 0) {
+    text += fmt::format(
+        "{} decisions of the run are not in this recording; those that follow one may differ\n",
+        decided.trace.unrecorded);
+  }
+  return text;
+}
+
+nlohmann::json parameters_json(const PolicySettings& settings) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const ParameterSource& source : settings.sources) {
+    nlohmann::json values = nlohmann::json::object();
+    for (const auto& [key, value] : source.values) values[key] = value;
+    all.push_back({{"from", source.name}, {"values", values}});
+  }
+  return all;
+}
+
+/// What a recording adds to the summary.
+void add_recording(const DecidedTrace& decided, nlohmann::json& out) {
+  const auto compared = compare_with_recording(decided);
+  if (!compared) return;
+  out["role"] = decided.trace.role;
+  out["recorded"] = {{"decisions", compared->recorded},
+                     {"pauses", compared->recorded_pauses},
+                     {"same", compared->same},
+                     {"unrecorded", decided.trace.unrecorded}};
 }
 
 }  // namespace
 
 std::string to_text(const DecidedTrace& decided) {
   const DecisionSummary s = summarize(decided);
+  const std::string& role = decided.trace.role;
   std::ostringstream text;
   text << changes_text(decided) << std::fixed << std::setprecision(1);
   text << "\npolicy " << decided.policy << " on " << decided.trace.path << " ("
-       << decided.trace.kind << ")\n"
-       << s.samples << " samples, " << s.missing << " without measurement; " << s.pauses
-       << " pauses, " << s.forced << " ended by a limit, longest " << s.longest_pause
-       << " samples; silent "
+       << decided.trace.kind << (role.empty() ? "" : " of role " + role) << ")\n"
+       << to_text(decided.settings) << s.samples << " samples, " << s.missing
+       << " without measurement; " << s.pauses << " pauses, " << s.forced
+       << " ended by a limit, longest " << s.longest_pause << " samples; silent "
        << 100.0 * static_cast<double>(s.passive) / static_cast<double>(s.samples)
        << " %\nmean QNI while active " << s.mean_qni_active << ", while passive "
        << s.mean_qni_passive << '\n';
+  text << comparison_text(decided);
   if (s.has_truth) {
     text << "cost " << s.cost << ", clairvoyant " << s.oracle_cost << ", regret "
          << s.cost - s.oracle_cost << '\n';
@@ -86,12 +144,13 @@ std::string to_text(const DecidedTrace& decided) {
 nlohmann::json to_json(const DecidedTrace& decided, bool rows) {
   const DecisionSummary s = summarize(decided);
   nlohmann::json changes = nlohmann::json::array();
-  for (std::size_t n = 0; n < decided.evidence.size(); ++n) {
-    if (rows || decided.evidence[n].changed) changes.push_back(row(decided, n));
+  for (const Step& step : decided.steps) {
+    if (rows || step.evidence.changed) changes.push_back(row(step));
   }
   nlohmann::json out{{"file", decided.trace.path},
                      {"kind", decided.trace.kind},
                      {"policy", decided.policy},
+                     {"parameters", parameters_json(decided.settings)},
                      {"samples", s.samples},
                      {"missing", s.missing},
                      {"pauses", s.pauses},
@@ -101,6 +160,7 @@ nlohmann::json to_json(const DecidedTrace& decided, bool rows) {
                      {"mean_qni_active", number(s.mean_qni_active)},
                      {"mean_qni_passive", number(s.mean_qni_passive)},
                      {rows ? "rows" : "changes", changes}};
+  add_recording(decided, out);
   if (s.has_truth) out["cost"] = s.cost;
   if (s.has_truth) out["oracle_cost"] = s.oracle_cost;
   return out;
@@ -108,9 +168,9 @@ nlohmann::json to_json(const DecidedTrace& decided, bool rows) {
 
 std::string to_csv(const DecidedTrace& decided) {
   std::string text = "time_s,qni,active,reason,statistic,threshold,age\n";
-  for (std::size_t n = 0; n < decided.evidence.size(); ++n) {
-    const Evidence& one = decided.evidence[n];
-    text += cell(decided.trace.time_s[n]) + ',' + cell(one.sample) + ',' +
+  for (const Step& step : decided.steps) {
+    const Evidence& one = step.evidence;
+    text += cell(step.time_s) + ',' + cell(one.sample) + ',' +
             (one.state == State::active ? "1," : "0,") + to_string(one.reason) + ',' +
             cell(one.statistic) + ',' + cell(one.threshold) + ',' + std::to_string(one.age) + '\n';
   }

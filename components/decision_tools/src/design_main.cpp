@@ -3,7 +3,7 @@
 
 #include "command_line/command.hpp"
 #include "design.hpp"
-#include "model_file.hpp"
+#include "policy_settings.hpp"
 #include "trace_options.hpp"
 
 namespace tocsin::tools {
@@ -42,7 +42,7 @@ void declare(CLI::App& app, Request& request) {
 
 int run(Request request) {
   request.design.false_alarm_s = parse_duration_s("--false-alarm", request.false_alarm);
-  request.design.params = load_model(request.model, request.set);
+  request.design.params = load_settings({{}, request.model, request.set, ""}).params;
   request.trace.period_s = request.design.period_s;
   if (!request.recording.empty()) {
     request.design.recording = read_quality_trace(request.recording, request.trace);

@@ -4,6 +4,7 @@
 #include "command_line/command.hpp"
 #include "decision/llr.hpp"
 #include "fit_report.hpp"
+#include "foundation/error.hpp"
 #include "model_file.hpp"
 #include "plot.hpp"
 #include "trace_options.hpp"
@@ -31,10 +32,19 @@ void declare(CLI::App& app, Request& request) {
   declare_trace_options(app, request.trace);
 }
 
+/// Laws the wrong way round, or without mass on the scale, make no detector.
+void check_pair(const Request& request, const FitReport& good, const FitReport& bad) {
+  try {
+    (void)decision::DensityLlr(good.chosen, bad.chosen, 0);
+  } catch (const ConfigError& error) {
+    throw ConfigError(request.good + " (good), " + request.bad + " (bad): " + error.what());
+  }
+}
+
 int fit(const Request& request) {
   const FitReport good = fit_trace(read_quality_trace(request.good, request.trace), request.family);
   const FitReport bad = fit_trace(read_quality_trace(request.bad, request.trace), request.family);
-  (void)decision::DensityLlr(good.chosen, bad.chosen, 0);  // the wrong way round, no mass
+  check_pair(request, good, bad);
   const std::string text = model_text(good.chosen, bad.chosen,
                                       "fitted by tocsin fit " + request.good + " " + request.bad);
   if (!request.model.empty()) write_text(request.model, text);

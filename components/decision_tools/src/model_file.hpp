@@ -5,14 +5,8 @@
 #include <vector>
 
 #include "decision/density.hpp"
-#include "decision/policy_params.hpp"
 
 namespace tocsin::tools {
-
-/// Parameters of a policy from a model file (YAML, the keys of PolicyParams) and `key=value`
-/// overrides; an empty path means the defaults. Throws ConfigError.
-[[nodiscard]] decision::PolicyParams load_model(const std::string& path,
-                                                const std::vector<std::string>& overrides);
 
 /// The text of a model file: both laws as keys of PolicyParams, with a comment on their origin.
 [[nodiscard]] std::string model_text(const decision::Density& good, const decision::Density& bad,

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quality_trace.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "csv_table.hpp"
 #include "decision/qni.hpp"
 #include "foundation/error.hpp"
+#include "foundation/printable.hpp"
+#include "recorded_decisions.hpp"
 
 namespace tocsin::tools {
 namespace {
@@ -18,26 +22,59 @@ std::vector<double> numbers_or_nan(const CsvTable& table, const std::string& col
   return table.has(column) ? table.numbers(column) : std::vector<double>(table.rows(), nan);
 }
 
-/// Seconds from the first row. A clock that was set back is not an error: policies must bear it.
-std::vector<double> times(const CsvTable& table, double period_s) {
+/// The column with the time of the rows; empty when there is none.
+std::string time_column(const CsvTable& table) {
   for (const char* name : {"time_s", "receive_s", "t"}) {
-    if (!table.has(name)) continue;
-    std::vector<double> time = table.numbers(name);
-    for (double& t : time) {
-      if (std::isnan(t)) throw ConfigError(table.path() + ": a row has no " + name);
-    }
-    const double start = time.front();
-    for (double& t : time) t -= start;
-    return time;
+    if (table.has(name)) return name;
   }
+  return "";
+}
+
+std::vector<double> seconds_of(const CsvTable& table, const std::string& column) {
+  std::vector<double> time = table.numbers(column);
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (std::isnan(time[i])) table.reject(i, column, "must be a time, is absent");
+  }
+  return time;
+}
+
+/// Seconds from the first row.
+std::vector<double> from_first(const CsvTable& table, const std::string& column,
+                               std::vector<double> time) {
+  for (std::size_t i = 1; i < time.size(); ++i) {
+    if (time[i] >= time[i - 1]) continue;
+    table.reject(i, column,
+                 fmt::format("{} is {} s before the row above; rows must be in the "
+                             "order of time",
+                             table.texts(column)[i], fixed_text(time[i - 1] - time[i], 3)));
+  }
+  const double start = time.front();
+  for (double& t : time) t -= start;
+  return time;
+}
+
+/// When the recorded decisions were made: exact to the nanosecond, as the policy was told.
+std::vector<double> decision_times(const CsvTable& table) {
+  std::vector<double> time = seconds_of(table, "stamp.sec");
+  const std::vector<double> fraction = seconds_of(table, "stamp.nanosec");
+  const double start = time.front();
+  for (std::size_t i = 0; i < time.size(); ++i) time[i] = time[i] - start + fraction[i] * 1e-9;
+  return from_first(table, "stamp.sec", std::move(time));
+}
+
+std::vector<double> times(const CsvTable& table, double period_s) {
+  if (table.has("role") && table.has("stamp.sec") && table.has("stamp.nanosec")) {
+    return decision_times(table);
+  }
+  const std::string column = time_column(table);
+  if (!column.empty()) return from_first(table, column, seconds_of(table, column));
   std::vector<double> time;
   for (std::size_t i = 0; i < table.rows(); ++i) time.push_back(static_cast<double>(i) * period_s);
   return time;
 }
 
-/// Recorded by network_quality: the thesis's index with its default weights.
-std::vector<double> from_network_quality(const CsvTable& table) {
-  const decision::QniParams params;
+/// Recorded network_quality: the index as the run weighed it, by default as the thesis.
+std::vector<double> from_network_quality(const CsvTable& table, const decision::QniParams& params) {
   const decision::QniModel model(params);
   const auto per = table.numbers("per_percent");
   const auto signal = numbers_or_nan(table, "signal_dbm");
@@ -85,20 +122,27 @@ void read_qni(const CsvTable& table, const std::string& column, double period_s,
   trace.kind = "column " + column;
   trace.qni = table.numbers(column);
   trace.time_s = times(table, period_s);
-  for (const double x : trace.qni) {
-    if (x >= 0 && x <= 100) continue;
-    if (std::isnan(x)) continue;
-    throw ConfigError(table.path() + ": " + column + ": " + std::to_string(x) +
-                      " is outside [0, 100]");
+  for (std::size_t i = 0; i < trace.qni.size(); ++i) {
+    const double x = trace.qni[i];
+    if ((x >= 0 && x <= 100) || std::isnan(x)) continue;
+    table.reject(i, column, shortest_text(x) + " is outside [0, 100]");
   }
+}
+
+void read_network_quality(const CsvTable& table, const TraceOptions& options, QualityTrace& trace) {
+  trace.kind = "network quality";
+  trace.controller = controller_of_run(table.path(), options.role);
+  trace.qni = from_network_quality(
+      table, trace.controller ? trace.controller->qni() : decision::QniParams{});
+  trace.time_s = times(table, options.period_s);
 }
 
 [[noreturn]] void reject(const CsvTable& table) {
   std::string known;
   for (const std::string& name : table.columns()) known += (known.empty() ? "" : ", ") + name;
-  throw ConfigError(
-      table.path() +
-      ": has no column qni, per_percent or rssi_dbm (--column names another), has: " + known);
+  throw ConfigError(table.path() +
+                    ": has no column qni, per_percent or rssi_dbm (--column names another), has: " +
+                    printable(known));
 }
 
 }  // namespace
@@ -113,22 +157,29 @@ std::vector<double> QualityTrace::measured() const {
 
 QualityTrace read_quality_trace(const std::string& path, const TraceOptions& options) {
   CsvTable table(path);
-  if (!options.role.empty()) table.keep("role", options.role);
   QualityTrace trace;
   trace.path = path;
+  trace.role = keep_one_role(table, options.role);
+  drop_repeated_decisions(table);
   if (!options.column.empty()) {
     read_qni(table, options.column, options.period_s, trace);
   } else if (table.has("qni")) {
     read_qni(table, "qni", options.period_s, trace);
   } else if (table.has("per_percent")) {
-    trace.kind = "network quality";
-    trace.qni = from_network_quality(table);
-    trace.time_s = times(table, options.period_s);
+    read_network_quality(table, options, trace);
   } else if (table.has("rssi_dbm")) {
     trace.kind = "measured Wi-Fi";
     from_wifi(table, trace);
   } else {
     reject(table);
+  }
+  if (!trace.role.empty()) {
+    trace.controller = controller_of_run(path, trace.role);
+    if (options.column.empty()) read_decisions(table, trace);
+  }
+  if (!options.role.empty() && trace.role.empty() && !trace.controller) {
+    throw ConfigError(path + ": --role " + printable(options.role) +
+                      ": the file has no column role and no deployment.yaml beside it");
   }
   if (table.has("state") && trace.qni.size() == table.rows()) {
     for (const double state : table.numbers("state")) trace.bad.push_back(state > 0.5);

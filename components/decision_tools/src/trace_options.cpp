@@ -11,7 +11,8 @@ namespace tocsin::tools {
 
 void declare_trace_options(CLI::App& app, TraceOptions& options) {
   app.add_option("--column", options.column, "column with the quality [qni or what it rests on]");
-  app.add_option("--role", options.role, "of a recorded transmission_state.csv: uxv or gcs");
+  app.add_option("--role", options.role,
+                 "whose recorded decisions: uxv or gcs; needed when there are both");
   app.add_option("--period", options.period_s, "seconds between rows of a file without time [1]")
       ->check(CLI::PositiveNumber);
 }

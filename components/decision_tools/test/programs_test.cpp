@@ -95,18 +95,26 @@ TEST_F(Programs, HaveOneLineForEveryBadInput) {
   std::string constant = "qni\n";
   for (int i = 0; i < 30; ++i) constant += "50\n";
   folder.write("constant.csv", constant);
+  folder.write("back.csv", "t,qni\n2,50\n1,50\n");
+  folder.write("roles.csv", "receive_s,role,qni\n1,uxv,50\n1,gcs,60\n");
+  folder.write("contrary.yaml", "pause_below_qni: 60\n");
   const std::string fit = FIT_PROGRAM;
   expect_error(fit + " empty.csv bad.csv", "empty.csv: is empty");
   expect_error(fit + " text.csv bad.csv", "text.csv:3: qni: 'bad' is not a number");
   expect_error(fit + " column.csv bad.csv", "column.csv: has no column qni");
   expect_error(fit + " one.csv bad.csv", "one.csv: 1 samples, at least 10");
   expect_error(fit + " constant.csv bad.csv", "constant.csv: all 30 samples equal 50");
-  expect_error(fit + " bad.csv good.csv", "must be above that of the bad law");
+  expect_error(fit + " bad.csv good.csv",
+               "bad.csv (good), good.csv (bad): model: mean of the good law");
   expect_error(fit + " none.csv bad.csv", "none.csv: cannot be read");
   expect_error(fit + " good.csv", "BAD is required");
   expect_error(DECIDE_PROGRAM " trace.csv --policy magic", "'magic' is not one of");
   expect_error(DECIDE_PROGRAM " trace.csv --policy oracle", "needs the truth");
   expect_error(DECIDE_PROGRAM " trace.csv --set alpha=-1", "policy.alpha: -1 is outside");
+  expect_error(DECIDE_PROGRAM " back.csv", "back.csv:3: t: 1 is 1.000 s before the row above");
+  expect_error(DECIDE_PROGRAM " roles.csv", "roles.csv: has decisions of the roles gcs and uxv");
+  expect_error(DECIDE_PROGRAM " trace.csv --model contrary.yaml",
+               "contrary.yaml: policy.pause_below_qni: 60 must be at most resume_at_qni, 50");
   expect_error(DESIGN_PROGRAM " --false-alarm 1min", "cannot be had with these laws");
   expect_error(DESIGN_PROGRAM " --false-alarm soon", "'soon' is not a duration");
 }

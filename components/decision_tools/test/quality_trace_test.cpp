@@ -65,7 +65,8 @@ TEST_F(QualityTraceTest, ReadsRecordedNetworkQuality) {
 TEST_F(QualityTraceTest, ReadsRecordedDecisionsOfOneRole) {
   const std::string text = "receive_s,role,qni\n1,uxv,50\n1,gcs,60\n2,uxv,70\n";
   EXPECT_EQ(read(text, {"", "uxv", 1}).qni, (std::vector<double>{50, 70}));
-  EXPECT_THAT(error_of(text, {"", "base", 1}), HasSubstr("has no row with role base"));
+  EXPECT_THAT(error_of(text, {"", "base", 1}),
+              HasSubstr("has no row with role base, only gcs and uxv"));
 }
 
 TEST_F(QualityTraceTest, AveragesMeasuredWifiOverSeconds) {
@@ -92,9 +93,22 @@ TEST_F(QualityTraceTest, HasOneClearErrorForEveryBadFile) {
               EndsWith("a.csv:2: 3 cells, must be 2 as in the first row"));
   EXPECT_THAT(error_of("t,quality\n1,2\n"),
               HasSubstr("has no column qni, per_percent or rssi_dbm"));
-  EXPECT_THAT(error_of("qni\n101\n"), HasSubstr("is outside [0, 100]"));
+  EXPECT_THAT(error_of("qni\n101\n"), EndsWith("a.csv:2: qni: 101 is outside [0, 100]"));
   EXPECT_EQ(error_of("qni\n100\n"), "no error");
-  EXPECT_THAT(error_of("t,qni\n,2\n"), HasSubstr("a row has no t"));
+  EXPECT_THAT(error_of("t,qni\n1,7\n,2\n"), EndsWith("a.csv:3: t: must be a time, is absent"));
+  EXPECT_THAT(error_of("t,qni\n1,7\nnan,2\n"), EndsWith("a.csv:3: t: must be a time, is absent"));
+}
+
+TEST_F(QualityTraceTest, NamesTheRowWhoseTimeGoesBack) {
+  EXPECT_EQ(error_of("t,qni\n1,7\n1,7\n"), "no error");
+  EXPECT_THAT(
+      error_of("t,qni\n3,7\n3.5,7\n2.5,7\n"),
+      EndsWith("a.csv:4: t: 2.5 is 1.000 s before the row above; rows must be in the order of "
+               "time"));
+}
+
+TEST_F(QualityTraceTest, ShowsTextOfAFileWithoutControlCharacters) {
+  EXPECT_THAT(error_of("qni\n\x1b[2J\n"), HasSubstr("'\\x1b[2J' is not a number"));
 }
 
 TEST_F(QualityTraceTest, RejectsWhatIsNoFile) {

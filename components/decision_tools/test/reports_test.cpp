@@ -29,6 +29,8 @@ QualityTrace normal_trace(double mean, double sd, int n) {
   return trace;
 }
 
+PolicySettings with_policy(const std::string& name) { return load_settings({{}, "", {}, name}); }
+
 /// Good, 40 bad samples from 50 on, good.
 QualityTrace dip() {
   QualityTrace trace = normal_trace(80, 2, 150);
@@ -69,7 +71,7 @@ TEST(ModelFile, IsReadBackAsItWasWritten) {
   const decision::Density good(decision::Family::beta, {10.9, 2.66, 0});
   const decision::Density bad(decision::Family::normal, {36.5, 7.25, 0});
   const std::string path = folder.write("m.yaml", model_text(good, bad, "a test"));
-  const decision::PolicyParams sut = load_model(path, {});
+  const decision::PolicyParams sut = load_settings({{}, path, {}, ""}).params;
   EXPECT_EQ(sut.good_family, "beta");
   EXPECT_EQ(sut.good_parameters, (std::vector<double>{10.9, 2.66}));
   EXPECT_EQ(sut.bad_mean, 36.5);
@@ -77,16 +79,8 @@ TEST(ModelFile, IsReadBackAsItWasWritten) {
   EXPECT_NO_THROW((void)decision::make_policy(sut));
 }
 
-TEST(ModelFile, TakesOverrides) {
-  EXPECT_EQ(load_model("", {"alpha=7", "policy=tocp"}).alpha, 7);
-  EXPECT_THROW((void)load_model("", {"alpha"}), ConfigError);
-  EXPECT_THROW((void)load_model("", {"alfa=1"}), ConfigError);
-  EXPECT_THROW((void)load_model("", {"alpha=soon"}), ConfigError);
-  EXPECT_THROW((void)load_model("/nonexistent.yaml", {}), ConfigError);
-}
-
 TEST(DecideAgain, PausesInTheDip) {
-  const DecidedTrace decided = decide_again(dip(), "tocp_reverse", {});
+  const DecidedTrace decided = decide_again(dip(), "", with_policy("tocp_reverse"));
   const DecisionSummary sut = summarize(decided);
   EXPECT_EQ(sut.samples, 150U);
   EXPECT_EQ(sut.pauses, 2U);  // 30 samples are the limit
@@ -110,13 +104,19 @@ TEST(DecideAgain, EndsAPauseAtItsDeadlineBetweenTwoRows) {
   QualityTrace trace = normal_trace(80, 1, 3);
   trace.time_s = {0, 1, 1000};
   trace.qni = {80, 20, 20};
-  const DecidedTrace sut = decide_again(trace, "tocp_dsp", {});
-  EXPECT_EQ(sut.evidence[1].state, decision::State::passive);
-  EXPECT_EQ(sut.evidence[2].reason, decision::Reason::cusum_alarm);  // it was active again
+  const DecidedTrace sut = decide_again(trace, "", with_policy("tocp_dsp"));
+  ASSERT_EQ(sut.steps.size(), 4U);
+  EXPECT_EQ(sut.steps[1].evidence.state, decision::State::passive);
+  EXPECT_EQ(sut.steps[2].row, std::nullopt);
+  EXPECT_EQ(sut.steps[2].evidence.reason, decision::Reason::forced_resume_time);
+  EXPECT_EQ(sut.steps[2].time_s, 1 + 180);
+  EXPECT_EQ(sut.steps[3].evidence.reason, decision::Reason::cusum_alarm);
+  EXPECT_EQ(summarize(sut).samples, 3U);
+  EXPECT_EQ(summarize(sut).forced, 1U);
 }
 
 TEST(DecideReport, HasARowPerSampleAndTheChanges) {
-  const DecidedTrace sut = decide_again(dip(), "tocp", {});
+  const DecidedTrace sut = decide_again(dip(), "", with_policy("tocp"));
   const std::string csv = to_csv(sut);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 151);
   EXPECT_THAT(csv, HasSubstr("50,30,0,cusum_alarm,"));

@@ -17,7 +17,8 @@ TransmissionController::TransmissionController(const Params& params)
 TransmissionDecision TransmissionController::on_quality(const decision::QniInput& input, Time now) {
   heard_ = now;
   silent_at_ = now + timeout_;
-  return conclude(policy_->on_sample({now, qni_.evaluate(input).value}, now), now);
+  const auto published = static_cast<float>(qni_.evaluate(input).value);
+  return conclude(policy_->on_sample({now, published}, now), now);
 }
 
 std::optional<TransmissionDecision> TransmissionController::on_time(Time now) {

@@ -39,6 +39,20 @@ TEST(TransmissionController, PausesOnADeadLink) {
   EXPECT_EQ(decision.changes, 1U);
 }
 
+TEST(TransmissionController, DecidesByTheIndexAsItIsPublished) {
+  TransmissionController::Params params;
+  params.policy.policy = "threshold";
+  params.policy.pause_below_qni = 40;
+  params.qni.weight_per = 1;
+  params.qni.weight_signal = params.qni.weight_quality = 0;
+  TransmissionController sut(params);
+  const auto decision = sut.on_quality({60.0000001, std::nullopt, std::nullopt}, t0);
+  EXPECT_EQ(decision.evidence.sample, 40.0);  // as a float; a recording has no more digits
+  EXPECT_EQ(decision.evidence.state, State::active);
+  EXPECT_EQ(sut.on_quality({60.0001, std::nullopt, std::nullopt}, t0 + seconds(1)).evidence.state,
+            State::passive);
+}
+
 TEST(TransmissionController, ForcesTheResumeAtTheDeadlineWithoutSamples) {
   TransmissionController::Params params;
   params.quality_timeout_s = 600;

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -38,17 +39,27 @@ std::vector<std::string> digests_in(const std::string& text) {
 
 class SimulationTest : public ::testing::Test {
  protected:
-  static std::string program() {
+  static std::string program(const std::string& package, const std::string& name) {
     const fs::path own = TOCSIN_INSTALL;
-    const fs::path together = own / "bin/tocsin-sim";
-    return fs::exists(together) ? together : own.parent_path() / "simulation/bin/tocsin-sim";
+    const fs::path together = own / "bin" / name;
+    return fs::exists(together) ? together : own.parent_path() / package / "bin" / name;
   }
   /// Runs `tocsin sim` with a run folder of its own; what it logs is left out.
   Ended sim(const std::string& arguments) {
     return run(arguments + " --run-dir " + folder_ + "/" + std::to_string(++runs_));
   }
   [[nodiscard]] Ended run(const std::string& arguments) const {
-    const std::string command = program() + " " + arguments + " 2>" + folder_ + "/errors";
+    return execute(program("simulation", "tocsin-sim") + " " + arguments);
+  }
+  /// What `tocsin decide` says of a recorded file, in JSON.
+  [[nodiscard]] nlohmann::json decide(const std::string& file, const std::string& arguments) const {
+    const Ended ended = execute(program("decision_tools", "tocsin-decide") + " " + folder_ + "/" +
+                                file + " --json " + arguments);
+    EXPECT_EQ(ended.code, 0) << read("errors");
+    return nlohmann::json::parse(ended.output, nullptr, false);
+  }
+  [[nodiscard]] Ended execute(const std::string& program_and_arguments) const {
+    const std::string command = program_and_arguments + " 2>" + folder_ + "/errors";
     FILE* pipe = popen(command.c_str(), "r");
     std::string output;
     for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) output += static_cast<char>(c);
@@ -74,6 +85,24 @@ TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
                            "1/gcs/camera.image_raw.compressed.csv", "1/uxv/goal.csv"}) {
     EXPECT_GT(read(file).size(), 200U) << file;
   }
+}
+
+TEST_F(SimulationTest, DecidingARecordedRunAgainGivesItsOwnDecisionsSampleBySample) {
+  // Either side's recording, of a run whose parameters are not the defaults and that pauses twice.
+  ASSERT_EQ(sim("mission.yaml --seed 7 --without uxv/payload").code, 0) << read("errors");
+  for (const char* role : {"uxv", "gcs"}) {
+    const auto decided =
+        decide("1/" + std::string(role) + "/transmission_state.csv", "--role " + std::string(role));
+    EXPECT_EQ(decided["recorded"]["pauses"], 2) << role;
+    EXPECT_EQ(decided["pauses"], 2) << role;
+    EXPECT_GT(decided["recorded"]["decisions"], 50) << role;
+    EXPECT_EQ(decided["recorded"]["same"], decided["recorded"]["decisions"]) << role;
+  }
+  EXPECT_EQ(execute(program("decision_tools", "tocsin-decide") + " " + folder_ +
+                    "/1/uxv/transmission_state.csv")
+                .code,
+            2);
+  EXPECT_THAT(read("errors"), HasSubstr("of the roles gcs and uxv; choose one by --role"));
 }
 
 TEST_F(SimulationTest, SameSeedGivesTheSameSamplesOnTwoThreadsAndInAnotherProcess) {

@@ -22,7 +22,8 @@ struct TransmissionDecision {
 /// A measurement that stays away for longer than `quality_timeout_s` is a sample of its own, once
 /// each timeout: QNI 0 when `silence_is_poor` (the ground station: no report came through the
 /// link), otherwise "no measurement" (the vehicle: its own monitor failed, which says nothing
-/// about the link). Pure; one thread.
+/// about the link). The index is rounded to the precision of the message that publishes it, so that
+/// `tocsin decide` decides a recording exactly as the run did. Pure; one thread.
 class TransmissionController {
  public:
   struct Params {

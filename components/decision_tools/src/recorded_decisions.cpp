@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recorded_decisions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "decision/policy.hpp"
+#include "foundation/error.hpp"
+#include "foundation/printable.hpp"
+
+namespace tocsin::tools {
+namespace {
+
+using decision::Reason;
+
+bool has_decisions(const CsvTable& table) {
+  const auto columns = {"sequence",      "stamp.sec", "stamp.nanosec", "active", "reason",
+                        "pause_samples", "qni"};
+  return std::all_of(columns.begin(), columns.end(),
+                     [&](const char* column) { return table.has(column); });
+}
+
+/// The numbers of a column, each of which counts something.
+std::vector<double> counts(const CsvTable& table, const std::string& column) {
+  constexpr double most = 1e9;
+  std::vector<double> values = table.numbers(column);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] >= 0 && values[i] <= most && values[i] == std::floor(values[i])) continue;
+    table.reject(i, column,
+                 "'" + printable(table.texts(column)[i]) + "' is not a whole number in [0, 1e9]");
+  }
+  return values;
+}
+
+/// A row without a sample is a call at the deadline of a pause unless it counts as a sample of the
+/// pause: Policy::on_deadline neither counts nor tells another reason.
+bool is_at_deadline(const RecordedDecision& decision, double qni, int pause_samples_before) {
+  if (!std::isnan(qni)) return false;
+  if (decision.reason == to_string(Reason::steady)) return true;
+  return decision.reason == to_string(Reason::forced_resume_time) &&
+         decision.pause_samples == pause_samples_before;
+}
+
+}  // namespace
+
+std::string keep_one_role(CsvTable& table, const std::string& wanted) {
+  if (!table.has("role")) return "";
+  const std::vector<std::string> roles = table.texts("role");
+  const std::set<std::string> known(roles.begin(), roles.end());
+  std::string list;
+  for (const std::string& one : known) list += (list.empty() ? "" : " and ") + printable(one);
+  if (wanted.empty() && known.size() > 1) {
+    throw ConfigError(table.path() + ": has decisions of the roles " + list +
+                      "; choose one by --role");
+  }
+  const std::string role = wanted.empty() ? *known.begin() : wanted;
+  if (known.count(role) == 0) {
+    throw ConfigError(table.path() + ": has no row with role " + role + ", only " + list);
+  }
+  std::vector<bool> kept;
+  kept.reserve(roles.size());
+  for (const std::string& one : roles) kept.push_back(one == role);
+  table.keep(kept);
+  return role;
+}
+
+void drop_repeated_decisions(CsvTable& table) {
+  if (!has_decisions(table)) return;
+  const auto sequence = table.texts("sequence");
+  const auto second = table.texts("stamp.sec");
+  const auto fraction = table.texts("stamp.nanosec");
+  std::vector<bool> kept(table.rows(), true);
+  for (std::size_t i = 1; i < table.rows(); ++i) {
+    kept[i] = sequence[i] != sequence[i - 1] || second[i] != second[i - 1] ||
+              fraction[i] != fraction[i - 1];
+  }
+  table.keep(kept);
+}
+
+void read_decisions(const CsvTable& table, QualityTrace& trace) {
+  if (!has_decisions(table)) return;
+  const auto sequence = counts(table, "sequence");
+  const auto active = counts(table, "active");
+  const auto age = counts(table, "pause_samples");
+  const auto reason = table.texts("reason");
+  double heard = 0;
+  int age_before = 0;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    RecordedDecision one;
+    one.active = active[i] != 0;
+    one.reason = reason[i];
+    one.pause_samples = static_cast<int>(age[i]);
+    one.restarted = i > 0 && sequence[i] <= heard;
+    one.at_deadline = is_at_deadline(one, trace.qni[i], age_before);
+    if (one.restarted) heard = 0;
+    trace.unrecorded += static_cast<std::size_t>(std::max(sequence[i] - heard - 1, 0.0));
+    heard = sequence[i];
+    age_before = one.pause_samples;
+    trace.recorded.push_back(std::move(one));
+  }
+}
+
+}  // namespace tocsin::tools
