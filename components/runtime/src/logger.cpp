@@ -7,6 +7,11 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <utility>
+
+#include "foundation/time.hpp"
+#include "runtime/log_clock.hpp"
 
 namespace tocsin {
 namespace {
@@ -14,15 +19,15 @@ namespace {
 /// Lets a line through once a second and tells how many equal ones it kept back.
 class RepetitionLimit {
  public:
-  /// The number of suppressed repetitions when `line` may be printed now, -1 when it may not.
-  int admit(const std::string& line) {
-    const auto now = std::chrono::steady_clock::now();
+  /// The number of suppressed repetitions when `line` may be printed at `now`; empty when it may
+  /// not.
+  std::optional<int> admit(const std::string& line, Duration now) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (lines_.size() > 256) lines_.clear();
     Entry& entry = lines_[line];
     if (entry.printed && now - entry.at < std::chrono::seconds(1)) {
       ++entry.suppressed;
-      return -1;
+      return std::nullopt;
     }
     const int suppressed = entry.suppressed;
     entry = {now, 0, true};
@@ -31,7 +36,7 @@ class RepetitionLimit {
 
  private:
   struct Entry {
-    std::chrono::steady_clock::time_point at;
+    Duration at{0};
     int suppressed = 0;
     bool printed = false;
   };
@@ -39,30 +44,55 @@ class RepetitionLimit {
   std::map<std::string, Entry> lines_;
 };
 
-spdlog::logger& sink() {
-  static const std::shared_ptr<spdlog::logger> logger = [] {
-    auto made = spdlog::stderr_color_mt("tocsin");
-    made->set_pattern("%H:%M:%S.%e %^%l%$ %v");
-    return made;
-  }();
-  return *logger;
+std::shared_ptr<spdlog::logger> make_sink(const char* name, spdlog::pattern_time_type time) {
+  auto made = spdlog::stderr_color_mt(name);
+  made->set_pattern("%H:%M:%S.%e %^%l%$ %v", time);
+  return made;
 }
+
+spdlog::logger& real_sink() {
+  static const auto sink = make_sink("tocsin", spdlog::pattern_time_type::local);
+  return *sink;
+}
+
+spdlog::logger& virtual_sink() {
+  static const auto sink = make_sink("tocsin_simulated", spdlog::pattern_time_type::utc);
+  return *sink;
+}
+
+thread_local LogClock* clock_in_use = nullptr;
 
 }  // namespace
 
+struct LogClock::State {
+  Now now;
+  RepetitionLimit limit;
+};
+
+LogClock::LogClock(Now now) : state_(std::make_unique<State>()) { state_->now = std::move(now); }
+
+LogClock::~LogClock() = default;
+
+LogClock::Use::Use(LogClock& clock) : before_(std::exchange(clock_in_use, &clock)) {}
+
+LogClock::Use::~Use() { clock_in_use = before_; }
+
 void Logger::write(Level level, const std::string& line) {
-  static RepetitionLimit limit;
+  static RepetitionLimit real_limit;
+  const LogClock* clock = clock_in_use;
+  const auto now = clock == nullptr ? std::chrono::system_clock::now() : clock->state_->now();
   const std::string named = "[" + name_ + "] " + line;
-  const int suppressed = limit.admit(named);
-  if (suppressed < 0) return;
+  const auto suppressed =
+      clock == nullptr
+          ? real_limit.admit(named, std::chrono::steady_clock::now().time_since_epoch())
+          : clock->state_->limit.admit(named, now.time_since_epoch());
+  if (!suppressed) return;
   const auto severity = level == Level::info   ? spdlog::level::info
                         : level == Level::warn ? spdlog::level::warn
                                                : spdlog::level::err;
-  if (suppressed == 0) {
-    sink().log(severity, named);
-  } else {
-    sink().log(severity, "{} ({} more since)", named, suppressed);
-  }
+  const std::string text =
+      *suppressed == 0 ? named : fmt::format("{} ({} more since)", named, *suppressed);
+  (clock == nullptr ? real_sink() : virtual_sink()).log(now, spdlog::source_loc{}, severity, text);
 }
 
 }  // namespace tocsin

@@ -14,6 +14,7 @@ SimWorld::~SimWorld() = default;
 
 Outcome SimWorld::run(Duration limit) {
   World& all = *world_;
+  const LogClock::Use use(all.log_clock);
   const Time begin = all.core.now;
   const Time end = limit > never - begin ? never : begin + limit;
   all.step(begin);

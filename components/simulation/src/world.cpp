@@ -43,6 +43,10 @@ Core core_of(const WorldOptions& options) {
   return core;
 }
 
+std::chrono::system_clock::time_point wall_time(Time now) {
+  return std::chrono::system_clock::time_point(std::chrono::nanoseconds(Core::wall_ns(now)));
+}
+
 bool is_base(const deployment::Program& program) {
   return std::filesystem::path(program.command.front()).filename() == "kobuki_simulator";
 }
@@ -51,11 +55,13 @@ bool is_base(const deployment::Program& program) {
 
 World::World(deployment::Deployment deployment, const WorldOptions& options)
     : core(core_of(options)),
+      log_clock([this] { return wall_time(core.now); }),
       deployment_(std::move(deployment)),
       options_(options),
       link_(core, channel_of(deployment_), walls_of(deployment_),
             static_cast<std::uint64_t>(deployment_.seed)),
       network_{core, link_, qos_of(deployment_), {}} {
+  const LogClock::Use use(log_clock);
   if (core.observer != nullptr) {
     scheduler_.set_on_failure([this](const std::string& component, const char* what, Time now) {
       core.observer->on_failure(component, what, now);
@@ -66,6 +72,7 @@ World::World(deployment::Deployment deployment, const WorldOptions& options)
 }
 
 World::~World() {
+  const LogClock::Use use(log_clock);
   core.observer = nullptr;  // it need not see the end
   fill_disk(false);
   while (!processes_.empty()) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "full_disk.hpp"
+#include "runtime/log_clock.hpp"
 #include "scheduler.hpp"
 #include "sim_devices.hpp"
 #include "sim_host.hpp"
@@ -36,6 +37,7 @@ class World {
   [[nodiscard]] bool over() const { return exit_code_ && options_.ends_with_mission; }
   [[nodiscard]] Outcome outcome(Time begin) const;
   Core core;
+  LogClock log_clock;  ///< to be used while it steps
 
  private:
   struct Instance {

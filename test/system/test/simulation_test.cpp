@@ -87,6 +87,18 @@ TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
   }
 }
 
+TEST_F(SimulationTest, LogLinesCarryTheSimulatedTime) {
+  const Ended run = sim("mission.yaml --seed 1 --without uxv/payload");
+  ASSERT_EQ(run.code, 0) << run.output;
+  const int s = std::atoi(run.output.c_str());  // "91.196 s simulated"
+  char time[40];
+  std::snprintf(time, sizeof time, "00:%02d:%02d.", s / 60, s % 60);
+  const std::string log = read("errors");
+  const auto line = log.rfind('\n', log.find("mission mission_a: done")) + 1;
+  EXPECT_EQ(log.substr(line, 9), time) << log.substr(line, 80);
+  EXPECT_EQ(log.substr(0, 6), "00:00:");
+}
+
 TEST_F(SimulationTest, DecidingARecordedRunAgainGivesItsOwnDecisionsSampleBySample) {
   // Either side's recording, of a run whose parameters are not the defaults and that pauses twice.
   ASSERT_EQ(sim("mission.yaml --seed 7 --without uxv/payload").code, 0) << read("errors");
