@@ -25,7 +25,10 @@ class AutoDockingComponentTest : public ::testing::Test {
   /// Frames of the base at 50 Hz, with what the centre receiver sees.
   void frames(double s, std::uint8_t centre = 0, std::uint8_t charger = 0) {
     for (int i = 0; i < std::lround(s * 50); ++i) {
-      bus_.publish<topic::Odom>({});
+      topic::Odom::Message odom;
+      odom.pose().pose().orientation().w(std::cos(heading_rad_ / 2));
+      odom.pose().pose().orientation().z(std::sin(heading_rad_ / 2));
+      bus_.publish<topic::Odom>(odom);
       topic::DockInfrared::Message infrared;
       infrared.data({0, centre, 0});
       topic::SensorsCore::Message core;
@@ -34,6 +37,18 @@ class AutoDockingComponentTest : public ::testing::Test {
       bus_.publish<topic::DockInfrared>(infrared);
       bus_.run_for(seconds(0.02));
     }
+  }
+  /// The light passes while the base turns, which then faces it.
+  void drive_in(std::uint8_t centre) {
+    heading_rad_ = -1;
+    frames(0.5);
+    heading_rad_ = 0;
+    frames(0.1, centre);
+    heading_rad_ = 1;
+    frames(0.5);
+    frames(0.1, centre);
+    heading_rad_ = 0;
+    frames(0.1, centre);
   }
   topic::DockingStatus::Message status() {
     for (const auto& one : statuses_.take()) status_ = one;
@@ -46,6 +61,7 @@ class AutoDockingComponentTest : public ::testing::Test {
   SimReader<topic::DockingStatus> statuses_{bus_};
   AutoDockingComponent sut_{context_, {}};
   topic::DockingStatus::Message status_;
+  double heading_rad_ = 0;
 };
 
 TEST_F(AutoDockingComponentTest, IsIdleAndAsleepUntilItIsTold) {
@@ -62,7 +78,7 @@ TEST_F(AutoDockingComponentTest, ScansDrivesInAndReportsThatItIsDocked) {
   frames(0.1);
   EXPECT_EQ(status().state(), "scan");
   EXPECT_NEAR(commands_.take().back().angular().z(), 0.66, 1e-9);
-  frames(0.5, 8);
+  drive_in(8);
   EXPECT_EQ(status().state(), "aligned_far");
   frames(1, 2, 6);
   EXPECT_EQ(status().state(), "done");
@@ -73,7 +89,7 @@ TEST_F(AutoDockingComponentTest, ScansDrivesInAndReportsThatItIsDocked) {
 
 TEST_F(AutoDockingComponentTest, StopsWithAZeroWhenItIsCancelled) {
   command("start");
-  frames(0.5, 8);
+  drive_in(8);
   EXPECT_GT(commands_.take().back().linear().x(), 0);
   command("cancel");
   EXPECT_EQ(status().result(), "cancelled");
@@ -92,9 +108,23 @@ TEST_F(AutoDockingComponentTest, StopsWhenTheSensorsFallSilent) {
   EXPECT_EQ(commands_.take().back().linear().x(), 0);
 }
 
+TEST_F(AutoDockingComponentTest, WaitsForTheFirstSensors) {
+  command("start");
+  bus_.run_for(seconds(4.9));
+  EXPECT_EQ(status().result(), "none");
+  frames(0.1);
+  EXPECT_EQ(status().state(), "scan");
+}
+
+TEST_F(AutoDockingComponentTest, EndsWhenNoSensorsCome) {
+  command("start");
+  bus_.run_for(seconds(5.1));
+  EXPECT_EQ(status().result(), "sensors_lost");
+}
+
 TEST_F(AutoDockingComponentTest, AStartWhileItRunsChangesNothing) {
   command("start");
-  frames(0.5, 8);
+  drive_in(8);
   command("start");
   EXPECT_EQ(status().run(), 1U);
   EXPECT_EQ(status().state(), "aligned_far");

@@ -106,8 +106,19 @@ CliffAdc BaseModel::cliff_adc() const {
   return {adc(right_bit), adc(centre_bit), adc(left_bit)};
 }
 
-DockInfrared BaseModel::dock_infrared() const {
+void BaseModel::miss_signals(DockInfrared& seen) {
+  if (params_.infrared_loss <= 0) return;
+  std::bernoulli_distribution missed(params_.infrared_loss);
+  for (std::uint8_t* receiver : {&seen.right, &seen.centre, &seen.left}) {
+    for (unsigned signal = 1; signal <= DockInfrared::far_right; signal *= 2) {
+      if (missed(random_)) *receiver = static_cast<std::uint8_t>(*receiver & ~signal);
+    }
+  }
+}
+
+DockInfrared BaseModel::dock_infrared() {
   DockInfrared seen = dock_ ? dock_->infrared(pose()) : DockInfrared{};
+  miss_signals(seen);
   seen.right = static_cast<std::uint8_t>(seen.right | inputs_.dock.right);
   seen.centre = static_cast<std::uint8_t>(seen.centre | inputs_.dock.centre);
   seen.left = static_cast<std::uint8_t>(seen.left | inputs_.dock.left);

@@ -8,43 +8,41 @@
 namespace tocsin::kobuki {
 namespace {
 
-constexpr double near_m = 0.7;  // from the front of the dock to the middle of the base
-constexpr double far_m = 3.0;
-constexpr double centre_rad = 10 * degree_rad;         // half the centre beam
-constexpr double inner_rad = 4 * degree_rad;           // inner edge of the side beams
-constexpr double side_rad = 55 * degree_rad;           // outer edge of the side beams
-constexpr double receiver_rad = 60 * degree_rad;       // between receivers
-constexpr double receiver_view_rad = 40 * degree_rad;  // half the view of a receiver
+using Light = DockInfrared;
+
 constexpr double half_width_m = 0.12;
 constexpr double contact_gap_m = 0.012;  // the contacts are springs
 
-std::uint8_t if_seen(unsigned beams, double bearing_rad, double receiver) {
-  const bool seen = std::abs(wrap_angle(bearing_rad - receiver)) <= receiver_view_rad;
-  return static_cast<std::uint8_t>(seen ? beams : 0);
-}
-
 }  // namespace
 
-unsigned Dock::beams_at(const Pose& base) const {
-  const double dx = base.x_m - pose_.x_m;
-  const double dy = base.y_m - pose_.y_m;
+/// The far field begins at the dock, so that both fields are seen in the near one.
+unsigned Dock::beams_at(const Place& place) const {
+  const double dx = place.x_m - pose_.x_m;
+  const double dy = place.y_m - pose_.y_m;
   const double distance_m = std::hypot(dx, dy);
   const double angle = wrap_angle(std::atan2(dy, dx) - pose_.heading_rad);
-  if (distance_m > far_m || std::abs(angle) > side_rad) return 0;
-  const bool close = distance_m <= near_m;
+  if (distance_m > light_.far_m || std::abs(angle) > light_.side_rad) return 0;
+  const double aside_m = distance_m * std::sin(angle);  // to the dock's left
   unsigned beams = 0;
-  if (std::abs(angle) <= centre_rad) beams |= close ? 2U : 8U;
-  if (angle >= inner_rad) beams |= close ? 1U : 16U;
-  if (angle <= -inner_rad) beams |= close ? 4U : 32U;
-  return beams;
+  if (std::abs(aside_m) <= light_.centre_half_width_m) beams |= Light::any_centre;
+  if (aside_m >= -light_.overlap_m) beams |= Light::any_left;
+  if (aside_m <= light_.overlap_m) beams |= Light::any_right;
+  return distance_m <= light_.near_m ? beams : beams & ~Light::any_near;
+}
+
+std::uint8_t Dock::seen_by(const Pose& base, double receiver_rad, double view_rad) const {
+  const double looks_rad = base.heading_rad + receiver_rad;
+  const Place place{base.x_m + light_.rim_m * std::cos(looks_rad),
+                    base.y_m + light_.rim_m * std::sin(looks_rad)};
+  const double to_dock = std::atan2(pose_.y_m - place.y_m, pose_.x_m - place.x_m);
+  if (std::abs(wrap_angle(to_dock - looks_rad)) > view_rad) return 0;
+  return static_cast<std::uint8_t>(beams_at(place));
 }
 
 DockInfrared Dock::infrared(const Pose& base) const {
-  const unsigned beams = beams_at(base);
-  const double to_dock = std::atan2(pose_.y_m - base.y_m, pose_.x_m - base.x_m);
-  const double bearing = wrap_angle(to_dock - base.heading_rad);
-  return {if_seen(beams, bearing, -receiver_rad), if_seen(beams, bearing, 0),
-          if_seen(beams, bearing, receiver_rad)};
+  return {seen_by(base, -light_.receiver_rad, light_.side_view_rad),
+          seen_by(base, 0, light_.middle_view_rad),
+          seen_by(base, light_.receiver_rad, light_.side_view_rad)};
 }
 
 bool Dock::in_contact(const Pose& base) const {

@@ -21,9 +21,14 @@ bool same(const BaseControl& a, const BaseControl& b) {
   return a.speed_mm_s == b.speed_mm_s && a.radius_mm == b.radius_mm;
 }
 
-WheelSpeeds limited(WheelSpeeds speeds) {
-  const double limit = max_speed_mps + max_turn_rate_rad_s * wheel_separation_m / 2.0;
-  return {std::clamp(speeds.left_mps, -limit, limit), std::clamp(speeds.right_mps, -limit, limit)};
+/// A base is specified to end at 0.70 m/s and at 180 degrees/s. How its firmware cuts what is more
+/// is unknown; here the radius is kept, and no wheel is faster than 0.70 m/s.
+WheelSpeeds limited(const WheelSpeeds& speeds) {
+  const double fastest_mps = std::max(std::abs(speeds.left_mps), std::abs(speeds.right_mps));
+  const double turn_rad_s = std::abs(body_velocity(speeds).angular_rad_s);
+  const double excess =
+      std::max({1.0, fastest_mps / max_speed_mps, turn_rad_s / max_turn_rate_rad_s});
+  return {speeds.left_mps / excess, speeds.right_mps / excess};
 }
 
 }  // namespace

@@ -239,6 +239,20 @@ TEST(BaseModel, ReportsEncodersWithNoiseWhenAskedTo) {
   EXPECT_LT(*high - *low, 40);
 }
 
+TEST(BaseModel, MissesItsShareOfTheSignalsOfADock) {
+  ModelParams params;
+  params.infrared_loss = 0.25;
+  BaseModel sut(params, open_floor(), {3, 0, pi}, 1, t0);
+  sut.set_dock(Dock({0, 0, 0}));
+  int seen = 0;
+  DecodeCounts counts;
+  sut.step(t0 + seconds(8), [&](Time, ByteView frame) {
+    const Feedback feedback = decode_feedback(frame.part(3, frame.size - 4), counts);
+    seen += (feedback.dock_infrared->centre & DockInfrared::far_centre) != 0 ? 1 : 0;
+  });
+  EXPECT_NEAR(seen, 300, 26);  // of 400; 3 deviations
+}
+
 TEST(BaseModel, TakesCommandsCutAnywhereAmongNoise) {
   Rig sut{exact()};
   const Frame frame = encode_command(BaseControl{200, 0});

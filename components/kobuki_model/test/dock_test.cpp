@@ -12,40 +12,69 @@ namespace {
 
 const Dock sut{{0, 0, 0}};  // at the origin, facing +x
 
+/// What the middle receiver sees when it is at a place and the base faces the dock.
+int seen_at(double x_m, double y_m) {
+  const double facing_rad = std::atan2(-y_m, -x_m);
+  const Pose base{x_m - DockLight{}.rim_m * std::cos(facing_rad),
+                  y_m - DockLight{}.rim_m * std::sin(facing_rad), facing_rad};
+  return sut.infrared(base).centre;
+}
+
+constexpr int near_all = 1 | 2 | 4;
+constexpr int far_all = 8 | 16 | 32;
+
 TEST(Dock, ShinesNearAndFarAhead) {
-  EXPECT_EQ(sut.infrared({0.7, 0, pi}).centre, 2);
-  EXPECT_EQ(sut.infrared({0.71, 0, pi}).centre, 8);
-  EXPECT_EQ(sut.infrared({3.0, 0, pi}).centre, 8);
-  EXPECT_EQ(sut.infrared({3.01, 0, pi}).centre, 0);
-  EXPECT_EQ(sut.infrared({-1, 0, 0}).centre, 0);
+  EXPECT_EQ(seen_at(2.39, 0), near_all | far_all);
+  EXPECT_EQ(seen_at(2.41, 0), far_all);
+  EXPECT_EQ(seen_at(4.99, 0), far_all);
+  EXPECT_EQ(seen_at(5.01, 0), 0);
+  EXPECT_EQ(seen_at(-1, 0), 0);
 }
 
 TEST(Dock, HasItsOwnLeftAndRight) {
-  EXPECT_EQ(sut.infrared({1, 0.5, pi}).centre, 16);
-  EXPECT_EQ(sut.infrared({1, -0.5, pi}).centre, 32);
-  EXPECT_EQ(sut.infrared({0.4, 0.2, pi}).centre, 1);
-  EXPECT_EQ(sut.infrared({0.4, -0.2, pi}).centre, 4);
+  EXPECT_EQ(seen_at(3, 0.5), 16);
+  EXPECT_EQ(seen_at(3, -0.5), 32);
+  EXPECT_EQ(seen_at(1, 0.5), 16 | 1);
+  EXPECT_EQ(seen_at(1, -0.5), 32 | 4);
 }
 
-TEST(Dock, HasBeamsThatOverlap) {
-  const auto seen_at = [](double angle_deg) {
-    const double angle = angle_deg * degree_rad;
-    return int{sut.infrared({std::cos(angle), std::sin(angle), angle + pi}).centre};
+TEST(Dock, HasACentreBeamOfTheSameWidthEverywhere) {
+  for (const double x_m : {0.5, 3.0}) {
+    EXPECT_NE(seen_at(x_m, 0.054) & 8, 0);
+    EXPECT_EQ(seen_at(x_m, 0.056) & 8, 0);
+  }
+}
+
+TEST(Dock, HasSideBeamsThatOverlapAtTheCentreLine) {
+  EXPECT_EQ(seen_at(3, 0.029), 8 | 16 | 32);
+  EXPECT_EQ(seen_at(3, 0.031), 8 | 16);
+  EXPECT_EQ(seen_at(3, -0.031), 8 | 32);
+}
+
+TEST(Dock, ShinesNotAtAllFromTheSide) {
+  const auto at_angle = [](double angle_deg) {
+    return seen_at(std::cos(angle_deg * degree_rad), std::sin(angle_deg * degree_rad));
   };
-  EXPECT_EQ(seen_at(3.9), 8);
-  EXPECT_EQ(seen_at(4.1), 8 | 16);
-  EXPECT_EQ(seen_at(-9.9), 8 | 32);
-  EXPECT_EQ(seen_at(-10.1), 32);
-  EXPECT_EQ(seen_at(55.1), 0);
+  EXPECT_EQ(at_angle(54.9), 16 | 1);
+  EXPECT_EQ(at_angle(55.1), 0);
+  EXPECT_EQ(at_angle(-55.1), 0);
 }
 
 TEST(Dock, IsSeenByTheReceiverThatFacesIt) {
-  EXPECT_EQ(sut.infrared({1, 0, pi}).left, 0);
-  const DockInfrared turned_left = sut.infrared({1, 0, pi + 80 * degree_rad});
-  EXPECT_EQ(turned_left.right, 8);
+  EXPECT_EQ(sut.infrared({3, 0, pi}).left, 0);
+  const DockInfrared turned_left = sut.infrared({3, 0, pi + 80 * degree_rad});
+  EXPECT_NE(turned_left.right, 0);
   EXPECT_EQ(turned_left.centre, 0);
-  EXPECT_EQ(sut.infrared({1, 0, pi - 80 * degree_rad}).left, 8);
-  EXPECT_EQ(sut.infrared({1, 0, 0}).centre, 0);
+  EXPECT_NE(sut.infrared({3, 0, pi - 80 * degree_rad}).left, 0);
+  EXPECT_EQ(sut.infrared({3, 0, 0}).centre, 0);
+}
+
+// A base askew on the centre line has its receivers beside it. The reference's docking steers by
+// that: with receivers in the middle of the base it docks from 28 of 300 starts, so from 285.
+TEST(Dock, IsSeenFromTheRimOfTheBase) {
+  EXPECT_EQ(sut.infrared({2, 0, pi}).centre, near_all | far_all);
+  EXPECT_EQ(sut.infrared({2, 0, pi + 25 * degree_rad}).centre, 32 | 4);
+  EXPECT_EQ(sut.infrared({2, 0, pi - 25 * degree_rad}).centre, 16 | 1);
 }
 
 TEST(Dock, ChargesOnlyInFrontInTheMiddleAndFacing) {

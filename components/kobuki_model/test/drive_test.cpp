@@ -69,11 +69,32 @@ TEST(Drive, StopsOnlyAfterItsTimeout) {
   EXPECT_EQ(sut.speeds().left_mps, 0);
 }
 
-TEST(Drive, LimitsTheSpeedToWhatTheMotorsCan) {
+WheelSpeeds end_of(std::int16_t speed_mm_s, std::int16_t radius_mm) {
   Drive sut{quick()};
-  sut.command({32767, 0}, t0);
+  sut.command({speed_mm_s, radius_mm}, t0);
   sut.step(t0, 100);
-  EXPECT_LT(sut.speeds().left_mps, 1.1);
+  return sut.speeds();
+}
+
+TEST(Drive, EndsAtTheSpeedOfTheSpecification) {
+  EXPECT_DOUBLE_EQ(end_of(700, 0).left_mps, 0.7);
+  EXPECT_DOUBLE_EQ(end_of(701, 0).left_mps, 0.7);
+  EXPECT_DOUBLE_EQ(end_of(-32768, 0).right_mps, -0.7);
+}
+
+TEST(Drive, EndsAtTheTurnRateOfTheSpecification) {
+  EXPECT_NEAR(body_velocity(end_of(361, 1)).angular_rad_s, 0.361 / 0.115, 1e-9);
+  EXPECT_NEAR(body_velocity(end_of(362, 1)).angular_rad_s, pi, 1e-9);
+  EXPECT_NEAR(body_velocity(end_of(-32768, 1)).angular_rad_s, -pi, 1e-9);
+}
+
+TEST(Drive, KeepsTheRadiusAtItsLimits) {
+  const BodyVelocity fast = body_velocity(end_of(1400, 500));
+  EXPECT_NEAR(fast.linear_mps / fast.angular_rad_s, 0.5, 1e-9);
+  EXPECT_DOUBLE_EQ(end_of(1400, 500).right_mps, 0.7);
+  const BodyVelocity tight = body_velocity(end_of(690, 50));
+  EXPECT_NEAR(tight.linear_mps / tight.angular_rad_s, 0.05, 1e-9);
+  EXPECT_NEAR(tight.angular_rad_s, pi, 1e-9);
 }
 
 TEST(Drive, ForgetsEverythingWhenReset) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "motion/auto_docking.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "kobuki_protocol/geometry.hpp"
@@ -9,30 +10,33 @@
 namespace tocsin::motion {
 namespace {
 
-constexpr unsigned near_left = 1;
-constexpr unsigned near_centre = 2;
-constexpr unsigned near_right = 4;
-constexpr unsigned far_centre = 8;
-constexpr unsigned far_left = 16;
-constexpr unsigned far_right = 32;
-constexpr unsigned near_any = near_left | near_centre | near_right;
-constexpr unsigned far_any = far_left | far_centre | far_right;
-constexpr unsigned any_left = near_left | far_left;
-constexpr unsigned any_centre = near_centre | far_centre;
-constexpr unsigned any_right = near_right | far_right;
+using Light = DockInfrared;
 
-constexpr double near_turn_rad_s = 0.1;
-constexpr double far_turn_rad_s = 0.3;
+constexpr double crossing_rad = 60 * kobuki::degree_rad;  // between the bearing and the way across
+constexpr double lean_rad = 15 * kobuki::degree_rad;      // towards the centre line
+constexpr double turned_rad = 2 * kobuki::degree_rad;     // near enough
+constexpr double turn_gain_hz = 2;                        // damped: times a dead time of 0.2 s, 0.4
+constexpr Duration blind_drive = std::chrono::seconds(2);  // 0.2 m
+constexpr double hold_turn_rad_s = 0.3;
+constexpr double least_turn_rad_s = 0.1;  // a slower turn may stick
 constexpr double back_off_mps = -0.05;
 constexpr double release_mps = -0.01;
 
-/// -1, 0 or 1: which side of the centre line a group of three bits says; 0 also for all three.
-int side_of(unsigned bits, unsigned left, unsigned right) {
-  const bool l = (bits & left) != 0;
-  const bool r = (bits & right) != 0;
-  if (l == r) return 0;
-  return l ? -1 : 1;
+/// Of one receiver's signals: which side of the centre line they tell of.
+DockSide side_of(unsigned signals, unsigned left, unsigned right) {
+  const bool l = (signals & left) != 0;
+  const bool r = (signals & right) != 0;
+  if (l == r) return DockSide::centre;
+  return l ? DockSide::left : DockSide::right;
 }
+
+/// Of a whole sweep: any centre signal is enough to drive in.
+DockSide side_of_sweep(unsigned signals) {
+  if ((signals & Light::any_centre) != 0) return DockSide::centre;
+  return side_of(signals, Light::any_left, Light::any_right);
+}
+
+Turn towards_dock(DockSide side) { return side == DockSide::left ? Turn::right : Turn::left; }
 
 }  // namespace
 
@@ -42,6 +46,8 @@ const char* to_string(DockingState state) {
       return "idle";
     case DockingState::scan:
       return "scan";
+    case DockingState::face:
+      return "face";
     case DockingState::find_stream:
       return "find_stream";
     case DockingState::get_stream:
@@ -82,8 +88,8 @@ const char* to_string(DockingResult result) {
 
 void AutoDocking::start(Time now) {
   *this = AutoDocking(params_);
-  started_ = last_light_ = last_input_ = now;
-  enter(DockingState::scan);
+  started_ = last_light_ = now;
+  begin_scan(Turn::left);
 }
 
 void AutoDocking::cancel() {
@@ -95,15 +101,15 @@ void AutoDocking::finish(DockingResult result) {
   state_ = DockingState::done;
 }
 
-void AutoDocking::enter(DockingState state) {
-  state_ = state;
-  if (state != DockingState::scan) return;
-  detector_ = 0;
-  turned_rad_ = 0;
+void AutoDocking::begin_scan(Turn turn) {
+  state_ = DockingState::scan;
+  sweep_ = LightSweep(turn);
 }
 
 bool AutoDocking::watch(Time now) {
-  if (!running() || now - last_input_ <= seconds(params_.silence_s)) return false;
+  const Time patient_until =
+      last_input_ ? *last_input_ + seconds(params_.silence_s) : started_ + seconds(params_.start_s);
+  if (!running() || now <= patient_until) return false;
   finish(DockingResult::sensors_lost);
   return true;
 }
@@ -111,6 +117,7 @@ bool AutoDocking::watch(Time now) {
 BodyVelocity AutoDocking::update(const DockingInput& input, Time now) {
   if (!running()) return {};
   last_input_ = now;
+  heading_rad_ = input.heading_rad;
   remember(input.infrared);
   if ((seen_.left | seen_.centre | seen_.right) != 0) last_light_ = now;
   if (!handle_contact(input, now) && check_limits(now)) decide(input, now);
@@ -144,6 +151,7 @@ bool AutoDocking::handle_contact(const DockingInput& input, Time now) {
     const bool pressed = input.bumper != 0;
     state_ = pressed ? DockingState::bumped_dock : DockingState::docked_in;
     charging_for_ = pressed ? 0 : charging_for_ + 1;
+    target_rad_ = input.heading_rad;
     if (charging_for_ >= charged_updates) finish(DockingResult::docked);
     return true;
   }
@@ -159,87 +167,91 @@ bool AutoDocking::handle_contact(const DockingInput& input, Time now) {
 void AutoDocking::decide(const DockingInput& input, Time now) {
   switch (state_) {
     case DockingState::scan:
-      return scan(input.heading_rad);
+      return scan(input);
+    case DockingState::face:
     case DockingState::find_stream:
-      return find_stream();
+      return turn_to_target();
     case DockingState::get_stream:
-      return get_stream();
+      return get_stream(now);
     case DockingState::aligned_far:
     case DockingState::aligned_near:
       return align();
     case DockingState::bumped:
-      if (now >= backed_off_) enter(DockingState::scan);
+      if (now >= backed_off_) begin_scan(Turn::left);
       return;
     case DockingState::bumped_dock:
-    case DockingState::docked_in:  // the charger was lost: look again
-      return enter(DockingState::scan);
+    case DockingState::docked_in:  // the charger was lost: on, as it stands
+      return align();
     case DockingState::idle:
     case DockingState::done:
       return;
   }
 }
 
-void AutoDocking::scan(double heading_rad) {
-  if (has_heading_) turned_rad_ += std::abs(kobuki::wrap_angle(heading_rad - last_heading_rad_));
-  last_heading_rad_ = heading_rad;
-  has_heading_ = true;
-  if ((seen_.centre & any_centre) != 0) return align();
-  if ((seen_.centre & any_left) != 0) --detector_;
-  if ((seen_.centre & any_right) != 0) ++detector_;
-  if (turned_rad_ <= 2 * kobuki::pi) return;
-  // A whole turn without light from any side: another turn, not a drive into the blue.
-  enter(detector_ == 0 ? DockingState::scan : DockingState::find_stream);
+void AutoDocking::scan(const DockingInput& input) {
+  sweep_.update(input.heading_rad, input.infrared.centre);
+  if (!sweep_.complete()) return;
+  side_ = side_of_sweep(sweep_.signals());
+  state_ = side_ == DockSide::centre ? DockingState::face : DockingState::find_stream;
+  target_rad_ = kobuki::wrap_angle(sweep_.bearing_rad() - static_cast<int>(side_) * crossing_rad);
 }
 
-void AutoDocking::find_stream() {
-  const bool across = detector_ > 0 ? (seen_.left & any_right) != 0 : (seen_.right & any_left) != 0;
-  if (across) enter(DockingState::get_stream);
+void AutoDocking::turn_to_target() {
+  if (std::abs(kobuki::wrap_angle(target_rad_ - heading_rad_)) > turned_rad) return;
+  if (state_ == DockingState::find_stream) {
+    state_ = DockingState::get_stream;
+  } else {
+    align();
+  }
 }
 
-void AutoDocking::get_stream() {
-  const bool crossed =
-      detector_ > 0 ? (seen_.left & any_left) != 0 : (seen_.right & any_right) != 0;
-  if (crossed) enter(DockingState::scan);
+/// Across the centre line until its light or that of the other side comes. Without light it would
+/// leave the field: then it looks for the dock from where it is, nearer to the line than before.
+void AutoDocking::get_stream(Time now) {
+  const unsigned signals = seen_.left | seen_.centre | seen_.right;
+  const bool crossed = signals != 0 && side_of(signals, Light::any_left, Light::any_right) != side_;
+  if (crossed || now - last_light_ > blind_drive) begin_scan(towards_dock(side_));
 }
 
 void AutoDocking::align() {
-  if ((seen_.centre & near_any) != 0) {
-    enter(DockingState::aligned_near);
-  } else if ((seen_.centre & far_any) != 0) {
-    enter(DockingState::aligned_far);
+  if ((seen_.centre & Light::any_near) != 0) {
+    state_ = DockingState::aligned_near;
+  } else if ((seen_.centre & Light::any_far) != 0) {
+    state_ = DockingState::aligned_far;
   } else {
-    enter(DockingState::scan);
+    begin_scan(seen_.right != 0 ? Turn::right : Turn::left);
   }
 }
 
-/// `beside` is where the base is: -1 left of the centre line, 1 right. Askew means that another
-/// receiver sees the dock too. Askew away from the line it turns on the spot, and the reference
-/// drives on; askew towards the line it goes straight.
-BodyVelocity AutoDocking::steer(double speed_mps, int beside, double turn_rad_s) const {
-  const int askew = (seen_.right != 0 ? 1 : 0) - (seen_.left != 0 ? 1 : 0);
-  if (askew == 0) return {speed_mps, -beside * turn_rad_s};
-  if (askew == -beside) return {speed_mps, 0};
-  return {0, -askew * params_.find_turn_rad_s};
+double AutoDocking::hold(double target_rad, double limit_rad_s) const {
+  const double error_rad = kobuki::wrap_angle(target_rad - heading_rad_);
+  return std::clamp(turn_gain_hz * error_rad, -limit_rad_s, limit_rad_s);
 }
 
-BodyVelocity AutoDocking::aligned_velocity() const {
-  if (state_ == DockingState::aligned_near) {
-    return steer(params_.near_mps, side_of(seen_.centre, near_left, near_right), near_turn_rad_s);
-  }
-  return steer(params_.far_mps, side_of(seen_.centre, far_left, far_right), far_turn_rad_s);
+BodyVelocity AutoDocking::aligned_velocity(double speed_mps, unsigned signals) const {
+  const DockSide side = (signals & Light::any_near) != 0
+                            ? side_of(signals, Light::near_left, Light::near_right)
+                            : side_of(signals, Light::far_left, Light::far_right);
+  return {speed_mps, hold(target_rad_ - static_cast<int>(side) * lean_rad, hold_turn_rad_s)};
 }
 
 BodyVelocity AutoDocking::velocity() const {
   switch (state_) {
-    case DockingState::scan:
-      return {0, params_.scan_turn_rad_s};
-    case DockingState::find_stream:
-      return {0, detector_ > 0 ? -params_.find_turn_rad_s : params_.find_turn_rad_s};
+    case DockingState::scan: {
+      const double rate = params_.scan_turn_rad_s;
+      return {0, sweep_.turn() == Turn::left ? rate : -rate};
+    }
+    case DockingState::face:
+    case DockingState::find_stream: {
+      const double rate = hold(target_rad_, params_.find_turn_rad_s);
+      return {0, std::copysign(std::max(std::abs(rate), least_turn_rad_s), rate)};
+    }
     case DockingState::get_stream:
-      return {params_.near_mps, 0};
+      return {params_.far_mps, hold(target_rad_, hold_turn_rad_s)};
     case DockingState::aligned_far:
+      return aligned_velocity(params_.far_mps, seen_.centre);
     case DockingState::aligned_near:
-      return aligned_velocity();
+      return aligned_velocity(params_.near_mps, seen_.centre);
     case DockingState::bumped:
       return {back_off_mps, 0};
     case DockingState::bumped_dock:

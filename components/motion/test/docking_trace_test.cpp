@@ -59,25 +59,42 @@ std::vector<Case> read_trace() {
   return cases;
 }
 
-/// Where we differ on purpose: the reference has a state "aligned" for one update; the light is
-/// followed from the first update on; it turns into find_stream without any light; and it is stuck
-/// when the charger is lost.
+/// Where we differ on purpose: the dock is faced before it is driven at, so that there is no state
+/// "aligned" and light is followed only then; there is no find_stream without light, and no end
+/// when the charger is lost. A turn is towards the same side, but held by heading, not by rate.
 bool is_followed(const Case& one) {
   return one.name == "x" || one.name.rfind("centre seen", 0) == 0;
+}
+
+int sign(double value) { return (value > 1e-9 ? 1 : 0) - (value < -1e-9 ? 1 : 0); }
+
+/// Has swept and faced the light of the first lit row.
+void face(AutoDocking& sut, Time& now) {
+  const auto see = [&](unsigned centre, double heading_rad) {
+    now += std::chrono::milliseconds(20);
+    (void)sut.update({{0, static_cast<std::uint8_t>(centre), 0}, 0, 0, heading_rad}, now);
+  };
+  for (int i = 0; i < 20; ++i) see(0, -0.2);
+  see(8, 0);
+  for (int i = 0; i < 20; ++i) see(0, 0.2);
+  see(8, 0.1);
 }
 
 int compare(const Case& one) {
   AutoDocking sut{AutoDocking::Params{}};
   Time now = Time{} + seconds(100);
   sut.start(now);
+  face(sut, now);
   int equal = 0;
   for (const Row& row : one.rows) {
+    const bool before = equal == 0 && (row.state == "scan" || row.state == "aligned");
+    if (before && row.state == "scan") continue;
     now += std::chrono::milliseconds(20);
     const BodyVelocity velocity = sut.update(row.input, now);
-    if (row.state == "aligned") continue;
+    if (before) continue;
     EXPECT_EQ(to_string(sut.state()), row.state) << one.name << " row " << equal;
     EXPECT_NEAR(velocity.linear_mps, row.velocity.linear_mps, 1e-9) << one.name << ' ' << row.state;
-    EXPECT_NEAR(velocity.angular_rad_s, row.velocity.angular_rad_s, 1e-9) << one.name;
+    EXPECT_EQ(sign(velocity.angular_rad_s), sign(row.velocity.angular_rad_s)) << one.name;
     ++equal;
     if (!sut.running()) break;
   }

@@ -122,7 +122,8 @@ class BaseModel {
   void disturb_encoders(CoreSensors& core);
   [[nodiscard]] Inertia inertia();
   [[nodiscard]] RawGyro raw_gyro();
-  [[nodiscard]] DockInfrared dock_infrared() const;
+  [[nodiscard]] DockInfrared dock_infrared();
+  void miss_signals(DockInfrared& seen);
   [[nodiscard]] GeneralInput general_input() const;
   [[nodiscard]] CliffAdc cliff_adc() const;
   void answer(Feedback& feedback);

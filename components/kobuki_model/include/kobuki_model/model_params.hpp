@@ -20,6 +20,7 @@ struct ModelParams {
   double gyro_scale = 1.0;
   double gyro_bias_dps = 0;
   double gyro_noise_dps = 0.1;
+  double infrared_loss = 0;
   double battery_capacity_ah = 2.2;
   double battery_charge = 0.9;
   double battery_drain_scale = 1.0;
@@ -42,6 +43,8 @@ struct ModelParams {
     v("gyro_scale", gyro_scale, {0.8, 1.2}, "[1] reported over true turn");
     v("gyro_bias_dps", gyro_bias_dps, {-10, 10}, "[deg/s] reported while standing still");
     v("gyro_noise_dps", gyro_noise_dps, {0, 10}, "[deg/s] deviation of each raw sample");
+    v("infrared_loss", infrared_loss, {0, 0.99},
+      "[1] share of a dock's signals that a receiver misses in a frame");
     v("battery_capacity_ah", battery_capacity_ah, {0.1, 20}, "[Ah] small pack 2.2, large 4.4");
     v("battery_charge", battery_charge, {0, 1}, "[1] at the start");
     v("battery_drain_scale", battery_drain_scale, {0, 10000}, "[1] faster draining and charging");

@@ -36,9 +36,21 @@ struct CoreSensors {
   std::uint8_t over_current = 0;
 };
 
-/// ID 3. Each receiver: 1 near-left, 2 near-centre, 4 near-right, 8 far-centre, 16 far-left,
-/// 32 far-right.
+/// ID 3. What each receiver sees of a dock: beams, of its near and its far field.
 struct DockInfrared {
+  enum Signal : std::uint8_t {
+    near_left = 1,
+    near_centre = 2,
+    near_right = 4,
+    far_centre = 8,
+    far_left = 16,
+    far_right = 32
+  };
+  static constexpr unsigned any_near = near_left | near_centre | near_right;
+  static constexpr unsigned any_far = far_left | far_centre | far_right;
+  static constexpr unsigned any_left = near_left | far_left;
+  static constexpr unsigned any_centre = near_centre | far_centre;
+  static constexpr unsigned any_right = near_right | far_right;
   std::uint8_t right = 0;
   std::uint8_t centre = 0;
   std::uint8_t left = 0;

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "foundation/time.hpp"
 #include "kobuki_protocol/feedback.hpp"
 #include "kobuki_protocol/velocity.hpp"
+#include "motion/light_sweep.hpp"
 
 namespace tocsin::motion {
 
@@ -23,7 +25,8 @@ struct DockingInput {
 
 enum class DockingState {
   idle,
-  scan,          ///< turning, looking for the dock
+  scan,          ///< turning until the whole light of the dock has passed the middle receiver
+  face,          ///< turning back to the middle of the light
   find_stream,   ///< beside the dock's centre line: turning across it
   get_stream,    ///< driving across the centre line
   aligned_far,   ///< driving in
@@ -36,15 +39,22 @@ enum class DockingState {
 
 enum class DockingResult { none, docked, no_dock_found, timeout, cancelled, sensors_lost };
 
+/// Where the base is: on the dock's own left, in front of its middle, or on its right. The values
+/// are signs: from the left the centre line is reached by a turn to the left, which is positive.
+enum class DockSide { left = -1, centre = 0, right = 1 };
+
 [[nodiscard]] const char* to_string(DockingState state);
 [[nodiscard]] const char* to_string(DockingResult result);
 
 /// Drives the base into its charging dock by the dock's infrared light.
 ///
-/// The states and speeds of the reference driver (reference page 1.11) without its faults: every
-/// search has a limit, losing the charger continues the approach, a bump backs off far enough for
-/// another try, a base askew in the centre beam turns first, and there is no step of 0.5 m/s. Pure;
-/// `now` must not decrease.
+/// It turns until the light has passed its middle receiver, which gives the bearing of the dock.
+/// If it saw the centre beam, it faces the dock and drives in, holding that heading and leaning
+/// towards the side that it must go to. Otherwise it crosses the centre line, at 60 degrees to the
+/// bearing, as long as it sees light, and turns again. The states are those of the reference driver
+/// (reference page 1.11), without its faults: every search has a limit, no drive goes on without
+/// light, losing the charger continues the approach, a bump backs off far enough for another try.
+/// Pure; `now` must not decrease.
 class AutoDocking {
  public:
   struct Params {
@@ -56,6 +66,7 @@ class AutoDocking {
     double far_mps = 0.1;
     double back_off_s = 4;
     double silence_s = 0.5;
+    double start_s = 5;
     template <class Visitor>
     void visit(Visitor& v) {
       v("timeout_s", timeout_s, {5, 3600}, "[s] for everything");
@@ -66,6 +77,7 @@ class AutoDocking {
       v("far_mps", far_mps, {0.01, 0.3}, "[m/s] far from the dock");
       v("back_off_s", back_off_s, {0.2, 20}, "[s] backwards at 0.05 m/s after a bump");
       v("silence_s", silence_s, {0.05, 10}, "[s] without sensors docking ends");
+      v("start_s", start_s, {0.05, 60}, "[s] it waits for the first sensors");
     }
   };
 
@@ -74,7 +86,8 @@ class AutoDocking {
   void cancel();
   /// Takes a frame and returns the velocity for it.
   BodyVelocity update(const DockingInput& input, Time now);
-  /// Ends docking when sensors are silent; call now and then. True when it ended by this call.
+  /// Ends docking when sensors are silent; call now and then. True when it ended by this call. The
+  /// first ones may take longer: a driver may just be starting.
   bool watch(Time now);
 
   [[nodiscard]] DockingState state() const { return state_; }
@@ -91,15 +104,16 @@ class AutoDocking {
   void remember(const DockInfrared& infrared);
   [[nodiscard]] bool check_limits(Time now);
   [[nodiscard]] bool handle_contact(const DockingInput& input, Time now);
-  void enter(DockingState state);
   void decide(const DockingInput& input, Time now);
-  void scan(double heading_rad);
-  void find_stream();
-  void get_stream();
+  void begin_scan(Turn turn);
+  void scan(const DockingInput& input);
+  void turn_to_target();
+  void get_stream(Time now);
   void align();
   [[nodiscard]] BodyVelocity velocity() const;
-  [[nodiscard]] BodyVelocity steer(double speed_mps, int beside, double turn_rad_s) const;
-  [[nodiscard]] BodyVelocity aligned_velocity() const;
+  [[nodiscard]] BodyVelocity aligned_velocity(double speed_mps, unsigned signals) const;
+  /// A turn rate that brings the heading to `target_rad`, at most `limit`.
+  [[nodiscard]] double hold(double target_rad, double limit_rad_s) const;
 
   Params params_;
   DockingState state_ = DockingState::idle;
@@ -107,15 +121,15 @@ class AutoDocking {
   std::array<DockInfrared, window> past_{};
   std::size_t past_at_ = 0;
   DockInfrared seen_;  ///< OR over the window
-  int detector_ = 0;   ///< left sightings count down, right ones up
-  double turned_rad_ = 0;
-  double last_heading_rad_ = 0;
-  bool has_heading_ = false;
+  LightSweep sweep_{Turn::left};
+  DockSide side_ = DockSide::centre;  ///< by the last scan
+  double target_rad_ = 0;             ///< heading to turn to or to hold
+  double heading_rad_ = 0;
   int charging_for_ = 0;
   Time started_{};
   Time backed_off_{};  ///< when backing off ends
   Time last_light_{};
-  Time last_input_{};
+  std::optional<Time> last_input_;
 };
 
 }  // namespace tocsin::motion
