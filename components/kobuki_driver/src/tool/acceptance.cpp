@@ -9,70 +9,118 @@ namespace {
 
 constexpr Duration patience = std::chrono::seconds(20);
 constexpr double side_m = 0.5;
+constexpr double greatest_gap_m = 0.15;
+
+double distance_m(const Pose& a, const Pose& b) { return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m); }
+
+/// What the gyro turned since this was made, whole turns counted.
+class GyroTurn {
+ public:
+  explicit GyroTurn(Session& session)
+      : session_(session), last_rad_(session.last()->gyro_heading_rad) {
+    session_.on_reading([this](const Reading& reading) {
+      turned_rad_ += wrap_angle(reading.gyro_heading_rad - last_rad_);
+      last_rad_ = reading.gyro_heading_rad;
+    });
+  }
+  ~GyroTurn() {
+    session_.on_reading([](const Reading&) {});
+  }
+  GyroTurn(const GyroTurn&) = delete;
+  GyroTurn& operator=(const GyroTurn&) = delete;
+  [[nodiscard]] double turned_rad() const { return turned_rad_; }
+
+ private:
+  Session& session_;
+  double last_rad_;
+  double turned_rad_ = 0;
+};
 
 }  // namespace
 
 const std::vector<Acceptance::Touch>& Acceptance::touches() {
-  using Core = const CoreSensors&;
+  using C = CoreSensors;
+  constexpr unsigned left_drop = left_wheel_drop_bit;
   static const std::vector<Touch> all{
-      {"press button B0", "buttons=1", "buttons=0", [](Core c) { return (c.buttons & 1U) != 0; }},
-      {"press button B1", "buttons=2", "buttons=0", [](Core c) { return (c.buttons & 2U) != 0; }},
-      {"press button B2", "buttons=4", "buttons=0", [](Core c) { return (c.buttons & 4U) != 0; }},
-      {"press the left bumper", "bumper=4", "bumper=0",
-       [](Core c) { return (c.bumper & left_bit) != 0; }},
-      {"press the centre bumper", "bumper=2", "bumper=0",
-       [](Core c) { return (c.bumper & centre_bit) != 0; }},
-      {"press the right bumper", "bumper=1", "bumper=0",
-       [](Core c) { return (c.bumper & right_bit) != 0; }},
-      {"lift the left cliff sensor", "cliff=4", "cliff=0",
-       [](Core c) { return (c.cliff & left_bit) != 0; }},
-      {"lift the centre cliff sensor", "cliff=2", "cliff=0",
-       [](Core c) { return (c.cliff & centre_bit) != 0; }},
-      {"lift the right cliff sensor", "cliff=1", "cliff=0",
-       [](Core c) { return (c.cliff & right_bit) != 0; }},
-      {"let the left wheel hang", "wheel_drop=2", "wheel_drop=0",
-       [](Core c) { return (c.wheel_drop & left_wheel_drop_bit) != 0; }},
-      {"let the right wheel hang", "wheel_drop=1", "wheel_drop=0",
-       [](Core c) { return (c.wheel_drop & right_bit) != 0; }}};
+      {"press button B0", "buttons", &C::buttons, 1, 6},
+      {"press button B1", "buttons", &C::buttons, 2, 5},
+      {"press button B2", "buttons", &C::buttons, 4, 3},
+      {"press the left bumper", "bumper", &C::bumper, left_bit, right_bit},
+      {"press the centre bumper", "bumper", &C::bumper, centre_bit, 0},
+      {"press the right bumper", "bumper", &C::bumper, right_bit, left_bit},
+      {"lift the left cliff sensor", "cliff", &C::cliff, left_bit, right_bit},
+      {"lift the centre cliff sensor", "cliff", &C::cliff, centre_bit, 0},
+      {"lift the right cliff sensor", "cliff", &C::cliff, right_bit, left_bit},
+      {"let the left wheel hang", "wheel_drop", &C::wheel_drop, left_drop, right_bit},
+      {"let the right wheel hang", "wheel_drop", &C::wheel_drop, right_bit, left_drop}};
   return all;
 }
 
-int Acceptance::run() {
+Acceptance::Counts Acceptance::run() {
   std::printf("keys: y yes, n no, s skip, Ctrl-C ends. The base will turn and drive at the end.\n");
-  report("LEDs", leds());
-  report("sounds", sounds());
-  for (const Touch& one : touches()) report(one.what, touch(one));
-  report("gyro against wheels, one turn", gyro());
-  report("square of 0.5 m", square());
-  std::printf("%d passed, %d failed, %d skipped\n", passed_, failed_, skipped_);
-  return failed_;
+  step("LEDs", [this] { return leds(); });
+  step("sounds", [this] { return sounds(); });
+  for (const Touch& one : touches()) step(one.what, [&] { return touch(one); });
+  step("gyro against wheels, one turn", [this] { return gyro(); });
+  step("square of 0.5 m", [this] { return square(); });
+  std::printf("%d passed, %d failed, %d skipped", counts_.passed, counts_.failed, counts_.skipped);
+  if (counts_.not_run > 0) std::printf(", %d not run", counts_.not_run);
+  std::printf("\n");
+  return counts_;
 }
 
-void Acceptance::report(const std::string& name, Verdict verdict) {
-  static constexpr const char* texts[] = {"passed", "FAILED", "skipped"};
-  if (session_.over()) verdict = Verdict::skipped;
+void Acceptance::step(const std::string& name, const std::function<Verdict()>& body) {
+  const Verdict verdict = verdict_of(body);
+  static constexpr const char* texts[] = {"passed", "FAILED", "skipped", "not run"};
   std::printf("%-32s %s\n", name.c_str(), texts[static_cast<std::size_t>(verdict)]);
   std::fflush(stdout);
-  passed_ += verdict == Verdict::passed ? 1 : 0;
-  failed_ += verdict == Verdict::failed ? 1 : 0;
-  skipped_ += verdict == Verdict::skipped ? 1 : 0;
+  counts_.passed += verdict == Verdict::passed ? 1 : 0;
+  counts_.failed += verdict == Verdict::failed ? 1 : 0;
+  counts_.skipped += verdict == Verdict::skipped ? 1 : 0;
+  counts_.not_run += verdict == Verdict::not_run ? 1 : 0;
 }
 
-/// After a wait that did not end well: the person skipped it, or it failed.
-Verdict Acceptance::without_answer() {
-  const auto key = session_.key();
-  return key == 's' || session_.over() ? Verdict::skipped : Verdict::failed;
+/// A base that is lost during a step has failed it.
+Verdict Acceptance::verdict_of(const std::function<Verdict()>& body) {
+  if (session_.over()) return Verdict::not_run;
+  const Verdict verdict = body();
+  if (session_.hears_base()) return verdict;
+  return session_.interrupted() ? Verdict::not_run : Verdict::failed;
 }
 
-Verdict Acceptance::ask_person(const std::string& question) {
+/// Whether it comes in time, fails to, or is skipped by a key.
+Verdict Acceptance::wait_until(const std::function<bool()>& done) {
+  const Time end = session_.now() + patience;
+  while (!session_.run_until(done, end - session_.now())) {
+    const auto key = session_.key();
+    if (key == 's') return Verdict::skipped;
+    if (!key) return Verdict::failed;
+  }
+  return Verdict::passed;
+}
+
+/// y, n or s; empty when nobody answered.
+std::optional<char> Acceptance::ask(const std::string& question) {
   std::printf("%s (y/n/s)\n", question.c_str());
   for (;;) {
     (void)session_.run_until([] { return false; }, patience);
     const auto key = session_.key();
-    if (!key || key == 's') return Verdict::skipped;
-    if (key == 'y') return Verdict::passed;
-    if (key == 'n') return Verdict::failed;
+    if (!key) std::printf("no answer\n");
+    if (!key || key == 'y' || key == 'n' || key == 's') return key;
   }
+}
+
+Verdict Acceptance::judge(const std::string& question) {
+  const auto answer = ask(question);
+  if (answer == 's') return Verdict::skipped;
+  return answer == 'y' ? Verdict::passed : Verdict::failed;
+}
+
+Verdict Acceptance::permit(const std::string& question) {
+  if (control_ != nullptr) return Verdict::passed;
+  const auto answer = ask(question);
+  if (!answer) return Verdict::failed;
+  return answer == 'y' ? Verdict::passed : Verdict::skipped;
 }
 
 Verdict Acceptance::leds() {
@@ -87,7 +135,7 @@ Verdict Acceptance::leds() {
     }
   }
   if (control_ != nullptr) return all_right ? Verdict::passed : Verdict::failed;
-  return ask_person("LED 1, then LED 2: red, green, orange, off?");
+  return judge("LED 1, then LED 2: red, green, orange, off?");
 }
 
 Verdict Acceptance::sounds() {
@@ -96,40 +144,51 @@ Verdict Acceptance::sounds() {
     if (!session_.driver().send_once(static_cast<Tune>(i))) return Verdict::failed;
     session_.run_for(std::chrono::milliseconds(control_ == nullptr ? 1500 : 100));
   }
-  if (control_ == nullptr) return ask_person("seven tunes?");
+  if (control_ == nullptr) return judge("seven tunes?");
   return control_->state("sounds") == before + 7 ? Verdict::passed : Verdict::failed;
 }
 
+unsigned Acceptance::sensors(const Touch& touch) const {
+  return session_.last()->feedback.core.value().*touch.sensors;
+}
+
 Verdict Acceptance::touch(const Touch& touch) {
-  const auto seen = [&] {
-    const Reading* last = session_.last();
-    return last != nullptr && touch.seen(*last->feedback.core);
+  const auto set = [&](unsigned bits) {
+    if (control_ != nullptr)
+      (void)control_->ask("set " + std::string(touch.field) + "=" + std::to_string(bits));
   };
-  if (control_ != nullptr) {
-    (void)control_->ask(std::string("set ") + touch.set);
-  } else {
-    std::printf("%s (s skips)\n", touch.what);
-  }
-  const bool pressed = session_.run_until(seen, patience);
-  if (control_ != nullptr) (void)control_->ask(std::string("set ") + touch.clear);
-  if (!pressed) return without_answer();
-  const bool released = session_.run_until([&] { return !seen(); }, patience);
-  return released ? Verdict::passed : without_answer();
+  const bool at_rest = (sensors(touch) & touch.bit) == 0;
+  if (!at_rest) std::printf("is reported before anybody touches it\n");
+  if (control_ == nullptr) std::printf("%s (s skips)\n", touch.what);
+  set(touch.bit);
+  unsigned seen = 0;
+  const auto pressed = [&] { return ((seen |= sensors(touch)) & touch.bit) != 0; };
+  Verdict verdict = wait_until(pressed);
+  set(0);
+  const auto released = [&] {
+    seen |= sensors(touch);
+    return (sensors(touch) & touch.bit) == 0;
+  };
+  if (verdict == Verdict::passed) verdict = wait_until(released);
+  if (verdict != Verdict::passed) return verdict;
+  if ((seen & touch.others) != 0) std::printf("another sensor is reported with it\n");
+  return at_rest && (seen & touch.others) == 0 ? Verdict::passed : Verdict::failed;
 }
 
-bool Acceptance::drive_until(const BodyVelocity& velocity, const std::function<bool()>& done) {
-  const Time end = Session::now() + patience;
-  bool there = false;
-  while (!there && Session::now() < end && !session_.over()) {
-    session_.driver().on_velocity(velocity, Session::now());
-    there = session_.run_until(done, std::chrono::milliseconds(100));
+Verdict Acceptance::drive_until(const BodyVelocity& velocity, const std::function<bool()>& done) {
+  const Time end = session_.now() + patience;
+  Verdict verdict = Verdict::failed;
+  while (verdict == Verdict::failed && session_.now() < end && !session_.over()) {
+    session_.driver().on_velocity(velocity, session_.now());
+    if (session_.run_until(done, std::chrono::milliseconds(100))) verdict = Verdict::passed;
+    if (session_.key() == 's') verdict = Verdict::skipped;
   }
-  session_.driver().on_velocity({}, Session::now());
+  session_.driver().on_velocity({}, session_.now());
   session_.run_for(std::chrono::milliseconds(600));
-  return there;
+  return verdict;
 }
 
-bool Acceptance::turn_by(double angle_rad) {
+Verdict Acceptance::turn_by(double angle_rad) {
   double turned_rad = 0;
   double last_rad = session_.last()->pose.heading_rad;
   return drive_until({0, 0.6}, [&] {
@@ -140,43 +199,63 @@ bool Acceptance::turn_by(double angle_rad) {
   });
 }
 
-bool Acceptance::forward_by(double length_m) {
+Verdict Acceptance::forward_by(double length_m) {
   const Pose from = session_.last()->pose;
-  return drive_until({0.15, 0}, [&] {
-    const Pose& at = session_.last()->pose;
-    return std::hypot(at.x_m - from.x_m, at.y_m - from.y_m) >= length_m - 0.03;
-  });
+  return drive_until({0.15, 0},
+                     [&] { return distance_m(from, session_.last()->pose) >= length_m - 0.03; });
 }
 
-Verdict Acceptance::gyro() {
-  if (control_ == nullptr && ask_person("may it turn once on the spot?") != Verdict::passed) {
-    return Verdict::skipped;
+Verdict Acceptance::drive_square() {
+  for (int i = 0; i < 4; ++i) {
+    const Verdict side = forward_by(side_m);
+    if (side != Verdict::passed) return side;
+    const Verdict corner = turn_by(pi / 2);
+    if (corner != Verdict::passed) return corner;
   }
+  return Verdict::passed;
+}
+
+/// A gyro or wheels that tell of another number of turns differ by those.
+Verdict Acceptance::gyro() {
+  const Verdict may = permit("may it turn once on the spot?");
+  if (may != Verdict::passed) return may;
   const auto difference_m = [&] {
     const Reading& last = *session_.last();
     return (last.right.angle_rad - last.left.angle_rad) * wheel_radius_m;
   };
   const double before_m = difference_m();
-  if (!turn_by(2 * pi)) return without_answer();
+  const GyroTurn by_gyro(session_);
+  const Verdict turned = turn_by(2 * pi);
+  if (turned != Verdict::passed) return turned;
   const double by_wheels_rad = (difference_m() - before_m) / wheel_separation_m;
-  const double apart_rad = wrap_angle(by_wheels_rad - session_.last()->gyro_heading_rad);
+  const double apart_rad = by_wheels_rad - by_gyro.turned_rad();
   std::printf("wheels and gyro differ by %.1f deg\n", apart_rad / degree_rad);
   return std::abs(apart_rad) < 10 * degree_rad ? Verdict::passed : Verdict::failed;
 }
 
 Verdict Acceptance::square() {
-  if (control_ == nullptr &&
-      ask_person("is there 1 m of free floor ahead and to the left?") != Verdict::passed) {
-    return Verdict::skipped;
-  }
+  const Verdict may = permit("is there 1 m of free floor ahead and to the left?");
+  if (may != Verdict::passed) return may;
+  const auto true_from = true_place();
   const Pose from = session_.last()->pose;
-  for (int i = 0; i < 4; ++i) {
-    if (!forward_by(side_m) || !turn_by(pi / 2)) return without_answer();
-  }
-  const Pose& to = session_.last()->pose;
-  const double gap_m = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
+  const Verdict driven = drive_square();
+  if (driven != Verdict::passed) return driven;
+  const double gap_m = distance_m(from, session_.last()->pose);
   std::printf("back at the start within %.3f m by odometry\n", gap_m);
-  return gap_m < 0.15 ? Verdict::passed : Verdict::failed;
+  if (gap_m >= greatest_gap_m) return Verdict::failed;
+  if (control_ == nullptr) return judge("does it stand where it started, within a hand's breadth?");
+  const auto true_to = true_place();
+  if (!true_from || !true_to) return Verdict::failed;
+  std::printf("within %.3f m in truth\n", distance_m(*true_from, *true_to));
+  return distance_m(*true_from, *true_to) < greatest_gap_m ? Verdict::passed : Verdict::failed;
+}
+
+std::optional<Pose> Acceptance::true_place() {
+  if (control_ == nullptr) return std::nullopt;
+  const auto x_m = control_->state("x");
+  const auto y_m = control_->state("y");
+  if (!x_m || !y_m) return std::nullopt;
+  return Pose{*x_m, *y_m, 0};
 }
 
 }  // namespace tocsin::kobuki

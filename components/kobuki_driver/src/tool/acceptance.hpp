@@ -1,51 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "control_client.hpp"
 #include "session.hpp"
+#include "simulator_control.hpp"
 
 namespace tocsin::kobuki {
 
-enum class Verdict { passed, failed, skipped };
+enum class Verdict { passed, failed, skipped, not_run };
 
 /// The acceptance list of a base: LEDs, sounds, buttons, bumpers, cliffs, wheel drops, gyro, square
-/// drive. A person answers and presses; with `control` a simulator does.
+/// drive. A person answers and presses; with `control` a simulator does. A step passes only when
+/// the base is still heard after it; once the session is over, what is left is not run.
 class Acceptance {
  public:
-  /// `control` may be null. Both must outlive this.
-  Acceptance(Session& session, ControlClient* control) : session_(session), control_(control) {}
-  /// Runs the whole list, prints each result, and a summary. The number of failures.
-  int run();
+  struct Counts {
+    int passed = 0;
+    int failed = 0;
+    int skipped = 0;
+    int not_run = 0;
+    /// Nothing failed and nothing is missing that nobody skipped.
+    [[nodiscard]] bool good() const { return failed == 0 && not_run == 0; }
+  };
+
+  /// `control` may be null. Both must outlive this. The base must have been heard.
+  Acceptance(Session& session, SimulatorControl* control) : session_(session), control_(control) {}
+  /// Runs the whole list, prints each result, and a summary.
+  Counts run();
 
  private:
+  /// A sensor to be touched: a bit of a field of the core sensors.
   struct Touch {
-    const char* what;   ///< "the left bumper"
-    const char* set;    ///< the simulator's entry, "bumper=4"
-    const char* clear;  ///< "bumper=0"
-    bool (*seen)(const CoreSensors& core);
+    const char* what;   ///< "press the left bumper"
+    const char* field;  ///< of the simulator's `set`
+    std::uint8_t CoreSensors::*sensors;
+    unsigned bit;
+    unsigned others;  ///< bits that this touch must not set
   };
-  void report(const std::string& name, Verdict verdict);
-  [[nodiscard]] Verdict ask_person(const std::string& question);
-  [[nodiscard]] Verdict without_answer();
+  static const std::vector<Touch>& touches();
+
+  void step(const std::string& name, const std::function<Verdict()>& body);
+  [[nodiscard]] Verdict verdict_of(const std::function<Verdict()>& body);
+  [[nodiscard]] std::optional<char> ask(const std::string& question);
+  [[nodiscard]] Verdict judge(const std::string& question);
+  [[nodiscard]] Verdict permit(const std::string& question);
+  [[nodiscard]] Verdict wait_until(const std::function<bool()>& done);
+  [[nodiscard]] unsigned sensors(const Touch& touch) const;
+
   [[nodiscard]] Verdict leds();
   [[nodiscard]] Verdict sounds();
   [[nodiscard]] Verdict touch(const Touch& touch);
   [[nodiscard]] Verdict gyro();
   [[nodiscard]] Verdict square();
-  bool drive_until(const BodyVelocity& velocity, const std::function<bool()>& done);
-  bool turn_by(double angle_rad);
-  bool forward_by(double length_m);
-  static const std::vector<Touch>& touches();
+  [[nodiscard]] std::optional<Pose> true_place();
+  [[nodiscard]] Verdict drive_until(const BodyVelocity& velocity,
+                                    const std::function<bool()>& done);
+  [[nodiscard]] Verdict turn_by(double angle_rad);
+  [[nodiscard]] Verdict forward_by(double length_m);
+  [[nodiscard]] Verdict drive_square();
 
   Session& session_;
-  ControlClient* control_;
-  int passed_ = 0;
-  int failed_ = 0;
-  int skipped_ = 0;
+  SimulatorControl* control_;
+  Counts counts_;
 };
 
 }  // namespace tocsin::kobuki

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "foundation/error.hpp"
 
@@ -55,14 +54,6 @@ std::optional<std::string> ControlClient::ask(const std::string& line) {
   const auto count = ::recv(socket_, text.data(), text.size(), 0);
   if (count < 0) return std::nullopt;
   return std::string(text.data(), static_cast<std::size_t>(count));
-}
-
-std::optional<double> ControlClient::state(const std::string& key) {
-  const auto answer = ask("get");
-  if (!answer) return std::nullopt;
-  const auto json = nlohmann::json::parse(*answer, nullptr, false);
-  if (!json.is_object() || !json.contains(key) || !json[key].is_number()) return std::nullopt;
-  return json[key].get<double>();
 }
 
 }  // namespace tocsin::kobuki

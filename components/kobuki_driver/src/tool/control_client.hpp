@@ -4,21 +4,20 @@
 #include <optional>
 #include <string>
 
+#include "simulator_control.hpp"
+
 namespace tocsin::kobuki {
 
-/// Asks the control channel of kobuki_simulator.
-class ControlClient {
+/// Asks the control socket of a running kobuki_simulator.
+class ControlClient final : public SimulatorControl {
  public:
   /// Throws EnvironmentError when no socket can be made.
   explicit ControlClient(std::string path);
-  ~ControlClient();
+  ~ControlClient() override;
   ControlClient(const ControlClient&) = delete;
   ControlClient& operator=(const ControlClient&) = delete;
 
-  /// The answer to one line; empty when none comes within a second.
-  [[nodiscard]] std::optional<std::string> ask(const std::string& line);
-  /// A number of the simulator's state; empty when there is no such entry.
-  [[nodiscard]] std::optional<double> state(const std::string& key);
+  [[nodiscard]] std::optional<std::string> ask(const std::string& line) override;
 
  private:
   std::string path_;

@@ -2,60 +2,35 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
-#include "acceptance.hpp"
 #include "command_line/command.hpp"
+#include "control_client.hpp"
 #include "foundation/error.hpp"
-#include "pages.hpp"
-#include "session.hpp"
+#include "kobuki_driver/serial_port.hpp"
+#include "terminal_wait.hpp"
+#include "verbs.hpp"
 
 namespace {
 
 using namespace tocsin::kobuki;
+using tocsin::ConfigError;
 using tocsin::EnvironmentError;
 
-void wait_for_base(Session& session, const std::string& port) {
-  const bool heard =
-      session.run_until([&] { return session.last() != nullptr; }, std::chrono::seconds(3));
-  if (!heard) throw EnvironmentError(port + ": no base is sending there");
+std::unique_ptr<BytePort> open_port(const std::string& path) {
+  Opened opened = open_serial_port(path);
+  if (!opened.port) throw EnvironmentError(opened.reason);
+  return std::move(opened.port);
 }
 
-int info(const std::string& port) {
-  Session session(port);
-  wait_for_base(session, port);
-  const Inquiry& known = session.driver().inquiry();
-  (void)session.run_until(
-      [&] {
-        const bool versions = known.hardware() && known.firmware() && known.unique_id();
-        return versions && (known.gains() || !has_gains(*known.firmware()));
-      },
-      std::chrono::seconds(2));
-  std::fputs(info_page(session.driver(), *session.last()).c_str(), stdout);
-  return 0;
-}
-
-int watch(const std::string& port) {
-  Session session(port);
-  wait_for_base(session, port);
-  const bool screen = ::isatty(STDOUT_FILENO) == 1;
-  while (!session.over() && session.key() != 'q') {
-    std::fputs(screen ? "\x1b[H\x1b[2J" : "", stdout);
-    std::fputs(watch_page(session.driver(), *session.last()).c_str(), stdout);
-    std::puts(screen ? "q ends" : "");
-    std::fflush(stdout);
-    session.run_for(std::chrono::milliseconds(200));
+int test_with(const std::string& port, const std::string& control, TerminalWait& wait) {
+  if (control.empty() && !wait.has_keys()) {
+    throw ConfigError("test: a person must answer in a terminal; without one, use --auto");
   }
-  return 0;
-}
-
-int test(const std::string& port, const std::string& control) {
   std::unique_ptr<ControlClient> client;
   if (!control.empty()) client = std::make_unique<ControlClient>(control);
   if (client && !client->ask("get")) throw EnvironmentError(control + ": no simulator answers");
-  Session session(port);
-  wait_for_base(session, port);
-  return Acceptance(session, client.get()).run() == 0 ? 0 : 1;
+  Session session(open_port(port), port, wait);
+  return test(session, client.get());
 }
 
 }  // namespace
@@ -68,14 +43,15 @@ int main(int argc, char** argv) {
   std::string port = "/dev/kobuki";
   std::string control;
   app.add_option("--port", port, "serial device; nobody else may use it")->capture_default_str();
-  CLI::App* info_verb = app.add_subcommand("info", "versions, id, battery, gains");
+  app.add_subcommand("info", "versions, id, battery, gains");
   CLI::App* watch_verb = app.add_subcommand("watch", "live sensors; q ends");
   CLI::App* test_verb = app.add_subcommand(
       "test", "acceptance list: LEDs, sounds, buttons, bumpers, cliffs, wheels, gyro, square");
   test_verb->add_option("--auto", control, "control socket of kobuki_simulator, in place of hands");
   return tocsin::run_command(app, argc, argv, [&] {
-    if (info_verb->parsed()) return info(port);
-    if (watch_verb->parsed()) return watch(port);
-    return test(port, control);
+    TerminalWait wait;
+    if (test_verb->parsed()) return test_with(port, control, wait);
+    Session session(open_port(port), port, wait);
+    return watch_verb->parsed() ? watch(session, ::isatty(STDOUT_FILENO) == 1) : info(session);
   });
 }

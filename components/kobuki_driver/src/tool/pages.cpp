@@ -109,7 +109,8 @@ std::string info_page(const KobukiDriver& driver, const Reading& reading) {
          gains->ki_milli / 1000.0, gains->kd_milli / 1000.0,
          gains->type == 0 ? "of the firmware" : "of the user");
   } else {
-    line(page, "gains     unknown: firmware before 1.2 has none to read");
+    const bool none = known.firmware() && !has_gains(*known.firmware());
+    line(page, "gains     unknown%s", none ? ": firmware before 1.2 has none to read" : "");
   }
   return page;
 }

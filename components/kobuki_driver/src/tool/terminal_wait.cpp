@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terminal_wait.hpp"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+
+namespace tocsin::kobuki {
+namespace {
+
+volatile std::sig_atomic_t stopped = 0;
+
+void on_signal(int) { stopped = 1; }
+
+}  // namespace
+
+TerminalWait::TerminalWait() {
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+}
+
+std::optional<char> TerminalWait::wait(int descriptor, Time until) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - now());
+  const int ms = static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 1000));
+  std::array<pollfd, 2> asked{{{descriptor, POLLIN, 0}, {keys_.descriptor(), POLLIN, 0}}};
+  if (::poll(asked.data(), asked.size(), ms) < 0) return std::nullopt;
+  return asked[1].revents != 0 ? keys_.read() : std::nullopt;
+}
+
+bool TerminalWait::interrupted() const { return stopped != 0; }
+
+}  // namespace tocsin::kobuki
