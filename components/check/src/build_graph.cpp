@@ -31,7 +31,7 @@ void probe_container(const deployment::Deployment& deployment, const deployment:
     probe({host.name, host.role, container.name, instance.name, {}}, deployment, built,
           [&](Context& context) {
             return load_component(instance.component)
-                .create(context, *instance.parameters, deployment.file);
+                .create(context, *instance.parameters, deployment.sources);
           });
   }
   probe({host.name, host.role, container.name, "gate", {}}, deployment, built,

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "foundation/error.hpp"
-#include "foundation/yaml_file.hpp"
+#include "foundation/yaml_extends.hpp"
 #include "parameter_set.hpp"
 #include "reader.hpp"
 
@@ -104,18 +104,21 @@ void leave_out(const std::string& process, Deployment& deployment) {
   }
 }
 
-/// The instances' own parameters, with variables and relative paths resolved.
-void resolve_own_parameters(const Source& source, ComponentInstance& instance) {
-  instance.parameters = std::make_shared<const YAML::Node>(source.resolve(*instance.parameters));
+/// Every text in what was taken away, the names of its components among them.
+void add_texts(const YAML::Node& removed, std::set<std::string>& texts) {
+  if (removed.IsScalar()) texts.insert(removed.Scalar());
+  for (const auto& entry : removed) add_texts(removed.IsMap() ? entry.second : entry, texts);
 }
 
-void merge_parameters(const ParameterSet& parameters, const Source& source,
+/// A parameter file of the base may go on to set parameters of components that were taken away.
+void merge_parameters(const ParameterSet& parameters, const std::vector<YamlRemoval>& removals,
                       Deployment& deployment) {
-  parameters.reject_unknown_components(deployment);
+  std::set<std::string> removed;
+  for (const YamlRemoval& removal : removals) add_texts(*removal.value, removed);
+  parameters.reject_unknown_components(deployment, removed);
   for (Host& host : deployment.hosts) {
     for (Container& container : host.containers) {
       for (ComponentInstance& instance : container.components) {
-        resolve_own_parameters(source, instance);
         parameters.apply(host.name, instance);
       }
     }
@@ -128,6 +131,31 @@ void replace_channel(const std::string& channel, Deployment& deployment) {
   if (!deployment.radio) fail(deployment, "radio: is missing, so there is no channel to replace");
   deployment.radio->channel = std::filesystem::absolute(channel);
   if (!std::filesystem::exists(channel)) fail(deployment, "channel: no file " + channel);
+}
+
+/// `parameters` come after the base's; what has a name is known by it.
+ListMerge bringup_lists(const YamlPath& path) {
+  if (path == YamlPath{"parameters"}) return ListMerge::append;
+  const bool of_a_host =
+      path.size() == 3 && path[0] == "hosts" && (path[2] == "programs" || path[2] == "containers");
+  const bool of_a_container =
+      path.size() == 5 && path[0] == "hosts" && path[2] == "containers" && path[4] == "components";
+  return of_a_host || of_a_container ? ListMerge::by_name : ListMerge::replace;
+}
+
+ParameterSet read_parameters(const Section& section, const Overrides& overrides,
+                             const Variables& variables, YamlSources& sources) {
+  const ExtendRules rules{overrides.share + "/config"};
+  ParameterSet parameters;
+  const std::vector<std::string> files = section.texts("parameters");
+  const std::vector<YAML::Node> nodes = section.items("parameters");
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const YAML::Node root = read_extended(sources.path(nodes[i], files[i]), rules, sources);
+    expand(root, sources, variables);
+    parameters.add_file(root, sources);
+  }
+  for (const std::string& setting : overrides.set) parameters.add_setting(setting, sources);
+  return parameters;
 }
 
 constexpr int max_domain = 229;  // three ids follow each other; RTPS ports end at domain 232
@@ -155,26 +183,26 @@ void check_whole(const Deployment& deployment) {
 }
 
 Deployment load_deployment(const std::string& path, const Overrides& overrides) {
-  const std::map<std::string, std::string> variables{{"run_dir", overrides.run_dir},
-                                                     {"seed", std::to_string(overrides.seed)},
-                                                     {"share", overrides.share}};
-  const Source source(path, variables);
-  Section section(read_yaml_file(path), "deployment", source);
+  const Variables variables{{"run_dir", overrides.run_dir},
+                            {"seed", std::to_string(overrides.seed)},
+                            {"share", overrides.share}};
   Deployment deployment;
-  read_body(section, source, deployment);
+  YamlSources& sources = deployment.sources;
+  std::vector<YamlRemoval> removed;
+  const YAML::Node root =
+      read_extended(path, {overrides.share + "/bringup", bringup_lists}, sources, &removed);
+  expand(root, sources, variables);
+  const Section section(root, "deployment", sources, body_keys({"domain", "parameters"}));
+  deployment.file = path;
+  read_body(section, sources, deployment);
   deployment.run_dir = overrides.run_dir;
   deployment.share = overrides.share;
   deployment.seed = overrides.seed;
   const int domain = section.whole("domain", 0, 0, max_domain);
-  ParameterSet parameters;
-  for (const std::string& file : section.texts("parameters")) {
-    parameters.add_file(Source(source.path(file), variables));
-  }
-  section.reject_unknown_keys();
-  for (const std::string& setting : overrides.set) parameters.add_setting(setting);
+  const ParameterSet parameters = read_parameters(section, overrides, variables, sources);
   check_whole(deployment);
   replace_channel(overrides.channel, deployment);
-  merge_parameters(parameters, source, deployment);
+  merge_parameters(parameters, removed, deployment);
   for (const std::string& process : overrides.without) leave_out(process, deployment);
   assign_domains(overrides.domain.value_or(domain), deployment);
   return deployment;

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "foundation/error.hpp"
-#include "foundation/yaml_file.hpp"
 
 namespace tocsin::deployment {
 namespace {
@@ -22,76 +21,73 @@ std::vector<std::pair<std::string, std::string>> instances_of(const Deployment& 
   return instances;
 }
 
+/// Both nodes stay those that were read, which know their place.
+void put(const YAML::Node& key, const YAML::Node& value, YAML::Node& map) {
+  map.remove(key.Scalar());
+  map.force_insert(key, value);
+}
+
 }  // namespace
 
-void ParameterSet::add_file(const Source& source) {
-  const YAML::Node root = read_yaml_file(source.file());
+void ParameterSet::add_file(const YAML::Node& root, const YamlSources& sources) {
   if (root.IsNull()) return;
-  const Section names(root, "parameters", source);
+  const Section names(root, "parameters", sources);
   for (const auto& entry : root) {
     const std::string component = entry.first.Scalar();
-    component_origins_[component] = source.place(entry.first);
+    component_places_[component] = sources.place(entry.first);
     if (entry.second.IsNull()) continue;
-    const Section keys(entry.second, component, source);
+    const Section keys(entry.second, component, sources);
     for (const auto& parameter : entry.second) {
-      from_files_.push_back({component, parameter.first.Scalar(), source.resolve(parameter.second),
-                             source.place(parameter.first)});
+      from_files_.push_back({component, parameter.first, parameter.second});
     }
   }
 }
 
-void ParameterSet::add_setting(const std::string& setting) {
+void ParameterSet::add_setting(const std::string& setting, YamlSources& sources) {
   const std::size_t dot = setting.find('.');
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos || dot == std::string::npos || dot == 0 || equals < dot + 2) {
     throw ConfigError("--set " + setting + ": must be name.key=value or host/name.key=value");
   }
   const std::string component = setting.substr(0, dot);
-  component_origins_[component] = "--set " + setting;
-  try {
-    settings_.push_back({component, setting.substr(dot + 1, equals - dot - 1),
-                         YAML::Load(setting.substr(equals + 1)), "--set"});
-  } catch (const YAML::ParserException& error) {
-    throw ConfigError("--set " + setting + ": the value is not valid YAML: " + error.msg);
-  }
+  component_places_[component] = "--set " + setting;
+  const std::string key = setting.substr(dot + 1, equals - dot - 1);
+  const YAML::Node value = sources.parse(setting.substr(equals + 1), "--set " + setting);
+  settings_.push_back({component, sources.parse("'" + key + "'", "--set " + setting), value});
 }
 
 void ParameterSet::merge(const std::vector<Entry>& entries, const std::string& component,
-                         YAML::Node& parameters, std::map<std::string, std::string>& origins) {
+                         YAML::Node& parameters) {
   for (const Entry& entry : entries) {
-    if (entry.component != component) continue;
-    parameters[entry.key] = entry.value;
-    origins[entry.key] = entry.origin;
+    if (entry.component == component) put(entry.key, entry.value, parameters);
   }
 }
 
 void ParameterSet::apply(const std::string& host, ComponentInstance& instance) const {
   YAML::Node merged(YAML::NodeType::Map);
-  std::map<std::string, std::string> origins;
   const std::string here = host + "/" + instance.name;
-  merge(from_files_, instance.name, merged, origins);
-  merge(from_files_, here, merged, origins);
-  for (const auto& own : *instance.parameters) {
-    merged[own.first.Scalar()] = own.second;
-    origins[own.first.Scalar()] = instance.origins[own.first.Scalar()];
-  }
-  merge(settings_, instance.name, merged, origins);
-  merge(settings_, here, merged, origins);
+  merge(from_files_, instance.name, merged);
+  merge(from_files_, here, merged);
+  for (const auto& own : *instance.parameters) put(own.first, own.second, merged);
+  merge(settings_, instance.name, merged);
+  merge(settings_, here, merged);
   instance.parameters = std::make_shared<const YAML::Node>(merged);
-  instance.origins = std::move(origins);
 }
 
-void ParameterSet::reject_unknown_components(const Deployment& deployment) const {
+void ParameterSet::reject_unknown_components(const Deployment& deployment,
+                                             const std::set<std::string>& removed) const {
   std::vector<std::string> names;
   std::set<std::string> known;
   for (const auto& [host, name] : instances_of(deployment)) {
     if (known.insert(name).second) names.push_back(name);
     known.insert(host + "/" + name);
   }
-  for (const auto& [component, origin] : component_origins_) {
-    if (known.count(component) != 0) continue;
+  for (const auto& [component, place] : component_places_) {
+    const bool is_setting = place.rfind("--set ", 0) == 0;
+    const std::string name = component.substr(component.find('/') + 1);  // without the host
+    if (known.count(component) != 0 || (!is_setting && removed.count(name) != 0)) continue;
     throw ConfigError(component + ": no such component in " + deployment.file + "; allowed: [" +
-                      joined(names) + "] (" + origin + ")");
+                      joined(names) + "] (" + place + ")");
   }
 }
 

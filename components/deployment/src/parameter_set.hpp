@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,28 +14,29 @@ namespace tocsin::deployment {
 /// Parameters of all components, collected from several places; a later place wins key by key.
 class ParameterSet {
  public:
-  /// Adds a file of "name -> map" or "host/name -> map".
-  void add_file(const Source& source);
+  /// Adds a map of "name -> map" or "host/name -> map". `sources` must outlive the set.
+  void add_file(const YAML::Node& root, const YamlSources& sources);
   /// Adds "name.key=value" or "host/name.key=value", value in YAML.
-  void add_setting(const std::string& setting);
+  void add_setting(const std::string& setting, YamlSources& sources);
   /// Puts what was added from files below, and the settings above, the instance's own parameters.
   void apply(const std::string& host, ComponentInstance& instance) const;
-  /// Throws ConfigError when something was added for a component that the deployment has not.
-  void reject_unknown_components(const Deployment& deployment) const;
+  /// Throws ConfigError when something was added for a component that the deployment has not, and
+  /// that is not one of `removed` either.
+  void reject_unknown_components(const Deployment& deployment,
+                                 const std::set<std::string>& removed) const;
 
  private:
   struct Entry {
     std::string component;  ///< name or host/name
-    std::string key;
+    YAML::Node key;
     YAML::Node value;
-    std::string origin;
   };
   static void merge(const std::vector<Entry>& entries, const std::string& component,
-                    YAML::Node& parameters, std::map<std::string, std::string>& origins);
+                    YAML::Node& parameters);
 
   std::vector<Entry> from_files_;
   std::vector<Entry> settings_;
-  std::map<std::string, std::string> component_origins_;
+  std::map<std::string, std::string> component_places_;
 };
 
 }  // namespace tocsin::deployment

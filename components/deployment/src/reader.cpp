@@ -29,44 +29,36 @@ bool is_ros_namespace(const std::string& text) {
 }
 
 ComponentInstance read_instance(const YAML::Node& node, const std::string& owner,
-                                const Source& source) {
+                                const YamlSources& sources) {
   ComponentInstance instance;
   YAML::Node parameters(YAML::NodeType::Map);
   if (node.IsScalar()) {
-    instance.component = instance.name = source.expand(node.Scalar(), node);
-    check_name(instance.name, owner, node, source);
+    instance.component = instance.name = node.Scalar();
+    check_name(instance.name, owner, node, sources);
   } else {
-    Section section(node, owner, source);
+    const Section section(node, owner, sources, {"component", "name", "parameters"});
     instance.component = section.required_name("component");
     instance.name = section.text("name", instance.component);
-    check_name(instance.name, owner + ".name", node, source);
+    check_name(instance.name, owner + ".name", node, sources);
     const YAML::Node given = section.find("parameters");
     if (given.IsDefined() && !given.IsNull()) {
-      const Section keys(given, instance.name, source);
-      for (const auto& entry : given) {
-        instance.origins[entry.first.Scalar()] = source.place(entry.first);
-      }
+      const Section keys(given, instance.name, sources);
       parameters = given;
     }
-    section.reject_unknown_keys();
   }
   instance.parameters = std::make_shared<const YAML::Node>(parameters);
   return instance;
 }
 
-Program read_program(const YAML::Node& node, const std::string& owner, const Source& source) {
-  Section section(node, owner, source);
+Program read_program(const YAML::Node& node, const std::string& owner, const YamlSources& sources) {
+  const Section section(node, owner, sources, {"name", "command"});
   Program program{section.required_name("name"), section.texts("command")};
   if (program.command.empty()) section.fail("command", "must be a list with at least a program");
-  for (std::string& word : program.command) {
-    if (word.rfind("./", 0) == 0 || word.rfind("../", 0) == 0) word = source.path(word);
-  }
-  section.reject_unknown_keys();
   return program;
 }
 
 /// `shared` or `one_each`.
-bool read_shared_thread(Section& section) {
+bool read_shared_thread(const Section& section) {
   const std::string threads = section.text("threads", "one_each");
   if (threads != "shared" && threads != "one_each") {
     section.fail("threads", "'" + threads + "' is not one of: one_each, shared");
@@ -75,32 +67,34 @@ bool read_shared_thread(Section& section) {
 }
 
 /// Null when the key is absent.
-std::shared_ptr<const YAML::Node> read_map(Section& section, const std::string& key) {
+std::shared_ptr<const YAML::Node> read_map(const Section& section, const std::string& key) {
   const YAML::Node found = section.find(key);
   if (!found.IsDefined()) return nullptr;
   if (!found.IsMap()) section.fail(key, "must be a map");
   return std::make_shared<const YAML::Node>(found);
 }
 
-Container read_container(const YAML::Node& node, const std::string& owner, const Source& source) {
-  Section section(node, owner, source);
+Container read_container(const YAML::Node& node, const std::string& owner,
+                         const YamlSources& sources) {
+  const Section section(node, owner, sources,
+                        {"name", "terminal", "threads", "health", "components"});
   Container container;
   container.name = section.required_name("name");
   container.terminal = section.flag("terminal", false);
   container.shared_thread = read_shared_thread(section);
   container.health = read_map(section, "health");
   for (const YAML::Node& item : section.items("components")) {
-    container.components.push_back(read_instance(item, owner + ".components", source));
+    container.components.push_back(read_instance(item, owner + ".components", sources));
   }
   if (container.components.empty()) section.fail("components", "must name at least one component");
-  section.reject_unknown_keys();
   return container;
 }
 
-Host read_host(const std::string& name, const YAML::Node& node, const Source& source) {
-  check_name(name, "hosts", node, source);
+Host read_host(const std::string& name, const YAML::Node& node, const YamlSources& sources) {
+  check_name(name, "hosts", node, sources);
   const std::string owner = "hosts." + name;
-  Section section(node, owner, source);
+  const Section section(node, owner, sources,
+                        {"role", "address", "peers", "programs", "containers"});
   Host host;
   host.name = name;
   host.role = section.required_text("role");
@@ -112,38 +106,42 @@ Host read_host(const std::string& name, const YAML::Node& node, const Source& so
   host.peers = section.texts("peers");
   for (const std::string& peer : host.peers) check_address(peer, "peers", section);
   for (const YAML::Node& item : section.items("programs")) {
-    host.programs.push_back(read_program(item, owner + ".programs", source));
+    host.programs.push_back(read_program(item, owner + ".programs", sources));
   }
   for (const YAML::Node& item : section.items("containers")) {
-    host.containers.push_back(read_container(item, owner + ".containers", source));
+    host.containers.push_back(read_container(item, owner + ".containers", sources));
   }
-  section.reject_unknown_keys();
   return host;
 }
 
-RestartPolicy read_restart(const YAML::Node& node, const Source& source) {
-  const auto policy = load_parameters<RestartPolicy>(node, "restart", source.file());
+RestartPolicy read_restart(const YAML::Node& node, const YamlSources& sources) {
+  const auto policy = load_parameters<RestartPolicy>(node, "restart", sources);
   if (policy.max_backoff_s < policy.backoff_s) {
     throw ConfigError("restart.max_backoff_s: must not be less than restart.backoff_s" +
-                      yaml_place(source.file(), node));
+                      yaml_place(sources, node));
   }
   return policy;
 }
 
-std::optional<Radio> read_radio(const YAML::Node& node, const Source& source) {
+std::optional<Radio> read_radio(const YAML::Node& node, const YamlSources& sources) {
   if (!node.IsDefined() || node.IsNull()) return std::nullopt;
-  Section section(node, "radio", source);
+  const Section section(node, "radio", sources, {"channel", "walls"});
   Radio radio{section.file("channel"), section.file("walls")};
   if (radio.channel.empty()) section.fail("channel", "is missing");
   if (radio.walls.empty()) section.fail("walls", "is missing");
-  section.reject_unknown_keys();
   return radio;
 }
 
 }  // namespace
 
-void read_body(Section& section, const Source& source, Deployment& deployment) {
-  deployment.file = source.file();
+std::vector<std::string> body_keys(const std::vector<std::string>& more) {
+  std::vector<std::string> keys{"qos",     "traffic", "namespace", "stop_when_exits",
+                                "restart", "radio",   "hosts"};
+  keys.insert(keys.end(), more.begin(), more.end());
+  return keys;
+}
+
+void read_body(const Section& section, const YamlSources& sources, Deployment& deployment) {
   deployment.qos = section.file("qos");
   deployment.traffic = section.file("traffic");
   deployment.ros_namespace = section.text("namespace", "");
@@ -152,13 +150,13 @@ void read_body(Section& section, const Source& source, Deployment& deployment) {
                                   "' is not words of letters, digits and '_' joined by '/'");
   }
   deployment.stop_when_exits = section.text("stop_when_exits", "");
-  deployment.restart = read_restart(section.find("restart"), source);
-  deployment.radio = read_radio(section.find("radio"), source);
+  deployment.restart = read_restart(section.find("restart"), sources);
+  deployment.radio = read_radio(section.find("radio"), sources);
   const YAML::Node hosts = section.find("hosts");
   if (!hosts.IsDefined()) section.fail("hosts", "is missing");
-  const Section names(hosts, "hosts", source);
+  const Section names(hosts, "hosts", sources);
   for (const auto& entry : hosts) {
-    deployment.hosts.push_back(read_host(entry.first.Scalar(), entry.second, source));
+    deployment.hosts.push_back(read_host(entry.first.Scalar(), entry.second, sources));
   }
 }
 

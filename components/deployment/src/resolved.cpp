@@ -32,7 +32,7 @@ void texts(YAML::Emitter& out, const char* key, const std::vector<std::string>& 
   out << EndSeq;
 }
 
-void write(YAML::Emitter& out, const ComponentInstance& instance) {
+void write(YAML::Emitter& out, const ComponentInstance& instance, const YamlSources& sources) {
   out << BeginMap;
   pair(out, "component", instance.component);
   pair(out, "name", instance.name);
@@ -41,8 +41,7 @@ void write(YAML::Emitter& out, const ComponentInstance& instance) {
     YAML::Node value(entry.second);
     if (!value.IsScalar()) value.SetStyle(YAML::EmitterStyle::Flow);
     pair(out, entry.first.Scalar().c_str(), value);
-    const auto origin = instance.origins.find(entry.first.Scalar());
-    if (origin != instance.origins.end()) out << YAML::Comment(origin->second);
+    out << YAML::Comment(sources.place(entry.first));
   }
   out << EndMap << EndMap;
 }
@@ -54,18 +53,18 @@ void write(YAML::Emitter& out, const Program& program) {
   out << EndMap;
 }
 
-void write(YAML::Emitter& out, const Container& container) {
+void write(YAML::Emitter& out, const Container& container, const YamlSources& sources) {
   out << BeginMap;
   pair(out, "name", container.name);
   pair(out, "terminal", container.terminal);
   pair(out, "threads", container.shared_thread ? "shared" : "one_each");
   if (container.health) pair(out, "health", *container.health);
   out << YAML::Key << "components" << YAML::Value << BeginSeq;
-  for (const ComponentInstance& instance : container.components) write(out, instance);
+  for (const ComponentInstance& instance : container.components) write(out, instance, sources);
   out << EndSeq << EndMap;
 }
 
-void write(YAML::Emitter& out, const Host& host) {
+void write(YAML::Emitter& out, const Host& host, const YamlSources& sources) {
   out << YAML::Key << host.name << YAML::Value << BeginMap;
   pair(out, "role", host.role);
   text(out, "address", host.address);
@@ -73,7 +72,7 @@ void write(YAML::Emitter& out, const Host& host) {
   out << YAML::Key << "programs" << YAML::Value << BeginSeq;
   for (const Program& program : host.programs) write(out, program);
   out << EndSeq << YAML::Key << "containers" << YAML::Value << BeginSeq;
-  for (const Container& container : host.containers) write(out, container);
+  for (const Container& container : host.containers) write(out, container, sources);
   out << EndSeq << EndMap;
 }
 
@@ -105,7 +104,7 @@ void write(YAML::Emitter& out, const Deployment& deployment) {
   write(out, deployment.restart);
   if (deployment.radio) write(out, *deployment.radio);
   out << YAML::Key << "hosts" << YAML::Value << BeginMap;
-  for (const Host& host : deployment.hosts) write(out, host);
+  for (const Host& host : deployment.hosts) write(out, host, deployment.sources);
   out << EndMap << EndMap;
 }
 
@@ -116,21 +115,24 @@ void write_resolved(const Deployment& deployment, const std::string& path) {
   out.SetDoublePrecision(10);
   write(out, deployment);
   std::ofstream file(path);
-  file << "# Written by tocsin launch from " << deployment.file << "\n" << out.c_str() << "\n";
+  file << "# Written by tocsin launch from:\n";
+  for (const std::string& source : deployment.sources.files()) file << "#   " << source << "\n";
+  file << out.c_str() << "\n";
   file.close();
   if (!file) throw ConfigError(path + ": cannot be written");
 }
 
 Deployment load_resolved(const std::string& path) {
-  const Source source(path, {});
-  Section section(read_yaml_file(path), "deployment", source);
   Deployment deployment;
-  read_body(section, source, deployment);
+  deployment.file = path;
+  const YAML::Node root = deployment.sources.read(path);
+  const Section section(root, "deployment", deployment.sources,
+                        body_keys({"run_dir", "share", "seed", "domain"}));
+  read_body(section, deployment.sources, deployment);
   deployment.run_dir = section.text("run_dir", "");
   deployment.share = section.text("share", "");
   deployment.seed = section.whole("seed", 1, 0, 1'000'000'000);
   const int domain = section.whole("domain", 0, 0, 229);
-  section.reject_unknown_keys();
   check_whole(deployment);
   assign_domains(domain, deployment);
   return deployment;

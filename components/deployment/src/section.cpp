@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "foundation/error.hpp"
 #include "foundation/yaml_file.hpp"
@@ -23,21 +24,18 @@ bool is_relative_path(const std::string& text) {
   return text.rfind("./", 0) == 0 || text.rfind("../", 0) == 0;
 }
 
-}  // namespace
-
-Source::Source(std::string file, std::map<std::string, std::string> variables)
-    : file_(std::move(file)), variables_(std::move(variables)) {}
-
-std::string Source::expand(const std::string& text, const YAML::Node& node) const {
+/// `text` of `node` with every ${name} replaced.
+std::string replaced(const std::string& text, const YAML::Node& node, const YamlSources& sources,
+                     const Variables& variables) {
   std::string result;
   std::size_t from = 0;
   for (std::size_t at = text.find("${"); at != std::string::npos; at = text.find("${", from)) {
     const std::size_t end = text.find('}', at);
     const std::string name = text.substr(at + 2, end == std::string::npos ? end : end - at - 2);
-    const auto found = variables_.find(name);
-    if (end == std::string::npos || found == variables_.end()) {
+    const auto found = variables.find(name);
+    if (end == std::string::npos || found == variables.end()) {
       throw ConfigError("'" + text + "': unknown variable '" + name +
-                        "'; allowed: ${run_dir}, ${seed}, ${share}" + yaml_place(file_, node));
+                        "'; allowed: ${run_dir}, ${seed}, ${share}" + yaml_place(sources, node));
     }
     result += text.substr(from, at - from) + found->second;
     from = end + 1;
@@ -45,83 +43,79 @@ std::string Source::expand(const std::string& text, const YAML::Node& node) cons
   return result + text.substr(from);
 }
 
-std::string Source::path(const std::string& text) const {
-  const std::filesystem::path folder = std::filesystem::absolute(file_).parent_path();
-  return (folder / text).lexically_normal().string();
-}
+}  // namespace
 
-YAML::Node Source::resolve(const YAML::Node& node) const {
-  YAML::Node copy(node.Type());
+void expand(const YAML::Node& node, const YamlSources& sources, const Variables& variables) {
   if (node.IsScalar()) {
-    const std::string text = expand(node.Scalar(), node);
-    copy = is_relative_path(text) ? path(text) : text;
+    std::string text = replaced(node.Scalar(), node, sources, variables);
+    if (is_relative_path(text)) text = sources.path(node, text);
+    YAML::Node same = node;
+    if (text != node.Scalar()) same = text;  // in place, so that it keeps its line
   }
-  for (const auto& entry : node) {
-    if (node.IsSequence()) copy.push_back(resolve(entry));
-    if (node.IsMap()) copy[entry.first.Scalar()] = resolve(entry.second);
-  }
-  return copy;
+  for (const auto& entry : node) expand(node.IsMap() ? entry.second : entry, sources, variables);
 }
 
-std::string Source::place(const YAML::Node& node) const {
-  return file_ + ":" + std::to_string(node.Mark().line + 1);
-}
-
-Section::Section(const YAML::Node& node, std::string owner, const Source& source)
-    : node_(node), owner_(std::move(owner)), source_(source) {
+Section::Section(const YAML::Node& node, std::string owner, const YamlSources& sources)
+    : node_(node), owner_(std::move(owner)), sources_(sources) {
   if (!node_.IsMap()) {
-    throw ConfigError(owner_ + ": must be a map" + yaml_place(source_.file(), node_));
+    throw ConfigError(owner_ + ": must be a map" + yaml_place(sources_, node_));
   }
   std::set<std::string> seen;
   for (const auto& entry : node_) {
     if (!seen.insert(entry.first.Scalar()).second) {
       throw ConfigError(owner_ + "." + entry.first.Scalar() + ": given twice" +
-                        yaml_place(source_.file(), entry.first));
+                        yaml_place(sources_, entry.first));
     }
   }
 }
 
+Section::Section(const YAML::Node& node, std::string owner, const YamlSources& sources,
+                 const std::vector<std::string>& allowed)
+    : Section(node, std::move(owner), sources) {
+  for (const auto& entry : node_) {
+    const std::string key = entry.first.Scalar();
+    if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
+    throw ConfigError(owner_ + "." + key + ": unknown key; allowed: [" + joined(allowed) + "]" +
+                      yaml_place(sources_, entry.first));
+  }
+}
+
 void Section::fail(const std::string& key, const std::string& what) const {
-  const YAML::Node& map = node_;  // the const operator[] does not add the key
-  const YAML::Node found = map[key];
+  const YAML::Node found = node_[key];
   throw ConfigError(owner_ + "." + key + ": " + what +
-                    yaml_place(source_.file(), found.IsDefined() ? found : node_));
+                    yaml_place(sources_, found.IsDefined() ? found : node_));
 }
 
-YAML::Node Section::find(const std::string& key) {
-  named_.push_back(key);
-  const YAML::Node& map = node_;
-  return map[key];
-}
+YAML::Node Section::find(const std::string& key) const { return node_[key]; }
 
-std::string Section::text(const std::string& key, const std::string& fallback) {
+std::string Section::text(const std::string& key, const std::string& fallback) const {
   const YAML::Node found = find(key);
   if (!found.IsDefined()) return fallback;
   if (!found.IsScalar()) fail(key, "is not a text");
-  return source_.expand(found.Scalar(), found);
+  return found.Scalar();
 }
 
-std::string Section::required_text(const std::string& key) {
+std::string Section::required_text(const std::string& key) const {
   std::string value = text(key, "");
   if (value.empty()) fail(key, "is missing or empty");
   return value;
 }
 
-std::string Section::required_name(const std::string& key) {
+std::string Section::required_name(const std::string& key) const {
   std::string value = required_text(key);
-  check_name(value, owner_ + "." + key, find(key), source_);
+  check_name(value, owner_ + "." + key, find(key), sources_);
   return value;
 }
 
-std::string Section::file(const std::string& key) {
+std::string Section::file(const std::string& key) const {
   const std::string value = text(key, "");
   if (value.empty()) return value;
-  std::string path = source_.path(value);
+  std::string path = sources_.path(find(key), value);
   if (!std::ifstream(path)) fail(key, "'" + path + "' cannot be read");
   return path;
 }
 
-int Section::whole(const std::string& key, int fallback, int min, int max) {
+int Section::whole(const std::string& key, int fallback, int min, int max) const {
   const std::string value = text(key, std::to_string(fallback));
   int read = 0;
   if (!YAML::convert<int>::decode(YAML::Node(value), read)) {
@@ -133,7 +127,7 @@ int Section::whole(const std::string& key, int fallback, int min, int max) {
   return read;
 }
 
-bool Section::flag(const std::string& key, bool fallback) {
+bool Section::flag(const std::string& key, bool fallback) const {
   const std::string value = text(key, fallback ? "true" : "false");
   bool read = false;
   if (!YAML::convert<bool>::decode(YAML::Node(value), read)) {
@@ -142,31 +136,22 @@ bool Section::flag(const std::string& key, bool fallback) {
   return read;
 }
 
-std::vector<std::string> Section::texts(const std::string& key) {
+std::vector<std::string> Section::texts(const std::string& key) const {
   std::vector<std::string> values;
   for (const YAML::Node& item : items(key)) {
     if (!item.IsScalar()) fail(key, "has an element that is not a text");
-    values.push_back(source_.expand(item.Scalar(), item));
+    values.push_back(item.Scalar());
   }
   return values;
 }
 
-std::vector<YAML::Node> Section::items(const std::string& key) {
+std::vector<YAML::Node> Section::items(const std::string& key) const {
   const YAML::Node found = find(key);
   if (!found.IsDefined()) return {};
   if (!found.IsSequence()) fail(key, "is not a list");
   std::vector<YAML::Node> nodes;
   for (const YAML::Node& item : found) nodes.push_back(item);
   return nodes;
-}
-
-void Section::reject_unknown_keys() const {
-  for (const auto& entry : node_) {
-    const std::string key = entry.first.Scalar();
-    if (std::find(named_.begin(), named_.end(), key) != named_.end()) continue;
-    throw ConfigError(owner_ + "." + key + ": unknown key; allowed: [" + joined(named_) + "]" +
-                      yaml_place(source_.file(), entry.first));
-  }
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -176,10 +161,10 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 void check_name(const std::string& name, const std::string& what, const YAML::Node& node,
-                const Source& source) {
+                const YamlSources& sources) {
   if (is_name(name)) return;
   throw ConfigError(what + ": '" + name + "' is not a name (lower-case letters, digits, '_')" +
-                    yaml_place(source.file(), node));
+                    yaml_place(sources, node));
 }
 
 }  // namespace tocsin::deployment

@@ -87,7 +87,20 @@ TEST_F(DeploymentTest, RejectsUnknownKeysEverywhereWithTheirLine) {
   EXPECT_THAT(error_of(with(whole, "name: pilot", "nam: pilot")),
               HasSubstr("hosts.uxv.containers.components.nam: unknown key"));
   EXPECT_THAT(error_of(with(whole, "limit: 3", "limits: 3")), HasSubstr("restart.limits: unknown"));
-  EXPECT_THAT(error_of(with(whole, "  walls:", "  wals:")), HasSubstr("radio."));
+  EXPECT_THAT(error_of(with(whole, "  walls:", "  wals:")),
+              HasSubstr("radio.wals: unknown key; allowed: [channel, walls]"));
+}
+
+TEST_F(DeploymentTest, AnUnknownKeyNamesAllKeysOnceAndComesBeforeWhatIsMissing) {
+  EXPECT_THAT(error_of(with(whole, "role: uxv", "rol: uxv")),
+              HasSubstr("hosts.uxv.rol: unknown key; allowed: [role, address, peers, programs, "
+                        "containers] ("));
+  EXPECT_THAT(error_of(with(whole, "terminal: true", "terminl: true")),
+              HasSubstr("allowed: [name, terminal, threads, health, components]"));
+  EXPECT_THAT(
+      error_of(with(whole, "domain: 40", "domian: 40")),
+      HasSubstr("allowed: [qos, traffic, namespace, stop_when_exits, restart, radio, hosts, "
+                "domain, parameters]"));
 }
 
 TEST_F(DeploymentTest, RejectsAKeyThatIsGivenTwice) {

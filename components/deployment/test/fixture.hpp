@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,7 @@
 
 #include "deployment/deployment.hpp"
 #include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin::deployment {
 
@@ -26,7 +26,6 @@ class DeploymentTest : public ::testing::Test {
     overrides_.share = "/opt/share";
     overrides_.seed = 7;
   }
-  ~DeploymentTest() override { std::filesystem::remove_all(folder_); }
 
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
@@ -48,8 +47,8 @@ class DeploymentTest : public ::testing::Test {
     return "no error";
   }
 
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("deployment_test_" + std::to_string(::getpid()));
+  const TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
   Overrides overrides_;
 };
 

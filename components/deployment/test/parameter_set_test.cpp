@@ -107,7 +107,7 @@ TEST_F(ParameterSetTest, ResolvesPathsFromTheFolderOfTheFileThatNamesThem) {
   files_ = "[../a.yaml]";
   write("a.yaml", "driver: {map: ./maps/b.yaml, list: [../c, plain]}");
   EXPECT_EQ(value("driver", "map"), path("maps/b.yaml"));
-  EXPECT_EQ(value("driver", "list"), "- " + folder_.parent_path().string() + "/c\n- plain");
+  EXPECT_EQ(value("driver", "list"), "[" + folder_.parent_path().string() + "/c, plain]");
   EXPECT_EQ(value("pilot", "map"), path("maps/a.yaml"));
 }
 
@@ -116,7 +116,7 @@ TEST_F(ParameterSetTest, ReplacesVariablesInValues) {
   write("a.yaml", "driver: {port: '${run_dir}/kobuki', seed: '${seed}', maps: ['${share}/a']}");
   EXPECT_EQ(value("driver", "port"), "/tmp/run/kobuki");
   EXPECT_EQ(value("driver", "seed"), "7");
-  EXPECT_EQ(value("driver", "maps"), "- /opt/share/a");
+  EXPECT_EQ(value("driver", "maps"), "[/opt/share/a]");
   write("a.yaml", "driver: {port: '${nothing}'}");
   EXPECT_THAT(error(), HasSubstr("unknown variable 'nothing'"));
 }
@@ -125,10 +125,15 @@ TEST_F(ParameterSetTest, KnowsWhereEachValueCameFrom) {
   files_ = "[../a.yaml]";
   write("a.yaml", "pilot:\n  speed: 3");
   overrides_.set = {"pilot.limit=1"};
-  const ComponentInstance sut = instance("pilot");
-  EXPECT_EQ(sut.origins.at("speed"), path("a.yaml") + ":2");
-  EXPECT_THAT(sut.origins.at("gain"), EndsWith("bringup/m.yaml:22"));
-  EXPECT_EQ(sut.origins.at("limit"), "--set");
+  const Deployment deployment = load(with(whole, "parameters: []", "parameters: " + files_));
+  std::map<std::string, std::string> places;
+  for (const auto& entry : *deployment.hosts[0].containers[0].components[1].parameters) {
+    places[entry.first.Scalar()] = deployment.sources.place(entry.first);
+    EXPECT_EQ(deployment.sources.place(entry.second), places[entry.first.Scalar()]);
+  }
+  EXPECT_EQ(places.at("speed"), path("a.yaml") + ":2");
+  EXPECT_THAT(places.at("gain"), EndsWith("bringup/m.yaml:22"));
+  EXPECT_EQ(places.at("limit"), "--set pilot.limit=1");
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ TEST_F(ResolvedTest, PointsToTheLineOfABadParameter) {
   const Deployment sut = through_file(whole);
   const ComponentInstance& pilot = sut.hosts[0].containers[0].components[1];
   try {
-    (void)load_parameters<Gain>(*pilot.parameters, pilot.name, sut.file);
+    (void)load_parameters<Gain>(*pilot.parameters, pilot.name, sut.sources);
     FAIL() << "no error";
   } catch (const ConfigError& error) {
     const std::string text = error.what();

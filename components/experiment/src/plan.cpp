@@ -149,7 +149,6 @@ void instrument(deployment::Deployment& deployment) {
         if (one.component != "recorder") continue;
         one.component = "experiment";
         one.parameters = std::make_shared<const YAML::Node>(YAML::NodeType::Map);
-        one.origins.clear();
       }
     }
   }

@@ -75,7 +75,7 @@ void check_components(const deployment::Deployment& deployment) {
   for (const deployment::Host& host : deployment.hosts) {
     for (const deployment::Container& container : host.containers) {
       for (const deployment::ComponentInstance& one : container.components) {
-        load_component(one.component).check(one.name, *one.parameters, deployment.file);
+        load_component(one.component).check(one.name, *one.parameters, deployment.sources);
       }
     }
   }

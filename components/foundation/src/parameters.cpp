@@ -43,7 +43,7 @@ bool inside(double value, Range range) { return value >= range.min && value <= r
 struct ParameterLoader::State {
   YAML::Node node;
   std::string owner;
-  std::string file;
+  YamlSources sources;
   std::set<std::string> named;
   std::vector<std::string> order;
 
@@ -56,14 +56,14 @@ struct ParameterLoader::State {
   }
 };
 
-ParameterLoader::ParameterLoader(const YAML::Node& node, std::string owner, std::string file)
+ParameterLoader::ParameterLoader(const YAML::Node& node, std::string owner, YamlSources sources)
     : state_(std::make_unique<State>()) {
   if (node.IsDefined()) state_->node.reset(node);  // not a clone: a clone forgets its lines
   state_->owner = std::move(owner);
-  state_->file = std::move(file);
+  state_->sources = std::move(sources);
   if (node.IsDefined() && !node.IsNull() && !node.IsMap()) {
     throw ConfigError(state_->owner + ": must be a map of parameters" +
-                      yaml_place(state_->file, node));
+                      yaml_place(state_->sources, node));
   }
 }
 
@@ -71,7 +71,7 @@ ParameterLoader::~ParameterLoader() = default;
 
 void ParameterLoader::fail(const char* name, const std::string& what) const {
   throw ConfigError(state_->owner + "." + name + ": " + what +
-                    yaml_place(state_->file, state_->node[name]));
+                    yaml_place(state_->sources, state_->node[name]));
 }
 
 void ParameterLoader::operator()(const char* name, double& value, Range range, const char*) {
@@ -153,8 +153,23 @@ void ParameterLoader::reject_unknown_keys() const {
     const std::string key = entry.first.Scalar();
     if (state_->named.count(key) != 0) continue;
     throw ConfigError(state_->owner + "." + key + ": unknown key; allowed: " +
-                      list_text(state_->order) + yaml_place(state_->file, entry.first));
+                      list_text(state_->order) + yaml_place(state_->sources, entry.first));
   }
+}
+
+std::string with_place(const std::string& text, const YAML::Node& node,
+                       const YamlSources& sources) {
+  if (!node.IsMap() || text.empty() || text.back() == ')') return text;
+  const std::string subject = text.substr(0, text.find(':'));
+  const std::string key = subject.substr(subject.rfind('.') + 1);  // all of it without a dot
+  for (const auto& entry : node) {
+    const bool is_value = entry.second.IsScalar() && entry.second.Scalar() == subject;
+    if (entry.first.Scalar() == key) return text + yaml_place(sources, entry.first);
+    if (is_value) {
+      return text + " (" + entry.first.Scalar() + ", " + sources.place(entry.first) + ")";
+    }
+  }
+  return text;
 }
 
 void ParameterPrinter::line(const char* name, const std::string& value, const std::string& allowed,

@@ -109,5 +109,27 @@ TEST(Parameters, PrintedDefaultsLoadAgain) {
   EXPECT_EQ(sut.weights, Params().weights);
 }
 
+TEST(Parameters, AnErrorOfTheComponentGetsThePlaceOfItsParameter) {
+  const YAML::Node node = YAML::Load("lost_after_s: 2\nname: /maps/a.yaml\n");
+  EXPECT_EQ(with_place("lost_after_s: 2 is less than retry_s", node, "file.yaml"),
+            "lost_after_s: 2 is less than retry_s (file.yaml:1)");
+  EXPECT_EQ(with_place("monitor.name: is no map", node, "file.yaml"),
+            "monitor.name: is no map (file.yaml:2)");
+}
+
+TEST(Parameters, AnErrorAboutAFileGetsThePlaceOfTheParameterThatNamesIt) {
+  const YAML::Node node = YAML::Load("a: 1\nname: /maps/a.yaml\n");
+  EXPECT_EQ(with_place("/maps/a.yaml: cannot be read", node, "file.yaml"),
+            "/maps/a.yaml: cannot be read (name, file.yaml:2)");
+}
+
+TEST(Parameters, AnErrorAboutSomethingElseStaysAsItIs) {
+  const YAML::Node node = YAML::Load("name: a");
+  for (const char* text : {"no device", "map.origin: wrong (a.yaml:3)", "other: 3", ""}) {
+    EXPECT_EQ(with_place(text, node, "file.yaml"), text);
+  }
+  EXPECT_EQ(with_place("name: 3", YAML::Node(), "file.yaml"), "name: 3");
+}
+
 }  // namespace
 }  // namespace tocsin

@@ -37,9 +37,10 @@ void LiveViewComponent::declare_read(topic::List<Topics...>) {
 
 template <class... Topics>
 void LiveViewComponent::count(topic::List<Topics...>) {
-  (counted_.push_back({Topics::info.name,
-                       std::make_unique<InputPort>(
-                           *this, Endpoint{Topics::info, &type_info<typename Topics::Message>()})}),
+  (counted_.push_back(
+       {Topics::info.name, std::make_unique<InputPort>(
+                               *this, Endpoint{Topics::info, &type_info<typename Topics::Message>(),
+                                               Writers::optional})}),
    ...);
   (read_.insert(Topics::info.name), ...);
 }

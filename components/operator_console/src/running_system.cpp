@@ -26,18 +26,15 @@ namespace fs = std::filesystem;
 /// Of the guest's process; several commands may run at a time.
 std::string guest_name() { return "console_" + std::to_string(::getpid()); }
 
-std::shared_ptr<const YAML::Node> parameters_of(const Guest& guest) {
+std::shared_ptr<const YAML::Node> parameters_of(const Guest& guest, YamlSources& sources) {
   auto node = std::make_shared<YAML::Node>(YAML::NodeType::Map);
   for (const std::string& setting : guest.settings) {
     const auto equals = setting.find('=');
     if (equals == std::string::npos) {
       throw ConfigError("--set " + setting + ": is not key=value");
     }
-    try {
-      (*node)[setting.substr(0, equals)] = YAML::Load(setting.substr(equals + 1));
-    } catch (const YAML::Exception& wrong) {
-      throw ConfigError("--set " + setting + ": " + wrong.msg);
-    }
+    (*node)[setting.substr(0, equals)] =
+        sources.parse(setting.substr(equals + 1), "--set " + setting);
   }
   return node;
 }
@@ -104,7 +101,7 @@ deployment::Deployment with_guest(deployment::Deployment deployment, const std::
   container.name = guest_name();
   container.health = std::make_shared<YAML::Node>(YAML::NodeType::Map);
   container.components.push_back(
-      {guest.component, guest.component + "_operator", parameters_of(guest), {}});
+      {guest.component, guest.component + "_operator", parameters_of(guest, deployment.sources)});
   found->containers.push_back(std::move(container));
   return deployment;
 }

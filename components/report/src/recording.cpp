@@ -11,8 +11,8 @@
 #include <set>
 
 #include "deployment/deployment.hpp"
+#include "deployment/traffic_file.hpp"
 #include "foundation/error.hpp"
-#include "foundation/yaml_file.hpp"
 #include "report/csv_table.hpp"
 #include "report/link_log.hpp"
 
@@ -144,8 +144,10 @@ void find_limits(Recording& recording) {
 
 }  // namespace
 
-Classes load_classes(const std::string& traffic_file, const std::string& role) {
-  const YAML::Node traffic = read_yaml_file(traffic_file);
+Classes load_classes(const std::string& traffic_file, const std::string& role,
+                     const std::string& share) {
+  YamlSources sources;
+  const YAML::Node traffic = deployment::read_traffic_file(traffic_file, share, sources);
   Classes classes;
   for (const auto& entry : traffic[role]) {
     for (const auto& topic : entry.second["topics"]) {
@@ -159,8 +161,8 @@ Recording load_recording(const std::string& folder) {
   Recording recording;
   recording.folder = folder;
   const auto deployment = deployment::load_resolved(folder + "/deployment.yaml");
-  const Classes up = load_classes(deployment.traffic, "uxv");
-  const Classes down = load_classes(deployment.traffic, "gcs");
+  const Classes up = load_classes(deployment.traffic, "uxv", deployment.share);
+  const Classes down = load_classes(deployment.traffic, "gcs", deployment.share);
   add_arrivals(up, "gcs", recording);
   add_arrivals(down, "uxv", recording);
   add_written(up, "uxv", recording);

@@ -42,7 +42,7 @@ HealthLimits limits_of(const deployment::Deployment& deployment,
                        const deployment::Container& container) {
   const YAML::Node none(YAML::NodeType::Map);
   return load_parameters<HealthLimits>(container.health ? *container.health : none,
-                                       container.name + ".health", deployment.file);
+                                       container.name + ".health", deployment.sources);
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
       ProcessName{host.name, container.name, static_cast<int>(getpid())}, *instances_,
       resident_bytes);
   for (const deployment::ComponentInstance& one : container.components) {
-    instances_->add(one.component, one.name, one.parameters, deployment.file);
+    instances_->add(one.component, one.name, one.parameters, deployment.sources);
   }
 }
 

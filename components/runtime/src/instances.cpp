@@ -56,17 +56,17 @@ Instance* Instances::find(const std::string& name) {
 
 void Instances::construct(Instance& instance) {
   const ComponentEntry& entry = find_(instance.library);
-  instance.component = entry.create(*instance.context, *instance.parameters, instance.file);
+  instance.component = entry.create(*instance.context, *instance.parameters, instance.sources);
   instance.account = std::make_unique<TickAccount>();
   instance.error.clear();
   instance.state = LifecycleState::inactive;
 }
 
 void Instances::add(const std::string& library, const std::string& name,
-                    std::shared_ptr<const YAML::Node> parameters, const std::string& file) {
+                    std::shared_ptr<const YAML::Node> parameters, const YamlSources& sources) {
   Instance& instance = append(library, name);
   instance.parameters = std::move(parameters);
-  instance.file = file;
+  instance.sources = sources;
   construct(instance);
 }
 
@@ -81,13 +81,14 @@ Outcome Instances::load(const std::string& library, const std::string& name,
   const std::string wrong = error_of([&] {
     (void)find_(library);
     next.parameters = std::make_shared<const YAML::Node>(
-        parameters.empty() ? YAML::Node(YAML::NodeType::Map) : YAML::Load(parameters));
-    find_(library).check(name, *next.parameters, command);
+        parameters.empty() ? YAML::Node(YAML::NodeType::Map)
+                           : next.sources.parse(parameters, command));
+    find_(library).check(name, *next.parameters, next.sources);
   });
   if (!wrong.empty()) return {false, wrong};
   Instance& instance = append(library, name);
   instance.parameters = next.parameters;
-  instance.file = command;
+  instance.sources = next.sources;
   Outcome configured = configure(instance);
   if (!configured.done) return configured;
   const Outcome activated = apply(instance, Transition::activate);

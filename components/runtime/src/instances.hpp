@@ -27,7 +27,7 @@ struct Instance {
   std::string library;
   std::string name;
   std::shared_ptr<const YAML::Node> parameters;
-  std::string file;  ///< that the parameters came from
+  YamlSources sources;  ///< of the parameters
   LifecycleState state = LifecycleState::unconfigured;
   std::string error;
   std::unique_ptr<Context> context;
@@ -54,7 +54,7 @@ class Instances {
 
   /// At start-up: constructs an inactive instance. Throws what its constructor throws.
   void add(const std::string& library, const std::string& name,
-           std::shared_ptr<const YAML::Node> parameters, const std::string& file);
+           std::shared_ptr<const YAML::Node> parameters, const YamlSources& sources);
   void activate_all();
 
   /// At run time: nothing throws. `parameters` is a YAML map, or empty.

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "foundation/time.hpp"
-#include "runtime/log_clock.hpp"
+#include "runtime/middleware/log_clock.hpp"
 
 namespace tocsin {
 namespace {

@@ -3,8 +3,10 @@
 
 #include <limits>
 
+#include "command_line/programs.hpp"
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
+#include "foundation/yaml_extends.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin {
@@ -21,25 +23,26 @@ struct OverrideParams : TopicOverride {
 };
 
 const YAML::Node& need_map(const YAML::Node& node, const std::string& owner,
-                           const std::string& path) {
-  if (!node.IsMap()) throw ConfigError(owner + ": must be a map" + yaml_place(path, node));
+                           const YamlSources& sources) {
+  if (!node.IsMap()) throw ConfigError(owner + ": must be a map" + yaml_place(sources, node));
   return node;
 }
 
 /// The place of a key of `node`, or of `node` when it does not have the key.
-std::string place_of(const std::string& path, const YAML::Node& node, const std::string& key) {
+std::string place_of(const YamlSources& sources, const YAML::Node& node, const std::string& key) {
   const YAML::Node found = node.IsMap() ? node[key] : YAML::Node();
-  return yaml_place(path, found.IsDefined() ? found : node);
+  return yaml_place(sources, found.IsDefined() ? found : node);
 }
 
-void refuse_unsupported(const std::string& owner, const YAML::Node& node, const std::string& path) {
+void refuse_unsupported(const std::string& owner, const YAML::Node& node,
+                        const YamlSources& sources) {
   if (!node.IsMap()) return;
   for (const auto& entry : node) {
     const std::string key = entry.first.Scalar();
     const std::string why = refusal(key, entry.second.IsScalar() ? entry.second.Scalar() : "");
     if (!why.empty()) {
       throw ConfigError(owner + "." + key + ": not supported: " + why +
-                        yaml_place(path, entry.first));
+                        yaml_place(sources, entry.first));
     }
   }
 }
@@ -47,7 +50,8 @@ void refuse_unsupported(const std::string& owner, const YAML::Node& node, const 
 }  // namespace
 
 QosProfiles::QosProfiles(const std::string& path) : path_(path) {
-  const YAML::Node file = read_yaml_file(path);
+  const std::string shipped = (share_folder(own_program()) / "config").string();
+  const YAML::Node file = read_extended(path, {shipped}, sources_);
   if (!file.IsMap()) throw ConfigError(path + ": must be a map of QoS profiles");
   if (file["flow_controllers"].IsDefined()) read_flow_controllers(file["flow_controllers"]);
   if (file["topics"].IsDefined()) read_overrides(file["topics"]);
@@ -58,34 +62,34 @@ QosProfiles::QosProfiles(const std::string& path) : path_(path) {
 }
 
 void QosProfiles::read_profile(const std::string& name, const YAML::Node& node) {
-  refuse_unsupported(name, node, path_);
-  const auto profile = load_parameters<QosProfile>(node, name, path_);
+  refuse_unsupported(name, node, sources_);
+  const auto profile = load_parameters<QosProfile>(node, name, sources_);
   if (const auto broken = conflict(profile)) {
     throw ConfigError(name + "." + broken->policy + ": " + broken->reason +
-                      place_of(path_, node, broken->policy));
+                      place_of(sources_, node, broken->policy));
   }
   const std::string& flow = profile.flow_controller;
   if (!flow.empty() && flow_controllers_.count(flow) == 0) {
     throw ConfigError(name + ".flow_controller: '" + flow + "' is not one of flow_controllers" +
-                      place_of(path_, node, "flow_controller"));
+                      place_of(sources_, node, "flow_controller"));
   }
   profiles_[name] = profile;
 }
 
 void QosProfiles::read_flow_controllers(const YAML::Node& node) {
-  for (const auto& entry : need_map(node, "flow_controllers", path_)) {
+  for (const auto& entry : need_map(node, "flow_controllers", sources_)) {
     const std::string name = entry.first.Scalar();
     flow_controllers_[name] =
-        load_parameters<FlowController>(entry.second, "flow_controllers." + name, path_);
+        load_parameters<FlowController>(entry.second, "flow_controllers." + name, sources_);
   }
 }
 
 void QosProfiles::read_overrides(const YAML::Node& node) {
-  for (const auto& entry : need_map(node, "topics", path_)) {
+  for (const auto& entry : need_map(node, "topics", sources_)) {
     const std::string name = entry.first.Scalar();
     TopicOverride& own = overrides_[name];
-    own = load_parameters<OverrideParams>(entry.second, "topics." + name, path_);
-    own.place = yaml_place(path_, entry.first);
+    own = load_parameters<OverrideParams>(entry.second, "topics." + name, sources_);
+    own.place = yaml_place(sources_, entry.first);
   }
 }
 

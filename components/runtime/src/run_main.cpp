@@ -57,13 +57,13 @@ deployment::Deployment deployment_of(const Options& options) {
   return deployment;
 }
 
-deployment::Container container_of(const Options& options) {
+deployment::Container container_of(const Options& options, YamlSources& sources) {
   deployment::ComponentInstance instance;
   instance.component = options.component;
   instance.name = options.name.empty() ? options.component : options.name;
   const std::string text = settings_text(options.set);
   instance.parameters = std::make_shared<const YAML::Node>(
-      text.empty() ? YAML::Node(YAML::NodeType::Map) : YAML::Load(text));
+      text.empty() ? YAML::Node(YAML::NodeType::Map) : sources.parse(text, "--set"));
   deployment::Container container;
   container.name = instance.name;
   container.components.push_back(std::move(instance));
@@ -75,8 +75,9 @@ int run(int argc, char** argv) {
   Options options;
   declare(app, options);
   return run_command(app, argc, argv, [&] {
-    const auto deployment = deployment_of(options);
-    return run_container(deployment, deployment.hosts.front(), container_of(options));
+    auto deployment = deployment_of(options);
+    const auto container = container_of(options, deployment.sources);
+    return run_container(deployment, deployment.hosts.front(), container);
   });
 }
 

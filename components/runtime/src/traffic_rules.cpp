@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "command_line/programs.hpp"
+#include "deployment/traffic_file.hpp"
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/yaml_file.hpp"
@@ -30,19 +32,21 @@ WhilePoor to_while_poor(const std::string& word) {
 
 TrafficRules::TrafficRules(const std::string& path, const std::string& role)
     : path_(path), role_(role) {
-  const YAML::Node file = read_yaml_file(path);
+  YamlSources sources;
+  const YAML::Node file =
+      deployment::read_traffic_file(path, share_folder(own_program()).string(), sources);
   const YAML::Node classes = file.IsMap() ? file[role] : YAML::Node();
   if (!classes.IsDefined() || !classes.IsMap()) {
     throw ConfigError(path + ": has no map for the role '" + role + "'");
   }
   for (const auto& entry : classes) {
     const std::string name = entry.first.Scalar();
-    const auto loaded = load_parameters<TrafficClass>(entry.second, role + "." + name, path);
+    const auto loaded = load_parameters<TrafficClass>(entry.second, role + "." + name, sources);
     for (const std::string& topic : loaded.topics) {
       const bool added = rules_.insert({topic, {name, to_while_poor(loaded.while_poor)}}).second;
       if (!added) {
         throw ConfigError(role + "." + name + ".topics: " + topic + " is in two classes" +
-                          yaml_place(path, entry.first));
+                          yaml_place(sources, entry.first));
       }
     }
   }

@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <fstream>
 #include <string>
 
 #include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin {
 
 /// A file that is gone with the test.
 class ConfigFile {
  public:
-  explicit ConfigFile(const std::string& text)
-      : path_(::testing::TempDir() + "/config_" + std::to_string(getpid()) + ".yaml") {
-    std::ofstream(path_) << text;
+  explicit ConfigFile(const std::string& text) : path_(folder_.write("config.yaml", text)) {}
+  /// Writes a file beside it.
+  void write(const std::string& name, const std::string& text) const {
+    (void)folder_.write(name, text);
   }
-  ~ConfigFile() { unlink(path_.c_str()); }
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
+  const TemporaryFolder folder_;
   std::string path_;
 };
 

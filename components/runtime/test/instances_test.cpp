@@ -115,7 +115,7 @@ TEST_F(InstancesTest, RefusesASecondNodeOfOneName) {
 TEST_F(InstancesTest, RefusesAnUnknownComponentAndWrongParametersWithoutATrace) {
   EXPECT_THAT(sut_.load("fragil", "a", "").text, HasSubstr("component 'fragil': no library"));
   EXPECT_THAT(sut_.load("fragile", "a", "{in_tik: true}").text, HasSubstr("unknown key"));
-  EXPECT_THAT(sut_.load("fragile", "a", "{").text, HasSubstr("yaml"));
+  EXPECT_THAT(sut_.load("fragile", "a", "{").text, HasSubstr("not valid YAML"));
   EXPECT_TRUE(sut_.all().empty());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/log_clock.hpp"
+#include "runtime/middleware/log_clock.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -51,6 +51,26 @@ TEST(QosProfiles, AMissingProfileNamesTopicAndFile) {
   EXPECT_THAT(text, HasSubstr("it has: sensor"));
 }
 
+TEST(QosProfiles, AFileMayExtendAnother) {
+  const ConfigFile file(
+      "extends: base.yaml\nstate: {depth: 3}\nlidar: {depth: 2}\nlog: ~\ntopics: {odom: ~}\n");
+  file.write("base.yaml",
+             "state: {durability: transient_local, depth: 1}\nlog: {depth: 9}\n"
+             "topics: {odom: {max_rate_hz: 5}, scan: {max_rate_hz: 4}}\n");
+  const QosProfiles sut(file.path());
+  EXPECT_EQ(sut.of("state", "goal").depth, 3);
+  EXPECT_TRUE(sut.of("state", "goal").keeps_last());
+  EXPECT_EQ(sut.of("lidar", "scan").max_rate_hz, 4);
+  EXPECT_THAT(sut.overridden_topics(), ElementsAre("scan"));
+  EXPECT_THAT(error_of([&] { (void)sut.of("log", "rosout"); }), HasSubstr("'log' is not in"));
+}
+
+TEST(QosProfiles, AMistakeInAFileThatIsExtendedHasItsFileAndLine) {
+  const ConfigFile file("extends: base.yaml\nstate: {depth: 3}\n");
+  file.write("base.yaml", "state:\n  deadlinex: 1\n");
+  EXPECT_THAT(error_of([&] { QosProfiles{file.path()}; }), HasSubstr("base.yaml:2)"));
+}
+
 TEST(QosProfiles, AnUnknownPolicyNamesItsLine) {
   const std::string text = error_of_file("sensor:\n  depth: 5\n  deadlinex: 1\n");
   EXPECT_THAT(text, HasSubstr("sensor.deadlinex: unknown key"));

@@ -29,6 +29,37 @@ TEST(TrafficRules, ShippedFileOfTheThesisKeepsTheNewestGoal) {
   EXPECT_EQ(gcs.of(topic::Goal::info.name).while_poor, WhilePoor::latest);
 }
 
+TEST(TrafficRules, ShippedFileOfTheThesisIsTheOtherButForGoals) {
+  for (const char* role : {"uxv", "gcs"}) {
+    const TrafficRules shipped(config + "/traffic.yaml", role);
+    const TrafficRules thesis(config + "/traffic_thesis.yaml", role);
+    EXPECT_EQ(thesis.all().size(), shipped.all().size());
+    for (const auto& [topic, rule] : shipped.all()) {
+      EXPECT_EQ(thesis.of(topic).traffic_class, rule.traffic_class) << topic;
+      if (topic == topic::Goal::info.name) continue;
+      EXPECT_EQ(thesis.of(topic).while_poor, rule.while_poor) << topic;
+    }
+  }
+}
+
+TEST(TrafficRules, AFileMayExtendAnotherAndMoveATopic) {
+  const ConfigFile file("extends: base.yaml\nuxv: {high: {topics: [b]}}\n");
+  file.write("base.yaml",
+             "uxv:\n  high: {while_poor: send, topics: [a]}\n"
+             "  low: {while_poor: drop, topics: [b, c]}\n");
+  const TrafficRules sut(file.path(), "uxv");
+  EXPECT_EQ(sut.of("b").traffic_class, "high");
+  EXPECT_EQ(sut.of("b").while_poor, WhilePoor::send);
+  EXPECT_EQ(sut.of("a").while_poor, WhilePoor::send);
+  EXPECT_EQ(sut.of("c").while_poor, WhilePoor::drop);
+}
+
+TEST(TrafficRules, AMistakeInAFileThatIsExtendedHasItsFileAndLine) {
+  const ConfigFile file("extends: base.yaml\nuxv: {high: {topics: [b]}}\n");
+  file.write("base.yaml", "uxv:\n  high: {topics: [a]}\n  low: {while_poor: delete}\n");
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }), HasSubstr("base.yaml:3)"));
+}
+
 TEST(TrafficRules, ATopicWithoutClassIsAnError) {
   const ConfigFile file("uxv:\n  low: {while_poor: drop, topics: [a]}\n");
   const TrafficRules sut(file.path(), "uxv");

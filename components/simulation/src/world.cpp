@@ -129,7 +129,7 @@ void World::start(Process& process) {
     if (!wanted(one)) continue;
     Instance& instance = add_instance(one.name, process);
     const ComponentEntry& entry = load_component(one.component);
-    instance.component = entry.create(instance.context, *one.parameters, deployment_.file);
+    instance.component = entry.create(instance.context, *one.parameters, deployment_.sources);
     if (process.container->terminal) {
       // What is for a person's eyes only is not ticked; that it reads costs packets all the same.
       instance.component->listen(false);

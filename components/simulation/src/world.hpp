@@ -7,7 +7,7 @@
 #include <string>
 
 #include "full_disk.hpp"
-#include "runtime/log_clock.hpp"
+#include "runtime/middleware/log_clock.hpp"
 #include "scheduler.hpp"
 #include "sim_devices.hpp"
 #include "sim_host.hpp"

@@ -38,8 +38,8 @@ void VelocityMuxComponent::make_sources() {
     }
     sources.push_back(std::make_unique<Source>(Source{input.name, "cmd_vel/" + input.name, {}}));
     const TopicInfo info{sources.back()->topic.c_str(), topic::CmdVel::info.qos, Scope::host};
-    sources.back()->port =
-        std::make_unique<InputPort>(*this, Endpoint{info, &type_info<topic::CmdVel::Message>()});
+    sources.back()->port = std::make_unique<InputPort>(
+        *this, Endpoint{info, &type_info<topic::CmdVel::Message>(), Writers::optional});
   }
   sources_ = std::move(sources);
 }

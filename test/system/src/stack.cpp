@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -60,6 +62,19 @@ std::vector<std::string> cells_of(const std::string& line) {
 }
 
 }  // namespace
+
+Ended run_to_end(const std::string& program, const std::string& arguments) {
+  Ended ended;
+  FILE* const pipe = ::popen((program + " " + arguments + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) return ended;
+  std::array<char, 4096> block{};
+  for (std::size_t size = 0; (size = std::fread(block.data(), 1, block.size(), pipe)) > 0;) {
+    ended.output.append(block.data(), size);
+  }
+  const int status = ::pclose(pipe);
+  if (WIFEXITED(status)) ended.code = WEXITSTATUS(status);
+  return ended;
+}
 
 Stack::Stack(const std::vector<std::string>& arguments) {
   std::string name = "/tmp/tocsin_stack_XXXXXX";

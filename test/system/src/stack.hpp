@@ -10,6 +10,15 @@
 
 namespace tocsin {
 
+/// How a program ended, and all that it printed.
+struct Ended {
+  int code = -1;  ///< -1: by a signal
+  std::string output;
+};
+
+/// Runs an installed program to its end, with a shell's words behind it.
+[[nodiscard]] Ended run_to_end(const std::string& program, const std::string& arguments);
+
 /// A running `tocsin launch` with a run folder of its own, which is removed in the end; the
 /// launcher is stopped when it still runs.
 class Stack {

@@ -35,7 +35,7 @@ class AutoDockingComponent final : public Component {
   void send(const motion::BodyVelocity& velocity);
   void report(Time now);
 
-  Input<topic::DockingCommand> command_{*this};
+  OptionalInput<topic::DockingCommand> command_{*this};
   Output<topic::CmdVelDocking> cmd_vel_{*this};
   Output<topic::DockingStatus> status_{*this};
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace YAML {
-class Node;
-}
+#include "foundation/yaml_sources.hpp"
 
 /// The bringup file in memory: which components run in which process, on which host.
 namespace tocsin::deployment {
@@ -18,12 +15,9 @@ namespace tocsin::deployment {
 struct ComponentInstance {
   std::string component;  ///< library that offers it, also its default name
   std::string name;       ///< unique on its host
-  /// A map of parameters, never null, possibly empty. After load_resolved its nodes carry the lines
-  /// of the resolved file, so `load_parameters<P>(*parameters, name, deployment.file)` points
-  /// there.
+  /// A map of parameters, never null, possibly empty. Its nodes know where they were written, so
+  /// `load_parameters<P>(*parameters, name, deployment.sources)` points there.
   std::shared_ptr<const YAML::Node> parameters;
-  /// "file:line" that each parameter came from; empty after load_resolved.
-  std::map<std::string, std::string> origins;
 };
 
 /// One process that runs components.
@@ -76,6 +70,7 @@ struct RestartPolicy {
 /// A whole bringup file. All paths are absolute, all variables replaced.
 struct Deployment {
   std::string file;     ///< it was read from; for error texts
+  YamlSources sources;  ///< that file, those that it extends, parameter files, settings
   std::string run_dir;  ///< folder of this run's recordings, logs and sockets
   std::string share;    ///< installed share/tocsin folder
   int seed = 1;
@@ -100,7 +95,8 @@ struct Overrides {
   std::vector<std::string> without;  ///< "host/process" or "host/process/component" left out
 };
 
-/// Reads a bringup file with its parameter files and applies the overrides.
+/// Reads a bringup file, the files that it extends and its parameter files, and applies the
+/// overrides.
 /// Throws ConfigError naming file:line, key, value and what is allowed.
 [[nodiscard]] Deployment load_deployment(const std::string& path, const Overrides& overrides);
 

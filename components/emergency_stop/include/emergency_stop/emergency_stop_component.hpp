@@ -22,7 +22,7 @@ class EmergencyStopComponent final : public Component {
   void tick(Time now) override;
 
  private:
-  Input<topic::EmergencyStopRequest> request_{*this};
+  OptionalInput<topic::EmergencyStopRequest> request_{*this};
   Output<topic::EmergencyStop> stop_{*this};
   RequestFile file_;
   std::optional<bool> wanted_;  ///< empty: nobody has asked for anything

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace YAML {
-class Node;
-}
+#include "foundation/yaml_sources.hpp"
 
 namespace tocsin {
 
@@ -34,9 +32,9 @@ using Choices = std::initializer_list<const char*>;
 ///     };
 class ParameterLoader {
  public:
-  /// `owner` is the name before the dot in error texts, `file` the file they point to.
+  /// `owner` is the name before the dot in error texts, `sources` tell the place they point to.
   /// A null or absent node means "all defaults". Throws ConfigError if `node` is not a map.
-  ParameterLoader(const YAML::Node& node, std::string owner, std::string file);
+  ParameterLoader(const YAML::Node& node, std::string owner, YamlSources sources);
   ~ParameterLoader();
   ParameterLoader(const ParameterLoader&) = delete;
   ParameterLoader& operator=(const ParameterLoader&) = delete;
@@ -83,9 +81,9 @@ class ParameterPrinter {
 /// ConfigError, for example `link_monitor.lost_after_s: -1 is outside [0.05, 60] (a.yaml:3)`.
 template <class Params>
 [[nodiscard]] Params load_parameters(const YAML::Node& node, const std::string& owner,
-                                     const std::string& file) {
+                                     const YamlSources& sources) {
   Params params;
-  ParameterLoader loader(node, owner, file);
+  ParameterLoader loader(node, owner, sources);
   params.visit(loader);
   loader.reject_unknown_keys();
   return params;
@@ -99,5 +97,11 @@ template <class Params>
   params.visit(printer);
   return printer.text();
 }
+
+/// `text`, an error about parameters that `load_parameters` took: behind it the place of the one
+/// that it names or whose value it begins with, so that an error which only the component could
+/// find points to its line, too. Unchanged when that is none of them.
+[[nodiscard]] std::string with_place(const std::string& text, const YAML::Node& node,
+                                     const YamlSources& sources);
 
 }  // namespace tocsin

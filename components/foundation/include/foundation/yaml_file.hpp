@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "foundation/yaml_sources.hpp"
+
 namespace tocsin {
 
 /// Reads one YAML document. Throws ConfigError with file, line and reason when the file cannot be
@@ -12,6 +14,6 @@ namespace tocsin {
 [[nodiscard]] YAML::Node read_yaml_file(const std::string& path);
 
 /// " (file:line)" of a node, for error texts; only " (file)" when the node has no position.
-[[nodiscard]] std::string yaml_place(const std::string& path, const YAML::Node& node);
+[[nodiscard]] std::string yaml_place(const YamlSources& sources, const YAML::Node& node);
 
 }  // namespace tocsin

@@ -20,14 +20,14 @@ class CommandTopics {
  private:
   [[nodiscard]] bool anything_came() const;
   [[nodiscard]] int apply_outputs(kobuki::KobukiDriver& driver);
-  Input<topic::Led1> led1_;
-  Input<topic::Led2> led2_;
-  Input<topic::SoundCommand> sound_;
-  Input<topic::DigitalOutput> digital_;
-  Input<topic::ExternalPower> supply_;
-  Input<topic::ResetOdometry> reset_;
-  Input<topic::MotorPower> motor_;
-  Input<topic::GainsCommand> gains_;
+  OptionalInput<topic::Led1> led1_;
+  OptionalInput<topic::Led2> led2_;
+  OptionalInput<topic::SoundCommand> sound_;
+  OptionalInput<topic::DigitalOutput> digital_;
+  OptionalInput<topic::ExternalPower> supply_;
+  OptionalInput<topic::ResetOdometry> reset_;
+  OptionalInput<topic::MotorPower> motor_;
+  OptionalInput<topic::GainsCommand> gains_;
 };
 
 }  // namespace tocsin

@@ -52,14 +52,14 @@ class LiveViewComponent final : public Component {
   std::shared_ptr<const typename Topic::Message> take(Input<Topic>& input, Time now);
   void draw(Time now);
 
-  Input<topic::Location> location_{*this};
-  Input<topic::MissionStatus> mission_{*this};
-  Input<topic::NavigationStatus> navigation_{*this};
-  Input<topic::NetworkQuality> quality_{*this};
-  Input<topic::TransmissionState> transmission_{*this};
-  Input<topic::Heartbeat> heartbeat_{*this};
-  Input<topic::TrafficReport> report_{*this};
-  Input<topic::SafetyStatus> safety_{*this};
+  OptionalInput<topic::Location> location_{*this};
+  OptionalInput<topic::MissionStatus> mission_{*this};
+  OptionalInput<topic::NavigationStatus> navigation_{*this};
+  OptionalInput<topic::NetworkQuality> quality_{*this};
+  OptionalInput<topic::TransmissionState> transmission_{*this};
+  OptionalInput<topic::Heartbeat> heartbeat_{*this};
+  OptionalInput<topic::TrafficReport> report_{*this};
+  OptionalInput<topic::SafetyStatus> safety_{*this};
   std::vector<Counted> counted_;
   ViewState view_;
   TrafficTable table_;

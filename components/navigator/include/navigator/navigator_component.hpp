@@ -52,7 +52,7 @@ class NavigatorComponent final : public Component {
   void remember(Time now);
 
   Input<topic::Odom> odom_{*this, Arrival::waits};
-  Input<topic::Goal> goal_{*this};
+  OptionalInput<topic::Goal> goal_{*this};
   Input<topic::EmergencyStop> emergency_stop_{*this};
   Input<topic::Heartbeat> heartbeat_{*this};
   Output<topic::CmdVelNavigation> cmd_vel_{*this};

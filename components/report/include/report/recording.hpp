@@ -73,8 +73,10 @@ struct Recording {
 /// Topic -> class, of what one role sends.
 using Classes = std::map<std::string, std::string>;
 
-/// The classes of a traffic file, named "uxv low", "gcs high" and so on. Throws ConfigError.
-[[nodiscard]] Classes load_classes(const std::string& traffic_file, const std::string& role);
+/// The classes of a traffic file, named "uxv low", "gcs high" and so on; `share` is the installed
+/// folder, for a file that extends a shipped one. Throws ConfigError.
+[[nodiscard]] Classes load_classes(const std::string& traffic_file, const std::string& role,
+                                   const std::string& share);
 
 /// Reads the folder of a run: `deployment.yaml` names the traffic classes, `uxv/` and `gcs/` hold
 /// the recorders' files. Throws ConfigError when the folder is not one of a run, or holds no

@@ -39,10 +39,14 @@ struct Receiver {
   virtual void receive_last(Sample&& sample) { receive(sample); }
 };
 
+/// Whether a reader is of use without a writer; for `tocsin check`, no bus looks at it.
+enum class Writers { needed, optional };
+
 /// One end of a topic, as the bus sees it.
 struct Endpoint {
   TopicInfo topic;
   const TypeInfo* type;
+  Writers writers = Writers::needed;
 };
 
 /// Subscribed as long as it lives. Destroying it waits for a running `receive`.

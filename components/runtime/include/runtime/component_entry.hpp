@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
 #include "runtime/component.hpp"
 #include "runtime/middleware/component_layout.hpp"
@@ -14,11 +15,11 @@ namespace tocsin {
 /// What a component's library tells about itself.
 struct ComponentEntry {
   std::uint64_t layout;  ///< stays the first member: it is read before the rest is trusted
-  /// Loads the parameters (node, file for error texts), then builds. Throws ConfigError.
+  /// Loads the parameters, then builds. Throws ConfigError, which points to the place in `sources`.
   std::unique_ptr<Component> (*create)(Context& context, const YAML::Node& parameters,
-                                       const std::string& file);
+                                       const YamlSources& sources);
   /// Checks the parameters only. Throws ConfigError.
-  void (*check)(const std::string& owner, const YAML::Node& parameters, const std::string& file);
+  void (*check)(const std::string& owner, const YAML::Node& parameters, const YamlSources& sources);
   /// All parameters with defaults, units and ranges, as commented YAML.
   std::string (*defaults)();
 };
@@ -27,12 +28,17 @@ template <class T>
 ComponentEntry make_component_entry() {
   return {component_layout(),
           [](Context& context, const YAML::Node& parameters,
-             const std::string& file) -> std::unique_ptr<Component> {
-            const auto loaded = load_parameters<typename T::Params>(parameters, context.name, file);
-            return std::make_unique<T>(context, loaded);
+             const YamlSources& sources) -> std::unique_ptr<Component> {
+            const auto loaded =
+                load_parameters<typename T::Params>(parameters, context.name, sources);
+            try {
+              return std::make_unique<T>(context, loaded);
+            } catch (const ConfigError& error) {
+              throw ConfigError(with_place(error.what(), parameters, sources));
+            }
           },
-          [](const std::string& owner, const YAML::Node& parameters, const std::string& file) {
-            (void)load_parameters<typename T::Params>(parameters, owner, file);
+          [](const std::string& owner, const YAML::Node& parameters, const YamlSources& sources) {
+            (void)load_parameters<typename T::Params>(parameters, owner, sources);
           },
           [] { return default_yaml<typename T::Params>(); }};
 }

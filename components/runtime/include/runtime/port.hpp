@@ -57,8 +57,9 @@ template <class Topic>
 class Input : public InputPort {
  public:
   using Message = typename Topic::Message;
-  explicit Input(Component& owner, Arrival arrival = Arrival::ticks)
-      : InputPort(owner, {Topic::info, &type_info<Message>()}, arrival) {}
+  explicit Input(Component& owner, Arrival arrival = Arrival::ticks,
+                 Writers writers = Writers::needed)
+      : InputPort(owner, {Topic::info, &type_info<Message>(), writers}, arrival) {}
 
   /// The oldest message that was not taken yet; null when there is none.
   [[nodiscard]] std::shared_ptr<const Message> take() {
@@ -71,6 +72,15 @@ class Input : public InputPort {
     while (auto message = take()) newest = std::move(message);
     return newest;
   }
+};
+
+/// An input that may well have no writer in a deployment: what people order now and then, what is
+/// shown or recorded if there is any. `tocsin check` does not warn of it.
+template <class Topic>
+class OptionalInput : public Input<Topic> {
+ public:
+  explicit OptionalInput(Component& owner, Arrival arrival = Arrival::ticks)
+      : Input<Topic>(owner, arrival, Writers::optional) {}
 };
 
 /// Member of a component that writes a topic of tocsin_idl/topics.hpp. Link topics pass the gate.

@@ -30,7 +30,7 @@ class SafetyControllerComponent final : public Component {
   Input<topic::CliffEvents> cliff_{*this};
   Input<topic::WheelDropEvents> wheel_drop_{*this};
   Input<topic::EmergencyStop> emergency_stop_{*this};
-  Input<topic::SafetyEnable> enable_{*this};
+  OptionalInput<topic::SafetyEnable> enable_{*this};
   /// Until the first sample: what is pressed already makes no event. Fifty a second is too many
   /// for longer.
   std::optional<Input<topic::SensorsCore>> sensors_;

@@ -30,7 +30,7 @@ class TeleopReceiverComponent final : public Component {
  private:
   [[nodiscard]] bool is_fresh(const topic::TeleopCmdVel::Message& command, Time now);
 
-  Input<topic::TeleopCmdVel> command_{*this};
+  OptionalInput<topic::TeleopCmdVel> command_{*this};
   Output<topic::CmdVelTeleop> cmd_vel_{*this};
   Duration lifespan_;
   std::map<std::string, motion::CommandLateness> devices_;  ///< by frame_id; each has its clock

@@ -42,7 +42,7 @@ class VelocityMuxComponent final : public Component {
   void report_inputs();
 
   Input<topic::EmergencyStop> emergency_stop_{*this};
-  Input<topic::MuxSetInputs> set_inputs_{*this};
+  OptionalInput<topic::MuxSetInputs> set_inputs_{*this};
   Output<topic::CmdVelSelected> selected_{*this};
   Output<topic::MuxActive> active_{*this};
   Output<topic::MuxInputs> inputs_{*this};

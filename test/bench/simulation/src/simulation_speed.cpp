@@ -74,7 +74,6 @@ void put_listeners(deployment::Deployment& deployment) {
         if (one.component != "recorder") continue;
         one.component = "experiment";
         one.parameters = std::make_shared<const YAML::Node>(YAML::NodeType::Map);
-        one.origins.clear();
       }
     }
   }

@@ -10,7 +10,7 @@ namespace tocsin {
 /// Differs when a library and the runtime were compiled with different headers: the sizes of what
 /// they share, and a number in front that is raised by hand when only a virtual function changes.
 constexpr std::uint64_t component_layout() {
-  std::uint64_t layout = 1;
+  std::uint64_t layout = 2;
   for (const std::size_t size :
        {sizeof(Component), sizeof(InputPort), sizeof(Schedule), sizeof(Context), sizeof(Sample),
         sizeof(TypeInfo), sizeof(SampleQueue), sizeof(PortHealth), sizeof(EndpointHealth)}) {

@@ -28,7 +28,7 @@ class GateComponent final : public Component {
 
  private:
   void report(Time now);
-  Input<topic::TransmissionState> state_{*this};
+  OptionalInput<topic::TransmissionState> state_{*this};
   Output<topic::TrafficReport> report_{*this};
   GateKeeper keeper_;
   std::string process_;

@@ -5,11 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "foundation/yaml_sources.hpp"
 #include "runtime/middleware/qos_policies.hpp"
-
-namespace YAML {
-class Node;
-}
 
 namespace tocsin {
 
@@ -36,10 +33,11 @@ struct TopicOverride {
   std::string place;                 ///< " (file:line)" of it, for error texts
 };
 
-/// The QoS file: profiles by name, `flow_controllers`, and overrides by topic under `topics`.
+/// The QoS file: profiles by name, `flow_controllers`, and overrides by topic under `topics`. It
+/// may `extends` others, key by key; a bare name that is not beside it is a file of share/config.
 class QosProfiles {
  public:
-  /// Reads config/qos.yaml. Throws ConfigError with file and line.
+  /// Reads a file such as config/qos.yaml. Throws ConfigError with file and line.
   explicit QosProfiles(const std::string& path);
   /// The profile with the overrides of `topic`. Throws ConfigError naming the topic when the
   /// profile is missing or the overrides contradict it.
@@ -56,6 +54,7 @@ class QosProfiles {
   void read_overrides(const YAML::Node& node);
 
   std::string path_;
+  YamlSources sources_;
   std::map<std::string, QosProfile> profiles_;
   std::map<std::string, FlowController> flow_controllers_;
   std::map<std::string, TopicOverride> overrides_;

@@ -18,7 +18,9 @@ struct TrafficRule {
   WhilePoor while_poor = WhilePoor::send;
 };
 
-/// config/traffic.yaml for one role: which class each link topic is in.
+/// A file such as config/traffic.yaml for one role: which class each link topic is in. It may
+/// `extends` others; a topic that it names leaves the class that it has there. A bare name that is
+/// not beside it is a file of share/config.
 class TrafficRules {
  public:
   /// Throws ConfigError with file and line: unreadable file, unknown role or key, a topic named

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tocsin check` as installed: on the shipped files, and on the example of deployment's README.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "foundation/temporary_folder.hpp"
+#include "stack.hpp"
+
+namespace tocsin {
+namespace {
+
+using ::testing::HasSubstr;
+
+Ended check(const std::string& arguments) {
+  return run_to_end(Stack::program("check", "tocsin-check"), arguments);
+}
+
+/// The YAML blocks of a README, each with its first line.
+std::vector<std::string> yaml_blocks(const std::string& readme) {
+  std::istringstream lines(readme);
+  std::vector<std::string> blocks;
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    const bool fence = line.rfind("```", 0) == 0;
+    if (inside && !fence) blocks.back() += line + "\n";
+    if (fence && !inside && line == "```yaml") blocks.emplace_back();
+    if (fence) inside = !inside && line == "```yaml";
+  }
+  return blocks;
+}
+
+TEST(Check, TheExampleOfAFileThatExtendsTheMissionIsRight) {
+  std::ostringstream readme;
+  readme << std::ifstream(TOCSIN_SOURCE_DIR "/../../components/deployment/README.md").rdbuf();
+  const auto blocks = yaml_blocks(readme.str());
+  ASSERT_EQ(blocks.size(), 2U);
+  const TemporaryFolder folder;
+  ASSERT_EQ(blocks[0].rfind("# robot.yaml:", 0), 0U);
+  ASSERT_EQ(blocks[1].rfind("# traffic.yaml", 0), 0U);
+  const std::string robot = folder.write("robot.yaml", blocks[0]);
+  (void)folder.write("traffic.yaml", blocks[1]);
+  const Ended right = check(robot);
+  EXPECT_EQ(right.code, 0) << right.output;
+  EXPECT_THAT(right.output, HasSubstr("24 components; 0 errors"));  // the mission has 25
+  const Ended wrong = check(robot + " --set camera.rate_hz=1");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("camera: no such component in " + robot));
+}
+
+}  // namespace
+}  // namespace tocsin
