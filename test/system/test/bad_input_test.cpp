@@ -9,6 +9,7 @@
 
 #include <fstream>
 
+#include "foundation/temporary_folder.hpp"
 #include "stack.hpp"
 
 namespace tocsin {
@@ -27,11 +28,10 @@ class BadInputTest : public ::testing::Test {
     EXPECT_THAT(sut.output(), HasSubstr(reason));
     EXPECT_TRUE(sut.processes().empty()) << "still running";
   }
-  static std::string file(const std::string& name, const std::string& text) {
-    const std::string path = ::testing::TempDir() + name;
-    std::ofstream(path) << text;
-    return path;
+  [[nodiscard]] std::string file(const std::string& name, const std::string& text) const {
+    return folder_.write(name, text);
   }
+  const TemporaryFolder folder_;
 };
 
 TEST_F(BadInputTest, UnknownParameter) {
