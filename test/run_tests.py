@@ -4,10 +4,13 @@
 
 usage: run_tests.py BUILD_FOLDER LABEL_REGEX [PACKAGE ...]
 
-Unit and component tests run in parallel, system tests one after the other. A test program that
+As many tests run side by side as there are cores, those that took longest the last time first. A system
+test gets a network, a /dev/shm and mounts of its own, so that no other test hears it; where the
+kernel or the container forbids that, system tests run one after the other. A test program that
 crashes, or leaves no result file, counts as one failed case. The last line is
 "N passed, N failed, N skipped"; the exit code is 1 when a case failed.
 """
+import collections
 import concurrent.futures
 import json
 import os
@@ -15,68 +18,121 @@ import pathlib
 import re
 import subprocess
 import sys
+import time
 import xml.etree.ElementTree as ElementTree
+
+Test = collections.namedtuple("Test", "package name system result_file")
+Outcome = collections.namedtuple("Outcome", "passed failed skipped reasons seconds")
+
+# Root has the right to namespaces; anybody else becomes root of a user namespace first.
+PRIVATE_WORLD = ["unshare", "--net", "--mount", *([] if os.geteuid() == 0 else ["--map-root-user"]),
+                 "sh", "-c", """mount -t tmpfs -o mode=1777 tmpfs /dev/shm && ip link set lo up &&
+                 { echo 0 0 > /proc/sys/net/ipv4/ping_group_range || true; } 2>/dev/null &&
+                 exec "$@" """, "-"]
+SLOWEST_SHOWN = 5
 
 
 def tests_of(package, labels):
-    """Name, labels and result file of each test of a package's build folder."""
+    """The tests of a package's build folder that have one of the labels."""
     listed = subprocess.run(["ctest", "--show-only=json-v1", "-L", labels], cwd=package,
                             capture_output=True, text=True, check=True)
     for test in json.loads(listed.stdout)["tests"]:
         properties = {p["name"]: p["value"] for p in test.get("properties", [])}
-        command = " ".join(test.get("command", []))
-        result = re.search(r"--gtest_output=xml:(\S+)", command)
-        yield (package, test["name"], properties.get("LABELS", []),
-               pathlib.Path(result.group(1)) if result else None)
+        result = re.search(r"--gtest_output=xml:(\S+)", " ".join(test.get("command", [])))
+        yield Test(package, test["name"], "system" in properties.get("LABELS", []),
+                   pathlib.Path(result.group(1)) if result else None)
 
 
-def count_cases(result_file):
-    """Passed, failed, skipped cases of one result file; None when it cannot be read."""
+def read_cases(result_file):
+    """Passed, failed, skipped cases of one result file and the reasons of the skipped ones; None
+    when it cannot be read."""
     try:
         root = ElementTree.parse(result_file).getroot()
     except (OSError, ElementTree.ParseError):
         return None
     cases = [case for suite in root for case in suite]
     failed = sum(case.find("failure") is not None for case in cases)
-    skipped = sum(case.get("result") in ("skipped", "suppressed") for case in cases)
-    return len(cases) - failed - skipped, failed, skipped
+    skipped = [case for case in cases if case.get("result") in ("skipped", "suppressed")]
+    reasons = [(case.find("skipped").get("message") or "").split("\n")[-1]
+               for case in skipped if case.find("skipped") is not None]
+    return len(cases) - failed - len(skipped), failed, len(skipped), reasons
 
 
-def run(test):
-    """Runs one test; its counts and, when it failed, what it printed."""
-    package, name, _, result_file = test
-    if result_file:
-        result_file.unlink(missing_ok=True)
-    done = subprocess.run(["ctest", "--output-on-failure", "-R", f"^{re.escape(name)}$"],
-                          cwd=package, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+def run(test, prefix):
+    """Runs one test, and prints what it printed when it failed."""
+    if test.result_file:
+        test.result_file.unlink(missing_ok=True)
+    begin = time.monotonic()
+    done = subprocess.run([*prefix, "ctest", "--output-on-failure", "-R", f"^{re.escape(test.name)}$"],
+                          cwd=test.package, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True, errors="replace")
+    seconds = time.monotonic() - begin
     good = done.returncode == 0
-    if result_file is None:
-        counts = (1, 0, 0) if good else (0, 1, 0)
-    else:
-        counts = count_cases(result_file) or (0, 1, 0)
+    counts = (1, 0, 0, []) if good else (0, 1, 0, [])
+    if test.result_file:
+        counts = read_cases(test.result_file) or (0, 1, 0, [])
         if not good and counts[1] == 0:  # it died after its last case
-            counts = (counts[0], 1, counts[2])
+            counts = (counts[0], 1, *counts[2:])
     if not good or counts[1]:
-        print(f"FAILED {package.name}: {name}\n{done.stdout}", flush=True)
-    return counts
+        print(f"FAILED {test.package.name}: {test.name}\n{done.stdout}", flush=True)
+    return Outcome(*counts, seconds)
+
+
+def read_times(file):
+    try:
+        return json.loads(file.read_text())
+    except (OSError, ValueError):
+        return {}
+
+
+def private_world():
+    """What to put before a command so that it hears nobody and nobody hears it; None when this is
+    not allowed here."""
+    tried = subprocess.run([*PRIVATE_WORLD, "true"], capture_output=True)
+    return PRIVATE_WORLD if tried.returncode == 0 else None
+
+
+def run_all(tests):
+    world = private_world() if any(test.system for test in tests) else []
+    if world is None:
+        print("system tests run one after the other: no network namespaces here", flush=True)
+    alone = [test for test in tests if test.system and world is None]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        started = [(test, pool.submit(run, test, world if test.system else []))
+                   for test in tests if test not in alone]
+        outcomes = {test: future.result() for test, future in started}
+    outcomes.update((test, run(test, [])) for test in alone)
+    return outcomes
+
+
+def report(outcomes):
+    slowest = sorted(outcomes, key=lambda test: -outcomes[test].seconds)[:SLOWEST_SHOWN]
+    print("slowest: " + ", ".join(f"{test.name} {outcomes[test].seconds:.0f} s" for test in slowest))
+    for test, outcome in outcomes.items():
+        for reason, count in collections.Counter(outcome.reasons).items():
+            print(f"skipped {count} of {test.name}: {reason}")
+    passed, failed, skipped = (sum(column) for column in
+                               zip((0, 0, 0), *(outcome[:3] for outcome in outcomes.values())))
+    print(f"{passed} passed, {failed} failed, {skipped} skipped")
+    return failed == 0 and bool(outcomes)
 
 
 def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__.split("\n\n")[1])
-    wanted = sys.argv[3:]
-    packages = sorted(file.parent for file in
-                      pathlib.Path(sys.argv[1]).glob("*/CTestTestfile.cmake")
+    build, labels, wanted = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3:]
+    packages = sorted(file.parent for file in build.glob("*/CTestTestfile.cmake")
                       if not wanted or file.parent.name in wanted)
-    tests = [test for package in packages for test in tests_of(package, sys.argv[2])]
-    alone = [test for test in tests if "system" in test[2]]
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        counts = list(pool.map(run, [test for test in tests if test not in alone]))
-    counts += [run(test) for test in alone]
-    passed, failed, skipped = (sum(column) for column in zip((0, 0, 0), *counts))
-    print(f"{passed} passed, {failed} failed, {skipped} skipped")
-    sys.exit(1 if failed or not tests else 0)
+    times_file = build / "test_times.json"
+    times = read_times(times_file)
+    tests = [test for package in packages for test in tests_of(package, labels)]
+    # System tests are the long ones, as far as nothing is known.
+    tests.sort(key=lambda test: -times.get(f"{test.package.name}/{test.name}", 60 * test.system))
+    outcomes = run_all(tests)
+    times.update((f"{test.package.name}/{test.name}", round(outcome.seconds, 2))
+                 for test, outcome in outcomes.items())
+    times_file.write_text(json.dumps(times, indent=1))
+    sys.exit(0 if report(outcomes) else 1)
 
 
 main()
