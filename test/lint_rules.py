@@ -45,7 +45,7 @@ def check_length():
 
 
 def check_dependencies():
-    for cmake in tracked("idl/*/CMakeLists.txt", "components/*/CMakeLists.txt"):
+    for cmake in tracked("idl/*CMakeLists.txt", "components/*CMakeLists.txt"):
         text = cmake.read_text()
         found = set(re.findall(r"^find_package\((\S+)", text, re.M))
         found |= set(re.findall(r"pkg_check_modules\(\w+ REQUIRED(?: IMPORTED_TARGET)? ([^\s)]+)", text))
