@@ -61,8 +61,8 @@ Line told(const char* label, const std::optional<Heard<Value>>& heard, const cha
   return line;
 }
 
-/// Place and doing of the vehicle: as old as the older of the two. Of a vehicle that was lost, where
-/// to look for it.
+/// Place and doing of the vehicle: as old as the older of the two. Of a vehicle that was lost,
+/// where to look for it.
 Line vehicle_line(const ViewState& state, const Viewing& viewing) {
   const auto& place = state.location;
   const auto& doing = state.navigation;
@@ -99,17 +99,6 @@ std::vector<Line> head_lines(const ViewState& state, const Viewing& viewing) {
   return lines;
 }
 
-/// The first of `table`, at most `room` lines; the last of them tells how many rows are not shown.
-std::vector<Line> shortened(std::vector<Line> table, std::size_t room) {
-  if (table.size() <= room) return table;
-  constexpr std::size_t least = 3;  // its head, one row, and the line that tells
-  if (room < least) return {};
-  const std::size_t hidden = table.size() - (room - 1);
-  table.resize(room - 1);
-  table.push_back({{fmt::format("and {} topics more", hidden), Style::old}});
-  return table;
-}
-
 }  // namespace
 
 std::vector<Line> page(const ViewState& state, Time now, terminal::Size size,
@@ -123,7 +112,7 @@ std::vector<Line> page(const ViewState& state, Time now, terminal::Size size,
     lines.insert(lines.begin(), {{"Tocsin", Style::bold}});
     lines.emplace_back();
   }
-  table = shortened(std::move(table), rows - lines.size());
+  table = terminal::shortened(std::move(table), rows - lines.size(), "topics");
   std::move(table.begin(), table.end(), std::back_inserter(lines));
   for (Line& line : lines) line = terminal::fit(std::move(line), columns);
   return lines;

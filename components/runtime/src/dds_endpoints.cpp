@@ -43,7 +43,7 @@ DdsReader::DdsReader(FastDdsParticipant& participant, const std::string& topic,
     : participant_(participant),
       exchange_(exchange),
       skips_own_(!qos.exclusive()),
-      own_{topic, type.name, layout_in(qos.user_data), false},
+      own_{topic, type.name, layout_in(qos.user_data), false, qos},
       account_(topic, false, participant.radio()),
       pool_(type),
       reader_(participant.create_reader(topic, type, qos, *this)) {
@@ -102,6 +102,7 @@ void DdsReader::drain(Reader* reader) {
 EndpointHealth DdsReader::health() const {
   EndpointHealth health = account_.health();
   health.other_type = participant_.remote_ends().other_type(own_);
+  health.misfit = participant_.remote_ends().misfit(own_);
   return health;
 }
 
@@ -141,7 +142,7 @@ void DdsReader::on_liveliness_changed(Reader*, const dds::LivelinessChangedStatu
 DdsWriter::DdsWriter(FastDdsParticipant& participant, const std::string& topic,
                      const TypeInfo& type, const QosProfile& qos)
     : participant_(participant),
-      own_{topic, type.name, layout_in(qos.user_data), true},
+      own_{topic, type.name, layout_in(qos.user_data), true, qos},
       account_(topic, true, participant.radio()),
       writer_(participant.create_writer(topic, type, qos, *this)) {
   if (writer_ == nullptr) throw EnvironmentError("DDS writer of " + topic + " cannot be created");
@@ -166,6 +167,7 @@ EndpointHealth DdsWriter::health() const {
   health.samples = sent_;
   health.lost = refused_;
   health.other_type = participant_.remote_ends().other_type(own_);
+  health.misfit = participant_.remote_ends().misfit(own_);
   return health;
 }
 

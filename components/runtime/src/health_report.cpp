@@ -132,24 +132,23 @@ Diagnostic diagnose(const std::string& container, const MemoryFigures& memory,
 }
 
 bool is_eventful(const EndpointHealth& endpoint) {
+  // A misfit or another type is a state, the counts are a history.
   return endpoint.lost + endpoint.rejected + endpoint.incompatible_qos + endpoint.deadlines_missed +
                  endpoint.liveliness_lost >
              0 ||
-         !endpoint.other_type.empty() || endpoint.waits;
+         !endpoint.other_type.empty() || !endpoint.misfit.empty() || endpoint.waits;
 }
 
 Diagnostic diagnose(const std::string& container, const EndpointHealth& endpoint,
                     const EndpointHealth& before) {
   Finding finding(container + "/" + endpoint.topic + (endpoint.writer ? " writer" : " reader") +
                       (endpoint.link ? " (link)" : ""),
-                  "matched, with past events");
+                  endpoint.matched > 0 ? "matched, with past events" : "past events");
   if (endpoint.waits) finding.grade(WARN, "waits for the interface of the link to come up");
   if (!endpoint.other_type.empty()) {
     finding.grade(ERROR, "another end has the type " + endpoint.other_type);
   }
-  if (endpoint.incompatible_qos > 0) {
-    finding.grade(ERROR, "incompatible QoS: " + endpoint.incompatible_policy);
-  }
+  if (!endpoint.misfit.empty()) finding.grade(ERROR, "incompatible QoS: " + endpoint.misfit);
   const auto grew = [&](std::uint64_t now, std::uint64_t then, const char* what) {
     if (now > then) finding.grade(WARN, fmt::format("{} {}", now - then, what));
   };

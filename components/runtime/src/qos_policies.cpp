@@ -4,6 +4,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -15,6 +16,13 @@ constexpr int keep_all_room = 1000;
 
 int rank(const std::string& liveliness) {
   return liveliness == "automatic" ? 0 : liveliness == "manual_by_participant" ? 1 : 2;
+}
+
+/// The kinds of durability, weakest first; other vendors and ROS 2 nodes may ask for all of them.
+std::size_t durability_rank(const std::string& durability) {
+  constexpr std::array kinds{"volatile", "transient_local", "transient", "persistent"};
+  const auto* const found = std::find(kinds.begin(), kinds.end(), durability);
+  return static_cast<std::size_t>(found - kinds.begin());
 }
 
 bool name_matches(const std::string& a, const std::string& b) {
@@ -88,7 +96,8 @@ std::vector<std::string> incompatibilities(const QosContract& offered,
     if (!met) found.emplace_back(policy);
   };
   require(offered.reliable() || !requested.reliable(), "reliability");
-  require(offered.keeps_last() || !requested.keeps_last(), "durability");
+  require(durability_rank(offered.durability) >= durability_rank(requested.durability),
+          "durability");
   require(offered.deadline_s <= requested.deadline_s, "deadline");
   require(rank(offered.liveliness) >= rank(requested.liveliness) &&
               offered.liveliness_lease_s <= requested.liveliness_lease_s,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "remote_ends.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tocsin {
@@ -10,6 +12,21 @@ const std::string key = "tocsin_layout=";
 
 bool layouts_differ(const AnnouncedEnd& one, const AnnouncedEnd& other) {
   return !one.layout.empty() && !other.layout.empty() && one.layout != other.layout;
+}
+
+/// Durations as they come back from the wire, where they are binary fractions of a second.
+QosContract rounded(QosContract qos) {
+  for (double* s : {&qos.deadline_s, &qos.liveliness_lease_s}) *s = std::round(*s * 1e6) / 1e6;
+  return qos;
+}
+
+/// The policies by which the two will not match; none when their partitions keep them apart.
+std::vector<std::string> policies_between(const AnnouncedEnd& own, const AnnouncedEnd& other) {
+  const AnnouncedEnd& writer = own.writer ? own : other;
+  const AnnouncedEnd& reader = own.writer ? other : own;
+  auto found = incompatibilities(rounded(writer.qos), rounded(reader.qos));
+  const bool apart = std::find(found.begin(), found.end(), "partition") != found.end();
+  return apart ? std::vector<std::string>() : found;
 }
 
 bool clash(const AnnouncedEnd& own, const AnnouncedEnd& other) {
@@ -59,11 +76,27 @@ std::string RemoteEnds::other_type(const AnnouncedEnd& own) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const auto& [guid, end] : ends_) {
     if (!clash(own, end)) continue;
-    const auto name = names_.find(guid.guidPrefix);
-    return end.type + (end.type == own.type ? " with another layout" : "") + " (" +
-           (name != names_.end() ? name->second : "unnamed participant") + ")";
+    return end.type + (end.type == own.type ? " with another layout" : "") + owner_of(guid);
   }
   return "";
+}
+
+std::string RemoteEnds::misfit(const AnnouncedEnd& own) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& [guid, end] : ends_) {
+    if (own.topic != end.topic || own.writer == end.writer || own.type != end.type) continue;
+    const std::vector<std::string> policies = policies_between(own, end);
+    if (policies.empty()) continue;
+    std::string text;
+    for (const std::string& policy : policies) text += (text.empty() ? "" : ", ") + policy;
+    return text + owner_of(guid);
+  }
+  return "";
+}
+
+std::string RemoteEnds::owner_of(const Guid& guid) const {
+  const auto name = names_.find(guid.guidPrefix);
+  return " (" + (name != names_.end() ? name->second : "unnamed participant") + ")";
 }
 
 bool RemoteEnds::has_other_layout(const Guid& guid, const AnnouncedEnd& own) const {

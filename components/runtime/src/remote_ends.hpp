@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/middleware/qos_policies.hpp"
+
 namespace tocsin {
 
 /// One end of a topic, as it is announced to other participants.
@@ -16,6 +18,7 @@ struct AnnouncedEnd {
   std::string type;
   std::string layout;  ///< layout_digest; empty: it does not tell, as other vendors
   bool writer = false;
+  QosContract qos = {};  ///< what it offers or requests
 };
 
 /// The user data of an endpoint: what the profile asks for, and the layout, as "key=value;" like
@@ -39,10 +42,14 @@ class RemoteEnds {
   /// The type of an end opposite to `own` that is not that of `own`, and its participant; empty
   /// when there is none.
   [[nodiscard]] std::string other_type(const AnnouncedEnd& own) const;
+  /// The policies by which an end opposite to `own`, of its type, will not match it, and its
+  /// participant; empty when there is none. Ends of other partitions are not meant to match.
+  [[nodiscard]] std::string misfit(const AnnouncedEnd& own) const;
   /// Whether `guid` has announced another layout than `own`.
   [[nodiscard]] bool has_other_layout(const Guid& guid, const AnnouncedEnd& own) const;
 
  private:
+  [[nodiscard]] std::string owner_of(const Guid& guid) const;
   mutable std::mutex mutex_;
   std::map<Participant, std::string> names_;
   std::map<Guid, AnnouncedEnd> ends_;

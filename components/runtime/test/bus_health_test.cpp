@@ -106,6 +106,7 @@ TEST_F(BusHealthTest, DifferentPartitionsDoNotMeet) {
   ASSERT_EQ(writer->write(message(1)), Status::ok);
   ASSERT_TRUE(any.wait_for(1));
   EXPECT_EQ(right.all().size(), 0U);
+  EXPECT_EQ(health_of(*a, "text", true).misfit, "");
 }
 
 TEST_F(BusHealthTest, ATypeOfTheSameNameWithAnotherLayoutIsRejectedAndCounted) {

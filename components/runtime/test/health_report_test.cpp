@@ -124,17 +124,28 @@ TEST(HealthReport, WarnsOfMemoryBeyondLimitAndOfGrowth) {
   EXPECT_EQ(level(85, 20), WARN);
 }
 
-TEST(HealthReport, AnIncompatibleEndpointNamesThePolicy) {
+TEST(HealthReport, AnIncompatibleEndIsNamedWithItsPolicies) {
   EndpointHealth endpoint;
   endpoint.topic = "odom";
   EXPECT_FALSE(is_eventful(endpoint));
-  endpoint.incompatible_qos = 1;
-  endpoint.incompatible_policy = "RELIABILITY";
+  endpoint.misfit = "reliability (gcs_view)";
   EXPECT_TRUE(is_eventful(endpoint));
   const Diagnostic status = diagnose("drive", endpoint, endpoint);
   EXPECT_EQ(status.level(), ERROR);
-  EXPECT_EQ(status.message(), "incompatible QoS: RELIABILITY");
+  EXPECT_EQ(status.message(), "incompatible QoS: reliability (gcs_view)");
   EXPECT_EQ(status.name(), "drive/odom reader");
+}
+
+TEST(HealthReport, AnIncompatibleEndThatHasLeftIsHistory) {
+  EndpointHealth endpoint;
+  endpoint.topic = "odom";
+  endpoint.incompatible_qos = 3;
+  endpoint.incompatible_policy = "reliability";
+  EXPECT_TRUE(is_eventful(endpoint));
+  const Diagnostic status = diagnose("drive", endpoint, endpoint);
+  EXPECT_EQ(status.level(), OK);
+  EXPECT_EQ(status.message(), "past events");
+  EXPECT_EQ(value(status, "incompatible_qos"), "3");
 }
 
 TEST(HealthReport, ATypeOfAnotherLayoutIsAnError) {

@@ -65,6 +65,61 @@ TEST_F(RemoteEndsTest, TheEndsOfAParticipantThatIsGoneAreForgottenAndNoOthers) {
   EXPECT_EQ(sut.other_type(own_reader), "Odom with another layout (unnamed participant)");
 }
 
+AnnouncedEnd with_reliability(AnnouncedEnd end, const char* reliability) {
+  end.qos.reliability = reliability;
+  return end;
+}
+
+TEST_F(RemoteEndsTest, AReaderThatRequestsMoreIsNamedToTheWriter) {
+  const AnnouncedEnd best_effort = with_reliability(own_writer, "best_effort");
+  sut.add(guid(7, 1), with_reliability(own_reader, "best_effort"));
+  EXPECT_EQ(sut.misfit(best_effort), "");
+  sut.add(guid(7, 2), own_reader);
+  EXPECT_EQ(sut.misfit(best_effort), "reliability (gcs_main)");
+  EXPECT_EQ(sut.misfit(own_writer), "");
+}
+
+TEST_F(RemoteEndsTest, AWriterThatOffersLessIsNamedToTheReader) {
+  AnnouncedEnd weak = with_reliability(own_writer, "best_effort");
+  AnnouncedEnd strict = own_reader;
+  strict.qos.durability = "transient_local";
+  sut.add(guid(7, 1), weak);
+  EXPECT_EQ(sut.misfit(strict), "reliability, durability (gcs_main)");
+}
+
+TEST_F(RemoteEndsTest, AMisfitThatIsGoneIsForgotten) {
+  const AnnouncedEnd best_effort = with_reliability(own_writer, "best_effort");
+  sut.add(guid(7, 1), own_reader);
+  sut.remove(guid(7, 1));
+  EXPECT_EQ(sut.misfit(best_effort), "");
+  sut.add(guid(7, 1), own_reader);
+  sut.remove(guid(7, 0).guidPrefix);
+  EXPECT_EQ(sut.misfit(best_effort), "");
+}
+
+TEST_F(RemoteEndsTest, EndsThatAreNotMeantToMatchAreNoMisfit) {
+  const AnnouncedEnd best_effort = with_reliability(own_writer, "best_effort");
+  AnnouncedEnd elsewhere = own_reader;
+  elsewhere.qos.partition = {"left"};
+  sut.add(guid(7, 1), elsewhere);
+  sut.add(guid(7, 2), {"rt/goal", "Odom", "0a", false});
+  sut.add(guid(7, 3), own_writer);
+  sut.add(guid(7, 4), {"rt/odom", "Twist", "", false});  // another type is another complaint
+  EXPECT_EQ(sut.misfit(best_effort), "");
+}
+
+TEST_F(RemoteEndsTest, ADurationThatWentOverTheWireIsTheSame) {
+  AnnouncedEnd writer = own_writer;
+  AnnouncedEnd reader = own_reader;
+  writer.qos.deadline_s = 0.3;
+  reader.qos.deadline_s = 0.3 - 1e-9;
+  sut.add(guid(7, 1), reader);
+  EXPECT_EQ(sut.misfit(writer), "");
+  reader.qos.deadline_s = 0.3 - 1e-5;
+  sut.add(guid(7, 1), reader);
+  EXPECT_EQ(sut.misfit(writer), "deadline (gcs_main)");
+}
+
 TEST(LayoutInUserData, IsFoundAgainBesideWhatTheProfileAskedFor) {
   EXPECT_EQ(with_layout("", "0a"), "tocsin_layout=0a;");
   EXPECT_EQ(with_layout("typehash=x", "0a"), "typehash=x;tocsin_layout=0a;");

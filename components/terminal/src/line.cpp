@@ -114,11 +114,10 @@ std::vector<Line> Table::lines(std::size_t width) const {
   std::vector<std::size_t> sizes = widths();
   const std::vector<std::size_t> shown = chosen(sizes, width);
   std::size_t others = 0;
-  for (const std::size_t column : shown) others += column == shown.front() ? 0 : sizes[column] + 1;
-  constexpr std::size_t shortest = 8;  // of the first column; narrower, lines are cut
-  std::size_t& first = sizes[shown.front()];
-  if (first + others > width)
-    first = std::min(first, std::max(shortest, width - std::min(width, others)));
+  for (const std::size_t column : shown) others += column == elastic_ ? 0 : sizes[column] + 1;
+  constexpr std::size_t shortest = 8;  // of the elastic column; narrower, lines are cut
+  const std::size_t left = std::max(shortest, width - std::min(width, others));
+  sizes[elastic_] = std::min(sizes[elastic_], left);
   const auto line_of = [&](const auto& cell_of) {
     Line line;
     for (const std::size_t column : shown) {

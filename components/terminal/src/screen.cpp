@@ -16,6 +16,16 @@ Size size_of(int descriptor) {
   return known({told.ws_col, told.ws_row});
 }
 
+std::vector<Line> shortened(std::vector<Line> lines, std::size_t room, const std::string& what) {
+  if (lines.size() <= room) return lines;
+  constexpr std::size_t least = 3;
+  if (room < least) return {};
+  const std::size_t hidden = lines.size() - (room - 1);
+  lines.resize(room - 1);
+  lines.push_back({{"and " + std::to_string(hidden) + " " + what + " more", Style::old}});
+  return lines;
+}
+
 std::vector<std::string> to_texts(const std::vector<Line>& lines, Size size, bool colour) {
   const Size room = known(size);
   std::vector<std::string> texts;

@@ -75,6 +75,12 @@ TEST(Table, CutsItsFirstColumnThen) {
                                                        "b        200"));
 }
 
+TEST(Table, AnotherColumnMayBeTheElasticOne) {
+  Table table({{"level"}, {"name"}, {"n"}}, 1);
+  table.add({{"ERROR"}, {"a_long_name"}, {"1"}});
+  EXPECT_THAT(texts(table, 17), ElementsAre("level name      n", "ERROR a_long_n> 1"));
+}
+
 TEST(Table, CutsItsLinesWhenNothingElseIsLeft) {
   for (std::size_t width = 0; width < 12; ++width) {
     for (const std::string& line : texts(table_of_three(), width)) {

@@ -58,6 +58,15 @@ TEST(SizeOf, IsTheUsualOneOfWhatIsNoTerminal) {
   EXPECT_EQ(told.rows, 24U);
 }
 
+TEST(Shortened, TellsHowManyAreMissing) {
+  const std::vector<Line> lines{{{"head"}}, {{"a"}}, {{"b"}}, {{"c"}}};
+  EXPECT_THAT(to_texts(shortened(lines, 4, "rows"), {80, 24}, false),
+              ElementsAre("head", "a", "b", "c"));
+  EXPECT_THAT(to_texts(shortened(lines, 3, "rows"), {80, 24}, false),
+              ElementsAre("head", "a", "and 2 rows more"));
+  EXPECT_TRUE(shortened(lines, 2, "rows").empty());
+}
+
 TEST(ToTexts, ShowsWhatFitsFromTheTop) {
   EXPECT_THAT(to_texts({{{"one"}}, {{"two"}}, {{"three"}}}, {3, 2}, false),
               ElementsAre("one", "two"));

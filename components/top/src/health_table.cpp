@@ -10,14 +10,16 @@
 #include <string_view>
 #include <tuple>
 
+#include "foundation/printable.hpp"
+
 namespace tocsin::top {
 namespace {
 
 using diagnostic_msgs::msg::DiagnosticStatus;
+namespace DiagnosticStatus_Constants = diagnostic_msgs::msg::DiagnosticStatus_Constants;
 
-constexpr Duration stale_after = std::chrono::seconds(3);
-constexpr Duration gone_after = std::chrono::seconds(30);
-constexpr std::uint8_t stale = diagnostic_msgs::msg::DiagnosticStatus_Constants::STALE;
+constexpr Duration forgotten_after = std::chrono::minutes(10);
+constexpr std::uint8_t stale = DiagnosticStatus_Constants::STALE;
 
 const char* level_text(std::uint8_t level) {
   constexpr std::array names{"OK", "WARN", "ERROR", "STALE"};
@@ -80,20 +82,86 @@ Row row_of(const DiagnosticStatus& status, std::uint8_t level) {
   return row;
 }
 
+bool is_process(const DiagnosticStatus& status) {
+  return status.name().find('/') == std::string::npos;
+}
+
+terminal::Style style_of(const Row& row) {
+  if (row.level == "ERROR") return terminal::Style::bad;
+  if (row.level == "WARN") return terminal::Style::warning;
+  return row.level == "STALE" ? terminal::Style::old : terminal::Style::plain;
+}
+
+terminal::Table table_of(const std::vector<Row>& rows) {
+  using terminal::Align;
+  constexpr std::size_t name_column = 1;
+  terminal::Table table({{"LEVEL", Align::left, 0, 5},
+                         {"NAME"},
+                         {"RATE/Hz", Align::right, 3},
+                         {"P99/s", Align::right, 2, 8},
+                         {"MAX/s", Align::right, 7, 8},
+                         {"OVERRUNS", Align::right, 5},
+                         {"DEPTH", Align::right, 8},
+                         {"DROPPED", Align::right, 1},
+                         {"AGE/s", Align::right, 4},
+                         {"MEM/MiB", Align::right, 6}},
+                        name_column);
+  for (const Row& row : rows) {
+    std::vector<terminal::Cell> cells;
+    for (const std::string* text :
+         {&row.level, &row.name, &row.rate_hz, &row.tick_p99_s, &row.tick_max_s, &row.overruns,
+          &row.depth, &row.dropped, &row.oldest_age, &row.resident_mib}) {
+      cells.push_back({*text, style_of(row)});
+    }
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+std::size_t width_of(const terminal::Line& line) {
+  std::size_t width = 0;
+  for (const terminal::Span& span : line) width += terminal::width_of(span.text);
+  return width;
+}
+
+/// Puts a row's message beside its figures, or below them when it does not fit there and matters.
+void add_row(const Row& row, terminal::Line figures, std::size_t width,
+             std::vector<terminal::Line>& lines) {
+  const std::string message = printable(row.message);
+  const bool beside = width_of(figures) + 2 + terminal::width_of(message) <= width;
+  if (beside) figures.push_back({"  " + message, style_of(row)});
+  lines.push_back(std::move(figures));
+  if (!beside && row.level != level_text(DiagnosticStatus_Constants::OK)) {
+    lines.push_back({{"      " + message, style_of(row)}});
+  }
+}
+
 }  // namespace
 
-void HealthTable::add(const diagnostic_msgs::msg::DiagnosticArray& array, Time now) {
+void HealthTable::add(const diagnostic_msgs::msg::DiagnosticArray& array, std::uint64_t source,
+                      Time now) {
   for (const DiagnosticStatus& status : array.status()) {
-    entries_[status.hardware_id() + "/" + status.name()] = {status, now};
+    entries_[status.hardware_id() + "/" + status.name()] = {status, source, now};
+  }
+  for (auto it = entries_.begin(); it != entries_.end();) {
+    const Duration age = now - it->second.at;
+    const bool ended = it->second.source == source && freshness(age) != Freshness::fresh;
+    it = ended || age > forgotten_after ? entries_.erase(it) : std::next(it);
   }
 }
 
 std::vector<Row> HealthTable::rows(Time now) const {
   std::vector<std::tuple<int, std::string, Row>> graded;
   for (const auto& [key, entry] : entries_) {
-    if (now - entry.at > gone_after) continue;
-    const std::uint8_t level = now - entry.at > stale_after ? stale : entry.status.level();
-    graded.emplace_back(-int{level}, key, row_of(entry.status, level));
+    const Duration age = now - entry.at;
+    const Freshness state = freshness(age);
+    if (state == Freshness::unknown) continue;
+    const bool silent = state == Freshness::stale;
+    const std::uint8_t level = silent ? stale : entry.status.level();
+    Row row = row_of(entry.status, level);
+    row.age = age;
+    if (silent) row.message = "silent for " + age_text(age);
+    graded.emplace_back(-int{level}, key, std::move(row));
   }
   std::sort(graded.begin(), graded.end(), [](const auto& a, const auto& b) {
     return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
@@ -103,19 +171,33 @@ std::vector<Row> HealthTable::rows(Time now) const {
   return rows;
 }
 
-std::string to_text(const std::vector<Row>& rows, std::size_t width) {
-  constexpr auto* format = "{:5} {:32} {:>8} {:>10} {:>10} {:>8} {:>5} {:>7} {:>7} {:>7}  {}";
-  const auto cut = [width](const std::string& line) { return line.substr(0, width) + "\n"; };
-  std::string text = cut(fmt::format(format, "LEVEL", "NAME", "RATE/Hz", "P99/s", "MAX/s",
-                                     "OVERRUNS", "DEPTH", "DROPPED", "AGE/s", "MEM/MiB", "STATE"));
-  for (const Row& row : rows) {
-    const std::string line = fmt::format(format, row.level, row.name, row.rate_hz, row.tick_p99_s,
-                                         row.tick_max_s, row.overruns, row.depth, row.dropped,
-                                         row.oldest_age, row.resident_mib, row.message);
-    text += cut(line);
-    if (row.level != level_text(0) && line.size() > width) text += cut("      " + row.message);
+std::vector<Gone> HealthTable::gone(Time now) const {
+  std::vector<Gone> all;
+  for (const auto& [key, entry] : entries_) {
+    const Duration age = now - entry.at;
+    if (freshness(age) != Freshness::unknown || age > forgotten_after) continue;
+    if (is_process(entry.status)) all.push_back({entry.status.name(), age});
   }
-  return text;
+  return all;
+}
+
+std::vector<terminal::Line> page(const std::vector<Row>& rows, const std::vector<Gone>& gone,
+                                 std::size_t width) {
+  constexpr std::size_t shortest_message = 10;  // and two blanks before it
+  const std::size_t left = std::max(width, 2 * shortest_message) - shortest_message;
+  std::vector<terminal::Line> figures = table_of(rows).lines(left);
+  std::vector<terminal::Line> lines;
+  figures.front().push_back({"  STATE", terminal::Style::bold});
+  lines.push_back(std::move(figures.front()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    add_row(rows[i], std::move(figures[i + 1]), width, lines);
+  }
+  std::string silent;
+  for (const Gone& one : gone) {
+    silent += (silent.empty() ? "gone: " : ", ") + one.name + " for " + age_text(one.age);
+  }
+  if (!silent.empty()) lines.push_back({{silent, terminal::Style::old}});
+  return lines;
 }
 
 std::string to_json(const std::vector<Row>& rows) {
@@ -132,9 +214,11 @@ std::string to_json(const std::vector<Row>& rows) {
                     {"resident_mib", row.resident_mib},
                     {"depth", row.depth},
                     {"dropped", row.dropped},
-                    {"oldest_age_s", row.oldest_age}});
+                    {"oldest_age_s", row.oldest_age},
+                    {"report_age_s", to_seconds(row.age)}});
   }
-  return list.dump() + "\n";
+  // Text of other programs may not be UTF-8; JSON must be.
+  return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace tocsin::top

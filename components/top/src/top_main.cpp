@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // tocsin top: live view of the diagnostics of a host.
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -20,22 +19,28 @@ namespace {
 
 volatile std::sig_atomic_t ended = 0;
 
+/// What is shown at an instant.
+struct Health {
+  std::vector<Row> rows;
+  std::vector<Gone> gone;
+};
+
 /// Keeps the table up to date from the bus's threads.
 class Listener : private Receiver {
  public:
   explicit Listener(Bus& bus)
       : subscription_(bus.subscribe(
             {topic::Diagnostics::info, &type_info<topic::Diagnostics::Message>()}, *this)) {}
-  std::vector<Row> rows(Time now) {
+  Health health(Time now) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return table_.rows(now);
+    return {table_.rows(now), table_.gone(now)};
   }
 
  private:
   void receive(const Sample& sample) override {
     const std::lock_guard<std::mutex> lock(mutex_);
     table_.add(*std::static_pointer_cast<const topic::Diagnostics::Message>(sample.message),
-               sample.received);
+               sample.source, sample.received);
   }
   std::mutex mutex_;
   HealthTable table_;
@@ -49,16 +54,33 @@ struct Options {
   double period_s = 1;
 };
 
-std::size_t terminal_width() {
-  winsize size{};
-  const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : 200;
+/// Of what is written to a file or a pipe.
+constexpr std::size_t file_width = 200;
+
+void print_all(const Health& health) {
+  const bool terminal = ::isatty(STDOUT_FILENO) == 1;
+  const std::size_t width = terminal ? terminal::size_of(STDOUT_FILENO).columns : file_width;
+  for (const terminal::Line& line : page(health.rows, health.gone, width)) {
+    std::printf("%s\n", terminal::to_text(line, width, terminal).c_str());
+  }
 }
 
-void show(const Options& options, const std::vector<Row>& rows) {
-  const std::string text = options.json ? to_json(rows) : to_text(rows, terminal_width());
-  const bool live = !options.once && !options.json;
-  std::printf("%s%s", live ? "\033[H\033[2J" : "", text.c_str());
+/// A whole page of the terminal, whose size may have changed.
+void draw(const Health& health) {
+  const terminal::Size size = terminal::size_of(STDOUT_FILENO);
+  auto lines = page(health.rows, health.gone, size.columns);
+  lines = terminal::shortened(std::move(lines), size.rows, "lines");
+  std::printf("%s", terminal::frame(lines, size).c_str());
+}
+
+void show(const Options& options, const Health& health) {
+  if (options.json) {
+    std::printf("%s", to_json(health.rows).c_str());
+  } else if (options.once || ::isatty(STDOUT_FILENO) != 1) {
+    print_all(health);
+  } else {
+    draw(health);
+  }
   std::fflush(stdout);
 }
 
@@ -67,9 +89,9 @@ int run(const Options& options) {
   Listener listener(*bus);
   if (options.once) {
     std::this_thread::sleep_for(seconds(2.5));  // every container reports once a second
-    const auto rows = listener.rows(bus->now());
-    if (rows.empty()) throw EnvironmentError("nothing reports its health on this host");
-    show(options, rows);
+    const Health health = listener.health(bus->now());
+    if (health.rows.empty()) throw EnvironmentError("nothing reports its health on this host");
+    show(options, health);
     return 0;
   }
   for (const int number : {SIGINT, SIGTERM}) {
@@ -77,7 +99,7 @@ int run(const Options& options) {
   }
   while (ended == 0) {
     std::this_thread::sleep_for(seconds(options.period_s));
-    show(options, listener.rows(bus->now()));
+    show(options, listener.health(bus->now()));
   }
   return 0;
 }

@@ -31,11 +31,21 @@ diagnostic_msgs::msg::DiagnosticArray array(const std::string& name, std::uint8_
   return message;
 }
 
+/// The page as text, its lines each with their end.
+std::string text_of(const HealthTable& table, std::size_t width, Time now = t0,
+                    bool colour = false) {
+  std::string text;
+  for (const auto& line : page(table.rows(now), table.gone(now), width)) {
+    text += terminal::to_text(line, width, colour) + "\n";
+  }
+  return text;
+}
+
 TEST(HealthTable, PutsTheGravestFirstThenSortsByName) {
   HealthTable sut;
-  sut.add(array("drive/b", 0), t0);
-  sut.add(array("drive/a", 0), t0);
-  sut.add(array("drive/c", 2), t0);
+  sut.add(array("drive/b", 0), 7, t0);
+  sut.add(array("drive/a", 0), 7, t0);
+  sut.add(array("drive/c", 2), 7, t0);
   const auto rows = sut.rows(t0);
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].name, "drive/c");
@@ -48,29 +58,64 @@ TEST(HealthTable, AFaultThatDoesNotFitBesideTheFiguresHasALineOfItsOwn) {
   auto other_type = array("drive/odom reader", 2);
   other_type.status().front().message(
       "another end has the type Odometry with another layout (gcs)");
-  sut.add(other_type, t0);
-  sut.add(array("drive/a", 0), t0);
-  const std::string narrow = to_text(sut.rows(t0), 80);
+  sut.add(other_type, 7, t0);
+  sut.add(array("drive/a", 0), 7, t0);
+  const std::string narrow = text_of(sut, 80);
   EXPECT_THAT(narrow,
               HasSubstr("\n      another end has the type Odometry with another layout (gcs)\n"));
   EXPECT_EQ(std::count(narrow.begin(), narrow.end(), '\n'), 4);  // head, fault and its text, fine
-  const std::string wide = to_text(sut.rows(t0), 200);
+  const std::string wide = text_of(sut, 200);
   EXPECT_EQ(std::count(wide.begin(), wide.end(), '\n'), 3);
 }
 
-TEST(HealthTable, WhatIsSilentForLongerThanThreeSecondsIsStaleAndAfterThirtyGone) {
+TEST(HealthTable, WhatIsSilentForLongerThanThreeSecondsIsStaleAndAfterThirtyUnknown) {
   HealthTable sut;
-  sut.add(array("drive/a", 0), t0);
-  EXPECT_EQ(sut.rows(t0 + seconds(3))[0].level, "OK");
+  sut.add(array("drive/a", 2), 7, t0);
+  EXPECT_EQ(sut.rows(t0 + seconds(3))[0].level, "ERROR");
+  const auto stale = sut.rows(t0 + seconds(12.5));
+  EXPECT_EQ(stale[0].level, "STALE");
+  EXPECT_EQ(stale[0].message, "silent for 12 s");
+  EXPECT_EQ(stale[0].age, seconds(12.5));
   EXPECT_EQ(sut.rows(t0 + seconds(3.001))[0].level, "STALE");
   EXPECT_EQ(sut.rows(t0 + seconds(30)).size(), 1U);
   EXPECT_TRUE(sut.rows(t0 + seconds(30.001)).empty());
 }
 
+TEST(HealthTable, AStaleRowIsGrey) {
+  HealthTable sut;
+  sut.add(array("drive/a", 2), 7, t0);
+  EXPECT_THAT(text_of(sut, 80, t0, true), HasSubstr("\x1b[31mERROR"));
+  EXPECT_THAT(text_of(sut, 80, t0 + seconds(4), true), HasSubstr("\x1b[2mSTALE"));
+  EXPECT_THAT(text_of(sut, 80, t0 + seconds(4)), HasSubstr("silent for 4 s"));
+}
+
+TEST(HealthTable, AProcessThatIsUnknownIsGoneForTenMinutes) {
+  HealthTable sut;
+  sut.add(array("drive", 0), 7, t0);
+  sut.add(array("drive/a", 0), 7, t0);
+  EXPECT_TRUE(sut.gone(t0 + seconds(30)).empty());
+  EXPECT_THAT(text_of(sut, 80, t0 + seconds(45)), HasSubstr("\ngone: drive for 45 s\n"));
+  EXPECT_EQ(sut.gone(t0 + seconds(600)).size(), 1U);
+  EXPECT_TRUE(sut.gone(t0 + seconds(600.1)).empty());
+}
+
+TEST(HealthTable, WhatALivingWriterNoLongerReportsHasEnded) {
+  HealthTable sut;
+  sut.add(array("drive/odom reader", 2), 7, t0);
+  sut.add(array("link/odom writer", 2), 8, t0);
+  sut.add(array("drive", 0), 7, t0 + seconds(3));
+  EXPECT_EQ(sut.rows(t0 + seconds(3)).size(), 3U);
+  sut.add(array("drive", 0), 7, t0 + seconds(3.5));
+  const auto rows = sut.rows(t0 + seconds(3.5));
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].name, "link/odom writer") << "its writer is silent: STALE";
+  EXPECT_EQ(rows[1].name, "drive");
+}
+
 TEST(HealthTable, ANewStatusReplacesTheOld) {
   HealthTable sut;
-  sut.add(array("drive/a", 2), t0);
-  sut.add(array("drive/a", 0), t0 + seconds(1));
+  sut.add(array("drive/a", 2), 7, t0);
+  sut.add(array("drive/a", 0), 7, t0 + seconds(1));
   ASSERT_EQ(sut.rows(t0 + seconds(1)).size(), 1U);
   EXPECT_EQ(sut.rows(t0 + seconds(1))[0].level, "OK");
 }
@@ -85,7 +130,7 @@ TEST(HealthTable, SumsUpTheInputs) {
                  {"goal.depth", "1"},
                  {"goal.dropped", "5"},
                  {"goal.age_s", "12.5"}}),
-          t0);
+          7, t0);
   const Row row = sut.rows(t0)[0];
   EXPECT_EQ(row.rate_hz, "50.00");
   EXPECT_EQ(row.depth, "3");
@@ -95,31 +140,58 @@ TEST(HealthTable, SumsUpTheInputs) {
 
 TEST(HealthTable, AnInputThatNeverCameIsOlderThanAll) {
   HealthTable sut;
-  sut.add(array("drive/a", 0, {{"odom.age_s", "9"}, {"goal.age_s", "never"}}), t0);
+  sut.add(array("drive/a", 0, {{"odom.age_s", "9"}, {"goal.age_s", "never"}}), 7, t0);
   EXPECT_EQ(sut.rows(t0)[0].oldest_age, "never");
 }
 
 TEST(HealthTable, ALevelThatIsNoneIsStale) {
   HealthTable sut;
-  sut.add(array("drive/a", 200), t0);
+  sut.add(array("drive/a", 200), 7, t0);
   EXPECT_EQ(sut.rows(t0)[0].level, "STALE");
 }
 
-TEST(HealthTable, TheTextIsCutAtTheTerminalsWidth) {
+TEST(HealthTable, FitsEveryWidth) {
   HealthTable sut;
-  sut.add(array("drive/a", 0), t0);
-  const std::string text = to_text(sut.rows(t0), 20);
-  EXPECT_THAT(text, HasSubstr("drive/a"));
-  EXPECT_EQ(text.find('\n'), 20U);
+  sut.add(array("drive/a_component_with_a_name_that_is_rather_long", 2, {{"rate_hz", "50.00"}}), 7,
+          t0);
+  sut.add(array("地図/地図", 0), 7, t0);
+  for (const std::size_t width : {1U, 8U, 20U, 40U, 80U, 100U, 120U, 200U}) {
+    for (const auto& line : page(sut.rows(t0), sut.gone(t0), width)) {
+      EXPECT_LE(terminal::width_of(terminal::to_text(line, width, false)), width);
+    }
+  }
+}
+
+TEST(HealthTable, KeepsTheNameAndTheGravestFiguresInANarrowTerminal) {
+  HealthTable sut;
+  sut.add(array("drive/safety_controller", 0,
+                {{"rate_hz", "50.00"}, {"tick_p99_s", "0.000131"}, {"odom.dropped", "2"}}),
+          7, t0);
+  const std::string text = text_of(sut, 80);
+  EXPECT_THAT(text, HasSubstr("OK    drive/safety_controller"));
+  EXPECT_THAT(text, HasSubstr("RATE/Hz"));
+  EXPECT_THAT(text, HasSubstr("  active\n"));
+  EXPECT_THAT(text, ::testing::Not(HasSubstr("DEPTH")));
+  EXPECT_THAT(text_of(sut, 200), HasSubstr("DEPTH"));
+}
+
+TEST(HealthTable, TextOfOthersCannotMoveTheCursor) {
+  HealthTable sut;
+  auto odd = array("\x1b[2J", 2);
+  odd.status().front().message("\x1b[1;1H \xff");
+  sut.add(odd, 7, t0);
+  EXPECT_THAT(text_of(sut, 80), ::testing::Not(HasSubstr("\x1b")));
+  EXPECT_TRUE(nlohmann::json::accept(to_json(sut.rows(t0))));
 }
 
 TEST(HealthTable, TheJsonHasTheSameRows) {
   HealthTable sut;
-  sut.add(array("drive/a", 1), t0);
+  sut.add(array("drive/a", 1), 7, t0);
   const auto json = nlohmann::json::parse(to_json(sut.rows(t0)));
   ASSERT_EQ(json.size(), 1U);
   EXPECT_EQ(json[0]["name"], "drive/a");
   EXPECT_EQ(json[0]["level"], "WARN");
+  EXPECT_EQ(json[0]["report_age_s"], 0.0);
 }
 
 }  // namespace

@@ -42,10 +42,12 @@ struct Column {
   std::size_t least = 0;  ///< at least so wide, so that it does not move with its content
 };
 
-/// A table that gives up columns, and then letters of its first column, to fit a width.
+/// A table that gives up columns, and then letters of its elastic column, to fit a width.
 class Table {
  public:
-  explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
+  /// `elastic` is the index of a column of rank 0.
+  explicit Table(std::vector<Column> columns, std::size_t elastic = 0)
+      : columns_(std::move(columns)), elastic_(elastic) {}
   /// `cells` has one for each column.
   void add(std::vector<Cell> cells);
   [[nodiscard]] std::size_t rows() const { return rows_.size(); }
@@ -58,6 +60,7 @@ class Table {
                                                 std::size_t width) const;
 
   std::vector<Column> columns_;
+  std::size_t elastic_;
   std::vector<std::vector<Cell>> rows_;
 };
 

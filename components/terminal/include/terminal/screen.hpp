@@ -22,6 +22,11 @@ struct Size {
 /// 80 x 24 when it does not know its size, or is no terminal. Any thread.
 [[nodiscard]] Size size_of(int descriptor);
 
+/// The first of `lines`, at most `room`; the last of them tells that there are more of what.
+/// Nothing where there is no room for a head, one line and that.
+[[nodiscard]] std::vector<Line> shortened(std::vector<Line> lines, std::size_t room,
+                                          const std::string& what);
+
 /// The first `size.rows` lines as text, each fitted into `size.columns`.
 [[nodiscard]] std::vector<std::string> to_texts(const std::vector<Line>& lines, Size size,
                                                 bool colour);
