@@ -65,7 +65,18 @@ def check_units():
                 report(file, number, "a number without its [unit]")
 
 
+def check_versions():
+    stated = {}
+    for xml in tracked("*package.xml"):
+        stated[xml] = re.search(r"<version>(.*)</version>", xml.read_text()).group(1)
+    newest = re.search(r"^## (\S+)", pathlib.Path("CHANGELOG.md").read_text(), re.M).group(1)
+    for xml, version in stated.items():
+        if version != newest:
+            report(xml, 1, f"version {version} is not {newest}, the newest of CHANGELOG.md")
+
+
 check_licence()
+check_versions()
 check_length()
 check_dependencies()
 check_units()

@@ -178,7 +178,7 @@ QualityTrace read_quality_trace(const std::string& path, const TraceOptions& opt
     if (options.column.empty()) read_decisions(table, trace);
   }
   if (!options.role.empty() && trace.role.empty() && !trace.controller) {
-    throw ConfigError(path + ": --role " + printable(options.role) +
+    throw ConfigError(path + ": --host " + printable(options.role) +
                       ": the file has no column role and no deployment.yaml beside it");
   }
   if (table.has("state") && trace.qni.size() == table.rows()) {

@@ -52,7 +52,7 @@ std::string keep_one_role(CsvTable& table, const std::string& wanted) {
   for (const std::string& one : known) list += (list.empty() ? "" : " and ") + printable(one);
   if (wanted.empty() && known.size() > 1) {
     throw ConfigError(table.path() + ": has decisions of the roles " + list +
-                      "; choose one by --role");
+                      "; choose one by --host");
   }
   const std::string role = wanted.empty() ? *known.begin() : wanted;
   if (known.count(role) == 0) {

@@ -102,7 +102,7 @@ std::optional<ControllerParameters> controller_of_run(const std::string& recordi
   }
   if (!decide_alike(found, file)) {
     throw ConfigError(recording + ": the transmission_controllers of " + joined_roles(found) +
-                      " in " + file + " decide differently; choose one by --role");
+                      " in " + file + " decide differently; choose one by --host");
   }
   return ControllerParameters{file, joined_roles(found), found.front().values};
 }

@@ -79,7 +79,7 @@ class RecordedDecisionsTest : public ::testing::Test {
 TEST_F(RecordedDecisionsTest, AskForTheRoleWhenThereAreTwo) {
   const std::string text = "receive_s,role,qni\n1,uxv,50\n1,gcs,60\n2,uxv,70\n";
   EXPECT_THAT(error_of(text), HasSubstr("transmission_state.csv: has decisions of the roles gcs "
-                                        "and uxv; choose one by --role"));
+                                        "and uxv; choose one by --host"));
   EXPECT_EQ(read(text, "uxv").qni, (std::vector<double>{50, 70}));
   EXPECT_EQ(read(text, "gcs").qni, std::vector<double>{60});
   EXPECT_THAT(error_of(text, "base"), HasSubstr("has no row with role base, only gcs and uxv"));
@@ -90,7 +90,7 @@ TEST_F(RecordedDecisionsTest, OfOneRoleNeedNoChoice) {
 }
 
 TEST_F(RecordedDecisionsTest, ARoleNeedsAColumnOrARun) {
-  EXPECT_THAT(error_of("qni\n1\n", "uxv"), HasSubstr("--role uxv: the file has no column role"));
+  EXPECT_THAT(error_of("qni\n1\n", "uxv"), HasSubstr("--host uxv: the file has no column role"));
 }
 
 TEST_F(RecordedDecisionsTest, AreTimedByTheirStampToTheNanosecond) {

@@ -59,7 +59,7 @@ TEST_F(RecordedRunTest, NeedsARoleOnlyWhenTheControllersDecideDifferently) {
   EXPECT_EQ(error_of(""), "no error");
   folder.write("deployment.yaml", deployment_of("alpha: 2", "weight_per: 0.5"));
   EXPECT_THAT(error_of(""), HasSubstr("of uxv and gcs in "));
-  EXPECT_THAT(error_of(""), HasSubstr("choose one by --role"));
+  EXPECT_THAT(error_of(""), HasSubstr("choose one by --host"));
   EXPECT_EQ(error_of("gcs"), "no error");
 }
 

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "foundation/error.hpp"
+#include "foundation/names.hpp"
+#include "foundation/printable.hpp"
 #include "foundation/yaml_extends.hpp"
 #include "parameter_set.hpp"
 #include "reader.hpp"
@@ -71,36 +73,54 @@ void check_radio(const Deployment& deployment) {
   }
 }
 
-/// Leaves out one component of a process, "host/process/name"; false when there is none.
-bool leave_out_component(const std::string& path, Deployment& deployment) {
-  for (Host& host : deployment.hosts) {
-    for (Container& container : host.containers) {
-      const std::string prefix = host.name + "/" + container.name + "/";
-      auto& all = container.components;
-      const auto found = std::find_if(all.begin(), all.end(),
-                                      [&](const auto& one) { return prefix + one.name == path; });
-      if (found == all.end()) continue;
-      all.erase(found);
-      return true;
+/// "host/process/component" of every component.
+std::vector<std::string> component_paths(const Deployment& deployment) {
+  std::vector<std::string> paths;
+  for (const Host& host : deployment.hosts) {
+    for (const Container& container : host.containers) {
+      for (const ComponentInstance& instance : container.components) {
+        paths.push_back(host.name + "/" + container.name + "/" + instance.name);
+      }
     }
   }
-  return false;
+  return paths;
 }
 
-void leave_out(const std::string& process, Deployment& deployment) {
-  if (leave_out_component(process, deployment)) return;
-  const auto names = process_names(deployment);
-  if (std::find(names.begin(), names.end(), process) == names.end()) {
-    fail(deployment,
-         "--without " + process + ": no such process; allowed: " + "[" + joined(names) + "]");
-  }
-  if (deployment.stop_when_exits == process) deployment.stop_when_exits.clear();
+template <class Item>
+void erase_named(const std::string& name, std::vector<Item>& items) {
+  const auto is_it = [&name](const Item& item) { return item.name == name; };
+  items.erase(std::remove_if(items.begin(), items.end(), is_it), items.end());
+}
+
+/// Leaves out "host/process" or "host/process/component".
+void erase_path(const std::string& path, Deployment& deployment) {
+  const auto words = words_of_path(path);
   for (Host& host : deployment.hosts) {
-    const auto is_it = [&](const auto& item) { return host.name + "/" + item.name == process; };
-    auto& programs = host.programs;
-    programs.erase(std::remove_if(programs.begin(), programs.end(), is_it), programs.end());
-    auto& containers = host.containers;
-    containers.erase(std::remove_if(containers.begin(), containers.end(), is_it), containers.end());
+    if (host.name != words[0]) continue;
+    if (words.size() == 2) {
+      erase_named(words[1], host.programs);
+      erase_named(words[1], host.containers);
+    }
+    for (Container& container : host.containers) {
+      if (words.size() == 3 && container.name == words[1])
+        erase_named(words[2], container.components);
+    }
+  }
+}
+
+void leave_out(const std::string& given, Deployment& deployment) {
+  const auto processes = process_names(deployment);
+  const auto components = component_paths(deployment);
+  const auto is_meant = [&given](const std::string& path) { return means(given, path); };
+  const bool is_component = std::none_of(processes.begin(), processes.end(), is_meant) &&
+                            std::any_of(components.begin(), components.end(), is_meant);
+  try {
+    const std::string path = is_component ? resolve_path(given, components, "component")
+                                          : resolve_path(given, processes, "process");
+    if (deployment.stop_when_exits == path) deployment.stop_when_exits.clear();
+    erase_path(path, deployment);
+  } catch (const ConfigError& error) {
+    fail(deployment, std::string("--without ") + error.what());
   }
 }
 
@@ -119,7 +139,7 @@ void merge_parameters(const ParameterSet& parameters, const std::vector<YamlRemo
   for (Host& host : deployment.hosts) {
     for (Container& container : host.containers) {
       for (ComponentInstance& instance : container.components) {
-        parameters.apply(host.name, instance);
+        parameters.apply(host.name + "/" + container.name, instance);
       }
     }
   }
@@ -206,6 +226,18 @@ Deployment load_deployment(const std::string& path, const Overrides& overrides) 
   for (const std::string& process : overrides.without) leave_out(process, deployment);
   assign_domains(overrides.domain.value_or(domain), deployment);
   return deployment;
+}
+
+const Host& host_named(const Deployment& deployment, const std::string& given) {
+  const std::string name = without_slash(given);
+  if (const Host* const found = find_host(deployment, name)) return *found;
+  for (const Host& host : deployment.hosts) {
+    if (host.role == name) return host;
+  }
+  std::vector<std::string> names;
+  for (const Host& host : deployment.hosts) names.push_back(host.name);
+  throw ConfigError("--host " + printable(given) + ": no such host in " + deployment.file +
+                    "; allowed: [" + joined(names) + "]");
 }
 
 const Host* find_host(const Deployment& deployment, const std::string& name) {

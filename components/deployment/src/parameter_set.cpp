@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "parameter_set.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "foundation/error.hpp"
+#include "foundation/names.hpp"
 
 namespace tocsin::deployment {
 namespace {
 
-/// Host and name of every component.
-std::vector<std::pair<std::string, std::string>> instances_of(const Deployment& deployment) {
-  std::vector<std::pair<std::string, std::string>> instances;
+/// Names and "host/process/name" of every component.
+struct Instances {
+  std::vector<std::string> names;
+  std::vector<std::string> paths;
+};
+
+Instances instances_of(const Deployment& deployment) {
+  Instances instances;
+  std::set<std::string> known;
   for (const Host& host : deployment.hosts) {
     for (const Container& container : host.containers) {
       for (const ComponentInstance& instance : container.components) {
-        instances.emplace_back(host.name, instance.name);
+        instances.paths.push_back(host.name + "/" + container.name + "/" + instance.name);
+        if (known.insert(instance.name).second) instances.names.push_back(instance.name);
       }
     }
   }
@@ -56,38 +65,40 @@ void ParameterSet::add_setting(const std::string& setting, YamlSources& sources)
   settings_.push_back({component, sources.parse("'" + key + "'", "--set " + setting), value});
 }
 
-void ParameterSet::merge(const std::vector<Entry>& entries, const std::string& component,
+/// What names the component alone comes first, so that what names its host or process wins.
+void ParameterSet::merge(const std::vector<Entry>& entries, const std::string& path,
                          YAML::Node& parameters) {
-  for (const Entry& entry : entries) {
-    if (entry.component == component) put(entry.key, entry.value, parameters);
+  for (const bool alone : {true, false}) {
+    for (const Entry& entry : entries) {
+      if ((words_of_path(entry.component).size() == 1) != alone) continue;
+      if (means(entry.component, path)) put(entry.key, entry.value, parameters);
+    }
   }
 }
 
-void ParameterSet::apply(const std::string& host, ComponentInstance& instance) const {
+void ParameterSet::apply(const std::string& process, ComponentInstance& instance) const {
   YAML::Node merged(YAML::NodeType::Map);
-  const std::string here = host + "/" + instance.name;
-  merge(from_files_, instance.name, merged);
-  merge(from_files_, here, merged);
+  const std::string path = process + "/" + instance.name;
+  merge(from_files_, path, merged);
   for (const auto& own : *instance.parameters) put(own.first, own.second, merged);
-  merge(settings_, instance.name, merged);
-  merge(settings_, here, merged);
+  merge(settings_, path, merged);
   instance.parameters = std::make_shared<const YAML::Node>(merged);
 }
 
 void ParameterSet::reject_unknown_components(const Deployment& deployment,
                                              const std::set<std::string>& removed) const {
-  std::vector<std::string> names;
-  std::set<std::string> known;
-  for (const auto& [host, name] : instances_of(deployment)) {
-    if (known.insert(name).second) names.push_back(name);
-    known.insert(host + "/" + name);
-  }
+  const Instances instances = instances_of(deployment);
+  const auto is_known = [&instances](const std::string& given) {
+    return std::any_of(instances.paths.begin(), instances.paths.end(),
+                       [&given](const std::string& path) { return means(given, path); });
+  };
   for (const auto& [component, place] : component_places_) {
     const bool is_setting = place.rfind("--set ", 0) == 0;
-    const std::string name = component.substr(component.find('/') + 1);  // without the host
-    if (known.count(component) != 0 || (!is_setting && removed.count(name) != 0)) continue;
+    const auto words = words_of_path(component);
+    const bool was_removed = !words.empty() && removed.count(words.back()) != 0;
+    if (is_known(component) || (!is_setting && was_removed)) continue;
     throw ConfigError(component + ": no such component in " + deployment.file + "; allowed: [" +
-                      joined(names) + "] (" + place + ")");
+                      joined(instances.names) + "] (" + place + ")");
   }
 }
 

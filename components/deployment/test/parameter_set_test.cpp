@@ -66,6 +66,20 @@ TEST_F(ParameterSetTest, ASettingMayNameOneHost) {
   EXPECT_THAT(error(), HasSubstr("gcs/driver: no such component"));
 }
 
+TEST_F(ParameterSetTest, ASettingTakesAComponentAsItIsPrinted) {
+  files_ = "[]";
+  for (const std::string name : {"/driver", "/uxv/driver", "uxv/drive/driver", "drive/driver"}) {
+    overrides_.set = {name + ".rate=5"};
+    EXPECT_EQ(value("driver", "rate"), "5") << name;
+  }
+}
+
+TEST_F(ParameterSetTest, ASettingThatNamesMoreOfThePlaceWins) {
+  files_ = "[]";
+  overrides_.set = {"uxv/driver.rate=5", "driver.rate=6"};
+  EXPECT_EQ(value("driver", "rate"), "5");
+}
+
 TEST_F(ParameterSetTest, RejectsComponentsThatTheDeploymentHasNot) {
   write("a.yaml", "\ndrivr: {port: x}");
   write("b.yaml", "{}");

@@ -14,6 +14,7 @@
 #include <memory>
 #include <utility>
 
+#include "command_line/host_option.hpp"
 #include "command_line/programs.hpp"
 #include "deployment/running_host.hpp"
 #include "foundation/error.hpp"
@@ -62,20 +63,11 @@ int run_and_wait(const std::vector<std::string>& command) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-const deployment::Host& host_of(const deployment::Deployment& deployment, const std::string& role) {
-  for (const deployment::Host& host : deployment.hosts) {
-    if (host.role == role) return host;
-  }
-  throw ConfigError(deployment.file + ": has no host of role " + role);
-}
-
 }  // namespace
 
 void JoinOptions::declare(CLI::App& app) {
   app.add_option("--run-dir", run_dir, "folder of the run to join [the newest in runs/]");
-  app.add_option("--on", role, "side of the link to join: gcs or uxv")
-      ->check(CLI::IsMember({"gcs", "uxv"}))
-      ->capture_default_str();
+  add_host_option(app, host, "side of the link to join")->capture_default_str();
 }
 
 std::string newest_run(const std::string& runs) {
@@ -91,9 +83,9 @@ std::string newest_run(const std::string& runs) {
   return newest;
 }
 
-deployment::Deployment with_guest(deployment::Deployment deployment, const std::string& role,
+deployment::Deployment with_guest(deployment::Deployment deployment, const std::string& given,
                                   const Guest& guest) {
-  const std::string host = host_of(deployment, role).name;
+  const std::string host = deployment::host_named(deployment, given).name;
   const auto found = std::find_if(deployment.hosts.begin(), deployment.hosts.end(),
                                   [&](const auto& one) { return one.name == host; });
   for (deployment::Container& other : found->containers) other.terminal = false;
@@ -111,8 +103,8 @@ int run_guest(const JoinOptions& options, const Guest& guest) {
   const std::string original = (run / "deployment.yaml").string();
   if (!fs::exists(original)) throw EnvironmentError(run.string() + ": holds no run");
   const deployment::Deployment joined =
-      with_guest(deployment::load_resolved(original), options.role, guest);
-  const std::string host = host_of(joined, options.role).name;
+      with_guest(deployment::load_resolved(original), options.host, guest);
+  const std::string host = deployment::host_named(joined, options.host).name;
   const auto container = find_program("tocsin-container", program_folders());
   if (!container) throw EnvironmentError("tocsin-container is not installed");
   const pid_t process = deployment::process_of(run, host);

@@ -16,8 +16,8 @@ namespace tocsin {
 /// Which run a command joins, and on which side.
 struct JoinOptions {
   std::string run_dir;       ///< empty: the newest of runs/
-  std::string role = "gcs";  ///< of the host that the component shall run on
-  /// Adds --run-dir and --on.
+  std::string host = "gcs";  ///< that the component shall run on: its name, or its role
+  /// Adds --run-dir and --host.
   void declare(CLI::App& app);
 };
 
@@ -30,10 +30,10 @@ struct Guest {
 /// The folder of the newest run under `runs`. Throws EnvironmentError when there is none.
 [[nodiscard]] std::string newest_run(const std::string& runs);
 
-/// The deployment with one more container on the host of that role, the last one there.
-/// Throws ConfigError for a role without host and for a setting that is not key=value.
+/// The deployment with one more container on that host, the last one there. Throws ConfigError for
+/// a host that is not there and for a setting that is not key=value.
 [[nodiscard]] deployment::Deployment with_guest(deployment::Deployment deployment,
-                                                const std::string& role, const Guest& guest);
+                                                const std::string& host, const Guest& guest);
 
 /// Runs the component in a process of its own beside the system that `tocsin launch` runs, with the
 /// terminal of this program, until it ends. Returns its exit code.

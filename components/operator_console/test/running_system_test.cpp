@@ -50,7 +50,7 @@ TEST_F(RunningSystemTest, SaysWhenThereIsNoRun) {
   EXPECT_THROW((void)run_guest({folder_, "gcs"}, {"teleop_keyboard", {}}), EnvironmentError);
 }
 
-TEST_F(RunningSystemTest, AddsAContainerToTheHostOfTheRole) {
+TEST_F(RunningSystemTest, AddsAContainerToTheHostThatIsNamed) {
   const auto joined =
       with_guest(two_hosts(), "gcs", {"teleop_keyboard", {"linear_mps=0.2", "layout=turtlebot"}});
   EXPECT_TRUE(joined.hosts[0].containers.empty());
@@ -79,7 +79,7 @@ TEST_F(RunningSystemTest, WritesWhatTheContainerReadsAgain) {
   EXPECT_EQ((*read.hosts[0].containers[1].components[0].parameters)["rate_hz"].as<int>(), 20);
 }
 
-TEST_F(RunningSystemTest, RefusesWrongSettingsAndAbsentRoles) {
+TEST_F(RunningSystemTest, RefusesWrongSettingsAndAbsentHosts) {
   EXPECT_THROW((void)with_guest(two_hosts(), "gcs", {"teleop_keyboard", {"layout"}}), ConfigError);
   EXPECT_THROW((void)with_guest(two_hosts(), "gcs", {"teleop_keyboard", {"a=[1"}}), ConfigError);
   auto vehicle_only = two_hosts();

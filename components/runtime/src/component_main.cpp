@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // tocsin component types | info | list | load | unload | configure | activate | ...
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "command_line/command.hpp"
 #include "container_client.hpp"
 #include "foundation/error.hpp"
+#include "foundation/names.hpp"
 #include "runtime/middleware/component_library.hpp"
 #include "runtime/middleware/host_bus.hpp"
 #include "settings.hpp"
@@ -61,41 +63,46 @@ int list(const Options& options) {
   return 0;
 }
 
-std::string names_of(const Known& known) {
-  std::string text;
-  for (const auto& one : known) text += (text.empty() ? "" : ", ") + one.first.first;
-  return "[" + text + "]";
-}
-
-bool has_container(const Known& known, const std::string& name) {
-  return known.lower_bound({name, 0}) != known.end() &&
-         known.lower_bound({name, 0})->first.first == name;
-}
-
-/// The container that the command is for, once it has been heard.
-std::string find_container(ContainerClient& client, const Options& options) {
-  const auto found = [&](const Known& known) {
-    return options.container.empty()                 ? container_of(known, options.name)
-           : has_container(known, options.container) ? options.container
-                                                     : std::string();
+/// The one of `paths_of(known)` that `given` means, once it has been heard.
+template <class Paths>
+std::vector<std::string> find(ContainerClient& client, const Options& options,
+                              const std::string& given, const Paths& paths_of, const char* what) {
+  const auto heard = [&](const Known& known) {
+    const auto paths = paths_of(known);
+    return std::any_of(paths.begin(), paths.end(),
+                       [&given](const std::string& path) { return means(given, path); });
   };
-  const Known known = client.wait(seconds(options.timeout_s),
-                                  [&](const Known& heard) { return !found(heard).empty(); });
-  if (!found(known).empty()) return found(known);
-  throw ConfigError(options.container.empty()
-                        ? options.name + ": no such component in the containers " + names_of(known)
-                        : "no such container '" + options.container + "'; running are " +
-                              names_of(known));
+  const Known known = client.wait(seconds(options.timeout_s), heard);
+  return words_of_path(resolve_path(given, paths_of(known), what));
 }
 
-int ask(const std::string& verb, const Options& options) {
+/// Who a command is for.
+struct Target {
+  std::string container;
+  std::string instance;
+};
+
+Target find_target(ContainerClient& client, const Options& options) {
+  if (options.container.empty()) {
+    const auto words = find(client, options, options.name, instance_paths, "component");
+    return {words[1], words[2]};
+  }
+  const std::string& given = options.name.empty() ? options.component : options.name;
+  const auto words = find(client, options, options.container, container_paths, "container");
+  const auto instance = words_of_path(given);
+  return {words[1], instance.empty() ? given : instance.back()};
+}
+
+int ask(const std::string& verb, Options& options) {
+  options.host.adopt_host_of(options.container.empty() ? options.name : options.container);
   const auto bus = open_host_bus(options.host, "tocsin_component");
   ContainerClient client(*bus);
+  const Target target = find_target(client, options);
   ContainerClient::Command command;
-  command.container(find_container(client, options));
+  command.container(target.container);
   command.verb(verb);
   command.library(options.component);
-  command.name(options.name.empty() ? options.component : options.name);
+  command.name(target.instance);
   command.parameters(settings_text(options.set));
   const auto answer = client.ask(command, seconds(options.timeout_s));
   if (!answer.done()) throw ConfigError(answer.text());

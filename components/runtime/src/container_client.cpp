@@ -5,6 +5,7 @@
 #include <chrono>
 #include <optional>
 #include <random>
+#include <set>
 
 #include "foundation/error.hpp"
 
@@ -65,13 +66,20 @@ ContainerClient::Answer ContainerClient::ask(Command command, Duration patience)
                          " within " + std::to_string(patience / std::chrono::seconds(1)) + " s");
 }
 
-std::string container_of(const ContainerClient::Known& known, const std::string& instance) {
+std::vector<std::string> container_paths(const ContainerClient::Known& known) {
+  std::set<std::string> paths;
+  for (const auto& one : known) paths.insert(one.second.host() + "/" + one.second.container());
+  return {paths.begin(), paths.end()};
+}
+
+std::vector<std::string> instance_paths(const ContainerClient::Known& known) {
+  std::set<std::string> paths;
   for (const auto& [process, state] : known) {
     for (const auto& one : state.components()) {
-      if (one.name() == instance) return process.first;
+      paths.insert(state.host() + "/" + state.container() + "/" + one.name());
     }
   }
-  return "";
+  return {paths.begin(), paths.end()};
 }
 
 }  // namespace tocsin

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "runtime/bus.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -41,8 +42,9 @@ class ContainerClient : private Receiver {
   std::unique_ptr<Subscription> states_;
 };
 
-/// The container that has an instance of this name; empty when none has.
-[[nodiscard]] std::string container_of(const ContainerClient::Known& known,
-                                       const std::string& instance);
+/// "host/container" of all that were heard, and "host/container/instance" of all that they run;
+/// each once. Names of users are looked up among them (foundation/names.hpp).
+[[nodiscard]] std::vector<std::string> container_paths(const ContainerClient::Known& known);
+[[nodiscard]] std::vector<std::string> instance_paths(const ContainerClient::Known& known);
 
 }  // namespace tocsin

@@ -4,10 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 
+#include "command_line/host_option.hpp"
 #include "command_line/programs.hpp"
 #include "deployment/deployment.hpp"
 #include "deployment/running_host.hpp"
 #include "foundation/error.hpp"
+#include "foundation/names.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin {
@@ -17,9 +19,8 @@ constexpr int processes = 16;
 
 BusOptions options_of_run(const HostChoice& choice) {
   const auto run = deployment::load_resolved(choice.run_dir + "/deployment.yaml");
-  const deployment::Host* host =
-      choice.host.empty() ? &run.hosts.front() : deployment::find_host(run, choice.host);
-  if (host == nullptr) throw ConfigError(run.file + ": has no host '" + choice.host + "'");
+  const deployment::Host* const host =
+      choice.host.empty() ? &run.hosts.front() : &deployment::host_named(run, choice.host);
   if (run.radio) {
     deployment::enter_namespaces(deployment::process_of(choice.run_dir, host->name));
   }
@@ -49,8 +50,15 @@ void HostChoice::declare(CLI::App& app) {
   app.add_option("--domain", domain, "DDS domain of the host [of --run-dir, or $ROS_DOMAIN_ID, 0]")
       ->check(CLI::Range(0, 231));
   app.add_option("--run-dir", run_dir, "folder of a run of tocsin launch");
-  app.add_option("--host", host, "host of that run [its first]");
+  add_host_option(app, host, "host of that run [its first]");
   app.add_option("--namespace", ros_namespace, "ROS namespace of the topics, without --run-dir");
+}
+
+void HostChoice::adopt_host_of(const std::string& name) {
+  const auto words = words_of_path(name);
+  if (!host.empty() || run_dir.empty() || words.size() < 2) return;
+  const auto run = deployment::load_resolved(run_dir + "/deployment.yaml");
+  if (deployment::find_host(run, words.front()) != nullptr) host = words.front();
 }
 
 int default_domain() {

@@ -6,7 +6,9 @@
 #include <filesystem>
 
 #include "command_line/command.hpp"
+#include "command_line/host_option.hpp"
 #include "command_line/programs.hpp"
+#include "foundation/names.hpp"
 #include "run_container.hpp"
 #include "runtime/middleware/host_bus.hpp"
 #include "settings.hpp"
@@ -30,7 +32,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("COMPONENT", options.component, "see tocsin component types")->required();
   app.add_option("--name", options.name, "of the instance [COMPONENT]");
   app.add_option("--set", options.set, "parameter: key=value")->expected(1)->take_all();
-  app.add_option("--role", options.role, "side of the link [uxv]")
+  add_host_option(app, options.role, "side of the link that it is on [uxv]")
       ->check(CLI::IsMember({"uxv", "gcs"}));
   app.add_option("--domain", options.domain, "DDS domain of the host [$ROS_DOMAIN_ID, 0]")
       ->check(CLI::Range(0, 231));
@@ -60,7 +62,7 @@ deployment::Deployment deployment_of(const Options& options) {
 deployment::Container container_of(const Options& options, YamlSources& sources) {
   deployment::ComponentInstance instance;
   instance.component = options.component;
-  instance.name = options.name.empty() ? options.component : options.name;
+  instance.name = options.name.empty() ? options.component : without_slash(options.name);
   const std::string text = settings_text(options.set);
   instance.parameters = std::make_shared<const YAML::Node>(
       text.empty() ? YAML::Node(YAML::NodeType::Map) : sources.parse(text, "--set"));

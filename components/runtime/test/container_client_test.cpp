@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "../src/container_client.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -13,6 +14,7 @@ namespace {
 using State = ContainerClient::State;
 using Command = ContainerClient::Command;
 using Answer = ContainerClient::Answer;
+using ::testing::ElementsAre;
 
 /// Hands what is written to the test, and what the test says to the subscriber.
 class ScriptedBus : public Bus {
@@ -53,6 +55,7 @@ class ScriptedBus : public Bus {
 
 State state_of(const std::string& container, int pid, const std::string& instance) {
   State state;
+  state.host("uxv");
   state.container(container);
   state.pid(pid);
   state.components().emplace_back().name(instance);
@@ -83,12 +86,15 @@ TEST(ContainerClient, KnowsTheNewestStateOfEachProcess) {
   EXPECT_EQ(known.at({"drive", 1}).components().front().name(), "new");
 }
 
-TEST(ContainerClient, FindsTheContainerOfAnInstance) {
+TEST(ContainerClient, TellsThePathsOfContainersAndInstancesEachOnce) {
   ScriptedBus bus;
   ContainerClient sut(bus);
-  bus.say(state_of("drive", 1, "navigator"));
-  EXPECT_EQ(container_of(known_to(sut), "navigator"), "drive");
-  EXPECT_EQ(container_of(known_to(sut), "camera"), "");
+  bus.say(state_of("link", 1, "monitor"));
+  bus.say(state_of("drive", 2, "navigator"));
+  bus.say(state_of("drive", 3, "navigator"));  // a twin
+  EXPECT_THAT(container_paths(known_to(sut)), ElementsAre("uxv/drive", "uxv/link"));
+  EXPECT_THAT(instance_paths(known_to(sut)),
+              ElementsAre("uxv/drive/navigator", "uxv/link/monitor"));
 }
 
 TEST(ContainerClient, TakesTheAnswerToItsOwnCommandOnly) {

@@ -104,7 +104,7 @@ class ContainerTest : public ::testing::Test {
   [[nodiscard]] std::vector<std::string> lamp_command() const {
     return {bin + "tocsin-run",
             "link_lamp",
-            "--role",
+            "--host",
             "gcs",
             "--domain",
             std::to_string(domain_),
@@ -182,6 +182,33 @@ TEST_F(ContainerTest, AContainerOfAResolvedFileRunsAndObeysCommands) {
   EXPECT_EQ(wait_for(client, sut.pid(), "second", "inactive"), "inactive");
   EXPECT_EQ(run("tocsin-component unload drive second" + at).text,
             "Unloaded component 2 from container drive\n");
+  EXPECT_EQ(sut.end(SIGINT), 0);
+}
+
+TEST_F(ContainerTest, NamesThatListPrintsAreAccepted) {
+  const auto deployment = deployment_with(domain_, folder_.path());
+  write_resolved(deployment, deployment.file);
+  Process sut({bin + "tocsin-container", deployment.file, "gcs", "drive"});
+  const std::string at = " --timeout 8 --run-dir " + folder_.path();
+  const std::string listed = run("tocsin-component list --host /gcs" + at).text;
+  EXPECT_THAT(listed, HasSubstr("/gcs/drive  process"));
+  EXPECT_THAT(listed, HasSubstr("  1  /link_lamp  link_lamp  active"));
+  EXPECT_EQ(run("tocsin-component deactivate /link_lamp" + at).code, 0);
+  EXPECT_EQ(run("tocsin-component activate drive/link_lamp" + at).code, 0) << "as top prints it";
+  EXPECT_EQ(run("tocsin-component deactivate /gcs/drive/link_lamp" + at).code, 0);
+  EXPECT_EQ(run("tocsin-component activate /link_lamp --container /gcs/drive" + at).code, 0);
+  EXPECT_EQ(run("tocsin-component load /gcs/drive link_lamp --name /second" + at).text,
+            "Loaded component 2 as 'second' into container drive\n");
+  EXPECT_EQ(run("tocsin-component unload gcs/drive /second" + at).text,
+            "Unloaded component 2 from container drive\n");
+  const std::string soon = " --timeout 1.5 --run-dir " + folder_.path();
+  const Outcome container = run("tocsin-component load /uxv/drive link_lamp" + soon);
+  EXPECT_EQ(container.code, 2);
+  EXPECT_THAT(container.text, HasSubstr("/uxv/drive: no such container; allowed: [gcs/drive]"));
+  const Outcome component = run("tocsin-component activate /lamp" + soon);
+  EXPECT_EQ(component.code, 2);
+  EXPECT_THAT(component.text,
+              HasSubstr("/lamp: no such component; allowed: [gcs/drive/link_lamp]"));
   EXPECT_EQ(sut.end(SIGINT), 0);
 }
 

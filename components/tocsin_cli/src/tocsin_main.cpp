@@ -31,7 +31,9 @@ std::string description(const std::string& verb, const Folders& folders) {
 }
 
 int print_help(const Folders& folders) {
-  std::printf("usage: tocsin VERB [ARGUMENT...]\n\nVerbs (tocsin VERB --help tells more):\n");
+  std::printf(
+      "usage: tocsin VERB [ARGUMENT...] | --help | --version\n\nVerbs (tocsin VERB --help tells "
+      "more):\n");
   for (const std::string& verb : find_verbs(folders)) {
     std::printf("  %-12s %s\n", verb.c_str(), description(verb, folders).c_str());
   }
@@ -57,6 +59,10 @@ int body(char** argv) {
   if (argv[1] == nullptr) throw ConfigError("a verb is missing; tocsin --help lists them");
   const std::string verb = argv[1];
   if (verb == "--help" || verb == "-h" || verb == "help") return print_help(folders);
+  if (verb == "--version") {
+    std::printf("tocsin %s\n", TOCSIN_VERSION);
+    return 0;
+  }
   const auto program =
       verb.find('/') == std::string::npos ? find_program("tocsin-" + verb, folders) : std::nullopt;
   if (!program) reject(verb, folders);

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "foundation/temporary_folder.hpp"
 
@@ -50,6 +51,15 @@ TEST_F(TocsinTest, SuggestsAVerbForAnUnknownOne) {
 TEST_F(TocsinTest, ListsTheVerbsWhenNoneIsNear) {
   EXPECT_EQ(run("xyzzyxyzzy"), 2);
   EXPECT_THAT(output(), HasSubstr("is not a verb; the verbs are: fail, launch"));
+}
+
+TEST_F(TocsinTest, TellsTheVersionOfItsPackage) {
+  std::ifstream package(TOCSIN_SOURCE_DIR "/package.xml");
+  const std::string text{std::istreambuf_iterator<char>(package), {}};
+  EXPECT_EQ(run("--version"), 0);
+  ASSERT_THAT(output(), ::testing::MatchesRegex("tocsin [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  const std::string version = output().substr(7, output().size() - 8);
+  EXPECT_THAT(text, HasSubstr("<version>" + version + "</version>"));
 }
 
 TEST_F(TocsinTest, AsksForAVerb) {

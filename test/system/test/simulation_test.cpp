@@ -104,7 +104,7 @@ TEST_F(SimulationTest, DecidingARecordedRunAgainGivesItsOwnDecisionsSampleBySamp
   ASSERT_EQ(sim("mission.yaml --seed 7 --without uxv/payload").code, 0) << read("errors");
   for (const char* role : {"uxv", "gcs"}) {
     const auto decided =
-        decide("1/" + std::string(role) + "/transmission_state.csv", "--role " + std::string(role));
+        decide("1/" + std::string(role) + "/transmission_state.csv", "--host " + std::string(role));
     EXPECT_EQ(decided["recorded"]["pauses"], 2) << role;
     EXPECT_EQ(decided["pauses"], 2) << role;
     EXPECT_GT(decided["recorded"]["decisions"], 50) << role;
@@ -114,7 +114,7 @@ TEST_F(SimulationTest, DecidingARecordedRunAgainGivesItsOwnDecisionsSampleBySamp
                     "/1/uxv/transmission_state.csv")
                 .code,
             2);
-  EXPECT_THAT(read("errors"), HasSubstr("of the roles gcs and uxv; choose one by --role"));
+  EXPECT_THAT(read("errors"), HasSubstr("of the roles gcs and uxv; choose one by --host"));
 }
 
 TEST_F(SimulationTest, SameSeedGivesTheSameSamplesOnTwoThreadsAndInAnotherProcess) {

@@ -86,13 +86,15 @@ struct Deployment {
 
 /// What the command line adds to a bringup file.
 struct Overrides {
-  std::string run_dir;               ///< value of ${run_dir}
-  std::string share;                 ///< value of ${share}
-  int seed = 1;                      ///< value of ${seed}
-  std::optional<int> domain;         ///< in place of the file's `domain`
-  std::string channel;               ///< path in place of the file's `radio.channel`; empty: none
-  std::vector<std::string> set;      ///< "name.key=value" or "host/name.key=value", value in YAML
-  std::vector<std::string> without;  ///< "host/process" or "host/process/component" left out
+  std::string run_dir;        ///< value of ${run_dir}
+  std::string share;          ///< value of ${share}
+  int seed = 1;               ///< value of ${seed}
+  std::optional<int> domain;  ///< in place of the file's `domain`
+  std::string channel;        ///< path in place of the file's `radio.channel`; empty: none
+  /// "name.key=value" or "host/name.key=value", value in YAML; names as in `means`.
+  std::vector<std::string> set;
+  /// "host/process" or "host/process/component" left out; names as in `resolve_path`.
+  std::vector<std::string> without;
 };
 
 /// Reads a bringup file, the files that it extends and its parameter files, and applies the
@@ -106,6 +108,10 @@ void write_resolved(const Deployment& deployment, const std::string& path);
 
 /// Reads what write_resolved wrote. Throws ConfigError like load_deployment.
 [[nodiscard]] Deployment load_resolved(const std::string& path);
+
+/// The host that `--host` names: by its name, with or without a slash in front, or by its role when
+/// no host has this name. Throws ConfigError with the choice.
+[[nodiscard]] const Host& host_named(const Deployment& deployment, const std::string& given);
 
 /// Null when there is no such host or container.
 [[nodiscard]] const Host* find_host(const Deployment& deployment, const std::string& name);

@@ -21,6 +21,8 @@ struct HostChoice {
 
   /// Adds --domain, --run-dir, --host and --namespace to a command.
   void declare(CLI::App& app);
+  /// A name such as /gcs/link chooses the host that it begins with, unless --host does.
+  void adopt_host_of(const std::string& name);
 };
 
 /// $ROS_DOMAIN_ID, or 0. Throws ConfigError when it is no domain id.

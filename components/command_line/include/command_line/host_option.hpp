@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace tocsin {
+
+/// Adds `--host`, which names a side in every command: the host of a bringup file, for example uxv
+/// or gcs, with or without a slash in front. The spellings of other tools are refused with a hint.
+CLI::Option* add_host_option(CLI::App& app, std::string& host, const std::string& text);
+
+}  // namespace tocsin
