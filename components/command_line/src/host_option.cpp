@@ -7,6 +7,15 @@
 
 namespace tocsin {
 
+CLI::Option* add_name_option(CLI::App& app, const std::string& option, std::string& name,
+                             const std::string& text) {
+  const auto strip = [](std::string& given) {
+    given = without_slash(std::move(given));
+    return std::string();
+  };
+  return app.add_option(option, name, text)->transform(CLI::Validator(strip, ""));
+}
+
 CLI::Option* add_host_option(CLI::App& app, std::string& host, const std::string& text) {
   for (const char* other : {"--on", "--role", "--side"}) {
     app.add_option_function<std::string>(other,
@@ -16,11 +25,7 @@ CLI::Option* add_host_option(CLI::App& app, std::string& host, const std::string
                                          })
         ->group("");  // not in the help
   }
-  const auto strip = [](std::string& name) {
-    name = without_slash(std::move(name));
-    return std::string();
-  };
-  return app.add_option("--host", host, text)->transform(CLI::Validator(strip, ""));
+  return add_name_option(app, "--host", host, text);
 }
 
 }  // namespace tocsin

@@ -49,5 +49,15 @@ TEST(HostOption, TheHelpShowsOneSpelling) {
   EXPECT_THAT(app.help(), Not(HasSubstr("--role")));
 }
 
+TEST(NameOption, TakesANameWithOrWithoutASlash) {
+  for (const char* given : {"fleet/robot_1", "/fleet/robot_1"}) {
+    CLI::App app;
+    std::string name;
+    add_name_option(app, "--namespace", name, "of topics");
+    app.parse(std::vector<std::string>{given, "--namespace"});  // reversed, as CLI11 wants them
+    EXPECT_EQ(name, "fleet/robot_1");
+  }
+}
+
 }  // namespace
 }  // namespace tocsin

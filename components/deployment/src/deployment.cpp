@@ -220,6 +220,7 @@ Deployment load_deployment(const std::string& path, const Overrides& overrides) 
   deployment.seed = overrides.seed;
   const int domain = section.whole("domain", 0, 0, max_domain);
   const ParameterSet parameters = read_parameters(section, overrides, variables, sources);
+  deployment.stop_when_exits = without_slash(deployment.stop_when_exits);
   check_whole(deployment);
   replace_channel(overrides.channel, deployment);
   merge_parameters(parameters, removed, deployment);

@@ -20,6 +20,10 @@ TEST_F(NamingTest, LeavesOutAProcess) {
               HasSubstr("--without uxv/bass: no such process; allowed: [uxv/base"));
 }
 
+TEST_F(NamingTest, EndsWithAProcessThatIsNamedWithASlash) {
+  EXPECT_EQ(load(with(whole, "gcs/mission", "/gcs/mission")).stop_when_exits, "gcs/mission");
+}
+
 TEST_F(NamingTest, LeavesOutAComponentOfAProcess) {
   const Deployment all = load(whole);
   const Container& container = all.hosts[0].containers[0];

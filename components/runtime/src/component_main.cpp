@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command_line/command.hpp"
+#include "command_line/host_option.hpp"
 #include "container_client.hpp"
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
@@ -126,7 +127,7 @@ CLI::App* declare(CLI::App& app, const std::string& verb, const std::string& tex
 void declare_load(CLI::App& app, Options& options) {
   CLI::App* const load = declare(app, "load", "put a component into a running container", options);
   load->add_option("CONTAINER", options.container, "see list")->required();
-  load->add_option("COMPONENT", options.component, "see types")->required();
+  add_name_option(*load, "COMPONENT", options.component, "see types")->required();
   load->add_option("--name", options.name, "of the instance [COMPONENT]");
   load->add_option("--set", options.set, "parameter: key=value")->expected(1)->take_all();
 }
@@ -144,9 +145,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   Options options;
   app.add_subcommand("types", "names of all installed components");
-  app.add_subcommand("info", "parameters with default, unit and range")
-      ->add_option("COMPONENT", options.component, "see types")
-      ->required();
+  CLI::App* const info_of = app.add_subcommand("info", "parameters with default, unit and range");
+  add_name_option(*info_of, "COMPONENT", options.component, "see types")->required();
   declare(app, "list", "running containers with their components and states", options);
   declare_load(app, options);
   CLI::App* const unload = declare(app, "unload", "take a component out of its container", options);

@@ -51,7 +51,8 @@ void HostChoice::declare(CLI::App& app) {
       ->check(CLI::Range(0, 231));
   app.add_option("--run-dir", run_dir, "folder of a run of tocsin launch");
   add_host_option(app, host, "host of that run [its first]");
-  app.add_option("--namespace", ros_namespace, "ROS namespace of the topics, without --run-dir");
+  add_name_option(app, "--namespace", ros_namespace,
+                  "ROS namespace of the topics, without --run-dir");
 }
 
 void HostChoice::adopt_host_of(const std::string& name) {

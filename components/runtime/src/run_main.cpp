@@ -8,7 +8,6 @@
 #include "command_line/command.hpp"
 #include "command_line/host_option.hpp"
 #include "command_line/programs.hpp"
-#include "foundation/names.hpp"
 #include "run_container.hpp"
 #include "runtime/middleware/host_bus.hpp"
 #include "settings.hpp"
@@ -29,14 +28,14 @@ struct Options {
 };
 
 void declare(CLI::App& app, Options& options) {
-  app.add_option("COMPONENT", options.component, "see tocsin component types")->required();
-  app.add_option("--name", options.name, "of the instance [COMPONENT]");
+  add_name_option(app, "COMPONENT", options.component, "see tocsin component types")->required();
+  add_name_option(app, "--name", options.name, "of the instance [COMPONENT]");
   app.add_option("--set", options.set, "parameter: key=value")->expected(1)->take_all();
   add_host_option(app, options.role, "side of the link that it is on [uxv]")
       ->check(CLI::IsMember({"uxv", "gcs"}));
   app.add_option("--domain", options.domain, "DDS domain of the host [$ROS_DOMAIN_ID, 0]")
       ->check(CLI::Range(0, 231));
-  app.add_option("--namespace", options.ros_namespace, "ROS namespace of the topics");
+  add_name_option(app, "--namespace", options.ros_namespace, "ROS namespace of the topics");
   app.add_option("--run-dir", options.run_dir, "folder for the component's files [.]")
       ->check(CLI::ExistingDirectory);
   app.add_option("--qos", options.qos, "QoS profiles [the installed ones]");
@@ -62,7 +61,7 @@ deployment::Deployment deployment_of(const Options& options) {
 deployment::Container container_of(const Options& options, YamlSources& sources) {
   deployment::ComponentInstance instance;
   instance.component = options.component;
-  instance.name = options.name.empty() ? options.component : without_slash(options.name);
+  instance.name = options.name.empty() ? options.component : options.name;
   const std::string text = settings_text(options.set);
   instance.parameters = std::make_shared<const YAML::Node>(
       text.empty() ? YAML::Node(YAML::NodeType::Map) : sources.parse(text, "--set"));

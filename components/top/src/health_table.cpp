@@ -124,6 +124,14 @@ std::size_t width_of(const terminal::Line& line) {
   return width;
 }
 
+std::string gone_text(const std::vector<Gone>& gone) {
+  std::string text;
+  for (const Gone& one : gone) {
+    text += (text.empty() ? "gone: " : ", ") + one.name + " for " + age_text(one.age);
+  }
+  return text;
+}
+
 /// Puts a row's message beside its figures, or below them when it does not fit there and matters.
 void add_row(const Row& row, terminal::Line figures, std::size_t width,
              std::vector<terminal::Line>& lines) {
@@ -161,7 +169,7 @@ std::vector<Row> HealthTable::rows(Time now) const {
     Row row = row_of(entry.status, level);
     row.age = age;
     if (silent) row.message = "silent for " + age_text(age);
-    graded.emplace_back(-int{level}, key, std::move(row));
+    graded.emplace_back(-int{level}, entry.status.name(), std::move(row));
   }
   std::sort(graded.begin(), graded.end(), [](const auto& a, const auto& b) {
     return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
@@ -183,20 +191,16 @@ std::vector<Gone> HealthTable::gone(Time now) const {
 
 std::vector<terminal::Line> page(const std::vector<Row>& rows, const std::vector<Gone>& gone,
                                  std::size_t width) {
-  constexpr std::size_t shortest_message = 10;  // and two blanks before it
+  constexpr std::size_t shortest_message = 16;  // with two blanks before it
   const std::size_t left = std::max(width, 2 * shortest_message) - shortest_message;
   std::vector<terminal::Line> figures = table_of(rows).lines(left);
   std::vector<terminal::Line> lines;
   figures.front().push_back({"  STATE", terminal::Style::bold});
   lines.push_back(std::move(figures.front()));
+  if (!gone.empty()) lines.push_back({{gone_text(gone), terminal::Style::warning}});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     add_row(rows[i], std::move(figures[i + 1]), width, lines);
   }
-  std::string silent;
-  for (const Gone& one : gone) {
-    silent += (silent.empty() ? "gone: " : ", ") + one.name + " for " + age_text(one.age);
-  }
-  if (!silent.empty()) lines.push_back({{silent, terminal::Style::old}});
   return lines;
 }
 

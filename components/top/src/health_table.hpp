@@ -55,7 +55,8 @@ class HealthTable {
   std::map<std::string, Entry> entries_;
 };
 
-/// A table for people, of lines of at most `width` columns.
+/// A table for people, of lines of at most `width` columns: its head, what is gone, a line for each
+/// row, and one more for a grave message that does not fit beside the figures.
 [[nodiscard]] std::vector<terminal::Line> page(const std::vector<Row>& rows,
                                                const std::vector<Gone>& gone, std::size_t width);
 /// A JSON list of objects, one line.

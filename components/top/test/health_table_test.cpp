@@ -94,7 +94,7 @@ TEST(HealthTable, AProcessThatIsUnknownIsGoneForTenMinutes) {
   sut.add(array("drive", 0), 7, t0);
   sut.add(array("drive/a", 0), 7, t0);
   EXPECT_TRUE(sut.gone(t0 + seconds(30)).empty());
-  EXPECT_THAT(text_of(sut, 80, t0 + seconds(45)), HasSubstr("\ngone: drive for 45 s\n"));
+  EXPECT_THAT(text_of(sut, 80, t0 + seconds(45)), HasSubstr("STATE\ngone: drive for 45 s\n"));
   EXPECT_EQ(sut.gone(t0 + seconds(600)).size(), 1U);
   EXPECT_TRUE(sut.gone(t0 + seconds(600.1)).empty());
 }

@@ -14,4 +14,8 @@ namespace tocsin {
 /// or gcs, with or without a slash in front. The spellings of other tools are refused with a hint.
 CLI::Option* add_host_option(CLI::App& app, std::string& host, const std::string& text);
 
+/// Adds an option whose value is a name as ROS prints it: with or without a slash in front.
+CLI::Option* add_name_option(CLI::App& app, const std::string& option, std::string& name,
+                             const std::string& text);
+
 }  // namespace tocsin
