@@ -113,6 +113,14 @@ function(tocsin_component name)
   install(TARGETS ${name} LIBRARY DESTINATION lib/tocsin)
 endfunction()
 
+# Tells a target the version of its package (package.xml) as TOCSIN_VERSION. All packages have the same one.
+function(tocsin_tell_version target)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS package.xml)
+  file(STRINGS package.xml version REGEX "<version>")
+  string(REGEX REPLACE ".*<version>(.*)</version>.*" "\\1" version "${version}")
+  target_compile_definitions(${target} PRIVATE TOCSIN_VERSION="${version}")
+endfunction()
+
 # A program of this package, installed in bin/.
 # tocsin_executable(name SOURCES a.cpp ... LINK ...)
 function(tocsin_executable name)
