@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "idl_support/topic_info.hpp"
+#include "runtime/bus.hpp"
 
 namespace tocsin::check {
 
@@ -15,6 +16,7 @@ struct Port {
   std::string qos;   ///< profile
   Scope scope = Scope::host;
   bool writes = false;
+  Writers writers = Writers::needed;  ///< of a reader
 };
 
 /// One component of a deployment with its ports.
