@@ -95,8 +95,10 @@ class Examiner {
       const auto offered = profile(topic, *writer.port);
       for (const End& reader : ends) {
         if (reader.port->writes || !reaches(writer, reader)) continue;
-        const auto requested = profile(topic, *reader.port);
-        if (offered && requested) check_pair(writer, *offered, reader, *requested);
+        const auto known = profile(topic, *reader.port);
+        const Port& port = *reader.port;
+        const TopicInfo info{topic.c_str(), port.qos.c_str(), port.scope, port.requests};
+        if (offered && known) check_pair(writer, *offered, reader, requested(info, *known));
       }
     }
   }

@@ -15,6 +15,7 @@ struct Port {
   std::string qos;   ///< profile
   Scope scope = Scope::host;
   bool writes = false;
+  Requests requests = Requests::profile;  ///< of a reader
 };
 
 /// One component of a deployment with its ports.

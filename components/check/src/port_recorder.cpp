@@ -31,8 +31,9 @@ void PortRecorder::record(const Endpoint& endpoint, bool writes) {
     return port.topic == endpoint.topic.name && port.writes == writes;
   };
   if (std::any_of(ports_.begin(), ports_.end(), same)) return;
+  const TopicInfo& topic = endpoint.topic;
   ports_.push_back(
-      {endpoint.topic.name, endpoint.type->name, endpoint.topic.qos, endpoint.topic.scope, writes});
+      {topic.name, endpoint.type->name, topic.qos, topic.scope, writes, topic.requests});
 }
 
 std::unique_ptr<Subscription> PortRecorder::subscribe(const Endpoint& endpoint,

@@ -214,7 +214,7 @@ Deployment load_deployment(const std::string& path, const Overrides& overrides) 
   expand(root, sources, variables);
   const Section section(root, "deployment", sources, body_keys({"domain", "parameters"}));
   deployment.file = path;
-  read_body(section, sources, deployment);
+  read_body(section, sources, Named::must_be_readable, deployment);
   deployment.run_dir = overrides.run_dir;
   deployment.share = overrides.share;
   deployment.seed = overrides.seed;

@@ -123,10 +123,10 @@ RestartPolicy read_restart(const YAML::Node& node, const YamlSources& sources) {
   return policy;
 }
 
-std::optional<Radio> read_radio(const YAML::Node& node, const YamlSources& sources) {
+std::optional<Radio> read_radio(const YAML::Node& node, const YamlSources& sources, Named named) {
   if (!node.IsDefined() || node.IsNull()) return std::nullopt;
   const Section section(node, "radio", sources, {"channel", "walls"});
-  Radio radio{section.file("channel"), section.file("walls")};
+  Radio radio{section.file("channel", named), section.file("walls", named)};
   if (radio.channel.empty()) section.fail("channel", "is missing");
   if (radio.walls.empty()) section.fail("walls", "is missing");
   return radio;
@@ -141,9 +141,10 @@ std::vector<std::string> body_keys(const std::vector<std::string>& more) {
   return keys;
 }
 
-void read_body(const Section& section, const YamlSources& sources, Deployment& deployment) {
-  deployment.qos = section.file("qos");
-  deployment.traffic = section.file("traffic");
+void read_body(const Section& section, const YamlSources& sources, Named named,
+               Deployment& deployment) {
+  deployment.qos = section.file("qos", named);
+  deployment.traffic = section.file("traffic", named);
   deployment.ros_namespace = section.text("namespace", "");
   if (!is_ros_namespace(deployment.ros_namespace)) {
     section.fail("namespace", "'" + deployment.ros_namespace +
@@ -151,7 +152,7 @@ void read_body(const Section& section, const YamlSources& sources, Deployment& d
   }
   deployment.stop_when_exits = section.text("stop_when_exits", "");
   deployment.restart = read_restart(section.find("restart"), sources);
-  deployment.radio = read_radio(section.find("radio"), sources);
+  deployment.radio = read_radio(section.find("radio"), sources, named);
   const YAML::Node hosts = section.find("hosts");
   if (!hosts.IsDefined()) section.fail("hosts", "is missing");
   const Section names(hosts, "hosts", sources);

@@ -10,8 +10,10 @@ namespace tocsin::deployment {
 [[nodiscard]] std::vector<std::string> body_keys(const std::vector<std::string>& more);
 
 /// Reads the parts that a bringup file and a resolved file share into `deployment`:
-/// qos, traffic, namespace, stop_when_exits, restart, radio, hosts.
-void read_body(const Section& section, const YamlSources& sources, Deployment& deployment);
+/// qos, traffic, namespace, stop_when_exits, restart, radio, hosts. `named`: the files that it
+/// names.
+void read_body(const Section& section, const YamlSources& sources, Named named,
+               Deployment& deployment);
 
 /// Gives every host its domain id: `domain`, `domain + 1`; the link has `domain + 2`.
 void assign_domains(int domain, Deployment& deployment);

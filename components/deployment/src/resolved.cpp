@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <yaml-cpp/yaml.h>
 
-#include <fstream>
-
 #include "deployment/deployment.hpp"
 #include "foundation/error.hpp"
+#include "foundation/replace_file.hpp"
 #include "foundation/yaml_file.hpp"
 #include "reader.hpp"
 
@@ -110,25 +109,29 @@ void write(YAML::Emitter& out, const Deployment& deployment) {
 
 }  // namespace
 
-void write_resolved(const Deployment& deployment, const std::string& path) {
+std::string resolved_text(const Deployment& deployment) {
   YAML::Emitter out;
   out.SetDoublePrecision(10);
   write(out, deployment);
-  std::ofstream file(path);
-  file << "# Written by tocsin launch from:\n";
-  for (const std::string& source : deployment.sources.files()) file << "#   " << source << "\n";
-  file << out.c_str() << "\n";
-  file.close();
-  if (!file) throw ConfigError(path + ": cannot be written");
+  std::string text = "# Written by tocsin launch from:\n";
+  for (const std::string& source : deployment.sources.files()) text += "#   " + source + "\n";
+  return text + out.c_str() + "\n";
 }
 
-Deployment load_resolved(const std::string& path) {
+void write_resolved(const Deployment& deployment, const std::string& path) {
+  if (const auto error = replace_file(path, resolved_text(deployment))) {
+    throw EnvironmentError(path + ": cannot be written: " + error.message());
+  }
+}
+
+Deployment load_resolved(const std::string& path, const std::string& copy) {
   Deployment deployment;
   deployment.file = path;
-  const YAML::Node root = deployment.sources.read(path);
+  const YAML::Node root = deployment.sources.read(path, copy);
   const Section section(root, "deployment", deployment.sources,
                         body_keys({"run_dir", "share", "seed", "domain"}));
-  read_body(section, deployment.sources, deployment);
+  // The files that it names were there at the launch.
+  read_body(section, deployment.sources, Named::may_be_gone, deployment);
   deployment.run_dir = section.text("run_dir", "");
   deployment.share = section.text("share", "");
   deployment.seed = section.whole("seed", 1, 0, 1'000'000'000);

@@ -1,78 +1,109 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deployment/running_host.hpp"
 
-#include <fcntl.h>
-#include <sched.h>
-#include <signal.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#include <yaml-cpp/yaml.h>
-
-#include <cerrno>
+#include <algorithm>
+#include <cctype>
+#include <exception>
 #include <filesystem>
-#include <string>
-#include <system_error>
+#include <fstream>
+#include <optional>
+#include <sstream>
 
 #include "foundation/error.hpp"
-#include "foundation/yaml_file.hpp"
 
 namespace tocsin::deployment {
 namespace {
 
-std::string path_of(const std::string& process, const char* kind) {
-  return "/proc/" + process + "/ns/" + kind;
+namespace fs = std::filesystem;
+
+/// A process that runs tocsin-container FILE HOST CONTAINER [COPY].
+struct ContainerProcess {
+  pid_t pid;
+  std::string file;
+  std::string copy;  ///< as seen from outside
+  std::string host;
+};
+
+std::vector<std::string> words_of(const fs::path& command_line) {
+  std::ifstream file(command_line, std::ios::binary);
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');) words.push_back(word);
+  return words;
 }
 
-bool same_namespace(const std::string& process, const char* kind) {
-  struct stat own {};
-  struct stat other {};
-  return ::stat(path_of("self", kind).c_str(), &own) == 0 &&
-         ::stat(path_of(process, kind).c_str(), &other) == 0 && own.st_ino == other.st_ino;
+/// A path of a process as others reach it: its own descriptors, and what lies in its folder.
+std::string from_outside(const fs::path& process, const std::string& path) {
+  const std::string own = "/proc/self/";
+  if (path.rfind(own, 0) == 0) return process / path.substr(own.size());
+  return fs::path(path).is_absolute() ? path : (process / "cwd" / path).string();
 }
 
-int open_namespace(const std::string& process, const char* kind) {
-  const int descriptor = ::open(path_of(process, kind).c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor >= 0) return descriptor;
-  throw EnvironmentError("cannot look into process " + process + ": " +
-                         std::system_category().message(errno) + "; run as who launched it");
+std::optional<ContainerProcess> container_of(const fs::path& process) {
+  const auto words = words_of(process / "cmdline");
+  const bool is_one = words.size() >= 4 && fs::path(words[0]).filename() == "tocsin-container";
+  if (!is_one) return std::nullopt;
+  return ContainerProcess{std::stoi(process.filename()), words[1],
+                          from_outside(process, words.size() > 4 ? words[4] : words[1]), words[2]};
 }
 
-void enter(int descriptor, int kind) {
-  const bool entered = ::setns(descriptor, kind) == 0;
-  const int reason = errno;
-  ::close(descriptor);
-  if (!entered) {
-    throw EnvironmentError("cannot enter the emulated host: " +
-                           std::system_category().message(reason) + "; run as who launched it");
+std::vector<ContainerProcess> containers(const std::string& proc) {
+  std::vector<ContainerProcess> all;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(proc, failed)) {
+    const std::string name = entry.path().filename();
+    const bool is_process =
+        name.size() < 10 &&
+        std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    if (!is_process) continue;
+    if (auto found = container_of(entry.path())) all.push_back(std::move(*found));
   }
+  std::sort(all.begin(), all.end(),
+            [](const ContainerProcess& a, const ContainerProcess& b) { return a.pid < b.pid; });
+  return all;
+}
+
+bool is_known(const RunningHosts& found, const Deployment& deployment, const std::string& host) {
+  return std::any_of(found.hosts.begin(), found.hosts.end(), [&](const RunningHost& one) {
+    return one.host == host && one.deployment.run_dir == deployment.run_dir;
+  });
 }
 
 }  // namespace
 
-pid_t process_of(const std::string& run_dir, const std::string& host) {
-  const std::string file = run_dir + "/processes.json";
-  if (std::filesystem::exists(file)) {
-    for (const auto& entry : read_yaml_file(file)) {
-      const auto pid = entry.second.as<pid_t>(0);
-      const bool ours = entry.first.Scalar().rfind(host + "/", 0) == 0;
-      if (ours && pid > 0 && ::kill(pid, 0) == 0) return pid;
-    }
-  }
-  throw EnvironmentError("nothing runs on host " + host + " of " + run_dir);
+bool RunningHost::is_of(const std::string& run_dir) const {
+  std::error_code gone;
+  const fs::path wanted = fs::absolute(run_dir, gone).lexically_normal();
+  return deployment.run_dir == wanted || fs::equivalent(deployment.run_dir, wanted, gone);
 }
 
-void enter_namespaces(pid_t process) {
-  std::error_code ignored;
-  const std::filesystem::path folder = std::filesystem::current_path(ignored);
-  const std::string its = std::to_string(process);
-  // All are opened first: from inside, /proc may show other processes.
-  const int user = same_namespace(its, "user") ? -1 : open_namespace(its, "user");
-  const int net = open_namespace(its, "net");
-  const int mount = open_namespace(its, "mnt");
-  if (user >= 0) enter(user, CLONE_NEWUSER);
-  enter(net, CLONE_NEWNET);
-  enter(mount, CLONE_NEWNS);  // the working folder is now /
-  std::filesystem::current_path(folder, ignored);
+RunningHosts running_hosts(const std::string& proc) {
+  RunningHosts found;
+  for (const ContainerProcess& container : containers(proc)) {
+    try {
+      Deployment deployment = load_resolved(container.file, container.copy);
+      const bool has_it = find_host(deployment, container.host) != nullptr;
+      if (!has_it || is_known(found, deployment, container.host)) continue;
+      found.hosts.push_back({std::move(deployment), container.host, container.pid});
+    } catch (const std::exception&) {
+      found.hidden.push_back(container.pid);
+    }
+  }
+  return found;
+}
+
+RunningHost running_host(const std::string& run_dir, const std::string& host,
+                         const std::string& proc) {
+  RunningHosts running = running_hosts(proc);
+  std::string what;
+  for (RunningHost& one : running.hosts) {
+    if (!one.is_of(run_dir)) continue;
+    const std::string name =
+        host.empty() ? one.deployment.hosts.front().name : host_named(one.deployment, host).name;
+    if (one.host == name) return std::move(one);
+    what = "host " + name + " of ";
+  }
+  throw EnvironmentError("nothing runs on " + what + run_dir +
+                         (running.hidden.empty() ? "" : " that this user may look into"));
 }
 
 }  // namespace tocsin::deployment

@@ -107,11 +107,12 @@ std::string Section::required_name(const std::string& key) const {
   return value;
 }
 
-std::string Section::file(const std::string& key) const {
+std::string Section::file(const std::string& key, Named named) const {
   const std::string value = text(key, "");
   if (value.empty()) return value;
   std::string path = sources_.path(find(key), value);
-  if (!std::ifstream(path)) fail(key, "'" + path + "' cannot be read");
+  const bool must_be_there = named == Named::must_be_readable;
+  if (must_be_there && !std::ifstream(path)) fail(key, "'" + path + "' cannot be read");
   return path;
 }
 

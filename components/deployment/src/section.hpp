@@ -19,6 +19,9 @@ using Variables = std::map<std::string, std::string>;
 /// ConfigError for an unknown name.
 void expand(const YAML::Node& node, const YamlSources& sources, const Variables& variables);
 
+/// Whether the files that a file names must be there.
+enum class Named { must_be_readable, may_be_gone };
+
 /// A YAML map read key by key. Every error is a ConfigError naming owner.key, value, what is
 /// allowed, and file:line.
 class Section {
@@ -37,8 +40,8 @@ class Section {
   [[nodiscard]] std::string required_text(const std::string& key) const;
   /// A lower-case word with digits and underscores.
   [[nodiscard]] std::string required_name(const std::string& key) const;
-  /// An absolute path of a readable file; empty when absent.
-  [[nodiscard]] std::string file(const std::string& key) const;
+  /// An absolute path of a file; empty when absent.
+  [[nodiscard]] std::string file(const std::string& key, Named named) const;
   [[nodiscard]] int whole(const std::string& key, int fallback, int min, int max) const;
   [[nodiscard]] bool flag(const std::string& key, bool fallback) const;
   /// A list of texts; empty when absent.

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "deployment/resolved_copy.hpp"
 #include "fixture.hpp"
 #include "foundation/parameters.hpp"
 
@@ -123,7 +124,18 @@ TEST_F(ResolvedTest, RejectsUnknownKeys) {
 }
 
 TEST_F(ResolvedTest, ReportsAFileThatCannotBeWritten) {
-  EXPECT_THROW(write_resolved(load(whole), path("no/such/folder.yaml")), ConfigError);
+  EXPECT_THAT([&] { write_resolved(load(whole), path("no/such/folder.yaml")); },
+              ::testing::Throws<EnvironmentError>(::testing::Property(
+                  &EnvironmentError::what, HasSubstr("cannot be written: No such file"))));
+}
+
+TEST_F(ResolvedTest, ACopyInMemoryIsReadInPlaceOfTheFileThatErrorsName) {
+  const ResolvedCopy copy(load(whole));
+  const Deployment sut = load_resolved("/gone/deployment.yaml", copy.path());
+  EXPECT_EQ(sut.file, "/gone/deployment.yaml");
+  EXPECT_EQ(sut.run_dir, "/tmp/run");
+  EXPECT_EQ(sut.hosts.size(), 2U);
+  EXPECT_EQ(load_resolved("/gone/deployment.yaml", copy.path()).seed, 7);  // as often as wanted
 }
 
 }  // namespace

@@ -3,29 +3,20 @@
 
 #include <unistd.h>
 
-#include <cstdio>
-#include <fstream>
+#include <sstream>
 
 namespace tocsin {
 
-std::optional<bool> RequestFile::load() const {
-  std::ifstream file(path_);
+bool RequestFile::load() const {
+  std::istringstream text(file_.load().value_or(""));
   pid_t parent = 0;
   std::string word;
-  file >> parent >> word;
-  if (!file || parent != ::getppid() || (word != "on" && word != "off")) return std::nullopt;
-  return word == "on";
+  text >> parent >> word;
+  return text && parent == ::getppid() && word == "on";
 }
 
-bool RequestFile::save(bool pressed) const {
-  if (path_.empty()) return true;
-  const std::string fresh = path_ + ".new";
-  {
-    std::ofstream file(fresh);
-    file << ::getppid() << ' ' << (pressed ? "on" : "off") << '\n';
-    if (!file.flush()) return false;
-  }
-  return std::rename(fresh.c_str(), path_.c_str()) == 0;
+bool RequestFile::save(bool pressed) {
+  return file_.save(std::to_string(::getppid()) + (pressed ? " on" : " off"));
 }
 
 }  // namespace tocsin

@@ -63,10 +63,10 @@ int fit_experiment(const RunOptions& options) {
   }
   const std::string name = std::filesystem::path(options.file).filename();
   try {
-    replace_file(path, fitted_text(fitted, "Written by `tocsin experiment fit " + name +
-                                               "`. Cost over the clairvoyant's per 1000 samples, "
-                                               "decided again on these runs:\n" +
-                                               tables));
+    write_whole(path, fitted_text(fitted, "Written by `tocsin experiment fit " + name +
+                                              "`. Cost over the clairvoyant's per 1000 samples, "
+                                              "decided again on these runs:\n" +
+                                              tables));
   } catch (const std::system_error& error) {
     throw EnvironmentError(path + ": " + error.code().message());
   }

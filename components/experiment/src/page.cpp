@@ -30,7 +30,7 @@ int write_page(const std::string& folder) {
   draw(document.figures(), figures);
   const std::string path = folder + "/report.html";
   try {
-    replace_file(path, html::page("Tocsin: policies compared", document.body(figures)));
+    write_whole(path, html::page("Tocsin: policies compared", document.body(figures)));
   } catch (const std::system_error& error) {
     throw EnvironmentError(path + ": " + error.code().message());
   }

@@ -1,45 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "result_store.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <system_error>
 
 #include "foundation/error.hpp"
+#include "foundation/replace_file.hpp"
 
 namespace tocsin::experiment {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* draft_ending = ".draft";
-
-[[noreturn]] void fail(const std::string& path) {
-  throw std::system_error(errno, std::generic_category(), path);
-}
-
-void write_all(int descriptor, const std::string& path, const std::string& text) {
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t count = ::write(descriptor, text.data() + done, text.size() - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) {
-      const int error = errno;
-      ::close(descriptor);
-      ::unlink(path.c_str());
-      errno = error;
-      fail(path);
-    }
-    done += static_cast<std::size_t>(count);
-  }
-}
+constexpr const char* draft_ending = ".new";  // of replace_file
 
 std::optional<std::string> read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -115,13 +91,9 @@ std::string row(const Run& run, const RunResult& result) {
 
 }  // namespace
 
-void replace_file(const std::string& path, const std::string& text) {
-  const std::string draft = path + draft_ending;
-  const int descriptor = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor < 0) fail(draft);
-  write_all(descriptor, draft, text);
-  if (::close(descriptor) != 0) fail(draft);
-  if (::rename(draft.c_str(), path.c_str()) != 0) fail(path);
+void write_whole(const std::string& path, const std::string& text) {
+  // A run that a loss of power took is played again.
+  if (const auto error = replace_file(path, text, Sync::no)) throw std::system_error(error, path);
 }
 
 ResultStore::ResultStore(std::string folder, std::string kind)
@@ -163,7 +135,7 @@ void ResultStore::open(const std::string& settings, bool other_build) const {
   const std::string fresh = old ? merged(*old, settings, other_build) : settings;
   if (old == fresh) return;
   try {
-    replace_file(file, fresh);
+    write_whole(file, fresh);
   } catch (const std::system_error& failed) {
     throw EnvironmentError(std::string("cannot be written: ") + failed.what());
   }
@@ -182,7 +154,7 @@ std::optional<RunResult> ResultStore::read(const Run& run) const {
 }
 
 void ResultStore::write(const Run& run, const RunResult& result) const {
-  replace_file(path(run), to_text(result));
+  write_whole(path(run), to_text(result));
 }
 
 void ResultStore::write_table(const std::vector<Run>& plan) const {
@@ -190,7 +162,7 @@ void ResultStore::write_table(const std::vector<Run>& plan) const {
   for (const Run& run : plan) {
     if (const auto result = read(run)) text += row(run, *result);
   }
-  replace_file(table_path(), text);
+  write_whole(table_path(), text);
 }
 
 }  // namespace tocsin::experiment

@@ -40,7 +40,7 @@ class ResultStore {
 };
 
 /// Writes a file whole or not at all. Throws std::system_error.
-void replace_file(const std::string& path, const std::string& text);
+void write_whole(const std::string& path, const std::string& text);
 
 /// The file of one run, and back. Numbers have six digits.
 [[nodiscard]] std::string to_text(const RunResult& result);

@@ -8,11 +8,14 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <system_error>
 #include <vector>
 
 #include "foundation/error.hpp"
+#include "foundation/folder_lock.hpp"
 #include "pool.hpp"
 #include "progress.hpp"
 #include "real_run.hpp"
@@ -36,7 +39,14 @@ bool belongs_to(Task task, const std::string& kind) {
   return (task == Task::fit) == (kind == "fit");
 }
 
-/// One experiment on its way.
+const std::string& made(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw EnvironmentError(folder + ": cannot be made: " + error.message());
+  return folder;
+}
+
+/// One experiment on its way, alone in its folder.
 class Session {
  public:
   Session(const RunOptions& options, Experiment experiment);
@@ -51,6 +61,7 @@ class Session {
   void report_speed() const;
 
   RunOptions options_;
+  std::optional<FolderLock> lock_;
   Experiment experiment_;
   std::vector<Run> plan_;
   ResultStore store_;
@@ -66,6 +77,7 @@ Session::Session(const RunOptions& options, Experiment experiment)
       plan_(make_plan(experiment_)),
       store_(options.out, kind_of(options.task)) {
   check_plan(plan_, experiment_.timing, options_.share);
+  lock_.emplace(made(options.out));
   store_.open(settings_text(experiment_, plan_), options_.other_build);
   const auto is_other = [this](const Run& run) {
     const auto& sets = experiment_.sets;

@@ -133,9 +133,9 @@ TEST(ResultStore, RemovesDraftsOfKilledRuns) {
   const auto plan = make_plan(toy.load());
   const ResultStore sut(toy.path("out"), "series");
   sut.open("s");
-  toy.write("out/series/x.csv.draft", "half");
+  toy.write("out/series/x.csv.new", "half");
   sut.open("s");
-  EXPECT_FALSE(std::filesystem::exists(toy.path("out/series/x.csv.draft")));
+  EXPECT_FALSE(std::filesystem::exists(toy.path("out/series/x.csv.new")));
 }
 
 TEST(ResultStore, DoesNotTakeADamagedFileForAResult) {
@@ -151,16 +151,16 @@ TEST(ResultStore, SaysThatAFolderCannotBeMade) {
   EXPECT_THROW(ResultStore("/proc/nowhere", "series").open("s"), EnvironmentError);
 }
 
-TEST(ReplaceFile, LeavesTheOldOneWhenTheDiskIsFull) {
+TEST(WriteWhole, LeavesTheOldOneWhenTheDiskIsFull) {
   const TemporaryFolder folder;
   const std::string path = folder.path("file");
-  replace_file(path, "old");
+  write_whole(path, "old");
   {
     const FullDisk full;
-    EXPECT_THROW(replace_file(path, "new text"), std::system_error);
+    EXPECT_THROW(write_whole(path, "new text"), std::system_error);
   }
   EXPECT_EQ(folder.read("file"), "old");
-  EXPECT_FALSE(std::filesystem::exists(path + ".draft"));
+  EXPECT_FALSE(std::filesystem::exists(path + ".new"));
 }
 
 TEST(ResultText, HasSixDigitsAndNothingForNothing) {

@@ -19,8 +19,8 @@ const std::string byte_order_mark = "\xEF\xBB\xBF";
 
 YamlSources::YamlSources(std::string file) : sources_{{std::move(file), 0, true}} {}
 
-YAML::Node YamlSources::read(const std::string& path) {
-  std::ifstream file(path);
+YAML::Node YamlSources::read(const std::string& path, const std::string& copy) {
+  std::ifstream file(copy.empty() ? path : copy);
   std::ostringstream text;
   if (!file || !(text << file.rdbuf()).good()) {
     throw ConfigError(path + ": cannot be read, or is empty");

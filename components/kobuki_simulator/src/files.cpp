@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
+#include "foundation/replace_file.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::kobuki {
@@ -82,15 +84,11 @@ std::optional<BaseMemory> load_memory(const std::string& path) {
 }
 
 bool save_memory(const std::string& path, const BaseMemory& m) {
-  const std::string fresh = path + ".new";
-  {
-    std::ofstream out(fresh);
-    out.precision(17);
-    out << m.pose.x_m << ' ' << m.pose.y_m << ' ' << m.pose.heading_rad << ' ' << m.left_ticks
-        << ' ' << m.right_ticks << ' ' << m.gyro_rad << ' ' << m.clock_s << ' ' << m.charge << '\n';
-    if (!out.flush()) return false;
-  }
-  return std::rename(fresh.c_str(), path.c_str()) == 0;
+  std::ostringstream out;
+  out.precision(17);
+  out << m.pose.x_m << ' ' << m.pose.y_m << ' ' << m.pose.heading_rad << ' ' << m.left_ticks << ' '
+      << m.right_ticks << ' ' << m.gyro_rad << ' ' << m.clock_s << ' ' << m.charge << '\n';
+  return !replace_file(path, out.str(), Sync::no);
 }
 
 }  // namespace tocsin::kobuki

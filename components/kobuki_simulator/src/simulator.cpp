@@ -9,6 +9,7 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <utility>
 
 #include "control.hpp"
 #include "foundation/error.hpp"
@@ -147,9 +148,11 @@ void Simulator::report(Time now) {
 
 void Simulator::save(Time now) {
   next_save_ = now + report_period;
-  if (save_memory(options_.state, base_.model().memory(now))) return;
-  std::fprintf(stderr, "kobuki_simulator: cannot write %s\n", options_.state.c_str());
-  options_.state.clear();
+  const bool was_saved =
+      std::exchange(saved_, save_memory(options_.state, base_.model().memory(now)));
+  if (saved_ == was_saved) return;
+  std::fprintf(stderr, "kobuki_simulator: %s %s\n", options_.state.c_str(),
+               saved_ ? "is written again" : "cannot be written; tried again");
 }
 
 }  // namespace tocsin::kobuki

@@ -44,6 +44,7 @@ class Simulator {
   FileDescriptor signals_;
   Time next_report_ = Time::min();
   Time next_save_ = Time::min();
+  bool saved_ = true;  // the last time
 };
 
 }  // namespace tocsin::kobuki

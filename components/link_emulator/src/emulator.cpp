@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "foundation/error.hpp"
+#include "foundation/replace_file.hpp"
 #include "radio_channel/channel_files.hpp"
 
 namespace tocsin::link {
@@ -58,8 +59,9 @@ Emulator::Emulator(const Options& options)
     watch(control_->fd());
   }
   if (!options.stats_path.empty()) stats_ = std::make_unique<StatsFile>(options.stats_path);
-  if (!options.wireless_path.empty()) {
-    replace_file(options.wireless_path, wireless_text(options.interface, channel_.report(start_)));
+  if (const auto error =
+          write_wireless(wireless_text(options.interface, channel_.report(start_)))) {
+    throw ConfigError("--wireless " + options.wireless_path + ": " + error.message());
   }
   for (const int fd : {signals_.get(), timer_.get(), uxv_.fd(), gcs_.fd()}) watch(fd);
 }
@@ -160,18 +162,19 @@ void Emulator::apply(const SetParameter& command) {
   }
 }
 
+/// Readers see the old text or the new one. Once a second, so without waiting for the disk.
+std::error_code Emulator::write_wireless(const std::string& text) const {
+  if (options_.wireless_path.empty()) return {};
+  return replace_file(options_.wireless_path, text, Sync::no);
+}
+
 void Emulator::report() {
   const Time now = clock_now();
   const radio::LinkReport link = channel_.report(now);
   if (stats_) stats_->append(stats_line(to_seconds(now - start_), link, counters_));
-  if (!options_.wireless_path.empty()) {
-    try {
-      replace_file(options_.wireless_path,
-                   uxv_.gone() ? wireless_head() : wireless_text(options_.interface, link));
-    } catch (const ConfigError&) {
-      ++counters_.write_errors;
-    }
-  }
+  const std::string wireless =
+      uxv_.gone() ? wireless_head() : wireless_text(options_.interface, link);
+  if (write_wireless(wireless)) ++counters_.write_errors;
   counters_.late = Duration::zero();
   report_at_ = std::max(report_at_ + report_period, now);
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <unordered_map>
 #include <vector>
 
@@ -39,6 +40,7 @@ class Emulator {
   void obey(const std::string& datagram);
   void apply(const SetParameter& command);
   void report();
+  [[nodiscard]] std::error_code write_wireless(const std::string& text) const;
 
   Options options_;
   FileDescriptor signals_;

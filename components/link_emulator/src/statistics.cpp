@@ -83,14 +83,4 @@ void StatsFile::append(const std::string& line) {
   file_ << line << '\n' << std::flush;
 }
 
-void replace_file(const std::string& path, const std::string& text) {
-  const std::string draft = path + ".new";
-  std::ofstream file(draft, std::ios::trunc);
-  file << text;
-  file.close();
-  if (!file || std::rename(draft.c_str(), path.c_str()) != 0) {
-    throw ConfigError("--wireless " + path + ": " + std::strerror(errno));
-  }
-}
-
 }  // namespace tocsin::link

@@ -41,8 +41,4 @@ class StatsFile {
   std::ofstream file_;
 };
 
-/// Replaces a file by rename, so that readers see the old text or the new one. Throws ConfigError
-/// when that fails.
-void replace_file(const std::string& path, const std::string& text);
-
 }  // namespace tocsin::link

@@ -84,15 +84,6 @@ TEST(StatsFile, AppendsLinesAndKeepsWhatWasThere) {
   EXPECT_THROW(StatsFile("/does/not/exist"), ConfigError);
 }
 
-TEST(ReplaceFile, LeavesTheNewTextAndNoDraft) {
-  const std::string path = ::testing::TempDir() + "statistics_test_replace";
-  replace_file(path, "one");
-  replace_file(path, "two");
-  EXPECT_EQ(content(path), "two");
-  EXPECT_FALSE(std::ifstream(path + ".new"));
-  EXPECT_THROW(replace_file("/does/not/exist", "x"), ConfigError);
-}
-
 std::vector<std::uint8_t> ipv4_to(int a, int b, int c, int d) {
   std::vector<std::uint8_t> packet(28);
   packet[0] = 0x45;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 
 #include "foundation/error.hpp"
@@ -69,6 +70,7 @@ void LiveViewComponent::take_inputs(Time now) {
   while (const auto message = take(quality_, now)) view_.quality = {*message, now};
   while (const auto message = take(safety_, now)) view_.safety = {*message, now};
   take_states(now);
+  take_diagnostics(now);
   for (Counted& one : counted_) {
     while (one.input->take_sample()) table_.on_sample(one.topic, now);
   }
@@ -87,6 +89,18 @@ void LiveViewComponent::take_states(Time now) {
     if (message->role() != "uxv") continue;
     table_.on_sample(topic::TrafficReport::info.name, now);
     table_.on_report(*message, now);
+  }
+}
+
+/// Each container of this host tells the room on the disk of the run folder, which is the same.
+void LiveViewComponent::take_diagnostics(Time now) {
+  while (const auto message = diagnostics_.take()) {
+    for (const auto& status : message->status()) {
+      for (const auto& value : status.values()) {
+        if (value.key() != "disk_free_mib") continue;
+        view_.disk = {{std::strtod(value.value().c_str(), nullptr)}, now};
+      }
+    }
   }
 }
 

@@ -90,6 +90,8 @@ bool safety_matters(const ViewState& state, const Viewing& viewing) {
 
 std::vector<Line> head_lines(const ViewState& state, const Viewing& viewing) {
   std::vector<Line> lines;
+  const bool is_full = state.disk && state.disk->value.is_full();
+  if (is_full) lines.push_back(told("Disk", state.disk, "", viewing));
   if (safety_matters(state, viewing)) lines.push_back(told("Safety", state.safety, "", viewing));
   lines.push_back(told("Mission", state.mission, "no status yet", viewing));
   lines.push_back(vehicle_line(state, viewing));

@@ -43,6 +43,10 @@ std::string decision(const char* side, const tocsin_msgs::msg::TransmissionState
 std::string summary_line(const ViewState& state, Time now, const FreshnessLimits& limits) {
   Summary summary(now, limits);
   summary.tell("safety", state.safety, view::hindrances);
+  if (state.disk && state.disk->value.is_full()) {
+    summary.tell("disk", state.disk,
+                 [](const Disk& disk) { return "disk " + view::trouble(disk); });
+  }
   summary.tell("mission", state.mission, [](const tocsin_msgs::msg::MissionStatus& mission) {
     return view::waypoint(mission, "/") + " " + mission.state();
   });

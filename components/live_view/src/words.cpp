@@ -84,12 +84,22 @@ Line words(const tocsin_msgs::msg::TransmissionState& state, Duration age) {
   return words;
 }
 
+std::string trouble(const Disk& disk) {
+  return disk.is_full() ? "FULL: recordings and logs are lost" : "";
+}
+
+Line words(const Disk& disk, Duration) { return {{trouble(disk), Style::bad}}; }
+
 std::string hindrances(const tocsin_msgs::msg::SafetyStatus& status) {
   std::string text;
   const auto add = [&text](bool holds, const char* name) {
     if (holds) text += (text.empty() ? "" : ", ") + std::string(name);
   };
-  add(status.emergency_stop(), "EMERGENCY STOP");
+  std::string stop = "EMERGENCY STOP";
+  for (const std::string& name : status.stopped_by()) {
+    stop += (&name == &status.stopped_by().front() ? " of " : " and ") + name;
+  }
+  add(status.emergency_stop(), stop.c_str());
   add(status.bumper() != 0, "bumper");
   add(status.cliff() != 0, "cliff");
   add(status.wheel_drop() != 0, "wheel drop");

@@ -17,7 +17,11 @@ namespace tocsin::view {
 /// What keeps the vehicle from moving; empty when nothing does.
 [[nodiscard]] std::string hindrances(const tocsin_msgs::msg::SafetyStatus& status);
 
+/// Of a full one; empty when it is not.
+[[nodiscard]] std::string trouble(const Disk& disk);
+
 // `age`: of the value.
+[[nodiscard]] terminal::Line words(const Disk& disk, Duration age);
 [[nodiscard]] terminal::Line words(const tocsin_msgs::msg::SafetyStatus& status, Duration age);
 [[nodiscard]] terminal::Line words(const tocsin_msgs::msg::MissionStatus& mission, Duration age);
 [[nodiscard]] terminal::Line words(const Place& place, Duration age);

@@ -38,6 +38,19 @@ TEST_F(LiveViewTest, TellsTheTwoRolesApart) {
   ASSERT_TRUE(sut_.state(bus_.now()).gcs.has_value());
 }
 
+TEST_F(LiveViewTest, KnowsTheRoomOnTheDiskFromTheContainersOfItsHost) {
+  EXPECT_FALSE(sut_.state(bus_.now()).disk);
+  diagnostic_msgs::msg::DiagnosticArray health;
+  health.status().resize(2);
+  health.status()[1].values().resize(1);
+  health.status()[1].values()[0].key("disk_free_mib");
+  health.status()[1].values()[0].value("0.3");
+  bus_.publish<topic::Diagnostics>(health);
+  bus_.run_for(seconds(0.1));
+  ASSERT_TRUE(sut_.state(bus_.now()).disk);
+  EXPECT_TRUE(sut_.state(bus_.now()).disk->value.is_full());
+}
+
 TEST_F(LiveViewTest, IgnoresTheReportsOfItsOwnSide) {
   tocsin_msgs::msg::TrafficReport report;
   report.role("gcs");

@@ -128,6 +128,22 @@ TEST(Screen, ShowsDeliveredAndPausedOfATopic) {
   EXPECT_THAT(text, HasSubstr("PAUSED      11"));
 }
 
+TEST(Screen, SaysThatTheDiskIsFullBeforeAllElse) {
+  ViewState state = full_state();
+  state.disk = {{1}, t0};
+  EXPECT_THAT(text_of(state), Not(HasSubstr("Disk")));
+  state.disk = {{0.9}, t0};
+  EXPECT_EQ(lines_of(state, t0, {80, 5}).front(), "Disk      FULL: recordings and logs are lost");
+  EXPECT_THAT(summary_line(state, t0, limits), HasSubstr("disk FULL"));
+}
+
+TEST(Screen, NamesThoseWhoseEmergencyStopsStand) {
+  ViewState state = full_state();
+  state.safety->value.emergency_stop(true);
+  state.safety->value.stopped_by({"station", "button (7)"});
+  EXPECT_THAT(text_of(state), HasSubstr("EMERGENCY STOP of station and button (7)"));
+}
+
 TEST(Screen, AFreshValueHasNoAge) {
   EXPECT_THAT(text_of(full_state(), t0 + seconds(3)), Not(HasSubstr("ago")));
 }

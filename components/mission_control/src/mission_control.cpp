@@ -14,7 +14,9 @@ using navigation::Pose2;
 
 namespace {
 
-/// FNV-1a over the waypoints in millimetres, folded to the 10 bits that a goal's id has for it.
+constexpr std::size_t remembered_identities = 16;
+
+/// FNV-1a over the waypoints in millimetres.
 std::uint32_t checksum_of(const navigation::Mission& mission) {
   std::uint32_t hash = 2166136261U;
   const auto add = [&hash](double metres) {
@@ -27,19 +29,36 @@ std::uint32_t checksum_of(const navigation::Mission& mission) {
     add(waypoint.x);
     add(waypoint.y);
   }
-  return (hash ^ hash >> 10U ^ hash >> 20U) & 0x3ffU;
+  return hash;
+}
+
+/// Step and finish of SplitMix64 (Steele, Lea, Flood 2014): equal seeds give equal rows, and seeds
+/// that lie close together rows that do not.
+std::uint64_t next_random(std::uint64_t& state) {
+  std::uint64_t z = state += 0x9E3779B97F4A7C15ULL;
+  z = (z ^ z >> 30U) * 0xBF58476D1CE4E5B9ULL;
+  z = (z ^ z >> 27U) * 0x94D049BB133111EBULL;
+  return z ^ z >> 31U;
 }
 
 }  // namespace
 
-MissionControl::MissionControl(const Params& params, navigation::Mission mission)
-    : params_(params), mission_(std::move(mission)), checksum_(checksum_of(mission_)) {
+MissionControl::MissionControl(const Params& params, navigation::Mission mission,
+                               std::uint64_t seed)
+    : params_(params), mission_(std::move(mission)), checksum_(checksum_of(mission_)), seed_(seed) {
   if (mission_.waypoints.empty()) throw ConfigError("mission.waypoints: there is none");
   if (params.goal_lifetime_s <= 2 * params.repeat_after_s) {
     throw ConfigError("goal_lifetime_s: " + std::to_string(params.goal_lifetime_s) +
                       " is not above twice repeat_after_s (" +
                       std::to_string(params.repeat_after_s) + ")");
   }
+  draw_identity();
+}
+
+void MissionControl::draw_identity() {
+  if (identity_ != 0) own_.push_back(identity_);
+  if (own_.size() > remembered_identities) own_.pop_front();
+  identity_ = (next_random(seed_) & 0xFFFFFFFF00000000ULL) | checksum_;
 }
 
 void MissionControl::on_location(const Pose2& location, Time now) {
@@ -48,40 +67,57 @@ void MissionControl::on_location(const Pose2& location, Time now) {
   if (!first_heard_) first_heard_ = now;
 }
 
-void MissionControl::on_status(std::uint64_t goal_id, const std::string& state, Time now) {
-  status_goal_ = goal_id;
+void MissionControl::on_status(const GoalName& goal, const std::string& state, Time now) {
+  told_ = goal;
   status_ = state;
   status_time_ = now;
-  newest_id_ = std::max(newest_id_, goal_id);
   if (!first_heard_) first_heard_ = now;
-  const bool is_blocked = state == "blocked" && goal_id_ == goal_id;
+  const bool is_blocked = state == "blocked" && is_told_present();
   if (!is_blocked) blocked_since_.reset();
   if (is_blocked && !blocked_since_) blocked_since_ = now;
 }
 
-std::optional<MissionControl::Goal> MissionControl::update(Time now, std::uint64_t wall_ms) {
+std::optional<MissionControl::Goal> MissionControl::update(Time now) {
   if (state_ == State::waiting) start_when_ready(now);
-  if (state_ == State::running && goal_id_) check_arrival(now);
-  if (state_ == State::running && goal_id_) check_limits(now);
+  if (state_ == State::running && has_begun_) check_arrival(now);
+  if (state_ == State::running && has_begun_) check_limits(now);
   if (state_ != State::running || !is_due(now)) return std::nullopt;
-  return issue(now, wall_ms);
+  return issue(now);
 }
 
 void MissionControl::start_when_ready(Time now) {
   if (!first_heard_) return;
-  const bool knows_goal = status_goal_ != 0;
+  const bool knows_goal = told_.id != 0;
   if (!knows_goal && now - *first_heard_ < seconds(params_.resume_wait_s)) return;
   state_ = State::running;
   started_ = now;
   waypoint_since_ = now;
-  if (knows_goal && params_.resume) resume_from(status_goal_);
+  if (knows_goal && params_.resume) resume();
 }
 
-void MissionControl::resume_from(std::uint64_t goal_id) {
-  const GoalId id = GoalId::unpack(goal_id);
-  if (id.mission != checksum_ || id.waypoint >= mission_.waypoints.size()) return;
-  waypoint_ = id.waypoint;
-  goal_id_ = goal_id;
+/// Goes on where an earlier mission control was with this mission, if the vehicle tells of one.
+void MissionControl::resume() {
+  if (static_cast<std::uint32_t>(told_.mission) != checksum_ || !is_told_waypoint()) return;
+  identity_ = told_.mission;
+  waypoint_ = static_cast<std::uint32_t>(told_.id - 1);
+  has_begun_ = true;
+}
+
+bool MissionControl::is_told_waypoint() const {
+  return told_.id != 0 && told_.id <= mission_.waypoints.size();
+}
+
+/// Whether the vehicle names the goal of the present waypoint.
+bool MissionControl::is_told_present() const {
+  return has_begun_ && told_.mission == identity_ && told_.id == present().id;
+}
+
+/// Whether the vehicle has said, after the last goal that it was sent, that it drives to one that
+/// was not sent from here.
+bool MissionControl::was_taken_over() const {
+  if (told_.id == 0 || status_time_ <= sent_) return false;
+  if (told_.mission == identity_) return !is_told_waypoint();
+  return std::find(own_.begin(), own_.end(), told_.mission) == own_.end();
 }
 
 void MissionControl::check_arrival(Time now) {
@@ -89,18 +125,15 @@ void MissionControl::check_arrival(Time now) {
     while (has_gone_on()) arrive(false, now);
   } else if (distance_m() <= params_.arrival_m) {
     arrive(true, now);
-  } else if (status_ == "reached" && status_goal_ == goal_id_) {
+  } else if (status_ == "reached" && is_told_present()) {
     arrive(false, now);
   }
 }
 
 /// The vehicle drives to a later waypoint of the goal that it was sent.
 bool MissionControl::has_gone_on() const {
-  if (state_ != State::running) return false;
-  const GoalId told = GoalId::unpack(status_goal_);
-  const GoalId own = GoalId::unpack(*goal_id_);
-  return told.issued_ms == own.issued_ms && told.mission == own.mission &&
-         told.waypoint > waypoint_ && told.waypoint < mission_.waypoints.size();
+  return state_ == State::running && told_.mission == identity_ && is_told_waypoint() &&
+         told_.id > present().id;
 }
 
 void MissionControl::arrive(bool by_location, Time now) {
@@ -111,7 +144,6 @@ void MissionControl::arrive(bool by_location, Time now) {
   waypoint_since_ = now;
   if (waypoint_ + 1 == mission_.waypoints.size()) return finish(State::done, "", now);
   ++waypoint_;
-  ++*goal_id_;  // as told ahead
 }
 
 void MissionControl::check_limits(Time now) {
@@ -130,23 +162,20 @@ void MissionControl::finish(State state, std::string reason, Time now) {
 }
 
 bool MissionControl::is_due(Time now) const {
-  if (!goal_id_ || goals_for_waypoint_ == 0) return true;
+  if (!has_begun_ || goals_for_waypoint_ == 0) return true;
   // A vehicle that is not heard may not hear either, and its lease runs.
   const bool is_heard = now - status_time_ < seconds(params_.repeat_after_s);
-  const bool is_answered = status_goal_ == goal_id_ && status_ != "held" && is_heard;
+  const bool is_answered = is_told_present() && status_ != "held" && is_heard;
   return now - sent_ >= seconds(is_answered ? params_.goal_lifetime_s / 2 : params_.repeat_after_s);
 }
 
-MissionControl::Goal MissionControl::issue(Time now, std::uint64_t wall_ms) {
-  if (!goal_id_ || *goal_id_ < newest_id_) {
-    const std::uint64_t issued_ms = std::max(wall_ms, GoalId::unpack(newest_id_).issued_ms + 1);
-    goal_id_ = GoalId{issued_ms, checksum_, waypoint_}.packed();
-  }
-  newest_id_ = *goal_id_;
+MissionControl::Goal MissionControl::issue(Time now) {
+  if (has_begun_ && was_taken_over()) draw_identity();
+  has_begun_ = true;
   sent_ = now;
   ++goals_sent_;
   ++goals_for_waypoint_;
-  return {*goal_id_,
+  return {present(),
           waypoint_,
           mission_.waypoints[waypoint_],
           params_.tolerance_m,

@@ -27,6 +27,9 @@ navigation::Pose2 pose_of(const topic::Location::Message& message) {
           navigation::yaw_of({q.x(), q.y(), q.z(), q.w()})};
 }
 
+/// Two starts never begin in the same nanosecond, and a simulated one begins always in the same.
+std::uint64_t seed_of(const Bus& bus) { return static_cast<std::uint64_t>(bus.wall_ns(bus.now())); }
+
 bool differ(const MissionControl::Progress& a, const MissionControl::Progress& b) {
   return a.state != b.state || a.waypoint != b.waypoint || a.goals_sent != b.goals_sent;
 }
@@ -36,15 +39,13 @@ bool differ(const MissionControl::Progress& a, const MissionControl::Progress& b
 MissionControlComponent::MissionControlComponent(Context& context, const Params& params)
     : Component(context),
       params_(params),
-      control_(params.control, load_checked_mission(context.name, params)) {
+      control_(params.control, load_checked_mission(context.name, params), seed_of(context.bus)) {
   wake_every(seconds(1 / params.rate_hz));
 }
 
 void MissionControlComponent::tick(Time now) {
   take_inputs(now);
-  const auto stamp = wall(now);
-  const auto wall_ms = static_cast<std::uint64_t>(stamp.sec()) * 1000 + stamp.nanosec() / 1'000'000;
-  if (const auto goal = control_.update(now, wall_ms)) send(*goal, now);
+  if (const auto goal = control_.update(now)) send(*goal, now);
   log_arrivals();
   report(now);
 }
@@ -52,14 +53,15 @@ void MissionControlComponent::tick(Time now) {
 void MissionControlComponent::take_inputs(Time now) {
   if (const auto location = location_.take_latest()) control_.on_location(pose_of(*location), now);
   while (const auto status = navigation_.take()) {
-    control_.on_status(status->goal_id(), status->state(), now);
+    control_.on_status({status->mission(), status->goal_id()}, status->state(), now);
   }
 }
 
 void MissionControlComponent::send(const MissionControl::Goal& goal, Time now) {
   topic::Goal::Message message;
   message.stamp(wall(now));
-  message.id(goal.id);
+  message.mission(goal.name.mission);
+  message.id(goal.name.id);
   message.waypoint(goal.waypoint);
   message.x(goal.pose.x);
   message.y(goal.pose.y);

@@ -55,9 +55,10 @@ class MissionControlComponentTest : public ::testing::Test {
     message.pose().pose().orientation().w(1);
     bus_.publish<topic::Location>(message);
   }
-  void tell(std::uint64_t goal_id, const char* state) {
+  void tell(const topic::Goal::Message& goal, const char* state) {
     topic::NavigationStatus::Message message;
-    message.goal_id(goal_id);
+    message.goal_id(goal.id());
+    message.mission(goal.mission());
     message.state(state);
     bus_.publish<topic::NavigationStatus>(message);
   }
@@ -110,7 +111,7 @@ TEST_F(MissionControlComponentTest, LeadsThroughTheMissionByLocationAndStatus) {
   run(0.3);
   const auto second = goals_.take().at(0);
   EXPECT_EQ(second.waypoint(), 1U);
-  tell(second.id(), "reached");
+  tell(second, "reached");
   run(0.3);
   EXPECT_EQ(state(), "done");
   EXPECT_TRUE(goals_.take().empty());
@@ -119,14 +120,16 @@ TEST_F(MissionControlComponentTest, LeadsThroughTheMissionByLocationAndStatus) {
 TEST_F(MissionControlComponentTest, RepeatsAGoalWithoutAnswer) {
   const auto goal = first_goal();
   run(3);
-  EXPECT_EQ(goals_.take().at(0).id(), goal.id());
+  const auto again = goals_.take().at(0);
+  EXPECT_EQ(again.id(), goal.id());
+  EXPECT_EQ(again.mission(), goal.mission());
 }
 
 TEST_F(MissionControlComponentTest, ReportsOnceASecond) {
   const auto goal = first_goal();
   const auto run_heard = [&](int s) {
     for (; s > 0; --s) {
-      tell(goal.id(), "driving");
+      tell(goal, "driving");
       run(1);
     }
   };
@@ -150,7 +153,7 @@ TEST_F(MissionControlComponentTest, EndsTheProcessWhenToldSo) {
 TEST_F(MissionControlComponentTest, EndsTheProcessWithOneWhenAborted) {
   params_.exit_when_over = true;
   params_.control.blocked_limit_s = 1;
-  tell(first_goal().id(), "blocked");
+  tell(first_goal(), "blocked");
   run(2);
   EXPECT_EQ(state(), "aborted");
   EXPECT_EQ(exit_code_, 1);

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <optional>
 
 #include "mission_control/mission_control.hpp"
@@ -11,8 +10,6 @@
 namespace tocsin {
 
 inline constexpr Time t0{std::chrono::hours(1)};
-inline constexpr std::uint64_t wall0_ms = 1'780'000'000'000;
-
 inline const navigation::Mission two_waypoints{"two", "map", {{1, 0, 0}, {5, 0, 1.5}}, "two.yaml"};
 
 /// A mission control with a clock, and a vehicle that can be heard.
@@ -20,10 +17,13 @@ class MissionControlTest : public ::testing::Test {
  protected:
   std::optional<MissionControl::Goal> at(double s) {
     now_ = t0 + seconds(s);
-    return sut.update(now_, wall0_ms + static_cast<std::uint64_t>(std::llround(s * 1000)));
+    return sut.update(now_);
   }
   void hear(double x) { sut.on_location({x, 0, 0}, now_); }
-  void hear(std::uint64_t goal_id, const char* state) { sut.on_status(goal_id, state, now_); }
+  void hear(const GoalName& goal, const char* state) { sut.on_status(goal, state, now_); }
+  static GoalName after(GoalName goal, std::uint64_t ids = 1) {
+    return {goal.mission, goal.id + ids};
+  }
   /// Runs to the first goal, at 2 s.
   MissionControl::Goal first_goal() {
     (void)at(0);
@@ -32,7 +32,7 @@ class MissionControlTest : public ::testing::Test {
   }
   MissionControl::Progress progress() { return sut.progress(now_); }
 
-  MissionControl sut{{}, two_waypoints};
+  MissionControl sut{{}, two_waypoints, 1};
   Time now_ = t0;
 };
 

@@ -2,14 +2,17 @@
 #include "navigator/goal_list.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace tocsin {
 namespace {
 
 bool is_valid(const Goal& goal) {
-  return goal.id != 0 && is_finite(goal.pose) && goal.tolerance_m >= 0.05 &&
-         goal.tolerance_m <= 5 && goal.ahead.size() <= Goal::most_ahead &&
+  const std::uint64_t ids_left = std::numeric_limits<std::uint64_t>::max() - goal.id;
+  return goal.id != 0 && goal.ahead.size() <= ids_left && is_finite(goal.pose) &&
+         goal.tolerance_m >= 0.05 && goal.tolerance_m <= 5 &&
+         goal.ahead.size() <= Goal::most_ahead &&
          std::all_of(goal.ahead.begin(), goal.ahead.end(),
                      [](const navigation::Pose2& pose) { return is_finite(pose); });
 }
@@ -19,8 +22,10 @@ bool is_valid(const Goal& goal) {
 GoalAnswer GoalList::on_goal(Goal goal, Time now) {
   if (!is_valid(goal)) return GoalAnswer::invalid;
   if (goal.expires <= now) return GoalAnswer::expired;
-  if (!goal_ || goal.id > goal_->id) {
-    goal_ = std::move(goal);
+  const bool is_same_mission = goal_ && goal.mission == goal_->mission;
+  if (!is_same_mission && is_over(goal.mission)) return GoalAnswer::superseded;
+  if (!is_same_mission || goal.id > goal_->id) {
+    take_up(std::move(goal));
     return GoalAnswer::accepted;
   }
   const std::uint64_t passed = goal_->id - goal.id;
@@ -30,9 +35,23 @@ GoalAnswer GoalList::on_goal(Goal goal, Time now) {
   return GoalAnswer::renewed;
 }
 
+bool GoalList::is_over(std::uint64_t mission) const {
+  return std::find(over_.begin(), over_.end(), mission) != over_.end();
+}
+
+void GoalList::take_up(Goal goal) {
+  if (goal_ && goal_->mission != goal.mission) {
+    over_.push_back(goal_->mission);
+    if (over_.size() > remembered) over_.pop_front();
+  }
+  goal_ = std::move(goal);
+  ++number_;
+}
+
 bool GoalList::advance() {
   if (!goal_ || goal_->ahead.empty()) return false;
   ++goal_->id;
+  ++number_;
   goal_->pose = goal_->ahead.front();
   goal_->ahead.erase(goal_->ahead.begin());
   return true;

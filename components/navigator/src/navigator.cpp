@@ -63,12 +63,17 @@ Navigator::Output Navigator::update(Time now) {
   }
   if (reason == nullptr && stands_at_goal()) (void)goals_.advance();
   const Goal& goal = *goals_.present();
-  return drive({goal.id, goal.pose, goal.tolerance_m}, now, dt);
+  return drive({goals_.present_number(), goal.pose, goal.tolerance_m}, now, dt);
 }
 
-bool Navigator::stands_at_goal() const { return reached_ && target_key_ == goal_id(); }
+bool Navigator::stands_at_goal() const {
+  return reached_ && target_key_ == goals_.present_number();
+}
 
-std::uint64_t Navigator::goal_id() const { return goals_.present() ? goals_.present()->id : 0; }
+Navigator::Status Navigator::status(State state, double distance_m, const char* reason) const {
+  const auto& goal = goals_.present();
+  return {goal ? goal->mission : 0, goal ? goal->id : 0, state, distance_m, reason};
+}
 
 const char* Navigator::reason_to_halt(Time now) const {
   if (emergency_stop_) return "emergency_stop";
@@ -89,7 +94,7 @@ bool Navigator::is_link_lost(Time now) const {
 Navigator::Output Navigator::stand(State state, const Velocity& velocity, const char* reason) {
   progress_pose_ = pose_;
   progress_time_ = *last_update_;
-  return {velocity, {goal_id(), state, nan, reason}};
+  return {velocity, status(state, nan, reason)};
 }
 
 Navigator::Output Navigator::go_home(Time now, Duration dt) {
@@ -102,7 +107,7 @@ Navigator::Output Navigator::go_home(Time now, Duration dt) {
 
 Navigator::Output Navigator::drive(const Target& target, Time now, Duration dt) {
   if (target_key_ != target.key) take_up(target);
-  if (reached_) return {follower_.brake(dt), {goal_id(), State::reached, 0, ""}};
+  if (reached_) return {follower_.brake(dt), status(State::reached, 0, "")};
   arrived_ = arrived_ || has_arrived(target);
   if (arrived_) return align(target, dt);
   if (blocked_since_ && now - *blocked_since_ < seconds(params_.retry_after_s)) {
@@ -132,10 +137,10 @@ Navigator::Output Navigator::align(const Target& target, Duration dt) {
   const bool is_aligned =
       std::abs(navigation::wrap_angle(target.pose.yaw - pose_.yaw)) <= params_.yaw_tolerance_rad;
   reached_ = is_aligned || !params_.align_yaw;
-  if (reached_) return {follower_.brake(dt), {goal_id(), State::reached, 0, ""}};
-  return {
-      follower_.turn_to(pose_, target.pose.yaw, dt),
-      {goal_id(), State::driving, distance(position(pose_), position(target.pose)), "aligning"}};
+  if (reached_) return {follower_.brake(dt), status(State::reached, 0, "")};
+  const double away_m = distance(position(pose_), position(target.pose));
+  return {follower_.turn_to(pose_, target.pose.yaw, dt),
+          status(State::driving, away_m, "aligning")};
 }
 
 Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration dt) {
@@ -150,7 +155,7 @@ Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration
   const Velocity velocity = follow_with_care(dt);
   // The next update plans from where the vehicle is then.
   if (follower_.deviation_m() > params_.replan_beside_m) has_path_ = false;
-  return {velocity, {goal_id(), State::driving, follower_.remaining_m(), ""}};
+  return {velocity, status(State::driving, follower_.remaining_m(), "")};
 }
 
 Navigator::Output Navigator::block(Time now, const char* reason) {

@@ -88,8 +88,8 @@ void NavigatorComponent::take_odometry(Time now) {
 /// True when there was one to answer at once.
 bool NavigatorComponent::take_orders(Time now) {
   bool any = false;
-  while (const auto stop = emergency_stop_.take()) {
-    navigator_.on_emergency_stop(stop->data());
+  if (emergency_stop_.take()) {
+    navigator_.on_emergency_stop(emergency_stop_.stands());
     any = true;
   }
   while (const auto heartbeat = heartbeat_.take()) {
@@ -106,16 +106,13 @@ void NavigatorComponent::take_goal(const topic::Goal::Message& message, Time now
   // Counted from its arrival: the clocks of both sides may differ by hours. How old it may have
   // become on its way is limited by the lifespan of its topic.
   const Duration lifetime = seconds(std::clamp(message.lifetime_s(), 0.0, 3600.0));
-  Goal goal{message.id(),
-            {message.x(), message.y(), message.yaw()},
-            message.tolerance_m(),
-            now + lifetime,
-            {}};
+  Goal goal{message.mission(),     message.id(),   {message.x(), message.y(), message.yaw()},
+            message.tolerance_m(), now + lifetime, {}};
   for (const auto& pose : message.ahead()) goal.ahead.push_back({pose.x(), pose.y(), pose.yaw()});
   const auto answer = navigator_.on_goal(std::move(goal), now);
   if (answer == GoalAnswer::renewed) return;
-  log().info("goal {} to waypoint {} at ({:.2f}, {:.2f}): {}", message.id(), message.waypoint(),
-             message.x(), message.y(), to_string(answer));
+  log().info("goal {} of mission {:x} to waypoint {} at ({:.2f}, {:.2f}): {}", message.id(),
+             message.mission(), message.waypoint(), message.x(), message.y(), to_string(answer));
 }
 
 void NavigatorComponent::drive(const navigation::Velocity& velocity) {
@@ -138,11 +135,13 @@ void NavigatorComponent::report_location(Time now) {
 }
 
 void NavigatorComponent::report_status(const Navigator::Status& status, Time now) {
-  const bool has_changed = status.state != reported_.state || status.goal_id != reported_.goal_id;
+  const bool has_changed = status.state != reported_.state || status.goal_id != reported_.goal_id ||
+                           status.mission != reported_.mission;
   if (!has_changed && now < next_status_) return;
   topic::NavigationStatus::Message message;
   message.stamp(wall(now));
   message.goal_id(status.goal_id);
+  message.mission(status.mission);
   message.state(to_string(status.state));
   message.distance_m(status.distance_m);
   if (status_.write(std::move(message)) == Status::failed) return;

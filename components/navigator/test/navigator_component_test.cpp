@@ -129,6 +129,32 @@ TEST_F(NavigatorComponentTest, AnswersAnEmergencyStopBetweenTwoCommands) {
   EXPECT_EQ(commands[0].linear().x(), 0);
 }
 
+TEST_F(NavigatorComponentTest, TheFalseOfAnotherDoesNotReleaseTheEmergencyStop) {
+  SimWriter<topic::EmergencyStop> station(bus_, topic::EmergencyStop::station);
+  topic::EmergencyStop::Message word;
+  word.data(true);
+  ASSERT_EQ(station.write(word), Status::ok);
+  send_goal(5, 2);
+  press_emergency_stop(false);
+  run(1);
+  EXPECT_EQ(status_.state(), "held");
+  word.data(false);
+  ASSERT_EQ(station.write(word), Status::ok);
+  run(1);
+  EXPECT_EQ(status_.state(), "driving");
+}
+
+TEST_F(NavigatorComponentTest, AGoalOfANewMissionIsDrivenToWhateverTheIdBefore) {
+  goal_.mission(7);
+  send_goal(std::numeric_limits<std::uint64_t>::max(), 2);
+  run(0.5);
+  goal_.mission(8);
+  send_goal(1, 2);
+  run(0.5);
+  EXPECT_EQ(status_.goal_id(), 1U);
+  EXPECT_EQ(status_.mission(), 8U);
+}
+
 TEST_F(NavigatorComponentTest, StaysSilentToTheBaseWhileItStands) {
   run(1);
   commands_.take();

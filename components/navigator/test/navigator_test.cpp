@@ -37,7 +37,7 @@ TEST(Navigator, StopsWithinTheToleranceEvenWhenTheBaseLags) {
     vehicle.pose = {1.5, 1.5, 0};
     const Pose2 goal{1.5 + std::cos(direction), 1.5 + std::sin(direction), 0};
     const Time later = vehicle.now + seconds(60);
-    ASSERT_EQ(vehicle.sut.on_goal({1, goal, 0.1, later, {}}, vehicle.now), Answer::accepted);
+    ASSERT_EQ(vehicle.sut.on_goal({1, 1, goal, 0.1, later, {}}, vehicle.now), Answer::accepted);
     EXPECT_EQ(vehicle.run(20).status.state, State::reached);
     EXPECT_LE(vehicle.distance_to(goal), 0.1) << direction;
   }
@@ -103,6 +103,18 @@ TEST(Navigator, RefusesAnOlderGoal) {
   EXPECT_EQ(vehicle.send(1, {1, 3, 0}), Answer::superseded);
 }
 
+TEST(Navigator, DrivesToTheGoalOfAnotherMissionThoughItHasTheSameId) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(1, {3, 1, 0}), Answer::accepted);
+  ASSERT_EQ(vehicle.run(15).status.state, State::reached);
+  vehicle.mission = 8;
+  ASSERT_EQ(vehicle.send(1, {1, 3, 0}), Answer::accepted);
+  const auto status = vehicle.run(0.1).status;
+  EXPECT_EQ(status.state, State::driving);
+  EXPECT_EQ(status.mission, 8U);
+  EXPECT_EQ(status.goal_id, 1U);
+}
+
 TEST(Navigator, RefusesAGoalThatExpiresNow) {
   Vehicle vehicle;
   EXPECT_EQ(vehicle.send(1, {3, 1, 0}, 0), Answer::expired);
@@ -112,12 +124,12 @@ TEST(Navigator, RefusesAGoalThatExpiresNow) {
 TEST(Navigator, RefusesGoalsThatMakeNoSense) {
   Vehicle vehicle;
   const Time later = t0 + seconds(9);
-  EXPECT_EQ(vehicle.sut.on_goal({0, {1, 1, 0}, 0.2, later, {}}, t0), Answer::invalid);
-  EXPECT_EQ(vehicle.sut.on_goal({1, {nan, 1, 0}, 0.2, later, {}}, t0), Answer::invalid);
-  EXPECT_EQ(vehicle.sut.on_goal({1, {1, 1, nan}, 0.2, later, {}}, t0), Answer::invalid);
-  EXPECT_EQ(vehicle.sut.on_goal({1, {1, 1, 0}, nan, later, {}}, t0), Answer::invalid);
-  EXPECT_EQ(vehicle.sut.on_goal({1, {1, 1, 0}, 0.049, later, {}}, t0), Answer::invalid);
-  EXPECT_EQ(vehicle.sut.on_goal({1, {1, 1, 0}, 5.01, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, 0, {1, 1, 0}, 0.2, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, 1, {nan, 1, 0}, 0.2, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, 1, {1, 1, nan}, 0.2, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, 1, {1, 1, 0}, nan, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, 1, {1, 1, 0}, 0.049, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, 1, {1, 1, 0}, 5.01, later, {}}, t0), Answer::invalid);
   EXPECT_EQ(vehicle.run(1).status.state, State::idle);
 }
 

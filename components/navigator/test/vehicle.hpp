@@ -52,10 +52,10 @@ class Vehicle {
     return output;
   }
   Answer send(std::uint64_t id, const Pose2& to, double lifetime_s = 1000) {
-    return sut.on_goal({id, to, 0.15, now + seconds(lifetime_s), {}}, now);
+    return sut.on_goal({mission, id, to, 0.15, now + seconds(lifetime_s), {}}, now);
   }
   Answer send_list(std::uint64_t id, const std::vector<Pose2>& poses, double lifetime_s = 1000) {
-    Goal goal{id, poses.front(), 0.15, now + seconds(lifetime_s), {}};
+    Goal goal{mission, id, poses.front(), 0.15, now + seconds(lifetime_s), {}};
     goal.ahead.assign(poses.begin() + 1, poses.end());
     return sut.on_goal(goal, now);
   }
@@ -64,6 +64,7 @@ class Vehicle {
   OccupancyMap map;
   Navigator sut;
   Time now = t0;
+  std::uint64_t mission = 7;  // of the goals it is sent
   Pose2 pose{1, 1, 0};
   bool has_localisation = true;
   bool is_jammed = false;

@@ -32,6 +32,11 @@ std::optional<typename Order::Wish> wish_of(const std::string& order) {
   return std::nullopt;
 }
 
+EmergencyStopOrder::Asked asked_of(const std::string& word) {
+  if (word == "on") return EmergencyStopOrder::Asked::on;
+  return word == "off" ? EmergencyStopOrder::Asked::off : EmergencyStopOrder::Asked::nothing;
+}
+
 }  // namespace
 
 OperatorConsoleComponent::OperatorConsoleComponent(Context& context, const Params& params)
@@ -39,14 +44,17 @@ OperatorConsoleComponent::OperatorConsoleComponent(Context& context, const Param
 
 OperatorConsoleComponent::OperatorConsoleComponent(Context& context, const Params& params,
                                                    Printer print)
-    : Component(context), params_(params), print_(std::move(print)) {}
+    : Component(context), params_(params), print_(std::move(print)) {
+  // Made at the start, so that the vehicle's readers are found before it is needed.
+  if (params.direct) direct_.emplace(*this, topic::EmergencyStop::station);
+}
 
 void OperatorConsoleComponent::tick(Time now) {
   if (ended_) return;
   if (std::holds_alternative<std::monostate>(order_)) {
     const Duration wait = seconds(params_.wait_s);
     if (const auto stop = wish_of<EmergencyStopOrder>(params_.order)) {
-      order_.emplace<EmergencyStopOrder>(*stop, now + wait);
+      order_.emplace<EmergencyStopOrder>(*stop, now, wait);
     } else if (const auto dock = wish_of<DockOrder>(params_.order)) {
       order_.emplace<DockOrder>(*dock, now, wait);
     }
@@ -56,15 +64,31 @@ void OperatorConsoleComponent::tick(Time now) {
   wake_at(now + look_again);
 }
 
+void OperatorConsoleComponent::hear(EmergencyStopOrder& order) {
+  while (const auto state = station_.take()) {
+    order.on_station(asked_of(state->asked()));
+    if (state->vehicle() != "unheard") {
+      order.on_vehicle(state->vehicle() == "stands", state->stopped_by());
+    }
+  }
+  while (const auto status = safety_.take()) {
+    order.on_vehicle(status->emergency_stop(), status->stopped_by());
+  }
+}
+
+template <class Topic>
+void OperatorConsoleComponent::say(Output<Topic>& output, bool pressed) {
+  typename Topic::Message message;
+  message.data(pressed);
+  if (output.write(std::move(message)) == Status::failed) log().warn("the order was not sent");
+}
+
 void OperatorConsoleComponent::give(EmergencyStopOrder& order, Time now) {
-  while (const auto kept = kept_.take()) order.on_kept(kept->data());
-  while (const auto status = safety_.take()) order.on_vehicle(status->emergency_stop());
+  hear(order);
   if (const auto verdict = order.verdict(now)) return end(*verdict);
+  if (const auto word = direct_ ? order.direct(now) : std::nullopt) say(*direct_, *word);
   const auto request = order.request();
-  if (!request || !due(now)) return;
-  topic::EmergencyStopRequest::Message message;
-  message.data(*request);
-  if (request_.write(std::move(message)) == Status::failed) log().warn("the order was not sent");
+  if (request && due(now)) say(request_, *request);
 }
 
 void OperatorConsoleComponent::give(DockOrder& order, Time now) {

@@ -16,7 +16,7 @@
 
 #include "command_line/host_option.hpp"
 #include "command_line/programs.hpp"
-#include "deployment/running_host.hpp"
+#include "deployment/resolved_copy.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin {
@@ -63,29 +63,44 @@ int run_and_wait(const std::vector<std::string>& command) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+bool is_wanted(const deployment::RunningHost& host, const JoinOptions& options) {
+  const bool is_it = host.host == options.host || host.itself().role == options.host;
+  return is_it && (options.run_dir.empty() || host.is_of(options.run_dir));
+}
+
 }  // namespace
 
 void JoinOptions::declare(CLI::App& app) {
-  app.add_option("--run-dir", run_dir, "folder of the run to join [the newest in runs/]");
+  app.add_option("--run-dir", run_dir, "folder of the run to join [the one that runs]");
   add_host_option(app, host, "side of the link to join")->capture_default_str();
 }
 
-std::string newest_run(const std::string& runs) {
-  std::string newest;
-  std::error_code absent;
-  for (const auto& entry : fs::directory_iterator(runs, absent)) {
-    const bool is_run = fs::exists(entry.path() / "processes.json", absent);
-    if (is_run) newest = std::max(newest, entry.path().string());  // named by their time
+std::vector<deployment::RunningHost> hosts_to_join(const JoinOptions& options,
+                                                   deployment::RunningHosts running) {
+  std::vector<deployment::RunningHost> found;
+  for (deployment::RunningHost& one : running.hosts) {
+    if (is_wanted(one, options)) found.push_back(std::move(one));
   }
-  if (newest.empty()) {
-    throw EnvironmentError("no run in " + runs + ": tocsin launch makes one, --run-dir names it");
-  }
-  return newest;
+  return found;
 }
 
-deployment::Deployment with_guest(deployment::Deployment deployment, const std::string& given,
+deployment::RunningHost host_to_join(const JoinOptions& options, deployment::RunningHosts running) {
+  const std::string others =
+      running.hidden.empty() ? "" : "; what others have launched cannot be looked into";
+  auto found = hosts_to_join(options, std::move(running));
+  if (found.empty()) {
+    const std::string where =
+        options.run_dir.empty() ? "on this computer" : "in " + options.run_dir;
+    throw EnvironmentError("no host " + options.host + " runs " + where + others);
+  }
+  if (found.size() == 1) return std::move(found.front());
+  std::string names;
+  for (const auto& one : found) names += " --run-dir " + one.deployment.run_dir;
+  throw ConfigError("several runs have a host " + options.host + "; choose one of:" + names);
+}
+
+deployment::Deployment with_guest(deployment::Deployment deployment, const std::string& host,
                                   const Guest& guest) {
-  const std::string host = deployment::host_named(deployment, given).name;
   const auto found = std::find_if(deployment.hosts.begin(), deployment.hosts.end(),
                                   [&](const auto& one) { return one.name == host; });
   for (deployment::Container& other : found->containers) other.terminal = false;
@@ -99,22 +114,13 @@ deployment::Deployment with_guest(deployment::Deployment deployment, const std::
 }
 
 int run_guest(const JoinOptions& options, const Guest& guest) {
-  const fs::path run = fs::absolute(options.run_dir.empty() ? newest_run("runs") : options.run_dir);
-  const std::string original = (run / "deployment.yaml").string();
-  if (!fs::exists(original)) throw EnvironmentError(run.string() + ": holds no run");
-  const deployment::Deployment joined =
-      with_guest(deployment::load_resolved(original), options.host, guest);
-  const std::string host = deployment::host_named(joined, options.host).name;
+  const auto running = host_to_join(options, deployment::running_hosts());
+  const deployment::ResolvedCopy joined(with_guest(running.deployment, running.host, guest));
   const auto container = find_program("tocsin-container", program_folders());
   if (!container) throw EnvironmentError("tocsin-container is not installed");
-  const pid_t process = deployment::process_of(run, host);
-  const std::string file = (run / ("operator-" + std::to_string(::getpid()) + ".yaml")).string();
-  deployment::write_resolved(joined, file);
-  if (joined.radio) deployment::enter_namespaces(process);
-  const int code = run_and_wait({container->string(), file, host, guest_name()});
-  std::error_code ignored;
-  fs::remove(file, ignored);
-  return code;
+  deployment::enter_namespaces(running.process);
+  return run_and_wait(
+      {container->string(), running.deployment.file, running.host, guest_name(), joined.path()});
 }
 
 }  // namespace tocsin

@@ -11,21 +11,22 @@ namespace {
 class OperatorConsoleComponentTest : public ::testing::Test {
  protected:
   void order(const char* what) {
-    OperatorConsoleComponent::Params params;
-    params.order = what;
+    params_.order = what;
     sut_ = std::make_unique<OperatorConsoleComponent>(
-        context_, params, [this](const std::string& line) { lines_.push_back(line); });
+        context_, params_, [this](const std::string& line) { lines_.push_back(line); });
     bus_.add(*sut_);
   }
-  template <class Topic>
-  void hear(bool pressed) {
-    typename Topic::Message message;
-    if constexpr (std::is_same_v<Topic, topic::SafetyStatus>) {
-      message.emergency_stop(pressed);
-    } else {
-      message.data(pressed);
-    }
-    bus_.publish<Topic>(message);
+  void hear_vehicle(bool stands) {
+    topic::SafetyStatus::Message message;
+    message.emergency_stop(stands);
+    bus_.publish<topic::SafetyStatus>(message);
+    bus_.run_for(seconds(0.01));
+  }
+  void hear_station(const char* asked, const char* vehicle) {
+    topic::EmergencyStopState::Message message;
+    message.asked(asked);
+    message.vehicle(vehicle);
+    bus_.publish<topic::EmergencyStopState>(message);
     bus_.run_for(seconds(0.01));
   }
   void hear_docking(std::uint32_t run, const char* state, const char* result) {
@@ -42,6 +43,8 @@ class OperatorConsoleComponentTest : public ::testing::Test {
   Context context_{bus_, "operator_console", "gcs", "", [this](int code) { code_ = code; }};
   SimReader<topic::EmergencyStopRequest> requests_{bus_};
   SimReader<topic::DockingCommand> commands_{bus_};
+  SimReader<topic::EmergencyStop> stops_{bus_};
+  OperatorConsoleComponent::Params params_;
   std::vector<std::string> lines_;
   std::unique_ptr<OperatorConsoleComponent> sut_;
 };
@@ -50,9 +53,9 @@ TEST_F(OperatorConsoleComponentTest, RepeatsTheEmergencyStopUntilTheVehicleStand
   order("estop_on");
   bus_.run_for(seconds(1.2));
   EXPECT_EQ(requests_.take().size(), 3U);
-  hear<topic::EmergencyStop>(true);
+  hear_station("on", "may_drive");
   EXPECT_FALSE(code_);
-  hear<topic::SafetyStatus>(true);
+  hear_vehicle(true);
   EXPECT_EQ(code_, 0);
   EXPECT_EQ(lines_, (std::vector<std::string>{"emergency stop ON: the vehicle stands"}));
 }
@@ -70,10 +73,36 @@ TEST_F(OperatorConsoleComponentTest, GivesUpAfterItsWait) {
 
 TEST_F(OperatorConsoleComponentTest, StatusOrdersNothing) {
   order("estop_status");
-  hear<topic::EmergencyStop>(false);
-  hear<topic::SafetyStatus>(false);
+  hear_station("off", "unheard");
+  EXPECT_FALSE(code_);
+  hear_vehicle(false);
   EXPECT_EQ(code_, 0);
   EXPECT_TRUE(requests_.take().empty());
+}
+
+TEST_F(OperatorConsoleComponentTest, BelievesTheStationWhatTheVehicleSaid) {
+  order("estop_on");
+  hear_station("on", "stands");
+  EXPECT_EQ(code_, 0);
+}
+
+TEST_F(OperatorConsoleComponentTest, SaysNothingToTheVehicleItselfUnlessItShall) {
+  order("estop_on");
+  bus_.run_for(seconds(3));
+  EXPECT_TRUE(stops_.take().empty());
+}
+
+TEST_F(OperatorConsoleComponentTest, TellsTheVehicleItselfWhenNobodyAtTheStationTakesIt) {
+  params_.direct = true;
+  order("estop_on");
+  bus_.run_for(seconds(0.99));
+  EXPECT_TRUE(stops_.take().empty());
+  bus_.run_for(seconds(1));
+  const auto said = stops_.take();
+  ASSERT_GE(said.size(), 5U);
+  EXPECT_TRUE(said.back().data());
+  hear_vehicle(true);
+  EXPECT_EQ(code_, 0);
 }
 
 TEST_F(OperatorConsoleComponentTest, StartsDockingAndTellsItsSteps) {

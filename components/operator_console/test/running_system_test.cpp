@@ -6,16 +6,18 @@
 #include <stdlib.h>
 #include <yaml-cpp/yaml.h>
 
-#include <filesystem>
 #include <fstream>
 
+#include "deployment/resolved_copy.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
 
 namespace tocsin {
 namespace {
 
-namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Property;
+using ::testing::Throws;
 
 class RunningSystemTest : public ::testing::Test {
  protected:
@@ -31,28 +33,63 @@ class RunningSystemTest : public ::testing::Test {
     deployment.hosts[1].containers[0].terminal = true;
     return deployment;
   }
+  /// Both hosts of runs with these folders.
+  static deployment::RunningHosts running(const std::vector<std::string>& folders) {
+    deployment::RunningHosts all;
+    for (const std::string& folder : folders) {
+      deployment::Deployment deployment = two_hosts();
+      deployment.run_dir = folder;
+      all.hosts.push_back({deployment, "vehicle", 10});
+      all.hosts.push_back({deployment, "station", 11});
+    }
+    return all;
+  }
   const TemporaryFolder temporary_;
   const std::string folder_ = temporary_.path();
 };
 
-TEST_F(RunningSystemTest, FindsTheNewestRun) {
-  for (const char* run : {"20260101T000000Z", "20260102T000000Z"}) {
-    fs::create_directories(folder_ + "/" + run);
-    std::ofstream(folder_ + "/" + run + "/processes.json") << "{}";
-  }
-  fs::create_directories(folder_ + "/20260103T000000Z");  // holds no run
-  EXPECT_EQ(newest_run(folder_), folder_ + "/20260102T000000Z");
+TEST_F(RunningSystemTest, JoinsTheOnlyRunThatHasTheRole) {
+  const auto joined = host_to_join({"", "gcs"}, running({"/a"}));
+  EXPECT_EQ(joined.host, "station");
+  EXPECT_EQ(host_to_join({"", "uxv"}, running({"/a"})).host, "vehicle");
 }
 
-TEST_F(RunningSystemTest, SaysWhenThereIsNoRun) {
-  EXPECT_THROW((void)newest_run(folder_), EnvironmentError);
-  EXPECT_THROW((void)newest_run("/nowhere"), EnvironmentError);
-  EXPECT_THROW((void)run_guest({folder_, "gcs"}, {"teleop_keyboard", {}}), EnvironmentError);
+TEST_F(RunningSystemTest, ChoosesAmongSeveralByTheirFolder) {
+  EXPECT_EQ(host_to_join({"/b", "gcs"}, running({"/a", "/b"})).deployment.run_dir, "/b");
+  EXPECT_EQ(host_to_join({"/x/../b", "gcs"}, running({"/a", "/b"})).deployment.run_dir, "/b");
+  EXPECT_THAT(
+      [&] {
+        (void)host_to_join({"", "gcs"}, running({"/a", "/b"}));
+      },
+      Throws<ConfigError>(
+          Property(&ConfigError::what, HasSubstr("one of: --run-dir /a --run-dir /b"))));
 }
 
-TEST_F(RunningSystemTest, AddsAContainerToTheHostThatIsNamed) {
-  const auto joined =
-      with_guest(two_hosts(), "gcs", {"teleop_keyboard", {"linear_mps=0.2", "layout=turtlebot"}});
+TEST_F(RunningSystemTest, SaysWhenNothingRunsOrCannotBeLookedInto) {
+  EXPECT_THAT(
+      [&] {
+        (void)host_to_join({"", "gcs"}, {});
+      },
+      Throws<EnvironmentError>(
+          Property(&EnvironmentError::what, HasSubstr("no host gcs runs on this computer"))));
+  EXPECT_THAT(
+      [&] {
+        (void)host_to_join({"/c", "gcs"}, running({"/a"}));
+      },
+      Throws<EnvironmentError>(Property(&EnvironmentError::what, HasSubstr("in /c"))));
+  deployment::RunningHosts hidden;
+  hidden.hidden = {7};
+  EXPECT_THAT(
+      [&] {
+        (void)host_to_join({"", "gcs"}, hidden);
+      },
+      Throws<EnvironmentError>(
+          Property(&EnvironmentError::what, HasSubstr("cannot be looked into"))));
+}
+
+TEST_F(RunningSystemTest, AddsAContainerToTheHostOfTheRole) {
+  const auto joined = with_guest(two_hosts(), "station",
+                                 {"teleop_keyboard", {"linear_mps=0.2", "layout=turtlebot"}});
   EXPECT_TRUE(joined.hosts[0].containers.empty());
   ASSERT_EQ(joined.hosts[1].containers.size(), 2U);
   EXPECT_FALSE(joined.hosts[1].containers[0].terminal);
@@ -73,18 +110,18 @@ TEST_F(RunningSystemTest, WritesWhatTheContainerReadsAgain) {
   overrides.run_dir = overrides.share = folder_;
   const auto loaded = deployment::load_deployment(folder_ + "/bringup.yaml", overrides);
   const std::string file = folder_ + "/operator.yaml";
-  deployment::write_resolved(with_guest(loaded, "gcs", {"teleop_keyboard", {"rate_hz=20"}}), file);
-  const auto read = deployment::load_resolved(file);
+  const deployment::ResolvedCopy copy(
+      with_guest(loaded, "station", {"teleop_keyboard", {"rate_hz=20"}}));
+  const auto read = deployment::load_resolved(file, copy.path());
   ASSERT_EQ(read.hosts[0].containers.size(), 2U);
   EXPECT_EQ((*read.hosts[0].containers[1].components[0].parameters)["rate_hz"].as<int>(), 20);
 }
 
-TEST_F(RunningSystemTest, RefusesWrongSettingsAndAbsentHosts) {
-  EXPECT_THROW((void)with_guest(two_hosts(), "gcs", {"teleop_keyboard", {"layout"}}), ConfigError);
-  EXPECT_THROW((void)with_guest(two_hosts(), "gcs", {"teleop_keyboard", {"a=[1"}}), ConfigError);
-  auto vehicle_only = two_hosts();
-  vehicle_only.hosts.pop_back();
-  EXPECT_THROW((void)with_guest(vehicle_only, "gcs", {"teleop_keyboard", {}}), ConfigError);
+TEST_F(RunningSystemTest, RefusesWrongSettings) {
+  for (const char* wrong : {"layout", "a=[1"}) {
+    EXPECT_THROW((void)with_guest(two_hosts(), "station", {"teleop_keyboard", {wrong}}),
+                 ConfigError);
+  }
 }
 
 }  // namespace

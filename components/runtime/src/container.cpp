@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/free_space.hpp"
 #include "foundation/parameters.hpp"
 #include "runtime/middleware/component_library.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
@@ -61,7 +62,7 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
   control_ = std::make_unique<ControlComponent>(
       control_context_, limits_of(deployment, container),
       ProcessName{host.name, container.name, static_cast<int>(getpid())}, *instances_,
-      resident_bytes);
+      ControlComponent::Computer{resident_bytes, free_bytes});
   for (const deployment::ComponentInstance& one : container.components) {
     instances_->add(one.component, one.name, one.parameters, deployment.sources);
   }

@@ -26,13 +26,12 @@ std::uint64_t resident_bytes() {
 }
 
 ControlComponent::ControlComponent(Context& context, const HealthLimits& limits,
-                                   ProcessName process, Instances& instances,
-                                   std::function<std::uint64_t()> resident)
+                                   ProcessName process, Instances& instances, Computer computer)
     : Component(context),
       limits_(limits),
       process_(std::move(process)),
       instances_(instances),
-      resident_bytes_(std::move(resident)) {}
+      computer_(std::move(computer)) {}
 
 void ControlComponent::tick(Time now) {
   bool changed = instances_.settle_failures();
@@ -138,9 +137,11 @@ InstanceHealth ControlComponent::health_of(const Instance& instance, Time now) {
 }
 
 void ControlComponent::add_process(Time now, diagnostic_msgs::msg::DiagnosticArray& array) {
-  const std::uint64_t bytes = resident_bytes_();
+  const std::uint64_t bytes = computer_.resident_bytes();
+  const std::string& run_dir = context().run_dir;
   if (now - started_ < settling) first_bytes_ = bytes;
-  array.status().push_back(diagnose(process_.container, {bytes, first_bytes_}, limits_));
+  array.status().push_back(diagnose(
+      process_.container, {bytes, first_bytes_, run_dir, computer_.free_bytes(run_dir)}, limits_));
   for (const auto& [other, heard] : heard_) {
     if (other.first != process_.container) continue;
     auto& status = array.status().back();

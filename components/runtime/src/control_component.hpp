@@ -2,7 +2,9 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,9 +27,14 @@ struct ProcessName {
 /// tells their states and health. A command that waits for a blocked component delays only this.
 class ControlComponent final : public Component {
  public:
-  /// `instances` must outlive it. `resident_bytes` is asked once per report.
+  /// What it asks its computer, once per report.
+  struct Computer {
+    std::function<std::uint64_t()> resident_bytes;
+    std::function<std::optional<std::uint64_t>(const std::string& folder)> free_bytes;
+  };
+  /// `instances` must outlive it.
   ControlComponent(Context& context, const HealthLimits& limits, ProcessName process,
-                   Instances& instances, std::function<std::uint64_t()> resident_bytes);
+                   Instances& instances, Computer computer);
   void tick(Time now) override;
 
  private:
@@ -54,7 +61,7 @@ class ControlComponent final : public Component {
   const HealthLimits limits_;
   const ProcessName process_;
   Instances& instances_;
-  const std::function<std::uint64_t()> resident_bytes_;
+  const Computer computer_;
   std::map<Other, Heard> heard_;
   std::map<std::uint32_t, InstanceSums> before_;
   std::map<std::string, EndpointHealth> endpoints_before_;

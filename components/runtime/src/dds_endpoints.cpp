@@ -52,7 +52,7 @@ DdsReader::DdsReader(FastDdsParticipant& participant, const std::string& topic,
 
 DdsReader::~DdsReader() {
   participant_.remove(reader_);  // waits for the listener
-  for (const std::uint64_t source : sources_) exchange_.forget(source);
+  for (const auto& one : sources_) exchange_.forget(one.first);
 }
 
 bool DdsReader::next_is_own(Reader* reader) const {
@@ -99,6 +99,17 @@ void DdsReader::drain(Reader* reader) {
   }
 }
 
+std::optional<WriterInfo> DdsReader::writer(std::uint64_t source) const {
+  RemoteEnds::Guid guid;
+  {
+    const std::lock_guard<std::mutex> lock(sources_mutex_);
+    const auto found = sources_.find(source);
+    if (found == sources_.end()) return std::nullopt;
+    guid = found->second;
+  }
+  return participant_.remote_ends().writer(guid);
+}
+
 EndpointHealth DdsReader::health() const {
   EndpointHealth health = account_.health();
   health.other_type = participant_.remote_ends().other_type(own_);
@@ -116,7 +127,7 @@ void DdsReader::on_subscription_matched(Reader*, const dds::SubscriptionMatchedS
   const std::uint64_t source = source_of(writer);
   const std::lock_guard<std::mutex> lock(sources_mutex_);
   if (status.current_count_change > 0) {
-    sources_.insert(source);
+    sources_[source] = writer;
   } else if (sources_.erase(source) > 0) {
     exchange_.forget(source);
   }

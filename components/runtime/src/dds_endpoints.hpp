@@ -4,8 +4,9 @@
 #include <atomic>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <map>
 #include <mutex>
-#include <set>
+#include <optional>
 #include <string>
 
 #include "endpoint_account.hpp"
@@ -27,6 +28,8 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   /// What the writers wrote that it was matched with is not kept for late receivers any more.
   ~DdsReader() override;
   [[nodiscard]] EndpointHealth health() const;
+  /// Empty when it is not matched with that writer.
+  [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const;
 
  private:
   using Reader = eprosima::fastdds::dds::DataReader;
@@ -55,8 +58,8 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   std::atomic<unsigned> calls_{0};  // of on_data_available that wait for the one that drains
   RemoteEnds::Guid last_writer_;    // touched by the one that drains
   bool last_has_other_layout_ = false;
-  std::mutex sources_mutex_;
-  std::set<std::uint64_t> sources_;  // of the writers that it is matched with
+  mutable std::mutex sources_mutex_;
+  std::map<std::uint64_t, RemoteEnds::Guid> sources_;  // the writers that it is matched with
   MessagePool pool_;
   Reader* reader_;
 };

@@ -47,9 +47,11 @@ QosContract contract_of(const Qos& qos) {
 
 template <class Data>
 AnnouncedEnd end_of(const Data& data, bool writer) {
-  const auto& user_data = data.m_qos.m_userData.data_vec();
+  const auto& bytes = data.m_qos.m_userData.data_vec();
+  const std::string user_data(bytes.begin(), bytes.end());
   return {data.topicName().to_string(), data.typeName().to_string(),
-          layout_in({user_data.begin(), user_data.end()}), writer, contract_of(data.m_qos)};
+          layout_in(user_data),         writer,
+          contract_of(data.m_qos),      user_data};
 }
 
 }  // namespace

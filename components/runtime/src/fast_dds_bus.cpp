@@ -46,8 +46,9 @@ class FastDdsBus : public Bus {
  public:
   explicit FastDdsBus(const BusOptions& options)
       : options_(options),
-        profiles_(options.qos_file),
-        rules_(options.traffic_file, options.role),
+        profiles_(options.qos_file.empty() ? QosProfiles() : QosProfiles(options.qos_file)),
+        rules_(options.traffic_file.empty() ? TrafficRules()
+                                            : TrafficRules(options.traffic_file, options.role)),
         host_({options.name,
                options.host_domain,
                loopback,
@@ -101,6 +102,9 @@ class ChannelSubscription : public Subscription {
     channel_.attach(receiver_, now);
   }
   ~ChannelSubscription() override { channel_.detach(receiver_); }
+  [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const override {
+    return channel_.writer(source);
+  }
 
  private:
   TopicChannel& channel_;
@@ -116,7 +120,8 @@ std::uint64_t fresh_source() {
 
 class ChannelPublication : public Publication {
  public:
-  ChannelPublication(FastDdsBus& bus, TopicChannel& channel) : bus_(bus), channel_(channel) {}
+  ChannelPublication(FastDdsBus& bus, TopicChannel& channel, std::uint64_t source)
+      : bus_(bus), channel_(channel), source_(source) {}
   ~ChannelPublication() override { bus_.withdraw(channel_, source_); }
 
   Status write(const std::shared_ptr<const void>& message) override {
@@ -131,7 +136,7 @@ class ChannelPublication : public Publication {
  private:
   FastDdsBus& bus_;
   TopicChannel& channel_;
-  const std::uint64_t source_ = fresh_source();
+  const std::uint64_t source_;
   std::uint64_t delivered_ = 0;  // guarded by the channel
   WallClock wall_;
 };
@@ -184,8 +189,9 @@ std::unique_ptr<Publication> FastDdsBus::advertise(const Endpoint& endpoint) {
   const bool crosses = endpoint.topic.scope == Scope::link;
   const TrafficRule rule = crosses ? rules_.of(endpoint.topic.name) : TrafficRule{};
   const std::lock_guard<std::mutex> lock(mutex_);
-  topic.advertise(rule, gate_open_);
-  return std::make_unique<ChannelPublication>(*this, topic);
+  const std::uint64_t source = fresh_source();
+  topic.advertise({source, rule, gate_open_, endpoint.user_data});
+  return std::make_unique<ChannelPublication>(*this, topic, source);
 }
 
 void FastDdsBus::withdraw(TopicChannel& topic, std::uint64_t source) {

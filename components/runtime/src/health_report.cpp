@@ -5,10 +5,15 @@
 
 #include <algorithm>
 
+#include "foundation/free_space.hpp"
+#include "foundation/printable.hpp"
+
 namespace tocsin {
 namespace {
 
 using namespace diagnostic_msgs::msg::DiagnosticStatus_Constants;
+
+constexpr double mib = 1024.0 * 1024.0;
 
 /// Keeps the gravest finding as the message.
 class Finding {
@@ -97,6 +102,18 @@ void add_ports(const InstanceHealth& instance, Finding& finding) {
   }
 }
 
+void judge_disk(const ProcessFigures& process, const HealthLimits& limits, Finding& finding) {
+  const double room = static_cast<double>(*process.free_bytes) / mib;
+  const std::string disk = "disk of " + printable(process.run_dir, 100);
+  if (*process.free_bytes < full_below_bytes) {
+    finding.grade(ERROR, disk + " is full: recordings and logs are lost");
+  }
+  if (room < limits.disk_low_mib) {
+    finding.grade(WARN, fmt::format("{} has {:.0f} MiB left", disk, room));
+  }
+  finding.value("disk_free_mib", fmt::format("{:.1f}", room));
+}
+
 }  // namespace
 
 Diagnostic diagnose(const std::string& container, const InstanceHealth& instance,
@@ -113,12 +130,12 @@ Diagnostic diagnose(const std::string& container, const InstanceHealth& instance
   return finding.status();
 }
 
-Diagnostic diagnose(const std::string& container, const MemoryFigures& memory,
+Diagnostic diagnose(const std::string& container, const ProcessFigures& process,
                     const HealthLimits& limits) {
-  constexpr double mib = 1024.0 * 1024.0;
-  const double resident = static_cast<double>(memory.bytes) / mib;
-  const double growth = resident - static_cast<double>(memory.first_bytes) / mib;
+  const double resident = static_cast<double>(process.bytes) / mib;
+  const double growth = resident - static_cast<double>(process.first_bytes) / mib;
   Finding finding(container, "running");
+  if (process.free_bytes) judge_disk(process, limits, finding);
   if (resident > limits.resident_mib) {
     finding.grade(
         WARN, fmt::format("{:.0f} MiB resident, more than {:.0f}", resident, limits.resident_mib));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct HealthLimits {
   double overrun_share = 0.1;
   double resident_mib = 512;
   double growth_mib = 64;
+  double disk_low_mib = 100;
   template <class Visitor>
   void visit(Visitor& v) {
     v("period_s", period_s, {0.1, 60}, "[s] between reports");
@@ -26,6 +28,7 @@ struct HealthLimits {
     v("overrun_share", overrun_share, {0, 1}, "[1] a larger share of skipped periods is a WARN");
     v("resident_mib", resident_mib, {1, 1e6}, "[MiB] more resident memory is a WARN");
     v("growth_mib", growth_mib, {1, 1e6}, "[MiB] memory that grew by more is a WARN");
+    v("disk_low_mib", disk_low_mib, {0, 1e9}, "[MiB] less room on the run folder's disk is a WARN");
   }
 };
 
@@ -47,10 +50,12 @@ struct InstanceHealth {
   InstanceSums now;
 };
 
-/// Resident memory of the process.
-struct MemoryFigures {
+/// Resident memory of the process, and room for its files.
+struct ProcessFigures {
   std::uint64_t bytes = 0;
   std::uint64_t first_bytes = 0;  ///< once it had settled
+  std::string run_dir;
+  std::optional<std::uint64_t> free_bytes;  ///< on its disk; empty: it is not known
 };
 
 using Diagnostic = diagnostic_msgs::msg::DiagnosticStatus;
@@ -58,7 +63,7 @@ using Diagnostic = diagnostic_msgs::msg::DiagnosticStatus;
 /// Pure: figures and limits in, a status out. Names are "container/instance".
 [[nodiscard]] Diagnostic diagnose(const std::string& container, const InstanceHealth& instance,
                                   const HealthLimits& limits);
-[[nodiscard]] Diagnostic diagnose(const std::string& container, const MemoryFigures& memory,
+[[nodiscard]] Diagnostic diagnose(const std::string& container, const ProcessFigures& process,
                                   const HealthLimits& limits);
 [[nodiscard]] Diagnostic diagnose(const std::string& container, const EndpointHealth& endpoint,
                                   const EndpointHealth& before);

@@ -18,18 +18,14 @@ namespace {
 constexpr int processes = 16;
 
 BusOptions options_of_run(const HostChoice& choice) {
-  const auto run = deployment::load_resolved(choice.run_dir + "/deployment.yaml");
-  const deployment::Host* const host =
-      choice.host.empty() ? &run.hosts.front() : &deployment::host_named(run, choice.host);
-  if (run.radio) {
-    deployment::enter_namespaces(deployment::process_of(choice.run_dir, host->name));
-  }
+  const auto running = deployment::running_host(choice.run_dir, choice.host);
+  deployment::enter_namespaces(running.process);
   BusOptions options;
-  options.role = host->role;
-  options.ros_namespace = run.ros_namespace;
-  options.qos_file = run.qos;
-  options.traffic_file = run.traffic;
-  options.host_domain = host->local_domain;
+  options.role = running.itself().role;
+  options.ros_namespace = running.deployment.ros_namespace;
+  options.qos_file = running.deployment.qos;
+  options.traffic_file = running.deployment.traffic;
+  options.host_domain = running.itself().local_domain;
   return options;
 }
 
@@ -58,8 +54,10 @@ void HostChoice::declare(CLI::App& app) {
 void HostChoice::adopt_host_of(const std::string& name) {
   const auto words = words_of_path(name);
   if (!host.empty() || run_dir.empty() || words.size() < 2) return;
-  const auto run = deployment::load_resolved(run_dir + "/deployment.yaml");
-  if (deployment::find_host(run, words.front()) != nullptr) host = words.front();
+  for (const auto& one : deployment::running_hosts().hosts) {
+    const bool has_it = deployment::find_host(one.deployment, words.front()) != nullptr;
+    if (has_it && one.is_of(run_dir)) host = words.front();
+  }
 }
 
 int default_domain() {

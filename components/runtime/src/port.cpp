@@ -50,6 +50,10 @@ PortHealth InputPort::health() const {
   return {endpoint_.topic.name, received_, dropped_, queue_.size(), last_};
 }
 
+std::optional<WriterInfo> InputPort::writer(std::uint64_t source) const {
+  return subscription_ ? subscription_->writer(source) : std::nullopt;
+}
+
 void InputPort::listen(bool on) {
   if (on == (subscription_ != nullptr)) return;
   if (on) {

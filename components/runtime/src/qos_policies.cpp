@@ -89,6 +89,19 @@ int QosHistory::room() const {
   return keeps_all() ? keep_all_room : depth + 1;
 }
 
+QosProfile requested(const TopicInfo& topic, QosProfile offered) {
+  if (topic.requests == Requests::profile) return offered;
+  const QosContract least;
+  offered.reliability = "best_effort";
+  offered.durability = "volatile";
+  offered.deadline_s = least.deadline_s;
+  offered.liveliness = least.liveliness;
+  offered.liveliness_lease_s = least.liveliness_lease_s;
+  offered.depth = std::max(offered.depth, 16);
+  offered.max_samples = 0;
+  return offered;
+}
+
 std::vector<std::string> incompatibilities(const QosContract& offered,
                                            const QosContract& requested) {
   std::vector<std::string> found;

@@ -49,6 +49,29 @@ void refuse_unsupported(const std::string& owner, const YAML::Node& node,
 
 }  // namespace
 
+QosProfiles::QosProfiles() : path_("the built-in profiles") {
+  QosProfile plain;
+  plain.partition = {"", "*"};  // the partition without name, and all others
+  const auto add = [&](const char* name, int depth, double heartbeat_s, double lifespan_s) {
+    QosProfile& profile = profiles_[name] = plain;
+    profile.depth = depth;
+    profile.heartbeat_period_s = heartbeat_s;
+    profile.lifespan_s = lifespan_s;
+  };
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  add("sensor", 5, plain.heartbeat_period_s, inf);
+  add("command", 1, 0.2, 5);
+  add("state", 1, 0.2, inf);
+  add("event", 100, 0.1, inf);
+  add("telemetry", 1, plain.heartbeat_period_s, inf);
+  add("stream", 1, plain.heartbeat_period_s, 1);
+  add("log", 100, plain.heartbeat_period_s, 10);
+  for (const char* name : {"sensor", "telemetry", "stream"}) {
+    profiles_[name].reliability = "best_effort";
+  }
+  for (const char* name : {"state", "log"}) profiles_[name].durability = "transient_local";
+}
+
 QosProfiles::QosProfiles(const std::string& path) : path_(path) {
   const std::string shipped = (share_folder(own_program()) / "config").string();
   const YAML::Node file = read_extended(path, {shipped}, sources_);

@@ -36,10 +36,13 @@ bool clash(const AnnouncedEnd& own, const AnnouncedEnd& other) {
 
 }  // namespace
 
+std::string joined(const std::string& user_data, const std::string& more) {
+  const bool open_end = !user_data.empty() && !more.empty() && user_data.back() != ';';
+  return user_data + (open_end ? ";" : "") + more;
+}
+
 std::string with_layout(const std::string& user_data, const std::string& layout) {
-  if (layout.empty()) return user_data;
-  const bool open_end = !user_data.empty() && user_data.back() != ';';
-  return user_data + (open_end ? ";" : "") + key + layout + ";";
+  return layout.empty() ? user_data : joined(user_data, key + layout + ";");
 }
 
 std::string layout_in(const std::string& user_data) {
@@ -79,6 +82,14 @@ std::string RemoteEnds::other_type(const AnnouncedEnd& own) const {
     return end.type + (end.type == own.type ? " with another layout" : "") + owner_of(guid);
   }
   return "";
+}
+
+WriterInfo RemoteEnds::writer(const Guid& guid) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto name = names_.find(guid.guidPrefix);
+  const auto end = ends_.find(guid);
+  return {name != names_.end() ? name->second : "",
+          end != ends_.end() ? end->second.user_data : ""};
 }
 
 std::string RemoteEnds::misfit(const AnnouncedEnd& own) const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/bus.hpp"
 #include "runtime/middleware/qos_policies.hpp"
 
 namespace tocsin {
@@ -19,11 +20,14 @@ struct AnnouncedEnd {
   std::string layout;  ///< layout_digest; empty: it does not tell, as other vendors
   bool writer = false;
   QosContract qos = {};  ///< what it offers or requests
+  std::string user_data = "";  ///< all of it, with the layout
 };
 
 /// The user data of an endpoint: what the profile asks for, and the layout, as "key=value;" like
 /// the type hash of ROS 2. Others ignore it.
 [[nodiscard]] std::string with_layout(const std::string& user_data, const std::string& layout);
+/// Two pieces of user data in one.
+[[nodiscard]] std::string joined(const std::string& user_data, const std::string& more);
 /// The layout in user data; empty when there is none.
 [[nodiscard]] std::string layout_in(const std::string& user_data);
 
@@ -47,6 +51,8 @@ class RemoteEnds {
   [[nodiscard]] std::string misfit(const AnnouncedEnd& own) const;
   /// Whether `guid` has announced another layout than `own`.
   [[nodiscard]] bool has_other_layout(const Guid& guid, const AnnouncedEnd& own) const;
+  /// What is known of a writer; empty fields: nothing.
+  [[nodiscard]] WriterInfo writer(const Guid& guid) const;
 
  private:
   [[nodiscard]] std::string owner_of(const Guid& guid) const;

@@ -31,27 +31,47 @@ class SimBus::Topic {
                      receivers_.end());
   }
 
+  void add_writer(std::uint64_t source, const char* user_data) {
+    writers_[source] = {"simulated", user_data};
+  }
+
+  void remove_writer(std::uint64_t source) { writers_.erase(source); }
+
+  [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const {
+    const auto found = writers_.find(source);
+    return found != writers_.end() ? std::optional(found->second) : std::nullopt;
+  }
+
   [[nodiscard]] bool has_receivers() const { return !receivers_.empty() || keeps_last(); }
 
   void deliver(Sample sample) {
     sample.sequence = last_.sequence + 1;
-    sample.source = 1;
     last_ = sample;
     for (Receiver* receiver : receivers_) receiver->receive(sample);
   }
 
  private:
-  [[nodiscard]] bool keeps_last() const { return std::string_view(endpoint_.topic.qos) == "state"; }
+  [[nodiscard]] bool keeps_last() const {
+    return std::string_view(endpoint_.topic.qos) == "state" &&
+           endpoint_.topic.requests == Requests::profile;
+  }
   Endpoint endpoint_;
   std::vector<Receiver*> receivers_;
+  std::map<std::uint64_t, WriterInfo> writers_{{anybody, {"anybody", ""}}};
   Sample last_;
 };
 
 class SimBus::Writer : public Publication {
  public:
-  Writer(SimBus& bus, const Endpoint& endpoint) : bus_(bus), endpoint_(endpoint) {}
+  Writer(SimBus& bus, const Endpoint& endpoint)
+      : bus_(bus), endpoint_(endpoint), source_(++bus.last_source_) {
+    bus_.topic(endpoint_).add_writer(source_, endpoint.user_data);
+  }
+  ~Writer() override { bus_.topic(endpoint_).remove_writer(source_); }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
   Status write(const std::shared_ptr<const void>& message) override {
-    bus_.deliver(endpoint_, message);
+    bus_.deliver(endpoint_, message, source_);
     return Status::ok;
   }
   [[nodiscard]] bool has_readers() const override { return bus_.topic(endpoint_).has_receivers(); }
@@ -59,6 +79,7 @@ class SimBus::Writer : public Publication {
  private:
   SimBus& bus_;
   Endpoint endpoint_;
+  const std::uint64_t source_;
 };
 
 SimBus::SimBus() : now_(start) {}
@@ -81,6 +102,9 @@ std::unique_ptr<Subscription> SimBus::subscribe(const Endpoint& endpoint, Receiv
       topic_.attach(receiver_);
     }
     ~Attached() override { topic_.detach(receiver_); }
+    [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const override {
+      return topic_.writer(source);
+    }
 
    private:
     Topic& topic_;
@@ -90,14 +114,15 @@ std::unique_ptr<Subscription> SimBus::subscribe(const Endpoint& endpoint, Receiv
 }
 
 std::unique_ptr<Publication> SimBus::advertise(const Endpoint& endpoint) {
-  (void)topic(endpoint);
   return std::make_unique<Writer>(*this, endpoint);
 }
 
 std::int64_t SimBus::wall_ns(Time t) const { return start_wall_ns + (t - start).count(); }
 
-void SimBus::deliver(const Endpoint& endpoint, const std::shared_ptr<const void>& message) {
+void SimBus::deliver(const Endpoint& endpoint, const std::shared_ptr<const void>& message,
+                     std::uint64_t source) {
   Sample sample;
+  sample.source = source;
   sample.message = message;
   sample.received = now_;
   sample.sent_wall_ns = sample.received_wall_ns = wall_ns(now_);

@@ -27,11 +27,13 @@ ChannelOptions with_digest(ChannelOptions options) {
 TopicChannel::TopicChannel(ChannelOptions options, FastDdsParticipant& host,
                            FastDdsParticipant* link)
     : options_(with_digest(std::move(options))),
+      requested_(requested(options_.endpoint.topic, options_.qos)),
       exclusive_(options_.qos.exclusive()),
       always_sent_(exclusive_ || options_.qos.keeps_last()),
       host_(host),
       link_(link),
-      exchange_(options_.qos) {
+      exchange_(options_.qos),
+      offered_(options_.qos) {
   if (exclusive_ && options_.endpoint.topic.scope == Scope::link) {
     throw ConfigError(std::string("topic ") + options_.endpoint.topic.name +
                       ": crosses the link; ownership: exclusive is for host topics");
@@ -42,14 +44,18 @@ TopicChannel::TopicChannel(ChannelOptions options, FastDdsParticipant& host,
 
 std::unique_ptr<DdsReader> TopicChannel::make_reader(FastDdsParticipant& participant) {
   return std::make_unique<DdsReader>(participant, options_.dds_name, *options_.endpoint.type,
-                                     options_.qos, exchange_);
+                                     requested_, exchange_);
+}
+
+std::unique_ptr<DdsWriter> TopicChannel::make_writer(FastDdsParticipant& participant) const {
+  return std::make_unique<DdsWriter>(participant, options_.dds_name, *options_.endpoint.type,
+                                     offered_);
 }
 
 /// Null while the link is not up.
 std::unique_ptr<DdsWriter> TopicChannel::make_link_writer() {
   if (link_ == nullptr) return nullptr;
-  auto writer =
-      std::make_unique<DdsWriter>(*link_, options_.dds_name, *options_.endpoint.type, options_.qos);
+  auto writer = make_writer(*link_);
   link_writer_ = writer.get();
   return writer;
 }
@@ -80,24 +86,39 @@ void TopicChannel::detach(Receiver& receiver) {
   host_reader_.reset();
 }
 
-void TopicChannel::advertise(const TrafficRule& rule, bool open) {
+void TopicChannel::advertise(const Wish& wish) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!host_writer_) {
-    host_writer_ = std::make_unique<DdsWriter>(host_, options_.dds_name, *options_.endpoint.type,
-                                               options_.qos);
+  const std::string user_data = joined(options_.qos.user_data, wish.user_data);
+  if (publications_.empty()) offered_.user_data = user_data;
+  if (offered_.user_data != user_data) {
+    throw ConfigError(std::string("topic ") + options_.endpoint.topic.name +
+                      ": two writers of one process announce '" + offered_.user_data + "' and '" +
+                      user_data + "'; let them run in two");
   }
+  if (!host_writer_) host_writer_ = make_writer(host_);
   if (!gated_ && options_.crosses) {
-    gated_ = std::make_unique<GatedWriter>(options_.endpoint.topic.name, rule, make_link_writer(),
-                                           freshness(options_.qos));
-    gated_->set_open(open);
+    gated_ = std::make_unique<GatedWriter>(options_.endpoint.topic.name, wish.rule,
+                                           make_link_writer(), freshness(options_.qos));
+    gated_->set_open(wish.open);
   }
-  ++publications_;
+  publications_.insert(wish.source);
+}
+
+std::optional<WriterInfo> TopicChannel::writer(std::uint64_t source) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (publications_.count(source) != 0) return WriterInfo{"this process", offered_.user_data};
+  for (const auto* reader : {host_reader_.get(), link_reader_.get()}) {
+    if (reader == nullptr) continue;
+    if (auto found = reader->writer(source)) return found;
+  }
+  return std::nullopt;
 }
 
 void TopicChannel::withdraw(std::uint64_t source) {
   exchange_.forget(source);
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (--publications_ > 0) return;
+  publications_.erase(source);
+  if (!publications_.empty()) return;
   link_writer_ = nullptr;
   gated_.reset();
   host_writer_.reset();

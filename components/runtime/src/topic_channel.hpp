@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,10 +37,19 @@ class TopicChannel {
   /// The first receiver makes the readers, the last one that goes removes them.
   void attach(Receiver& receiver, Time now);
   void detach(Receiver& receiver);
-  /// The first publication makes the writers, the last one that goes removes them. `rule` and
-  /// `open` are those of the gate.
-  void advertise(const TrafficRule& rule, bool open);
+  /// What a publication asks for: rule and state of the gate, and what its writers announce.
+  struct Wish {
+    std::uint64_t source;
+    TrafficRule rule;
+    bool open;
+    std::string user_data;
+  };
+  /// The first publication makes the writers, the last one that goes removes them. Throws
+  /// ConfigError when the others of this process announce something else.
+  void advertise(const Wish& wish);
   void withdraw(std::uint64_t source);
+  /// The writer of samples that come here, see Subscription::writer.
+  [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const;
   /// The link is up: from now on the topic crosses it, if it is one that does.
   void join(FastDdsParticipant& link);
   /// `head` lacks the message and its number, the next after `delivered`.
@@ -53,6 +63,7 @@ class TopicChannel {
 
  private:
   [[nodiscard]] std::unique_ptr<DdsReader> make_reader(FastDdsParticipant& participant);
+  [[nodiscard]] std::unique_ptr<DdsWriter> make_writer(FastDdsParticipant& participant) const;
   [[nodiscard]] std::unique_ptr<DdsWriter> make_link_writer();
   [[nodiscard]] bool has_readers_on_host() const;
   [[nodiscard]] bool too_soon(Time now);
@@ -62,6 +73,7 @@ class TopicChannel {
                                              const TopicExchange::Account& account) const;
 
   const ChannelOptions options_;
+  const QosProfile requested_;  // by its readers
   const bool exclusive_;
   const bool always_sent_;  // to the host, whoever reads
   FastDdsParticipant& host_;
@@ -69,7 +81,8 @@ class TopicChannel {
   TopicExchange exchange_;
   mutable std::mutex mutex_;  // guards the making and removing of endpoints
   std::size_t receivers_ = 0;
-  std::size_t publications_ = 0;
+  std::set<std::uint64_t> publications_;  // of this process
+  QosProfile offered_;                    // by its writers
   mutable std::mutex written_mutex_;
   std::optional<RateLimit> rate_;
   std::optional<DeadlineWatch> deadline_;

@@ -7,12 +7,15 @@
 #include <sys/wait.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
 #include "../src/container_client.hpp"
 #include "bus_fixture.hpp"
 #include "deployment/deployment.hpp"
+#include "deployment/resolved_copy.hpp"
+#include "deployment/running_host.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "runtime/middleware/host_bus.hpp"
@@ -93,6 +96,13 @@ deployment::Deployment deployment_with(int domain, const std::string& run_dir, i
     lamp.parameters = std::make_shared<const YAML::Node>(YAML::NodeType::Map);
   }
   return deployment;
+}
+
+/// Whether a container of the run is found among the processes.
+bool is_running(const std::string& run_dir) {
+  const auto found = deployment::running_hosts().hosts;
+  return std::any_of(found.begin(), found.end(),
+                     [&](const auto& one) { return one.deployment.run_dir == run_dir; });
 }
 
 class ContainerTest : public ::testing::Test {
@@ -242,7 +252,7 @@ TEST_F(ContainerTest, KilledInTheMiddleOfEverythingItsSuccessorAnswersAtOnce) {
   const auto bus = make_bus();
   Samples lamps;
   const auto lamp = bus->subscribe(
-      {topic::EmergencyStop::info, &type_info<topic::EmergencyStop::Message>()}, lamps);
+      {{"link_lamp/red", "state", Scope::host}, &type_info<std_msgs::msg::Bool>()}, lamps);
   const auto quality = bus->advertise(
       {topic::TransmissionState::info, &type_info<topic::TransmissionState::Message>()});
   const auto poor = std::make_shared<const topic::TransmissionState::Message>();
@@ -264,13 +274,26 @@ TEST_F(ContainerTest, TheBusOfARunIsThatOfItsHost) {
   Process sut({bin + "tocsin-container", deployment.file, "gcs", "drive"});
   HostChoice choice;
   choice.run_dir = folder_.path();
+  ASSERT_TRUE(eventually([&] { return is_running(deployment.run_dir); }));
   const auto bus = open_host_bus(choice, "test");
   ContainerClient client(*bus);
   EXPECT_EQ(wait_for(client, sut.pid(), "link_lamp", "active"), "active");
   choice.host = "moon";
   EXPECT_THROW((void)open_host_bus(choice, "test"), ConfigError);
   choice.run_dir = "/nowhere";
-  EXPECT_THROW((void)open_host_bus(choice, "test"), ConfigError);
+  EXPECT_THROW((void)open_host_bus(choice, "test"), EnvironmentError);
+}
+
+TEST_F(ContainerTest, StartsAndIsFoundThoughItsRunFolderIsGone) {
+  const auto deployment = deployment_with(domain_, folder_.path("run"));
+  const deployment::ResolvedCopy copy(deployment);
+  Process sut({bin + "tocsin-container", deployment.file, "gcs", "drive", copy.path()});
+  ASSERT_TRUE(eventually([&] { return is_running(deployment.run_dir); }));
+  HostChoice choice;
+  choice.run_dir = folder_.path("run");
+  const auto bus = open_host_bus(choice, "test");
+  ContainerClient client(*bus);
+  EXPECT_EQ(wait_for(client, sut.pid(), "link_lamp", "active"), "active");
 }
 
 TEST(DefaultDomain, IsThatOfTheEnvironmentWithinItsRange) {

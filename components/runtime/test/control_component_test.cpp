@@ -76,11 +76,17 @@ class ControlTest : public ::testing::Test {
   SimReader<topic::ContainerState> states_{bus_};
   SimReader<topic::Diagnostics> reports_{bus_};
   NoTicker ticker_;
-  Context context_{bus_, "control", "uxv", ""};
+  Context context_{bus_, "control", "uxv", "/runs/7"};
   Instances instances_{context_, ticker_, entry_of};
   std::uint64_t resident_ = 20U << 20U;
-  ControlComponent sut_{
-      context_, {}, {"uxv", "drive", 1}, instances_, [this] { return resident_; }};
+  std::optional<std::uint64_t> free_ = std::uint64_t{1} << 40U;
+  std::string folder_;
+  ControlComponent sut_{context_,
+                        {},
+                        {"uxv", "drive", 1},
+                        instances_,
+                        {[this] { return resident_; },
+                         [this](const std::string& folder) { return folder_ = folder, free_; }}};
 };
 
 TEST_F(ControlTest, LoadsAndAnswersWithTheNewState) {
@@ -170,6 +176,13 @@ TEST_F(ControlTest, AContainerThatLeaksIsSeen) {
   bus_.run_for(seconds(20));
   resident_ += 65U << 20U;
   EXPECT_THAT(next_report().status()[0].message(), HasSubstr("leaks: resident memory grew by 65"));
+}
+
+TEST_F(ControlTest, AsksForTheRoomOfItsRunFolder) {
+  EXPECT_EQ(next_report().status()[0].level(), 0);
+  free_ = 0;
+  EXPECT_THAT(next_report().status()[0].message(), HasSubstr("disk of /runs/7 is full"));
+  EXPECT_EQ(folder_, "/runs/7");
 }
 
 TEST_F(ControlTest, TheMemoryOfTheStartIsNoLeak) {

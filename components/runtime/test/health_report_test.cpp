@@ -116,12 +116,27 @@ TEST(HealthReport, AnInactiveComponentIsOk) {
 TEST(HealthReport, WarnsOfMemoryBeyondLimitAndOfGrowth) {
   constexpr std::uint64_t mib = 1024 * 1024;
   const auto level = [](std::uint64_t now, std::uint64_t first) {
-    return diagnose("drive", MemoryFigures{now * mib, first * mib}, HealthLimits{}).level();
+    return diagnose("drive", ProcessFigures{now * mib, first * mib, "", {}}, HealthLimits{})
+        .level();
   };
   EXPECT_EQ(level(512, 500), OK);
   EXPECT_EQ(level(513, 500), WARN);
   EXPECT_EQ(level(84, 20), OK);
   EXPECT_EQ(level(85, 20), WARN);
+}
+
+TEST(HealthReport, SaysThatTheDiskIsFullAndBeforeThatItBecomesSo) {
+  constexpr std::uint64_t mib = 1024 * 1024;
+  const auto status = [](std::optional<std::uint64_t> free) {
+    return diagnose("drive", ProcessFigures{mib, mib, "/runs/a", free}, HealthLimits{});
+  };
+  EXPECT_EQ(status(100 * mib).level(), OK);
+  EXPECT_EQ(status(100 * mib - 1).level(), WARN);
+  EXPECT_EQ(status(mib).level(), WARN);
+  EXPECT_EQ(status(mib - 1).level(), ERROR);
+  EXPECT_EQ(status(0).message(), "disk of /runs/a is full: recordings and logs are lost");
+  EXPECT_EQ(status(std::nullopt).level(), OK);
+  EXPECT_EQ(status(0).values().front().key(), "disk_free_mib");
 }
 
 TEST(HealthReport, AnIncompatibleEndIsNamedWithItsPolicies) {

@@ -152,6 +152,33 @@ TEST(QosConflict, AFlowControllerNeedsAnAsynchronousWriter) {
   EXPECT_EQ(conflicting(sut), "flow_controller");
 }
 
+TEST(Requested, IsTheProfileItselfUnlessTheTopicAsksForNothing) {
+  QosProfile offered;
+  offered.durability = "transient_local";
+  offered.deadline_s = 1;
+  const QosProfile sut = requested({"odom", "state", Scope::host}, offered);
+  EXPECT_EQ(sut.durability, "transient_local");
+  EXPECT_EQ(sut.reliability, "reliable");
+  EXPECT_EQ(sut.deadline_s, 1);
+}
+
+TEST(Requested, ATopicThatAsksForNothingMatchesEveryWriter) {
+  const TopicInfo stop{"stop", "state", Scope::link, Requests::anything};
+  QosProfile strict;
+  strict.durability = "transient_local";
+  strict.deadline_s = 0.1;
+  strict.liveliness = "manual_by_topic";
+  strict.liveliness_lease_s = 1;
+  strict.max_samples = 2;
+  const QosProfile sut = requested(stop, strict);
+  EXPECT_EQ(conflicting(sut), "");
+  EXPECT_GE(sut.depth, 16);
+  QosContract least;
+  least.reliability = "best_effort";
+  EXPECT_THAT(incompatibilities(least, sut), ::testing::IsEmpty());
+  EXPECT_THAT(incompatibilities(strict, sut), ::testing::IsEmpty());
+}
+
 TEST(QosConflict, StrengthNeedsExclusiveOwnership) {
   QosProfile sut;
   sut.ownership_strength = 1;

@@ -35,6 +35,24 @@ void expect_profiles(const QosProfiles& profiles, topic::List<Topics...>) {
   (expect_profile<Topics>(profiles), ...);
 }
 
+std::string text_of(QosProfile profile) {
+  ParameterPrinter printer;
+  profile.visit(printer);
+  return printer.text();
+}
+
+TEST(QosProfiles, TheBuiltInOnesAreThoseOfTheShippedFileInEveryPartition) {
+  const QosProfiles shipped(config + "/qos.yaml");
+  const QosProfiles sut;
+  for (const char* name : {"sensor", "command", "state", "event", "telemetry", "stream", "log"}) {
+    QosProfile built_in = sut.of(name, "x");
+    EXPECT_THAT(built_in.partition, ElementsAre("", "*")) << name;
+    built_in.partition.clear();
+    EXPECT_EQ(text_of(built_in), text_of(shipped.of(name, "x"))) << name;
+  }
+  EXPECT_THAT(error_of([&] { (void)sut.of("mine", "x"); }), HasSubstr("the built-in profiles"));
+}
+
 TEST(QosProfiles, ShippedFileHasTheProfileOfEveryLinkTopicAndOfHostTopics) {
   const QosProfiles sut(config + "/qos.yaml");
   expect_profiles(sut, topic::AllLinkTopics{});

@@ -23,6 +23,12 @@ const ComponentEntry& readme_component() {
   return *reinterpret_cast<EntryFunction>(dlsym(library, "tocsin_component"))();
 }
 
+/// As in README.md.
+struct LampRed {
+  using Message = std_msgs::msg::Bool;
+  static constexpr TopicInfo info{"link_lamp/red", "state", Scope::host};
+};
+
 tocsin_msgs::msg::TransmissionState quality(float qni) {
   tocsin_msgs::msg::TransmissionState state;
   state.qni(qni);
@@ -32,7 +38,7 @@ tocsin_msgs::msg::TransmissionState quality(float qni) {
 TEST(Readme, ItsComponentTurnsTheLampRedOnlyBelowItsLimit) {
   SimBus bus;
   Context context{bus, "link_lamp", "uxv", ""};
-  SimReader<topic::EmergencyStop> lamp(bus);
+  SimReader<LampRed> lamp(bus);
   const auto sut = readme_component().create(context, YAML::Load("{poor_below: 40}"), "test");
   bus.add(*sut);
   bus.publish<topic::TransmissionState>(quality(40));

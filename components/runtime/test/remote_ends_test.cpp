@@ -120,6 +120,21 @@ TEST_F(RemoteEndsTest, ADurationThatWentOverTheWireIsTheSame) {
   EXPECT_EQ(sut.misfit(writer), "deadline (gcs_main)");
 }
 
+TEST_F(RemoteEndsTest, AWriterIsKnownByItsParticipantAndWhatItAnnounces) {
+  sut.add(guid(7, 1), {"rt/odom", "Odom", "0a", true, {}, "mine;tocsin_layout=0a;"});
+  EXPECT_EQ(sut.writer(guid(7, 1)).name, "gcs_main");
+  EXPECT_EQ(sut.writer(guid(7, 1)).user_data, "mine;tocsin_layout=0a;");
+  EXPECT_EQ(sut.writer(guid(8, 1)).name, "");
+  EXPECT_EQ(sut.writer(guid(8, 1)).user_data, "");
+}
+
+TEST(UserData, IsJoinedWithOneSemicolonBetween) {
+  EXPECT_EQ(joined("a=1", "b=2;"), "a=1;b=2;");
+  EXPECT_EQ(joined("a=1;", "b=2;"), "a=1;b=2;");
+  EXPECT_EQ(joined("", "b=2;"), "b=2;");
+  EXPECT_EQ(joined("a=1", ""), "a=1");
+}
+
 TEST(LayoutInUserData, IsFoundAgainBesideWhatTheProfileAskedFor) {
   EXPECT_EQ(with_layout("", "0a"), "tocsin_layout=0a;");
   EXPECT_EQ(with_layout("typehash=x", "0a"), "typehash=x;tocsin_layout=0a;");

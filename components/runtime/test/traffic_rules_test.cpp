@@ -67,6 +67,13 @@ TEST(TrafficRules, ATopicWithoutClassIsAnError) {
               HasSubstr("topic b: crosses the link, but has no traffic class for role uxv"));
 }
 
+TEST(TrafficRules, WithoutAFileNothingIsPaused) {
+  const TrafficRules sut;
+  EXPECT_EQ(sut.of("b").while_poor, WhilePoor::send);
+  EXPECT_EQ(sut.of("b").traffic_class, "none");
+  EXPECT_TRUE(sut.all().empty());
+}
+
 TEST(TrafficRules, ATopicInTwoClassesIsAnError) {
   const ConfigFile file("uxv:\n  low: {topics: [a]}\n  high: {topics: [a]}\n");
   EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),

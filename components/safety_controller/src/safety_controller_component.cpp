@@ -20,20 +20,30 @@ void set(std::uint8_t& bits, const unsigned (&masks)[size], unsigned index, bool
 
 bool same(const topic::SafetyStatus::Message& a, const topic::SafetyStatus::Message& b) {
   return a.emergency_stop() == b.emergency_stop() && a.bumper() == b.bumper() &&
-         a.cliff() == b.cliff() && a.wheel_drop() == b.wheel_drop() && a.enabled() == b.enabled();
+         a.cliff() == b.cliff() && a.wheel_drop() == b.wheel_drop() && a.enabled() == b.enabled() &&
+         a.stopped_by() == b.stopped_by();
+}
+
+std::string memory_path(const Context& context) {
+  const bool simulated = context.devices != nullptr && !context.devices->keeps_files();
+  const bool nowhere = context.run_dir.empty() || simulated;
+  return nowhere ? "" : context.run_dir + "/" + context.name + ".stop";
 }
 
 }  // namespace
 
 SafetyControllerComponent::SafetyControllerComponent(Context& context, const Params& params)
-    : Component(context), controller_(params) {
+    : Component(context), file_(memory_path(context)), controller_(params) {
   sensors_.emplace(*this);
+  emergency_stop_.restore(file_.load());
+  controller_.on_emergency_stop(emergency_stop_.stands());
+  if (emergency_stop_.stands()) log().warn("the emergency stop stands, as before the restart");
 }
 
 void SafetyControllerComponent::tick(Time now) {
   take_state_at_start(now);
   take_events(now);
-  while (const auto stop = emergency_stop_.take()) controller_.on_emergency_stop(stop->data());
+  take_emergency_stop();
   while (const auto enable = enable_.take()) controller_.set_enabled(enable->data());
   if (const auto wanted = wanted_.take_latest()) {
     send(controller_.on_wanted({wanted->linear().x(), wanted->angular().z()}, now));
@@ -51,6 +61,13 @@ void SafetyControllerComponent::take_state_at_start(Time now) {
   hazards_ = {state->bumper(), state->cliff(), state->wheel_drop()};
   controller_.on_hazards(hazards_, now);
   sensors_.reset();
+}
+
+void SafetyControllerComponent::take_emergency_stop() {
+  if (emergency_stop_.take()) controller_.on_emergency_stop(emergency_stop_.stands());
+  if (!file_.save(emergency_stop_.memory())) {
+    log().warn("the emergency stop cannot be kept for a restart");
+  }
 }
 
 void SafetyControllerComponent::take_events(Time now) {
@@ -84,6 +101,7 @@ void SafetyControllerComponent::report(Time now) {
   message.cliff(hazards_.cliff);
   message.wheel_drop(hazards_.wheel_drop);
   message.enabled(controller_.enabled());
+  message.stopped_by(emergency_stop_.stopped_by());
   if (reported_ && same(*reported_, message)) return;
   if (status_.write(message) != Status::failed) reported_ = message;
 }

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "safety_controller/safety_controller_component.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <memory>
 
+#include "foundation/temporary_folder.hpp"
 #include "runtime/sim_bus.hpp"
 
 namespace tocsin {
 namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 class SafetyControllerComponentTest : public ::testing::Test {
  protected:
@@ -42,6 +48,18 @@ class SafetyControllerComponentTest : public ::testing::Test {
     typename Topic::Message message;
     message.data(value);
     bus_.publish<Topic>(message);
+  }
+
+  using Station = SimWriter<topic::EmergencyStop>;
+  static void say(Station& station, bool pressed) {
+    topic::EmergencyStop::Message word;
+    word.data(pressed);
+    EXPECT_EQ(station.write(word), Status::ok);
+  }
+  std::unique_ptr<Station> press_as_station() {
+    auto station = std::make_unique<Station>(bus_, topic::EmergencyStop::station);
+    say(*station, true);
+    return station;
   }
 
   SimBus bus_;
@@ -128,6 +146,54 @@ TEST_F(SafetyControllerComponentTest, StandsAtOnceOnEmergencyStopUntilItIsReleas
   EXPECT_TRUE(statuses_.take().back().emergency_stop());
   set<topic::EmergencyStop>(false);
   EXPECT_FALSE(speed_after());
+  EXPECT_EQ(drive(0.5), 0.5);
+}
+
+TEST_F(SafetyControllerComponentTest, TheFalseOfAnotherDoesNotReleaseTheEmergencyStop) {
+  const auto station = press_as_station();
+  set<topic::EmergencyStop>(false);
+  EXPECT_EQ(drive(0.5), 0);
+  EXPECT_THAT(statuses_.take().back().stopped_by(), ElementsAre("station"));
+  say(*station, false);
+  EXPECT_EQ(drive(0.5), 0.5);
+  EXPECT_THAT(statuses_.take().back().stopped_by(), IsEmpty());
+}
+
+TEST_F(SafetyControllerComponentTest, TellsWhenTheStopsOfOthersChange) {
+  const auto station = press_as_station();
+  (void)speed_after();
+  statuses_.take();
+  set<topic::EmergencyStop>(true);
+  (void)speed_after();
+  EXPECT_THAT(statuses_.take().back().stopped_by(), ElementsAre("station", HasSubstr("anybody")));
+}
+
+TEST_F(SafetyControllerComponentTest, StandsStillAfterARestartThoughItHearsNobody) {
+  const TemporaryFolder folder;
+  context_.run_dir = folder.path();
+  start();
+  EXPECT_EQ(drive(0.5), 0.5);
+  auto station = press_as_station();
+  (void)speed_after();
+  station.reset();
+  sut_.reset();
+  start();
+  EXPECT_EQ(drive(0.5), 0);
+  EXPECT_THAT(statuses_.take().back().stopped_by(), ElementsAre("station"));
+  station = press_as_station();
+  say(*station, false);
+  EXPECT_EQ(drive(0.5), 0.5);
+  sut_.reset();
+  start();
+  EXPECT_EQ(drive(0.5), 0.5);
+}
+
+TEST_F(SafetyControllerComponentTest, AStopOfAnotherLaunchIsNotKept) {
+  const TemporaryFolder folder;
+  context_.run_dir = folder.path();
+  StateFile other(folder.path("safety_controller.stop"));
+  ASSERT_TRUE(other.save("1 1 1"));
+  start();
   EXPECT_EQ(drive(0.5), 0.5);
 }
 

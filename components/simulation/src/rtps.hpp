@@ -112,6 +112,10 @@ class RtpsWriter final : public LinkWriter {
     history_.clear();
   }
   [[nodiscard]] bool alive() const { return alive_; }
+  [[nodiscard]] std::uint64_t source() const { return owner_.source; }
+  [[nodiscard]] WriterInfo info() const {
+    return {owner_.end->host + "_" + owner_.end->process, owner_.end->user_data};
+  }
 
  private:
   struct Proxy {

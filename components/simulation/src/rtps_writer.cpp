@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "rtps.hpp"
@@ -65,10 +66,12 @@ RtpsWriter::RtpsWriter(Core& core, RadioLink& link, const Owner& owner, const Qo
 
 void RtpsWriter::match(RtpsReader& reader) {
   forget_expired();
-  const bool history = qos_.keeps_last() && !history_.empty();
+  const bool history = qos_.keeps_last() && reader.qos().keeps_last() && !history_.empty();
   const std::uint64_t first = history ? history_.front().sequence : sent_ + 1;
   reader.match(owner_.source, first);
-  proxies_.push_back({&reader, first - 1});
+  // Of a best-effort reader nothing is asked: it counts as having all.
+  const bool answers = reader.qos().reliable();
+  proxies_.push_back({&reader, answers ? first - 1 : std::numeric_limits<std::uint64_t>::max()});
   if (!history) return;
   for (const Change& change : history_) transmit(reader, change);
   ask_for_heartbeat();

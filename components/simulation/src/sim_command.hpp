@@ -21,9 +21,6 @@ struct Options : BringupOptions {
   std::string replay;  ///< the words of the command line that a replay repeats
 };
 
-/// Makes the folder of a run, which must be new or empty, since recorders append.
-std::string make_run_folder(const std::string& wanted);
-
 /// By `--faults`: none, drawn from the seed, or read.
 [[nodiscard]] FaultPlan faults_of(const Options& options, const deployment::Deployment& deployment);
 

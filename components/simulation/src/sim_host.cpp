@@ -55,6 +55,16 @@ void LinkEndpoints::remove(const std::string& topic, const RtpsReader& reader) {
             all.end());
 }
 
+std::optional<WriterInfo> LinkEndpoints::writer(const std::string& topic,
+                                                std::uint64_t source) const {
+  const auto all = topics_.find(topic);
+  if (all == topics_.end()) return std::nullopt;
+  for (const auto& one : all->second.writers) {
+    if (one.end->source() == source) return one.end->info();
+  }
+  return std::nullopt;
+}
+
 SimHost::SimHost(Network& network, std::string name, std::string role,
                  const std::string& traffic_file)
     : network_(network),

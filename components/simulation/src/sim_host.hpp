@@ -4,6 +4,7 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ class LinkEndpoints {
   void add(const std::string& topic, const SimHost& host, RtpsReader& reader);
   void remove(const std::string& topic, const RtpsWriter& writer);
   void remove(const std::string& topic, const RtpsReader& reader);
+  /// The living writer with this source.
+  [[nodiscard]] std::optional<WriterInfo> writer(const std::string& topic,
+                                                 std::uint64_t source) const;
   /// Those that are added from now on find the others after this time only.
   void set_discovery(Core& core, Duration takes) {
     core_ = &core;
@@ -95,6 +99,7 @@ class SimProcess final : public Bus {
     std::string label;  ///< host/process/topic
   };
   Status write(Topic& topic, const std::shared_ptr<const void>& message);
+  [[nodiscard]] std::optional<WriterInfo> writer(const Topic& topic, std::uint64_t source) const;
   /// All that it had is lost, and nobody hears of it any more. Its components are gone before.
   void die();
 

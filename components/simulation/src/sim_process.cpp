@@ -12,12 +12,17 @@ namespace {
 /// Removes the receiver when it is destroyed.
 class Attached final : public Subscription {
  public:
-  Attached(SimProcess::Topic& topic, Receiver& receiver) : topic_(topic), receiver_(receiver) {
+  Attached(const SimProcess& process, SimProcess::Topic& topic, Receiver& receiver)
+      : process_(process), topic_(topic), receiver_(receiver) {
     topic_.attach(receiver_);
   }
   ~Attached() override { topic_.detach(receiver_); }
+  [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const override {
+    return process_.writer(topic_, source);
+  }
 
  private:
+  const SimProcess& process_;
   SimProcess::Topic& topic_;
   Receiver& receiver_;
 };
@@ -76,7 +81,9 @@ std::unique_ptr<SimProcess::Topic> SimProcess::make_topic(const Endpoint& endpoi
                endpoint.type,
                made->qos.lifespan_s,
                made->qos.reliable(),
-               false};
+               false,
+               false,
+               ""};
   return made;
 }
 
@@ -95,13 +102,14 @@ SimProcess::Topic& SimProcess::topic(const Endpoint& endpoint) {
 
 std::unique_ptr<Subscription> SimProcess::subscribe(const Endpoint& endpoint, Receiver& receiver) {
   Topic& its = topic(endpoint);
-  auto attached = std::make_unique<Attached>(its, receiver);
+  auto attached = std::make_unique<Attached>(*this, its, receiver);
   if (endpoint.topic.scope == Scope::link && !its.reader) make_reader(its);
   return attached;
 }
 
 std::unique_ptr<Publication> SimProcess::advertise(const Endpoint& endpoint) {
   Topic& its = topic(endpoint);
+  if (*endpoint.user_data != 0) its.end.user_data = endpoint.user_data;
   if (endpoint.topic.scope == Scope::link && !its.gated) make_writer(its);
   return std::make_unique<OpenWriter>(*this, its);
 }
@@ -127,7 +135,7 @@ void SimProcess::make_reader(Topic& its) {
   const auto deliver = [this, &its](const Change& change, std::uint64_t source) {
     receive(its, change, source);
   };
-  its.reader = std::make_unique<RtpsReader>(its.qos, deliver);
+  its.reader = std::make_unique<RtpsReader>(requested(its.endpoint.topic, its.qos), deliver);
   network_.endpoints.add(its.endpoint.topic.name, host_, *its.reader);
 }
 
@@ -168,6 +176,13 @@ Status SimProcess::write(Topic& its, const std::shared_ptr<const void>& message)
   const Status status = its.gated ? its.gated->write(message) : Status::ok;
   if (core.observer != nullptr) report(its, message.get(), status);
   return status;
+}
+
+std::optional<WriterInfo> SimProcess::writer(const Topic& its, std::uint64_t source) const {
+  for (const Topic* one : its.on_host->processes) {
+    if (one->source == source) return WriterInfo{host_.name(), one->end.user_data};
+  }
+  return network_.endpoints.writer(its.endpoint.topic.name, source);
 }
 
 void SimProcess::report(const Topic& its, const void* message, Status status) const {

@@ -3,18 +3,15 @@
 
 #include <chrono>
 #include <cstdio>
-#include <ctime>
-#include <filesystem>
 #include <fstream>
 #include <future>
 
+#include "deployment/run_folder.hpp"
 #include "foundation/error.hpp"
 #include "sim_command.hpp"
 
 namespace tocsin::simulation {
 namespace {
-
-namespace fs = std::filesystem;
 
 double thread_cpu_s() {
   timespec used{};
@@ -63,9 +60,9 @@ Verdict run(const Options& options, deployment::Deployment deployment) {
   return verdict;
 }
 
-Verdict simulate_into(const Options& options, const std::string& run_dir) {
+Verdict simulate_into(const Options& options, const deployment::RunFolder& run_folder) {
   deployment::Overrides overrides = options.overrides;
-  overrides.run_dir = make_run_folder(run_dir);
+  overrides.run_dir = run_folder.path().string();
   auto deployment = deployment::load_deployment(options.file, overrides);
   deployment::write_resolved(deployment, overrides.run_dir + "/deployment.yaml");
   const auto begin = std::chrono::steady_clock::now();
@@ -87,18 +84,6 @@ int judge(const Verdict& verdict) {
 
 }  // namespace
 
-std::string make_run_folder(const std::string& wanted) {
-  char stamp[40];
-  const std::time_t now = std::time(nullptr);
-  std::strftime(stamp, sizeof stamp, "runs/sim_%Y%m%dT%H%M%SZ", std::gmtime(&now));
-  const fs::path folder = fs::absolute(wanted.empty() ? stamp : wanted).lexically_normal();
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw EnvironmentError(folder.string() + ": cannot be made: " + error.message());
-  if (!fs::is_empty(folder)) throw ConfigError("--run-dir " + folder.string() + ": is not empty");
-  return folder;
-}
-
 FaultPlan faults_of(const Options& options, const deployment::Deployment& deployment) {
   if (options.faults.empty()) return {};
   if (options.faults != "random") return load_faults(options.faults);
@@ -108,14 +93,16 @@ FaultPlan faults_of(const Options& options, const deployment::Deployment& deploy
 int simulate(const Options& options) {
   // Checked before the folder of the run is made: a wrong file leaves nothing behind.
   (void)faults_of(options, deployment::load_deployment(options.file, options.overrides));
-  const std::string run_dir = make_run_folder(options.overrides.run_dir);
+  const deployment::RunFolder folder(options.overrides.run_dir, "runs/sim_");
   if (!options.verify) {
-    const Verdict verdict = simulate_into(options, run_dir);
+    const Verdict verdict = simulate_into(options, folder);
     return options.check ? judge(verdict) : verdict.outcome.exit_code.value_or(0);
   }
-  const auto run_in = [&](const char* name) { return simulate_into(options, run_dir + name); };
-  auto second = std::async(std::launch::async, run_in, "/second");
-  const Outcome first = run_in("/first").outcome;
+  const auto run_in = [&](const char* name) {
+    return simulate_into(options, deployment::RunFolder(folder.path() / name));
+  };
+  auto second = std::async(std::launch::async, run_in, "second");
+  const Outcome first = run_in("first").outcome;
   if (first.digest == second.get().outcome.digest) return 0;
   throw EnvironmentError("two runs with the same seed differ");
 }

@@ -22,16 +22,21 @@ Journal::Log& Journal::log_of(const std::string& name) {
   return logs_.emplace(name, std::move(log)).first->second;
 }
 
+void Journal::append(Log& log, const std::string& text) {
+  log.file.clear();  // a disk that was full may have room again
+  log.file << text << std::endl;
+}
+
 void Journal::process_line(const std::string& name, const std::string& text) {
   Log& log = log_of(name);
-  log.file << text << std::endl;
+  append(log, text);
   if (!show_) return;
   std::printf("%s\n", prefixed(name, text, colours_ ? log.colour : -1).c_str());
   std::fflush(stdout);
 }
 
 void Journal::say(const std::string& text) {
-  log_of("launch").file << text << std::endl;
+  append(log_of("launch"), text);
   std::fprintf(stderr, "tocsin launch: %s\n", text.c_str());
 }
 

@@ -13,7 +13,8 @@ class Journal {
  public:
   /// `show` is false when a process owns the terminal: then lines of the others go to files only.
   Journal(const std::filesystem::path& folder, bool show, bool colours);
-  /// One line of the process `name`; its log is `<folder>/<name with . for />.log`.
+  /// One line of the process `name`; its log is `<folder>/<name with . for />.log`. On a full disk
+  /// a line is lost, and later ones are written again when there is room.
   void process_line(const std::string& name, const std::string& text);
   /// One line of the launcher itself, to stderr and to `launch.log`.
   void say(const std::string& text);
@@ -24,6 +25,7 @@ class Journal {
     int colour;
   };
   Log& log_of(const std::string& name);
+  static void append(Log& log, const std::string& text);
 
   std::filesystem::path folder_;
   bool show_;

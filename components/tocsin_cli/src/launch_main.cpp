@@ -10,8 +10,9 @@
 #include "command_line/command.hpp"
 #include "command_line/programs.hpp"
 #include "deployment/deployment.hpp"
+#include "deployment/resolved_copy.hpp"
+#include "deployment/run_folder.hpp"
 #include "launcher.hpp"
-#include "run_folder.hpp"
 
 namespace tocsin::cli {
 namespace {
@@ -40,10 +41,12 @@ int launch(BringupOptions& options) {
       !check_first(options, folders)) {
     return 2;
   }
-  overrides.run_dir = make_run_folder(overrides.run_dir).string();
+  const deployment::RunFolder run(overrides.run_dir);
+  overrides.run_dir = run.path().string();
   const deployment::Deployment deployment = deployment::load_deployment(file, overrides);
   const std::string resolved = overrides.run_dir + "/deployment.yaml";
-  const auto specs = plan_processes(deployment, resolved, folders);
+  const deployment::ResolvedCopy copy(deployment);
+  const auto specs = plan_processes(deployment, {resolved, copy.path()}, folders);
   std::vector<HostNetwork> networks;
   if (deployment.radio) {
     enter_private_world();

@@ -6,7 +6,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <limits>
+#include <optional>
 
+#include "foundation/free_space.hpp"
+#include "foundation/replace_file.hpp"
 #include "run_folder.hpp"
 
 namespace tocsin::cli {
@@ -16,6 +21,7 @@ using std::chrono::milliseconds;
 
 constexpr Duration link_within = std::chrono::seconds(10);
 constexpr Duration link_poll = milliseconds(20);
+constexpr Duration disk_period = std::chrono::seconds(1);
 constexpr Duration stop_within = std::chrono::seconds(3);
 
 Time clock_now() { return std::chrono::steady_clock::now(); }
@@ -24,7 +30,11 @@ Time clock_now() { return std::chrono::steady_clock::now(); }
 
 Launcher::Launcher(const deployment::Deployment& deployment,
                    const std::vector<HostNetwork>& networks, Signals& signals, Journal& journal)
-    : deployment_(deployment), networks_(networks), signals_(signals), journal_(journal) {}
+    : deployment_(deployment),
+      networks_(networks),
+      signals_(signals),
+      journal_(journal),
+      disk_(deployment.run_dir) {}
 
 void Launcher::add(ProcessSpec spec) {
   processes_.emplace_back(std::move(spec), deployment_.restart, journal_);
@@ -45,6 +55,7 @@ int Launcher::run() {
     for (Process& process : processes_) process.read_output();
     reap_all(clock_now());
     advance(clock_now());
+    look_at_disk(clock_now());
   }
   write_processes();
   sweep(deployment_.run_dir);
@@ -71,12 +82,25 @@ void Launcher::start_all(Time now) {
   }
 }
 
-void Launcher::write_processes() const {
+void Launcher::write_processes() {
   std::map<std::string, int> pids;
   for (const Process& process : processes_) {
     if (process.running()) pids[process.spec().name] = process.pid();
   }
-  write_pids(deployment_.run_dir, pids);
+  had_no_room_ = is_disk_full(write_pids(deployment_.run_dir, pids));
+}
+
+void Launcher::look_at_disk(Time now) {
+  if (now < next_look_) return;
+  next_look_ = now + disk_period;
+  if (had_no_room_) write_processes();  // a spent quota shows only so
+  std::error_code ignored;
+  std::optional<std::uint64_t> room;
+  if (std::filesystem::exists(deployment_.run_dir, ignored)) {
+    constexpr std::uint64_t enough = std::numeric_limits<std::uint64_t>::max();
+    room = had_no_room_ ? 0 : free_bytes(deployment_.run_dir).value_or(enough);
+  }
+  if (const auto text = disk_.on_look(room)) journal_.say(*text);
 }
 
 void Launcher::wait(Time until) {
@@ -95,7 +119,7 @@ void Launcher::wait(Time until) {
 Time Launcher::next_deadline(Time now) const {
   if (phase_ == Phase::link) return now + link_poll;
   if (phase_ == Phase::stopping) return kill_at_;
-  Time next = never;
+  Time next = next_look_;
   for (const Process& process : processes_) next = std::min(next, process.start_at());
   return next;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "deployment/deployment.hpp"
+#include "disk_watch.hpp"
 #include "journal.hpp"
 #include "network.hpp"
 #include "process.hpp"
@@ -31,7 +32,8 @@ class Launcher {
 
   void start(Process& process, Time now);
   void start_all(Time now);
-  void write_processes() const;
+  void write_processes();
+  void look_at_disk(Time now);
   void wait(Time until);
   [[nodiscard]] Time next_deadline(Time now) const;
   void take_signals();
@@ -55,6 +57,9 @@ class Launcher {
   Process* ending_ = nullptr;  ///< the process that has been told to stop
   Time kill_at_ = never;
   int exit_code_ = 0;
+  DiskWatch disk_;
+  Time next_look_{};
+  bool had_no_room_ = false;  ///< for the list of processes
 };
 
 }  // namespace tocsin::cli

@@ -18,7 +18,7 @@ std::string located(const std::string& process, const std::string& program,
 }  // namespace
 
 std::vector<ProcessSpec> plan_processes(const deployment::Deployment& deployment,
-                                        const std::string& resolved_file, const Folders& folders) {
+                                        const ResolvedFile& file, const Folders& folders) {
   std::vector<ProcessSpec> specs;
   int index = 0;
   for (const deployment::Host& host : deployment.hosts) {
@@ -29,11 +29,11 @@ std::vector<ProcessSpec> plan_processes(const deployment::Deployment& deployment
     }
     for (const deployment::Container& container : host.containers) {
       const std::string name = host.name + "/" + container.name;
-      specs.push_back(
-          {name,
-           {located(name, "tocsin-container", folders), resolved_file, host.name, container.name},
-           index,
-           container.terminal});
+      specs.push_back({name,
+                       {located(name, "tocsin-container", folders), file.path, host.name,
+                        container.name, file.copy},
+                       index,
+                       container.terminal});
     }
     ++index;
   }

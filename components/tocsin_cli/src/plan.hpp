@@ -17,10 +17,16 @@ struct ProcessSpec {
   bool terminal = false;             ///< its stdout is the launcher's
 };
 
+/// The file that containers read.
+struct ResolvedFile {
+  std::string path;
+  std::string copy;  ///< in memory, for those that are restarted when the file is gone
+};
+
 /// The programs and containers of all hosts in starting order.
 /// Throws ConfigError when a program is in none of `folders`.
 [[nodiscard]] std::vector<ProcessSpec> plan_processes(const deployment::Deployment& deployment,
-                                                      const std::string& resolved_file,
+                                                      const ResolvedFile& file,
                                                       const Folders& folders);
 
 /// The emulator that joins the two hosts, whose namespaces are open as `descriptors` in the

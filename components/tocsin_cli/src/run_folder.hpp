@@ -4,15 +4,14 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <system_error>
 
 namespace tocsin::cli {
 
-/// Makes the folder of a run and returns its absolute path. An empty `wanted` means
-/// `runs/<UTC time>` under the working folder. Throws EnvironmentError.
-[[nodiscard]] std::filesystem::path make_run_folder(const std::string& wanted);
-
-/// Writes `processes.json`, name to pid, in one step, so that a reader never sees half of it.
-void write_pids(const std::filesystem::path& folder, const std::map<std::string, int>& pids);
+/// Writes `processes.json`, name to pid, in one step: a reader never sees half of it, and on a full
+/// disk the list before stays. Returns why it could not be written.
+[[nodiscard]] std::error_code write_pids(const std::filesystem::path& folder,
+                                         const std::map<std::string, int>& pids);
 
 /// Removes sockets and dangling links that killed processes have left in the folder.
 void sweep(const std::filesystem::path& folder);

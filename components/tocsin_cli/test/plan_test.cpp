@@ -29,13 +29,14 @@ class PlanTest : public ::testing::Test {
     deployment_.hosts[1] = {"desk", "gcs", "10.77.0.2", {}, 1, {}, {{"mission", true, {}}}};
   }
 
+  const ResolvedFile file_{"/run/d.yaml", "/proc/self/fd/5"};
   TemporaryFolder folder_;
   Folders folders_{folder_.path("")};
   deployment::Deployment deployment_;
 };
 
 TEST_F(PlanTest, StartsProgramsBeforeContainersHostByHost) {
-  const auto specs = plan_processes(deployment_, "/run/d.yaml", folders_);
+  const auto specs = plan_processes(deployment_, file_, folders_);
   ASSERT_EQ(specs.size(), 3U);
   EXPECT_EQ(specs[0].name, "robot/base");
   EXPECT_EQ(specs[1].name, "robot/drive");
@@ -45,14 +46,14 @@ TEST_F(PlanTest, StartsProgramsBeforeContainersHostByHost) {
 }
 
 TEST_F(PlanTest, LocatesProgramsAndKeepsTheirArguments) {
-  const auto specs = plan_processes(deployment_, "/run/d.yaml", folders_);
+  const auto specs = plan_processes(deployment_, file_, folders_);
   EXPECT_THAT(specs[0].command, ElementsAre(folder_.path("simulator"), "-x"));
 }
 
 TEST_F(PlanTest, StartsContainersWithTheResolvedFile) {
-  const auto specs = plan_processes(deployment_, "/run/d.yaml", folders_);
-  EXPECT_THAT(specs[2].command,
-              ElementsAre(folder_.path("tocsin-container"), "/run/d.yaml", "desk", "mission"));
+  const auto specs = plan_processes(deployment_, file_, folders_);
+  EXPECT_THAT(specs[2].command, ElementsAre(folder_.path("tocsin-container"), "/run/d.yaml", "desk",
+                                            "mission", "/proc/self/fd/5"));
   EXPECT_FALSE(specs[1].terminal);
   EXPECT_TRUE(specs[2].terminal);
 }
@@ -60,7 +61,7 @@ TEST_F(PlanTest, StartsContainersWithTheResolvedFile) {
 TEST_F(PlanTest, RejectsAProgramThatIsNotFound) {
   deployment_.hosts[0].programs[0].command[0] = "simulatr";
   try {
-    (void)plan_processes(deployment_, "/run/d.yaml", folders_);
+    (void)plan_processes(deployment_, file_, folders_);
     FAIL() << "no error";
   } catch (const ConfigError& error) {
     EXPECT_THAT(error.what(), HasSubstr("robot/base: program 'simulatr' is not found"));

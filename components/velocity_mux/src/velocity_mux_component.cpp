@@ -17,7 +17,7 @@ VelocityMuxComponent::VelocityMuxComponent(Context& context, const Params& param
 }
 
 void VelocityMuxComponent::tick(Time now) {
-  while (const auto stop = emergency_stop_.take()) mux_.on_emergency_stop(stop->data());
+  if (emergency_stop_.take()) mux_.on_emergency_stop(emergency_stop_.stands());
   take_list();
   take_commands(now);
   if (mux_.on_time(now)) send(std::make_shared<const topic::CmdVelSelected::Message>());

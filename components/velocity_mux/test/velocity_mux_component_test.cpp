@@ -102,6 +102,20 @@ TEST_F(VelocityMuxComponentTest, SaysWhoseTurnItIs) {
   EXPECT_EQ(all[1].data(), "idle");
 }
 
+TEST_F(VelocityMuxComponentTest, TheFalseOfAnotherDoesNotReleaseTheEmergencyStop) {
+  SimWriter<topic::EmergencyStop> station(bus_, topic::EmergencyStop::station);
+  topic::EmergencyStop::Message word;
+  word.data(true);
+  ASSERT_EQ(station.write(word), Status::ok);
+  stop(false);
+  drive<topic::CmdVelTeleop>(0.3);
+  EXPECT_EQ(speeds(0.1), (Speeds{}));
+  word.data(false);
+  ASSERT_EQ(station.write(word), Status::ok);
+  drive<topic::CmdVelTeleop>(0.3);
+  EXPECT_EQ(speeds(0.1), (Speeds{0.3}));
+}
+
 TEST_F(VelocityMuxComponentTest, StandsDuringAnEmergencyStop) {
   drive<topic::CmdVelNavigation>(0.3);
   speeds(0.1);

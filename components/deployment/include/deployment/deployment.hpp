@@ -102,12 +102,15 @@ struct Overrides {
 /// Throws ConfigError naming file:line, key, value and what is allowed.
 [[nodiscard]] Deployment load_deployment(const std::string& path, const Overrides& overrides);
 
-/// Writes the deployment as one self-contained YAML file; each parameter with its origin as a
-/// comment. Throws ConfigError when the file cannot be written.
+/// The deployment as one self-contained YAML text; each parameter with its origin as a comment.
+[[nodiscard]] std::string resolved_text(const Deployment& deployment);
+
+/// Writes that text to a file, whole or not at all. Throws EnvironmentError when it cannot.
 void write_resolved(const Deployment& deployment, const std::string& path);
 
-/// Reads what write_resolved wrote. Throws ConfigError like load_deployment.
-[[nodiscard]] Deployment load_resolved(const std::string& path);
+/// Reads what write_resolved wrote. Throws ConfigError like load_deployment. `copy`: where the same
+/// text is read instead; empty: at `path`, which errors name in any case.
+[[nodiscard]] Deployment load_resolved(const std::string& path, const std::string& copy = "");
 
 /// The host that `--host` names: by its name, with or without a slash in front, or by its role when
 /// no host has this name. Throws ConfigError with the choice.

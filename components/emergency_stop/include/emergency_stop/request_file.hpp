@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
+
+#include "foundation/state_file.hpp"
 
 namespace tocsin {
 
 /// Keeps whether the emergency stop is pressed, so that the process that died and was restarted by
-/// its launcher does not release it. A new launch starts afresh: what another parent process has
-/// left is not read.
+/// its launcher goes on saying it. A new launch starts afresh: what another parent process has left
+/// is not read.
 class RequestFile {
  public:
   /// An empty path keeps nothing.
-  explicit RequestFile(std::string path) : path_(std::move(path)) {}
-  /// Empty when there is no file, it is damaged, or it is of another launch.
-  [[nodiscard]] std::optional<bool> load() const;
-  /// Replaces the file in one step. False when it could not be written.
-  [[nodiscard]] bool save(bool pressed) const;
+  explicit RequestFile(std::string path) : file_(std::move(path)) {}
+  /// False also when there is no file, it is damaged, or it is of another launch.
+  [[nodiscard]] bool load() const;
+  /// Written in place, so that only the first call needs room. False when it could not be written.
+  [[nodiscard]] bool save(bool pressed);
 
  private:
-  std::string path_;
+  StateFile file_;
 };
 
 }  // namespace tocsin

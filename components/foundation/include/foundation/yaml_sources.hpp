@@ -22,8 +22,9 @@ class YamlSources {
   YamlSources(const char* file) : YamlSources(std::string(file)) {}
 
   /// Reads one YAML document. Throws ConfigError with file, line and reason when the file cannot be
-  /// read or is not YAML.
-  [[nodiscard]] YAML::Node read(const std::string& path);
+  /// read or is not YAML. `copy`: where the same text is read instead; empty: at `path`, which
+  /// errors name in any case.
+  [[nodiscard]] YAML::Node read(const std::string& path, const std::string& copy = "");
   /// The same from a text that is no file; `name` stands for it in errors, without lines.
   [[nodiscard]] YAML::Node parse(const std::string& text, const std::string& name);
 

@@ -48,6 +48,7 @@ class LiveViewComponent final : public Component {
   void look_at_readers();
   void take_inputs(Time now);
   void take_states(Time now);
+  void take_diagnostics(Time now);
   template <class Topic>
   std::shared_ptr<const typename Topic::Message> take(Input<Topic>& input, Time now);
   void draw(Time now);
@@ -60,6 +61,7 @@ class LiveViewComponent final : public Component {
   OptionalInput<topic::Heartbeat> heartbeat_{*this};
   OptionalInput<topic::TrafficReport> report_{*this};
   OptionalInput<topic::SafetyStatus> safety_{*this};
+  OptionalInput<topic::Diagnostics> diagnostics_{*this};
   std::vector<Counted> counted_;
   ViewState view_;
   TrafficTable table_;

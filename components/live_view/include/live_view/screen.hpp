@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "foundation/free_space.hpp"
 #include "foundation/freshness.hpp"
 #include "live_view/traffic_table.hpp"
 #include "terminal/screen.hpp"
@@ -25,8 +26,15 @@ struct Place {
   double y_m = 0;
 };
 
+/// Room on the disk of the run folder of this host.
+struct Disk {
+  double free_mib = 0;
+  [[nodiscard]] bool is_full() const { return free_mib * 1024 * 1024 < full_below_bytes; }
+};
+
 /// All that the view shows, as it was last heard.
 struct ViewState {
+  std::optional<Heard<Disk>> disk;
   std::optional<Heard<tocsin_msgs::msg::SafetyStatus>> safety;
   std::optional<Heard<tocsin_msgs::msg::MissionStatus>> mission;
   std::optional<Heard<Place>> location;

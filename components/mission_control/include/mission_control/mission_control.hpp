@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,20 +12,10 @@
 
 namespace tocsin {
 
-/// A goal's id tells which waypoint of which mission it is, and grows with the wall clock, so that
-/// a mission control that was started anew learns from the vehicle's status where it was.
-struct GoalId {
-  std::uint64_t issued_ms = 0;  // wall time; 42 bits reach to the year 2109
-  std::uint32_t mission = 0;    // 10 bits, a checksum of the mission
-  std::uint32_t waypoint = 0;   // 12 bits, from 0
-
-  [[nodiscard]] std::uint64_t packed() const {
-    return issued_ms << 22U | std::uint64_t{mission} << 12U | waypoint;
-  }
-  [[nodiscard]] static GoalId unpack(std::uint64_t id) {
-    return {id >> 22U, static_cast<std::uint32_t>(id >> 12U & 0x3ffU),
-            static_cast<std::uint32_t>(id & 0xfffU)};
-  }
+/// A goal as the vehicle's status names it.
+struct GoalName {
+  std::uint64_t mission = 0;
+  std::uint64_t id = 0;  // 0: none
 };
 
 /// Leads the vehicle through a mission: sends waypoint after waypoint as goals, and judges arrival
@@ -35,6 +26,12 @@ struct GoalId {
 /// it is repeated until the vehicle's status names it and is not "held". It carries the waypoints
 /// that follow, whose ids are its own plus 1, 2, ..., so that a vehicle that hears nothing drives
 /// on; its status then names a later one. Silence never aborts a mission.
+///
+/// A goal's id is its waypoint, from 1. The mission's identity is drawn (32 bits) and holds a
+/// checksum of the waypoints (32 bits), so that one that was started anew learns from the vehicle's
+/// status alone whether it drives this mission, and where it is. It is drawn again when the vehicle
+/// drives to a goal that was not sent by this mission control: the vehicle lets a mission that it
+/// has not seen take over, whatever numbers the goal before had.
 class MissionControl {
  public:
   struct Params {
@@ -65,7 +62,7 @@ class MissionControl {
   enum class State { waiting, running, done, aborted };
 
   struct Goal {
-    std::uint64_t id = 0;
+    GoalName name;
     std::uint32_t waypoint = 0;
     navigation::Pose2 pose;
     double tolerance_m = 0;
@@ -92,17 +89,16 @@ class MissionControl {
   };
 
   /// Throws ConfigError when the mission has no waypoint, or the goal's lifetime is not longer
-  /// than twice the repetition.
-  MissionControl(const Params& params, navigation::Mission mission);
+  /// than twice the repetition. `seed`: of what is drawn; another one for each start.
+  MissionControl(const Params& params, navigation::Mission mission, std::uint64_t seed);
 
   /// Where the vehicle is, map frame; one that is not finite is ignored.
   void on_location(const navigation::Pose2& location, Time now);
   /// The vehicle's navigator says what it does: `state` as in NavigationStatus.
-  void on_status(std::uint64_t goal_id, const std::string& state, Time now);
+  void on_status(const GoalName& goal, const std::string& state, Time now);
 
-  /// The goal to send now, if any. To be called a few times a second. `wall_ms` is the wall time
-  /// [ms since the Unix epoch].
-  [[nodiscard]] std::optional<Goal> update(Time now, std::uint64_t wall_ms);
+  /// The goal to send now, if any. To be called a few times a second.
+  [[nodiscard]] std::optional<Goal> update(Time now);
 
   [[nodiscard]] const navigation::Mission& mission() const { return mission_; }
   [[nodiscard]] Progress progress(Time now) const;
@@ -111,20 +107,28 @@ class MissionControl {
 
  private:
   void start_when_ready(Time now);
-  void resume_from(std::uint64_t goal_id);
+  void resume();
   void check_arrival(Time now);
   [[nodiscard]] bool has_gone_on() const;
   void arrive(bool by_location, Time now);
   void check_limits(Time now);
   void finish(State state, std::string reason, Time now);
   [[nodiscard]] bool is_due(Time now) const;
-  Goal issue(Time now, std::uint64_t wall_ms);
+  Goal issue(Time now);
+  [[nodiscard]] GoalName present() const { return {identity_, waypoint_ + std::uint64_t{1}}; }
+  [[nodiscard]] bool is_told_present() const;
+  [[nodiscard]] bool is_told_waypoint() const;
+  [[nodiscard]] bool was_taken_over() const;
+  void draw_identity();
   [[nodiscard]] std::vector<navigation::Pose2> waypoints_ahead() const;
   [[nodiscard]] double distance_m() const;
 
   Params params_;
   navigation::Mission mission_;
   std::uint32_t checksum_;
+  std::uint64_t seed_;
+  std::uint64_t identity_ = 0;
+  std::deque<std::uint64_t> own_;  // identities before it, the last ones
 
   State state_ = State::waiting;
   std::string reason_;
@@ -138,11 +142,10 @@ class MissionControl {
 
   std::optional<Time> first_heard_;
   std::optional<navigation::Pose2> location_;
-  std::uint64_t status_goal_ = 0;
+  GoalName told_;  // by the vehicle
   std::string status_;
   Time status_time_{};
-  std::uint64_t newest_id_ = 0;           // ever seen, own or reported
-  std::optional<std::uint64_t> goal_id_;  // of the present waypoint, once sent or told ahead
+  bool has_begun_ = false;  // a goal was sent, or taken on from an earlier mission control
   Time sent_{};
   std::optional<Time> blocked_since_;
 };

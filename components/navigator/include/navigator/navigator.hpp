@@ -51,6 +51,7 @@ class Navigator {
   enum class State { idle, driving, reached, blocked, held };
 
   struct Status {
+    std::uint64_t mission = 0;
     std::uint64_t goal_id = 0;
     State state = State::idle;
     double distance_m = 0;    // along the path to the goal, NaN: no path
@@ -81,7 +82,7 @@ class Navigator {
 
  private:
   struct Target {
-    std::uint64_t key;  // the goal's id, 0 for the way home
+    std::uint64_t key;  // the goal's number, 0 for the way home
     navigation::Pose2 pose;
     double tolerance_m;
   };
@@ -90,7 +91,7 @@ class Navigator {
   [[nodiscard]] const char* reason_to_hold(Time now) const;
   [[nodiscard]] bool is_link_lost(Time now) const;
   [[nodiscard]] bool stands_at_goal() const;
-  [[nodiscard]] std::uint64_t goal_id() const;
+  [[nodiscard]] Status status(State state, double distance_m, const char* reason) const;
   Output stand(State state, const navigation::Velocity& velocity, const char* reason);
   Output go_home(Time now, Duration dt);
   Output drive(const Target& target, Time now, Duration dt);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "emergency_stop_input/emergency_stop_input.hpp"
 #include "navigator/localiser_file.hpp"
 #include "navigator/navigator.hpp"
 #include "runtime/component.hpp"
@@ -53,7 +54,7 @@ class NavigatorComponent final : public Component {
 
   Input<topic::Odom> odom_{*this, Arrival::waits};
   OptionalInput<topic::Goal> goal_{*this};
-  Input<topic::EmergencyStop> emergency_stop_{*this};
+  EmergencyStopInput emergency_stop_{*this};
   Input<topic::Heartbeat> heartbeat_{*this};
   Output<topic::CmdVelNavigation> cmd_vel_{*this};
   Output<topic::Location> location_{*this};

@@ -20,12 +20,14 @@ class OperatorConsoleComponent final : public Component {
   struct Params {
     std::string order = "estop_status";
     double wait_s = 5;
+    bool direct = false;
     template <class Visitor>
     void visit(Visitor& v) {
       v("order", order,
         {"estop_on", "estop_off", "estop_status", "dock_start", "dock_cancel", "dock_status"},
         "what to do");
       v("wait_s", wait_s, {0.5, 600}, "[s] for an answer");
+      v("direct", direct, "the vehicle itself is told to stop when nobody at the station takes it");
     }
   };
   using Printer = std::function<void(const std::string& line)>;
@@ -36,14 +38,18 @@ class OperatorConsoleComponent final : public Component {
 
  private:
   void give(EmergencyStopOrder& order, Time now);
+  void hear(EmergencyStopOrder& order);
+  template <class Topic>
+  void say(Output<Topic>& output, bool pressed);
   void give(DockOrder& order, Time now);
   [[nodiscard]] bool due(Time now);
   void end(const Verdict& verdict);
 
-  Input<topic::EmergencyStop> kept_{*this};
+  Input<topic::EmergencyStopState> station_{*this};
   Input<topic::SafetyStatus> safety_{*this};
   Input<topic::DockingStatus> docking_{*this};
   Output<topic::EmergencyStopRequest> request_{*this};
+  std::optional<Output<topic::EmergencyStop>> direct_;
   Output<topic::DockingCommand> command_{*this};
 
   Params params_;

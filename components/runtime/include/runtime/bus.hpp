@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,11 +48,23 @@ struct Endpoint {
   TopicInfo topic;
   const TypeInfo* type;
   Writers writers = Writers::needed;
+  const char* user_data = "";  ///< "key=value;" of a writer, announced beside what its profile says
+};
+
+/// A writer that a subscription hears now.
+struct WriterInfo {
+  std::string name;       ///< of its participant, as discovery tools show it; not unique
+  std::string user_data;  ///< all that it announces
 };
 
 /// Subscribed as long as it lives. Destroying it waits for a running `receive`.
 struct Subscription {
   virtual ~Subscription() = default;
+  /// The writer with this `Sample::source`; empty when it is gone: closed, or its process was not
+  /// heard for the lease of its participant (5 s on a host, 60 s over the link). Thread-safe.
+  [[nodiscard]] virtual std::optional<WriterInfo> writer(std::uint64_t /*source*/) const {
+    return {};
+  }
 };
 
 /// The writing end of a topic.

@@ -31,6 +31,8 @@ class InputPort : private Receiver {
   [[nodiscard]] std::shared_ptr<const void> take_message();  ///< null when there is none
   /// Any thread.
   [[nodiscard]] PortHealth health() const;
+  /// Who wrote a sample with this source, see Subscription::writer. The component's thread only.
+  [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const;
   /// For the container: unsubscribes and forgets what waits, or subscribes again as a late joiner.
   void listen(bool on);
 
@@ -88,8 +90,10 @@ template <class Topic>
 class Output {
  public:
   using Message = typename Topic::Message;
-  explicit Output(Component& owner)
-      : publication_(owner.bus().advertise({Topic::info, &type_info<Message>()})) {}
+  /// `user_data`: see Endpoint; all outputs of a process to one topic must have the same.
+  explicit Output(Component& owner, const char* user_data = "")
+      : publication_(owner.bus().advertise(
+            {Topic::info, &type_info<Message>(), Writers::needed, user_data})) {}
 
   /// Never blocks on the network. Readers in this process get the very object, unserialised.
   Status write(Message message) {

@@ -42,25 +42,44 @@ class SimBus : public Bus {
   void run_until(Time end);
   void run_for(Duration duration) { run_until(now_ + duration); }
 
-  /// Delivers a message as if another component had written it.
+  /// Delivers a message as if another component had written it, which is always there.
   template <class Topic>
   void publish(typename Topic::Message message) {
     deliver({Topic::info, &type_info<typename Topic::Message>()},
-            std::make_shared<const typename Topic::Message>(std::move(message)));
+            std::make_shared<const typename Topic::Message>(std::move(message)), anybody);
   }
 
  private:
   class Topic;
   class Writer;
-  void deliver(const Endpoint& endpoint, const std::shared_ptr<const void>& message);
+  static constexpr std::uint64_t anybody = 1;
+  void deliver(const Endpoint& endpoint, const std::shared_ptr<const void>& message,
+               std::uint64_t source);
   Topic& topic(const Endpoint& endpoint);
   void tick_all_due();
   [[nodiscard]] Time next_deadline() const;
 
   Time now_;
   bool gate_open_ = true;
+  std::uint64_t last_source_ = anybody;
   std::map<std::string, std::unique_ptr<Topic>> topics_;
   std::vector<Component*> components_;
+};
+
+/// A writer of its own, as of another process; gone when this is destroyed. `data`: its user data.
+template <class Topic>
+class SimWriter {
+ public:
+  explicit SimWriter(SimBus& bus, const char* data = "")
+      : end_{Topic::info, &type_info<typename Topic::Message>(), Writers::needed, data},
+        publication_(bus.advertise(end_)) {}
+  Status write(typename Topic::Message message) {
+    return publication_->write(std::make_shared<const typename Topic::Message>(std::move(message)));
+  }
+
+ private:
+  const Endpoint end_;
+  const std::unique_ptr<Publication> publication_;
 };
 
 /// Collects what is written to a topic.

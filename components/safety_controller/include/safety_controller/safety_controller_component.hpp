@@ -3,10 +3,12 @@
 
 #include <optional>
 
+#include "emergency_stop_input/emergency_stop_input.hpp"
 #include "kobuki_idl/topics.hpp"
 #include "motion/safety_controller.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
+#include "safety_controller/stop_file.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -22,6 +24,7 @@ class SafetyControllerComponent final : public Component {
  private:
   void take_state_at_start(Time now);
   void take_events(Time now);
+  void take_emergency_stop();
   void send(const motion::BodyVelocity& velocity);
   void report(Time now);
 
@@ -29,7 +32,7 @@ class SafetyControllerComponent final : public Component {
   Input<topic::BumperEvents> bumper_{*this};
   Input<topic::CliffEvents> cliff_{*this};
   Input<topic::WheelDropEvents> wheel_drop_{*this};
-  Input<topic::EmergencyStop> emergency_stop_{*this};
+  EmergencyStopInput emergency_stop_{*this};
   OptionalInput<topic::SafetyEnable> enable_{*this};
   /// Until the first sample: what is pressed already makes no event. Fifty a second is too many
   /// for longer.
@@ -37,6 +40,7 @@ class SafetyControllerComponent final : public Component {
   Output<topic::CmdVel> cmd_vel_{*this};
   Output<topic::SafetyStatus> status_{*this};
 
+  StopFile file_;
   motion::SafetyController controller_;
   motion::Hazards hazards_;
   std::optional<topic::SafetyStatus::Message> reported_;

@@ -24,8 +24,9 @@ struct TopicEnd {
   const TypeInfo* type = nullptr;
   double lifespan_s = 0;  ///< infinity: none
   bool reliable = false;
-  bool pausable = false;  ///< its gate can close
-  bool drops = false;     ///< and then its samples are dropped
+  bool pausable = false;       ///< its gate can close
+  bool drops = false;          ///< and then its samples are dropped
+  std::string user_data = "";  ///< that its writers announce
 };
 
 /// A sample that a component wrote. Its readers on the same host have it already. A component need

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "emergency_stop_input/emergency_stop_input.hpp"
 #include "motion/velocity_mux.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
@@ -41,7 +42,7 @@ class VelocityMuxComponent final : public Component {
   void report_active();
   void report_inputs();
 
-  Input<topic::EmergencyStop> emergency_stop_{*this};
+  EmergencyStopInput emergency_stop_{*this};
   OptionalInput<topic::MuxSetInputs> set_inputs_{*this};
   Output<topic::CmdVelSelected> selected_{*this};
   Output<topic::MuxActive> active_{*this};

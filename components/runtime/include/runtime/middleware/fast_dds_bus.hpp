@@ -11,11 +11,11 @@ namespace tocsin {
 
 /// What one process needs to join the two DDS domains of its side.
 struct BusOptions {
-  std::string name;           ///< participant name, shown by discovery tools
-  std::string role;           ///< uxv or gcs: which rules of traffic.yaml hold
-  std::string ros_namespace;  ///< of all topics; empty for none
-  std::string qos_file;
-  std::string traffic_file;
+  std::string name;                     ///< participant name, shown by discovery tools
+  std::string role;                     ///< uxv or gcs: which rules of traffic.yaml hold
+  std::string ros_namespace;            ///< of all topics; empty for none
+  std::string qos_file;                 ///< empty: the profiles that are built in
+  std::string traffic_file;             ///< empty: nothing is ever paused
   int host_domain = 0;                  ///< [0, 231] of topics that stay on this host
   int link_domain = 1;                  ///< [0, 231] of topics that cross the radio
   std::string link_address;             ///< own IPv4 on the link; empty: no link

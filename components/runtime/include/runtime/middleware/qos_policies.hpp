@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "idl_support/topic_info.hpp"
+
 namespace tocsin {
 
 /// What a writer offers and a reader requests: the policies that decide whether they match.
@@ -147,6 +149,11 @@ struct QosProfile : QosContract, QosHistory, QosTiming, QosDelivery {
     QosDelivery::visit(v);
   }
 };
+
+/// What the readers of a topic request whose writers offer `offered`: the same, or nothing at all,
+/// see Requests. Readers that request nothing keep 16 samples, so that one writer's sample does not
+/// push out another's before it is taken.
+[[nodiscard]] QosProfile requested(const TopicInfo& topic, QosProfile offered);
 
 /// Names of the policies by which a reader that requests `requested` will not match a writer that
 /// offers `offered`: DDS's rules, which all vendors follow. Empty when they match.

@@ -37,6 +37,8 @@ struct TopicOverride {
 /// may `extends` others, key by key; a bare name that is not beside it is a file of share/config.
 class QosProfiles {
  public:
+  /// Without a file: the profiles of the shipped config/qos.yaml, in every partition.
+  QosProfiles();
   /// Reads a file such as config/qos.yaml. Throws ConfigError with file and line.
   explicit QosProfiles(const std::string& path);
   /// The profile with the overrides of `topic`. Throws ConfigError naming the topic when the

@@ -23,6 +23,8 @@ struct TrafficRule {
 /// not beside it is a file of share/config.
 class TrafficRules {
  public:
+  /// Without a file: everything is in no class and never paused.
+  TrafficRules() = default;
   /// Throws ConfigError with file and line: unreadable file, unknown role or key, a topic named
   /// twice.
   TrafficRules(const std::string& path, const std::string& role);
@@ -32,7 +34,7 @@ class TrafficRules {
   [[nodiscard]] const std::map<std::string, TrafficRule>& all() const { return rules_; }
 
  private:
-  std::string path_;
+  std::string path_;  ///< empty: without a file
   std::string role_;
   std::map<std::string, TrafficRule> rules_;
 };
