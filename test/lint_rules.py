@@ -75,10 +75,18 @@ def check_versions():
             report(xml, 1, f"version {version} is not {newest}, the newest of CHANGELOG.md")
 
 
+def check_yaml():
+    for file in tracked("components/*/src/*.cpp", "components/*/include/*.hpp"):
+        for number, line in enumerate(file.read_text().split("\n"), 1):
+            if "YAML::Load" in line and file.name != "yaml_sources.cpp":
+                report(file, number, "reads YAML without limits; use foundation's yaml_sources.hpp")
+
+
 check_licence()
 check_versions()
 check_length()
 check_dependencies()
 check_units()
+check_yaml()
 print("\n".join(broken) or "house rules: kept")
 sys.exit(1 if broken else 0)

@@ -57,7 +57,7 @@ std::size_t print(const std::vector<Finding>& findings, Severity severity, const
   std::size_t count = 0;
   for (const Finding& finding : findings) {
     if (finding.severity != severity) continue;
-    std::fprintf(stderr, "%s: %s\n", word, finding.text.c_str());
+    std::fprintf(stderr, "%s: %s\n", word, error_line(finding.text).c_str());
     ++count;
   }
   return count;

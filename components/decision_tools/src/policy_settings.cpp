@@ -78,11 +78,8 @@ YAML::Node setting_of(const std::vector<std::string>& all) {
     if (equals == std::string::npos || equals == 0) {
       throw ConfigError("--set: '" + printable(one) + "' must be key=value");
     }
-    try {
-      values[one.substr(0, equals)] = YAML::Load(one.substr(equals + 1));
-    } catch (const YAML::Exception&) {
-      throw ConfigError("--set: '" + printable(one) + "' has a value that is not YAML");
-    }
+    values[one.substr(0, equals)] =
+        read_yaml_text(one.substr(equals + 1), "--set " + printable(one));
   }
   return values;
 }

@@ -83,7 +83,7 @@ TEST(PolicySettings, NameTheSourceOfEveryMistake) {
   EXPECT_THAT(error_of({{}, "", {"alpha=-1"}, ""}), HasSubstr("--set"));
   EXPECT_THAT(error_of({{}, "", {"alfa=1"}, ""}), HasSubstr("policy.alfa"));
   EXPECT_THAT(error_of({{}, "", {"alpha"}, ""}), HasSubstr("must be key=value"));
-  EXPECT_THAT(error_of({{}, "", {"alpha=[1"}, ""}), HasSubstr("not YAML"));
+  EXPECT_THAT(error_of({{}, "", {"alpha=[1"}, ""}), HasSubstr("not valid YAML"));
   EXPECT_THAT(error_of({{}, "/nonexistent.yaml", {}, ""}), HasSubstr("/nonexistent.yaml"));
 }
 

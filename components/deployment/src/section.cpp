@@ -4,21 +4,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <set>
 
 #include "foundation/error.hpp"
+#include "foundation/names.hpp"
+#include "foundation/printable.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::deployment {
 namespace {
-
-bool is_name(const std::string& text) {
-  const auto allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-  };
-  return !text.empty() && text[0] >= 'a' && text[0] <= 'z' &&
-         std::all_of(text.begin(), text.end(), allowed);
-}
 
 bool is_relative_path(const std::string& text) {
   return text.rfind("./", 0) == 0 || text.rfind("../", 0) == 0;
@@ -34,7 +27,7 @@ std::string replaced(const std::string& text, const YAML::Node& node, const Yaml
     const std::string name = text.substr(at + 2, end == std::string::npos ? end : end - at - 2);
     const auto found = variables.find(name);
     if (end == std::string::npos || found == variables.end()) {
-      throw ConfigError("'" + text + "': unknown variable '" + name +
+      throw ConfigError("'" + printable(text) + "': unknown variable '" + printable(name) +
                         "'; allowed: ${run_dir}, ${seed}, ${share}" + yaml_place(sources, node));
     }
     result += text.substr(from, at - from) + found->second;
@@ -60,13 +53,6 @@ Section::Section(const YAML::Node& node, std::string owner, const YamlSources& s
   if (!node_.IsMap()) {
     throw ConfigError(owner_ + ": must be a map" + yaml_place(sources_, node_));
   }
-  std::set<std::string> seen;
-  for (const auto& entry : node_) {
-    if (!seen.insert(entry.first.Scalar()).second) {
-      throw ConfigError(owner_ + "." + entry.first.Scalar() + ": given twice" +
-                        yaml_place(sources_, entry.first));
-    }
-  }
 }
 
 Section::Section(const YAML::Node& node, std::string owner, const YamlSources& sources,
@@ -75,7 +61,7 @@ Section::Section(const YAML::Node& node, std::string owner, const YamlSources& s
   for (const auto& entry : node_) {
     const std::string key = entry.first.Scalar();
     if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
-    throw ConfigError(owner_ + "." + key + ": unknown key; allowed: [" + joined(allowed) + "]" +
+    throw ConfigError(owner_ + "." + printable(key) + ": unknown key; allowed: [" + joined(allowed) + "]" +
                       yaml_place(sources_, entry.first));
   }
 }
@@ -112,7 +98,7 @@ std::string Section::file(const std::string& key, Named named) const {
   if (value.empty()) return value;
   std::string path = sources_.path(find(key), value);
   const bool must_be_there = named == Named::must_be_readable;
-  if (must_be_there && !std::ifstream(path)) fail(key, "'" + path + "' cannot be read");
+  if (must_be_there && !std::ifstream(path)) fail(key, "'" + printable(path) + "' cannot be read");
   return path;
 }
 
@@ -120,7 +106,7 @@ int Section::whole(const std::string& key, int fallback, int min, int max) const
   const std::string value = text(key, std::to_string(fallback));
   int read = 0;
   if (!YAML::convert<int>::decode(YAML::Node(value), read)) {
-    fail(key, "'" + value + "' is not a whole number");
+    fail(key, "'" + printable(value) + "' is not a whole number");
   }
   if (read < min || read > max) {
     fail(key, value + " is outside [" + std::to_string(min) + ", " + std::to_string(max) + "]");
@@ -132,7 +118,7 @@ bool Section::flag(const std::string& key, bool fallback) const {
   const std::string value = text(key, fallback ? "true" : "false");
   bool read = false;
   if (!YAML::convert<bool>::decode(YAML::Node(value), read)) {
-    fail(key, "'" + value + "' is neither true nor false");
+    fail(key, "'" + printable(value) + "' is neither true nor false");
   }
   return read;
 }
@@ -164,7 +150,7 @@ std::string joined(const std::vector<std::string>& words) {
 void check_name(const std::string& name, const std::string& what, const YAML::Node& node,
                 const YamlSources& sources) {
   if (is_name(name)) return;
-  throw ConfigError(what + ": '" + name + "' is not a name (lower-case letters, digits, '_')" +
+  throw ConfigError(what + ": '" + printable(name) + "' is not a name (" + name_rule + ")" +
                     yaml_place(sources, node));
 }
 

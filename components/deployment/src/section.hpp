@@ -26,7 +26,7 @@ enum class Named { must_be_readable, may_be_gone };
 /// allowed, and file:line.
 class Section {
  public:
-  /// Throws when `node` is not a map, names a key twice, or one that is not in `allowed`.
+  /// Throws when `node` is not a map, or has a key that is not in `allowed`.
   /// `sources` must outlive the section.
   Section(const YAML::Node& node, std::string owner, const YamlSources& sources,
           const std::vector<std::string>& allowed);

@@ -105,8 +105,8 @@ TEST_F(DeploymentTest, AnUnknownKeyNamesAllKeysOnceAndComesBeforeWhatIsMissing) 
 
 TEST_F(DeploymentTest, RejectsAKeyThatIsGivenTwice) {
   EXPECT_THAT(error_of(with(whole, "domain: 40", "domain: 40\ndomain: 41")),
-              HasSubstr("deployment.domain: given twice"));
-  EXPECT_THAT(error_of(with(whole, "  gcs:", "  uxv:")), HasSubstr("hosts.uxv: given twice"));
+              HasSubstr("key 'domain' is given twice"));
+  EXPECT_THAT(error_of(with(whole, "  gcs:", "  uxv:")), HasSubstr("key 'uxv' is given twice"));
 }
 
 TEST_F(DeploymentTest, RejectsDuplicateNames) {

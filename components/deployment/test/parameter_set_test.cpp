@@ -112,7 +112,7 @@ TEST_F(ParameterSetTest, RejectsFilesOfTheWrongForm) {
   write("a.yaml", "[driver]");
   EXPECT_THAT(error(), HasSubstr("parameters: must be a map"));
   write("a.yaml", "driver: {a: 1, a: 2}");
-  EXPECT_THAT(error(), HasSubstr("driver.a: given twice"));
+  EXPECT_THAT(error(), HasSubstr("key 'a' is given twice"));
   write("a.yaml", "driver:");
   EXPECT_EQ(error(), "no error");
 }

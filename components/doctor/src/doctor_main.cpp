@@ -11,6 +11,7 @@
 #include "command_line/bringup_options.hpp"
 #include "command_line/command.hpp"
 #include "domain_ports.hpp"
+#include "foundation/error.hpp"
 #include "interfaces.hpp"
 #include "leftovers.hpp"
 #include "limits.hpp"
@@ -69,8 +70,8 @@ int print(const Advices& advices) {
       {Verdict::good, "ok"}, {Verdict::unknown, "?"}, {Verdict::bad, "BAD"}};
   int bad = 0;
   for (const Advice& advice : advices) {
-    std::printf("%-4s %s\n", words.at(advice.verdict), advice.text.c_str());
-    if (!advice.remedy.empty()) std::printf("       -> %s\n", advice.remedy.c_str());
+    std::printf("%-4s %s\n", words.at(advice.verdict), error_line(advice.text).c_str());
+    if (!advice.remedy.empty()) std::printf("       -> %s\n", error_line(advice.remedy).c_str());
     bad += advice.verdict == Verdict::bad ? 1 : 0;
   }
   std::printf("%zu looked at, %d bad\n", advices.size(), bad);

@@ -175,11 +175,7 @@ Experiment load_experiment(const std::string& path) {
 }
 
 Experiment parse_experiment(const std::string& text, const std::string& path) {
-  try {
-    return read(Reader(path, YAML::Load(text)), path);
-  } catch (const YAML::ParserException& error) {
-    throw ConfigError(path + ": " + error.what());
-  }
+  return read(Reader(path, read_yaml_text(text, path)), path);
 }
 
 }  // namespace tocsin::experiment

@@ -59,7 +59,7 @@ std::vector<std::string> settings_for(const Fitted& fitted, const std::string& m
 Fitted load_fitted(const std::string& path) { return read(read_yaml_file(path), path); }
 
 Fitted parse_fitted(const std::string& text, const std::string& path) {
-  return read(YAML::Load(text), path);
+  return read(read_yaml_text(text, path), path);
 }
 std::string fitted_text(const Fitted& fitted, const std::string& comment) {
   std::string text = "# SPDX-License-Identifier: Apache-2.0\n";

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "foundation/error.hpp"
+#include "foundation/printable.hpp"
 #include "foundation/replace_file.hpp"
 
 namespace tocsin::experiment {
@@ -61,13 +62,6 @@ std::string with_earlier(const std::string& settings, const Builds& before) {
   return text;
 }
 
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string head() {
   std::string text = "number,set,mission,channel,payload,policy,index,seed,failure,seconds";
   for (const MetricText& metric : metric_texts()) text += std::string(",") + metric.name;
@@ -78,7 +72,7 @@ std::string row(const Run& run, const RunResult& result) {
   std::ostringstream text;
   text << run.number << ',' << run.set << ',' << run.mission.name << ',' << run.channel.name << ','
        << run.payload.name << ',' << run.policy.name << ',' << run.index << ',' << run.seed << ','
-       << cell(result.failure) << ',' << result.simulated_s;
+       << csv_cell(result.failure) << ',' << result.simulated_s;
   for (std::size_t i = 0; i < metric_texts().size(); ++i) {
     text << ',';
     if (i < result.measures.values.size() && !std::isnan(result.measures.values[i])) {

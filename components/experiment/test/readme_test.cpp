@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sstream>
+
 #include "experiment/experiment_file.hpp"
 #include "foundation/parameters.hpp"
 #include "toy.hpp"

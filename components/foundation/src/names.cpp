@@ -7,6 +7,12 @@
 #include "foundation/printable.hpp"
 
 namespace tocsin {
+
+bool is_name(std::string_view text) {
+  const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  return !text.empty() && letter(text.front()) && std::all_of(text.begin(), text.end(), allowed);
+}
 namespace {
 
 std::string listed(const std::vector<std::string>& texts) {

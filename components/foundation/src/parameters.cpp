@@ -1,39 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foundation/parameters.hpp"
 
+#include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
 #include <set>
-#include <sstream>
 
 #include "foundation/error.hpp"
+#include "foundation/printable.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin {
 namespace {
 
-std::string number_text(double value) {
-  std::ostringstream out;
-  out.precision(10);
-  out << value;
-  return out.str();
-}
-
 std::string range_text(Range range) {
-  return "[" + number_text(range.min) + ", " + number_text(range.max) + "]";
+  return "[" + shortest_text(range.min) + ", " + shortest_text(range.max) + "]";
 }
 
-std::string choices_text(Choices allowed) {
-  std::string text;
-  for (const char* word : allowed) text += (text.empty() ? "" : ", ") + std::string(word);
-  return text;
-}
+std::string choices_text(Choices allowed) { return fmt::to_string(fmt::join(allowed, ", ")); }
 
 std::string list_text(const std::vector<std::string>& items) {
-  std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
-  return "[" + text + "]";
+  return "[" + fmt::to_string(fmt::join(items, ", ")) + "]";
+}
+
+std::string quoted(const YAML::Node& node) {
+  return "'" + (node.IsScalar() ? printable(node.Scalar()) : "(not a scalar)") + "'";
 }
 
 bool inside(double value, Range range) { return value >= range.min && value <= range.max; }
@@ -79,16 +71,16 @@ void ParameterLoader::operator()(const char* name, double& value, Range range, c
   if (!found.IsDefined()) return;
   double read = NAN;
   if (!found.IsScalar() || !YAML::convert<double>::decode(found, read)) {
-    fail(name, "'" + (found.IsScalar() ? found.Scalar() : "(not a scalar)") + "' is not a number");
+    fail(name, quoted(found) + " is not a number");
   }
-  if (!inside(read, range)) fail(name, number_text(read) + " is outside " + range_text(range));
+  if (!inside(read, range)) fail(name, shortest_text(read) + " is outside " + range_text(range));
   value = read;
 }
 
 void ParameterLoader::operator()(const char* name, int& value, Range range, const char* text) {
   double read = value;
   (*this)(name, read, range, text);
-  if (read != std::floor(read)) fail(name, number_text(read) + " is not a whole number");
+  if (read != std::floor(read)) fail(name, shortest_text(read) + " is not a whole number");
   value = static_cast<int>(read);
 }
 
@@ -96,8 +88,7 @@ void ParameterLoader::operator()(const char* name, bool& value, const char*) {
   const YAML::Node found = state_->find(name);
   if (!found.IsDefined()) return;
   if (!found.IsScalar() || !YAML::convert<bool>::decode(found, value)) {
-    fail(name, "'" + (found.IsScalar() ? found.Scalar() : "(not a scalar)") +
-                   "' is neither true nor false");
+    fail(name, quoted(found) + " is neither true nor false");
   }
 }
 
@@ -114,7 +105,7 @@ void ParameterLoader::operator()(const char* name, std::string& value, Choices a
   for (const char* word : allowed) {
     if (value == word) return;
   }
-  fail(name, "'" + value + "' is not one of: " + choices_text(allowed));
+  fail(name, "'" + printable(value) + "' is not one of: " + choices_text(allowed));
 }
 
 void ParameterLoader::operator()(const char* name, std::vector<double>& value, Range range,
@@ -129,7 +120,7 @@ void ParameterLoader::operator()(const char* name, std::vector<double>& value, R
       fail(name, "has an element that is not a number");
     }
     if (!inside(number, range))
-      fail(name, number_text(number) + " is outside " + range_text(range));
+      fail(name, shortest_text(number) + " is outside " + range_text(range));
     read.push_back(number);
   }
   value = std::move(read);
@@ -181,7 +172,7 @@ void ParameterPrinter::line(const char* name, const std::string& value, const st
 
 void ParameterPrinter::operator()(const char* name, const double& value, Range range,
                                   const char* text) {
-  line(name, number_text(value), "range " + range_text(range), text);
+  line(name, shortest_text(value), "range " + range_text(range), text);
 }
 
 void ParameterPrinter::operator()(const char* name, const int& value, Range range,
@@ -205,7 +196,7 @@ void ParameterPrinter::operator()(const char* name, const std::string& value, Ch
 void ParameterPrinter::operator()(const char* name, const std::vector<double>& value, Range range,
                                   const char* text) {
   std::vector<std::string> items;
-  for (const double number : value) items.push_back(number_text(number));
+  for (const double number : value) items.push_back(shortest_text(number));
   line(name, list_text(items), "each in " + range_text(range), text);
 }
 

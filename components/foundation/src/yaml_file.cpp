@@ -5,6 +5,10 @@ namespace tocsin {
 
 YAML::Node read_yaml_file(const std::string& path) { return YamlSources().read(path); }
 
+YAML::Node read_yaml_text(const std::string& text, const std::string& name) {
+  return YamlSources().parse(text, name);
+}
+
 std::string yaml_place(const YamlSources& sources, const YAML::Node& node) {
   return " (" + sources.place(node) + ")";
 }

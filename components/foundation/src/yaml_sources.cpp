@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "foundation/error.hpp"
+#include "foundation/read_file.hpp"
+#include "yaml_limits.hpp"
 
 namespace tocsin {
 namespace {
@@ -20,12 +20,9 @@ const std::string byte_order_mark = "\xEF\xBB\xBF";
 YamlSources::YamlSources(std::string file) : sources_{{std::move(file), 0, true}} {}
 
 YAML::Node YamlSources::read(const std::string& path, const std::string& copy) {
-  std::ifstream file(copy.empty() ? path : copy);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf()).good()) {
-    throw ConfigError(path + ": cannot be read, or is empty");
-  }
-  return add(text.str(), {path, next_line_, true});
+  const std::string text = read_file(copy.empty() ? path : copy, longest_yaml);
+  if (text.empty()) throw ConfigError(path + ": is empty");
+  return add(text, {path, next_line_, true});
 }
 
 YAML::Node YamlSources::parse(const std::string& text, const std::string& name) {
@@ -33,20 +30,15 @@ YAML::Node YamlSources::parse(const std::string& text, const std::string& name) 
 }
 
 YAML::Node YamlSources::add(const std::string& text, Source source) {
+  check_yaml(text, {source.name, source.is_file});
   const bool marked = text.rfind(byte_order_mark, 0) == 0;
   std::string numbered(static_cast<std::size_t>(source.first_line), '\n');  // moves every mark
   numbered += text.substr(marked ? byte_order_mark.size() : 0);
   if (numbered.empty() || numbered.back() != '\n') numbered += '\n';  // what follows is not in it
-  try {
-    const YAML::Node root = YAML::Load(numbered);
-    next_line_ = static_cast<int>(std::count(numbered.begin(), numbered.end(), '\n')) + 1;
-    sources_.push_back(std::move(source));
-    return root;
-  } catch (const YAML::ParserException& error) {
-    const int line = error.mark.line + 1 - source.first_line;
-    throw ConfigError(source.name + (source.is_file ? ":" + std::to_string(line) : "") +
-                      ": not valid YAML: " + error.msg);
-  }
+  const YAML::Node root = YAML::Load(numbered);
+  next_line_ = static_cast<int>(std::count(numbered.begin(), numbered.end(), '\n')) + 1;
+  sources_.push_back(std::move(source));
+  return root;
 }
 
 const YamlSources::Source& YamlSources::source_of(const YAML::Node& node) const {

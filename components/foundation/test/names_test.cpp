@@ -73,5 +73,16 @@ TEST(WithoutSlash, TakesTheNameAsRosPrintsIt) {
   EXPECT_EQ(without_slash("/"), "");
 }
 
+TEST(Name, IsALowerCaseWordWithDigitsAndUnderscores) {
+  for (const char* name : {"a", "kobuki_driver", "wlan0", "a__b_"}) EXPECT_TRUE(is_name(name));
+}
+
+TEST(Name, IsNoPathAndNoOtherText) {
+  for (const char* text :
+       {"", "../a", "a/b", "a.b", "A", "0a", "_a", "a-b", "a b", "a\n", "\xc3\xa4"}) {
+    EXPECT_FALSE(is_name(text)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace tocsin

@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "foundation/error.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -62,6 +64,13 @@ TEST(Printable, MakesNothingOfATextThatIsPrintableAlready) {
     ASSERT_EQ(printable(once, 1000), once);
     for (const char c : once) ASSERT_TRUE(static_cast<unsigned char>(c) >= ' ') << once;
   }
+}
+
+TEST(ErrorText, IsOneLineWhateverItQuotes) {
+  EXPECT_STREQ(ConfigError("f.yaml: 'a\x1b[2J\n' is wrong").what(),
+               "f.yaml: 'a\\x1b[2J\\n' is wrong");
+  EXPECT_STREQ(EnvironmentError("wlan0\n").what(), "wlan0\\n");
+  EXPECT_LT(std::string(ConfigError(std::string(1U << 20U, 'a')).what()).size(), 5000U);
 }
 
 TEST(CsvCell, QuotesAsRfc4180) {

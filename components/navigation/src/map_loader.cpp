@@ -6,16 +6,17 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "foundation/error.hpp"
 #include "foundation/file_cache.hpp"
 #include "foundation/parameters.hpp"
+#include "foundation/read_file.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::navigation {
 namespace {
+
+constexpr std::size_t longest_image = std::size_t{1} << 27U;  // [byte]
 
 struct MapFile {
   std::string image;
@@ -36,15 +37,6 @@ struct MapFile {
     v("free_thresh", free_thresh, {0, 1}, "[1] less black is free");
   }
 };
-
-std::string read_bytes(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  if (!file || !(bytes << file.rdbuf()).good()) {
-    throw ConfigError(path + ": cannot be read, or is empty");
-  }
-  return bytes.str();
-}
 
 void require(const YAML::Node& node, const char* key, const std::string& path) {
   if (!node[key]) throw ConfigError("map." + std::string(key) + ": missing (" + path + ")");
@@ -99,7 +91,7 @@ OccupancyMap read_map(const std::string& yaml_path) {
   const MapFile file = read_map_file(yaml_path);
   const std::string image_path =
       (std::filesystem::path(yaml_path).parent_path() / file.image).string();
-  return map_from_image(parse_pgm(read_bytes(image_path), image_path),
+  return map_from_image(parse_pgm(read_file(image_path, longest_image), image_path),
                         {file.resolution,
                          {file.origin[0], file.origin[1]},
                          file.negate == 1,

@@ -11,7 +11,7 @@ namespace tocsin::navigation {
 namespace {
 
 constexpr int max_side = 100'000;
-constexpr std::int64_t max_pixels = 100'000'000;
+constexpr std::int64_t max_pixels = 25'000'000;
 
 class PgmReader {
  public:
@@ -26,7 +26,7 @@ class PgmReader {
     image.height = header("height", max_side);
     image.max = header("maximum", 255);
     const std::int64_t count = std::int64_t{image.width} * image.height;
-    if (count > max_pixels) fail("has " + std::to_string(count) + " pixels, more than 100 million");
+    if (count > max_pixels) fail("has " + std::to_string(count) + " pixels, more than 25 million");
     image.pixels = magic == "P5" ? binary(static_cast<std::size_t>(count))
                                  : text(static_cast<std::size_t>(count), image.max);
     check(image);

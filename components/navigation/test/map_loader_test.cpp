@@ -58,7 +58,7 @@ TEST(Pgm, RefusesBadHeaders) {
   EXPECT_THAT(pgm_error("P5\n99999999999999999999 2\n255\n"), HasSubstr("width"));
   EXPECT_THAT(pgm_error("P5\n2"), HasSubstr("height"));
   EXPECT_THAT(pgm_error("P5\n# only a comment"), HasSubstr("width"));
-  EXPECT_THAT(pgm_error("P5 99999 99999 255\n"), HasSubstr("more than 100 million"));
+  EXPECT_THAT(pgm_error("P5 99999 99999 255\n"), HasSubstr("more than 25 million"));
 }
 
 TEST(Pgm, RefusesTruncatedData) {

@@ -18,6 +18,7 @@
 #include "command_line/programs.hpp"
 #include "deployment/resolved_copy.hpp"
 #include "foundation/error.hpp"
+#include "foundation/yaml_file.hpp"
 
 namespace tocsin {
 namespace {

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "foundation/error.hpp"
-#include "recorder/flat_message.hpp"
+#include "foundation/printable.hpp"
 
 namespace tocsin {
 namespace {
@@ -23,7 +23,7 @@ std::string row_of(const std::vector<std::string>& cells) {
   std::string row;
   for (const std::string& cell : cells) {
     if (&cell != &cells.front()) row += ',';
-    row += csv_cell(cell);
+    row += csv_cell(cell, cell.size());
   }
   return row + '\n';
 }

@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recorder/flat_message.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
+
+#include "foundation/printable.hpp"
 
 namespace tocsin {
 namespace {
 
-std::string number_text(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
-}
+constexpr std::size_t longest_text = 4096;  // [byte]
 
 std::string json_text(const std::string& text) {
   std::string quoted = "\"";
-  for (const char c : text) {
+  for (const char c : printable(text, longest_text)) {
     if (c == '"' || c == '\\') quoted += '\\';
-    quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    quoted += c;
   }
   return quoted + "\"";
 }
@@ -29,14 +25,14 @@ class Flattener : public FieldVisitor {
   std::vector<FlatField> fields;
 
   void number(const char* name, double value) override {
-    const std::string text = std::isfinite(value) ? number_text(value) : "";
+    const std::string text = std::isfinite(value) ? shortest_text(value) : "";
     leaf(name, text, text.empty() ? "null" : text);
   }
   void integer(const char* name, std::int64_t value) override {
     leaf(name, std::to_string(value), std::to_string(value));
   }
   void text(const char* name, const std::string& value) override {
-    leaf(name, value, json_text(value));
+    leaf(name, lists_ == 0 ? printable(value, longest_text) : "", json_text(value));
   }
   void bytes(const char* name, const std::uint8_t*, std::size_t size) override {
     leaf((std::string(name) + ".size").c_str(), std::to_string(size), std::to_string(size));
@@ -108,16 +104,6 @@ std::vector<FlatField> flatten(const TypeInfo& type, const void* message) {
   Flattener flattener;
   type.visit(message, flattener);
   return std::move(flattener.fields);
-}
-
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + "\"";
 }
 
 }  // namespace tocsin

@@ -70,11 +70,26 @@ TEST(FlatMessage, HasTheSameColumnsWhenListsAreEmpty) {
   EXPECT_EQ(columns(empty).at("topics"), "[]");
 }
 
-TEST(CsvCell, QuotesOnlyWhatNeedsIt) {
-  EXPECT_EQ(csv_cell("plain text"), "plain text");
-  EXPECT_EQ(csv_cell("a,b"), "\"a,b\"");
-  EXPECT_EQ(csv_cell("say \"x\""), "\"say \"\"x\"\"\"");
-  EXPECT_EQ(csv_cell("two\nlines"), "\"two\nlines\"");
+// What a peer sends must not reach the terminal of who looks at the file.
+TEST(FlatMessage, WritesTextsPrintableAndShort) {
+  tocsin_msgs::msg::TransmissionState message;
+  message.reason("one\n\x1b[2Jtwo\xff");
+  EXPECT_EQ(columns(message).at("reason"), "one\\n\\x1b[2Jtwo\\xff");
+  message.reason(std::string(std::size_t{1} << 20U, 'a'));
+  EXPECT_EQ(columns(message).at("reason"), std::string(4096, 'a') + "... (1048576 bytes)");
+}
+
+TEST(FlatMessage, WritesTextsInListsAsJsonThatReadsBackAsPrintable) {
+  tocsin_msgs::msg::TrafficReport message;
+  message.topics().resize(1);
+  message.topics()[0].topic("\x1b\"\xff");
+  EXPECT_EQ(columns(message).at("topics").substr(0, 29), R"([{"topic":"\\x1b\"\\xff","tra)");
+}
+
+TEST(FlatMessage, WritesHugeNumbersShort) {
+  tocsin_msgs::msg::Goal message;
+  message.x(1e308);
+  EXPECT_EQ(columns(message).at("x"), "1e+308");
 }
 
 }  // namespace

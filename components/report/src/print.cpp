@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/print.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
+
+#include "foundation/printable.hpp"
 
 namespace tocsin::report {
 namespace {
 
-__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
-  std::array<char, 256> line{};
-  va_list arguments;
-  va_start(arguments, pattern);
-  std::vsnprintf(line.data(), line.size(), pattern, arguments);
-  va_end(arguments);
-  return line.data();
-}
+constexpr std::size_t longest_name = 32;  // of what is recorded; the width of its column
+
+std::string name_text(const std::string& name) { return printable(name, longest_name); }
 
 /// A number in a column of seven, "-" when there is none.
 std::string cell(double value) {
-  if (!std::isfinite(value)) return format("%7s", "-");
-  return format(std::fabs(value) < 100 ? "%7.1f" : "%7.0f", value);
+  if (!std::isfinite(value)) return fmt::format("{:>7}", "-");
+  if (std::fabs(value) >= 1e6) return fmt::format("{:>7.0e}", value);
+  return fmt::format("{:>7.{}f}", value, std::fabs(value) < 100 ? 1 : 0);
 }
 
 std::string spread_cells(const Spread& spread, double factor) {
@@ -32,19 +29,18 @@ std::string spread_cells(const Spread& spread, double factor) {
 std::string mission_text(const Mission& mission) {
   if (mission.state.empty()) return "Mission   none was recorded\n";
   const int reached = mission.state == "done" ? mission.waypoints : mission.waypoint;
-  return format("Mission   %s: %s, %d of %d waypoints in %.1f s, %d goals sent\n",
-                mission.name.c_str(), mission.state.c_str(), reached, mission.waypoints,
-                mission.elapsed_s, mission.goals_sent);
+  return fmt::format("Mission   {}: {}, {} of {} waypoints in {} s, {} goals sent\n",
+                     name_text(mission.name), name_text(mission.state), reached, mission.waypoints,
+                     fixed_text(mission.elapsed_s, 1), mission.goals_sent);
 }
 
 std::string table_text(const char* title, const std::vector<Traffic>& rows) {
-  std::string text = format("\n%-32s%9s%7s%7s%14s%14s%9s\n%-32s%9s%7s%7s%14s%14s%9s\n", title,
-                            "received", "lost", "lost", "latency [ms]", "age [ms]", "kB/s", "", "",
-                            "", "%", "median    p99", "median    p99", "");
+  std::string text = fmt::format("\n{:<32}{:>9}{:>7}{:>7}{:>14}{:>14}{:>9}\n", title, "received",
+                                 "lost", "lost", "latency [ms]", "age [ms]", "kB/s");
+  text += fmt::format("{:<32}{:>9}{:>7}{:>7}{:>14}{:>14}{:>9}\n", "", "", "", "%", "median    p99",
+                      "median    p99", "");
   for (const Traffic& row : rows) {
-    text +=
-        format("%-32s%9llu%7llu", row.name.c_str(), static_cast<unsigned long long>(row.received),
-               static_cast<unsigned long long>(row.lost));
+    text += fmt::format("{:<32}{:>9}{:>7}", name_text(row.name), row.received, row.lost);
     text += cell(row.lost_percent()) + spread_cells(row.latency_s, 1000) +
             spread_cells(row.age_s, 1000) + "  " + cell(row.bytes_per_s / 1000) + "\n";
   }
@@ -69,35 +65,37 @@ const Traffic* find(const Summary& summary, const std::string& name) {
 
 std::string to_text(const Summary& summary) {
   std::string text = mission_text(summary.mission);
-  text += format("Policy    %s: %d pauses, %.1f s of %.1f s paused, the longest %.1f s\n",
-                 summary.policy.c_str(), summary.pauses, summary.paused_s, summary.length_s,
-                 summary.longest_pause_s);
-  text += format("Network   QNI median %.1f, lowest %.1f; PER median %.1f %%, p99 %.1f %%\n",
-                 summary.qni_median, summary.qni_min, summary.per_percent.median,
-                 summary.per_percent.p99);
-  text += format("Poor      %.1f s with a QNI below %.0f\n", summary.poor_s, poor_below_qni);
+  text += fmt::format("Policy    {}: {} pauses, {} s of {} s paused, the longest {} s\n",
+                      name_text(summary.policy), summary.pauses, fixed_text(summary.paused_s, 1),
+                      fixed_text(summary.length_s, 1), fixed_text(summary.longest_pause_s, 1));
+  text += fmt::format("Network   QNI median {}, lowest {}; PER median {} %, p99 {} %\n",
+                      fixed_text(summary.qni_median, 1), fixed_text(summary.qni_min, 1),
+                      fixed_text(summary.per_percent.median, 1),
+                      fixed_text(summary.per_percent.p99, 1));
+  text += fmt::format("Poor      {} s with a QNI below {}\n", fixed_text(summary.poor_s, 1),
+                      fixed_text(poor_below_qni, 0));
   return text + table_text("Class", summary.classes) + table_text("Topic", summary.topics);
 }
 
 std::string compare_text(const Summary& first, const Summary& second) {
   std::string text;
   for (const Summary* summary : {&first, &second}) {
-    text += format("%-10s", summary->policy.c_str()) + mission_text(summary->mission).substr(10);
+    text += fmt::format("{:<10}", name_text(summary->policy)) +
+            mission_text(summary->mission).substr(10);
   }
-  text += "\n";
   text +=
-      format("%-19s|%-37s|%s\n", "", (" " + first.policy).c_str(), (" " + second.policy).c_str());
+      fmt::format("\n{:<19}| {:<36}| {}\n", "", name_text(first.policy), name_text(second.policy));
   const char* heads = "latency [ms]      age [ms]   lost";
-  text += format("%-19s|  %s |  %s\n", "", heads, heads);
+  text += fmt::format("{:<19}|  {} |  {}\n", "", heads, heads);
   const char* columns = " median    p99 median    p99      %";
-  text += format("%-19s|%s  |%s\n", "", columns, columns);
+  text += fmt::format("{:<19}|{}  |{}\n", "", columns, columns);
   std::vector<std::string> names;
   for (const Traffic& traffic : first.classes) names.push_back(traffic.name);
   for (const Traffic& traffic : second.classes) {
     if (find(first, traffic.name) == nullptr) names.push_back(traffic.name);
   }
   for (const std::string& name : names) {
-    text += format("%-19s|", name.c_str()) + half_row(find(first, name)) + "  |" +
+    text += fmt::format("{:<19}|", name_text(name)) + half_row(find(first, name)) + "  |" +
             half_row(find(second, name)) + "\n";
   }
   return text;

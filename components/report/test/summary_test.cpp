@@ -54,6 +54,21 @@ TEST(Summary, CountsTrafficOfAClass) {
   EXPECT_NEAR(sut.bytes_per_s, 30, 1e-9);
 }
 
+// A recording is what peers sent.
+TEST(Summary, PrintsNamesPrintableAndNumbersShort) {
+  Summary summary = toy_summary();
+  summary.mission.name = "m\x1b[2J\n" + std::string(1000, 'a');
+  summary.mission.elapsed_s = 1e308;
+  summary.classes.front().name = "a\tb";
+  summary.classes.front().bytes_per_s = 1e308;
+  const std::string text = to_text(summary);
+  EXPECT_THAT(text, HasSubstr("Mission   m\\x1b[2J\\na"));
+  EXPECT_THAT(text, HasSubstr("a... (1006 bytes): "));
+  EXPECT_THAT(text, HasSubstr(" in 1.0e+308 s, "));
+  EXPECT_THAT(text, HasSubstr("\na\\tb    "));
+  EXPECT_THAT(text, HasSubstr("1e+305\n"));
+}
+
 TEST(Summary, AgesATopicUntilTheEndOfTheRun) {
   const Summary summary = toy_summary();
   EXPECT_NEAR(row(summary.classes, "uxv low").age_s.p99, 95, 0.2);

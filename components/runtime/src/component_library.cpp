@@ -5,58 +5,44 @@
 
 #include <fmt/format.h>
 
-#include <set>
-#include <vector>
+#include <map>
+#include <mutex>
 
 #include "command_line/programs.hpp"
 #include "foundation/error.hpp"
+#include "foundation/names.hpp"
+#include "foundation/printable.hpp"
 
 namespace tocsin {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path bin_folder() { return own_program().parent_path(); }
-
-std::vector<fs::path> candidates(const std::string& name) {
-  const fs::path bin = bin_folder();
-  const fs::path file = "lib/tocsin/lib" + name + ".so";
-  return {bin / ".." / file, bin / "../.." / name / file};
-}
-
-fs::path find(const std::string& name) {
-  for (const auto& path : candidates(name)) {
-    if (fs::exists(path)) return path;
+fs::path library_of(const std::string& name) {
+  if (!is_name(name)) {
+    throw ConfigError("component '" + printable(name) + "': is not a name (" + name_rule + ")");
   }
-  throw ConfigError("component '" + name + "': no library lib" + name +
-                    ".so is installed (searched " + candidates(name)[0].string() + " and " +
-                    candidates(name)[1].string() + ")");
-}
-
-/// Adds the names of lib<name>.so in `folder`.
-void add_components(const fs::path& folder, std::set<std::string>& names) {
-  std::error_code absent;
-  for (const fs::directory_entry& file : fs::directory_iterator(folder, absent)) {
-    const std::string stem = file.path().stem();
-    if (file.path().extension() == ".so" && stem.rfind("lib", 0) == 0) names.insert(stem.substr(3));
+  for (InstalledComponent& component : installed_components()) {
+    if (component.name == name) return std::move(component.library);
   }
+  throw ConfigError("component '" + name +
+                    "': no installed package has one of this name; see tocsin component types, and "
+                    "source the setup.bash of the workspace that has it");
 }
 
 }  // namespace
 
-std::vector<std::string> installed_components() {
-  std::set<std::string> names;
-  add_components(bin_folder() / "../lib/tocsin", names);
-  std::error_code absent;
-  for (const fs::directory_entry& package :
-       fs::directory_iterator(bin_folder() / "../..", absent)) {
-    add_components(package.path() / "lib/tocsin", names);
-  }
-  return {names.begin(), names.end()};
+std::vector<InstalledComponent> installed_components() {
+  return components_in(package_prefixes(prefix_paths(), own_program()));
 }
 
 const ComponentEntry& load_component(const std::string& name) {
-  return open_component(name, find(name));
+  static std::mutex mutex;
+  static std::map<std::string, const ComponentEntry*> loaded;
+  const std::lock_guard<std::mutex> lock(mutex);
+  const ComponentEntry*& entry = loaded[name];
+  if (entry == nullptr) entry = &open_component(name, library_of(name));
+  return *entry;
 }
 
 const ComponentEntry& open_component(const std::string& name, const fs::path& file) {

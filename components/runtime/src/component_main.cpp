@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // tocsin component types | info | list | load | unload | configure | activate | ...
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -11,6 +13,7 @@
 #include "container_client.hpp"
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
+#include "foundation/printable.hpp"
 #include "runtime/middleware/component_library.hpp"
 #include "runtime/middleware/host_bus.hpp"
 #include "settings.hpp"
@@ -30,7 +33,12 @@ struct Options {
 };
 
 int types() {
-  for (const std::string& name : installed_components()) std::printf("%s\n", name.c_str());
+  const auto components = installed_components();
+  std::size_t widest = 0;
+  for (const auto& one : components) widest = std::max(widest, one.name.size());
+  for (const auto& one : components) {
+    fmt::print("{:<{}}  {}\n", one.name, widest, printable(one.package));
+  }
   return 0;
 }
 
@@ -46,11 +54,12 @@ int info(const std::string& name) {
 }
 
 void print(const ContainerClient::State& state) {
-  std::printf("/%s/%s  process %d\n", state.host().c_str(), state.container().c_str(), state.pid());
+  fmt::print("/{}/{}  process {}\n", printable(state.host()), printable(state.container()),
+             state.pid());
   for (const auto& one : state.components()) {
     const std::string error = one.error().empty() ? "" : ": " + one.error();
-    std::printf("  %u  /%s  %s  %s%s\n", one.id(), one.name().c_str(), one.library().c_str(),
-                one.state().c_str(), error.c_str());
+    fmt::print("  {}  /{}  {}  {}{}\n", one.id(), printable(one.name()), printable(one.library()),
+               printable(one.state()), error_line(error));
   }
 }
 
@@ -111,7 +120,7 @@ int ask(const std::string& verb, Options& options) {
   if (verb == "load" || verb == "unload") {
     text += (verb == "load" ? " into container " : " from container ") + command.container();
   }
-  std::printf("%s\n", text.c_str());
+  std::printf("%s\n", error_line(text).c_str());
   return 0;
 }
 

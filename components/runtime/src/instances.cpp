@@ -6,6 +6,11 @@
 #include <exception>
 #include <utility>
 
+#include "foundation/error.hpp"
+#include "foundation/names.hpp"
+#include "foundation/printable.hpp"
+#include "foundation/yaml_file.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -18,7 +23,7 @@ std::string error_of(Body body) {
     body();
     return "";
   } catch (const std::exception& error) {
-    return error.what();
+    return error_line(error.what());
   } catch (...) {
     return "something that is no std::exception";
   }
@@ -76,6 +81,9 @@ void Instances::activate_all() {
 
 Outcome Instances::load(const std::string& library, const std::string& name,
                         const std::string& parameters) {
+  if (!is_name(name)) {
+    return {false, "'" + printable(name) + "' is not a name (" + name_rule + ")"};
+  }
   if (find(name) != nullptr) return {false, name + ": two nodes of one name; the name is taken"};
   Instance next;
   const std::string wrong = error_of([&] {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "foundation/error.hpp"
 #include "foundation/time.hpp"
 #include "runtime/middleware/log_clock.hpp"
 
@@ -81,7 +82,7 @@ void Logger::write(Level level, const std::string& line) {
   static RepetitionLimit real_limit;
   const LogClock* clock = clock_in_use;
   const auto now = clock == nullptr ? std::chrono::system_clock::now() : clock->state_->now();
-  const std::string named = "[" + name_ + "] " + line;
+  const std::string named = "[" + name_ + "] " + error_line(line);
   const auto suppressed =
       clock == nullptr
           ? real_limit.admit(named, std::chrono::steady_clock::now().time_since_epoch())

@@ -119,6 +119,20 @@ TEST_F(InstancesTest, RefusesAnUnknownComponentAndWrongParametersWithoutATrace) 
   EXPECT_TRUE(sut_.all().empty());
 }
 
+// It is part of file names and of topics.
+TEST_F(InstancesTest, RefusesANodeNameThatIsNoName) {
+  for (const char* name : {"../a", "a/b", "", "A", "a\n"}) {
+    EXPECT_THAT(sut_.load("fragile", name, "").text, HasSubstr("is not a name")) << name;
+  }
+  EXPECT_TRUE(sut_.all().empty());
+}
+
+TEST_F(InstancesTest, RefusesParametersThatStandForThemselves) {
+  EXPECT_THAT(sut_.load("fragile", "a", "{in_tick: &x [*x]}").text,
+              HasSubstr("the command: an alias within what it stands for"));
+  EXPECT_TRUE(sut_.all().empty());
+}
+
 TEST_F(InstancesTest, AConstructorThatThrowsAtRunTimeIsAnErrorOfThatInstanceOnly) {
   EXPECT_TRUE(sut_.load("fragile", "good", "").done);
   EXPECT_THAT(sut_.load("fragile", "bad", "{at_start: true}").text, HasSubstr("no device"));

@@ -4,9 +4,26 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "foundation/error.hpp"
+#include "foundation/printable.hpp"
 #include "line_splitter.hpp"
 
 namespace tocsin::cli {
+namespace {
+
+/// As printable(), but with tabs, of which many a program makes its tables.
+std::string shown(std::string_view text) {
+  std::string line;
+  for (;;) {
+    const std::size_t tab = text.find('\t');
+    line += printable(text.substr(0, tab), longest_line);
+    if (tab == std::string_view::npos) return line;
+    line += '\t';
+    text.remove_prefix(tab + 1);
+  }
+}
+
+}  // namespace
 
 Journal::Journal(const std::filesystem::path& folder, bool show, bool colours)
     : folder_(folder), show_(show), colours_(colours) {
@@ -29,15 +46,17 @@ void Journal::append(Log& log, const std::string& text) {
 
 void Journal::process_line(const std::string& name, const std::string& text) {
   Log& log = log_of(name);
-  append(log, text);
+  const std::string line = shown(text);
+  append(log, line);
   if (!show_) return;
-  std::printf("%s\n", prefixed(name, text, colours_ ? log.colour : -1).c_str());
+  std::printf("%s\n", prefixed(name, line, colours_ ? log.colour : -1).c_str());
   std::fflush(stdout);
 }
 
 void Journal::say(const std::string& text) {
-  append(log_of("launch"), text);
-  std::fprintf(stderr, "tocsin launch: %s\n", text.c_str());
+  const std::string line = error_line(text);
+  append(log_of("launch"), line);
+  std::fprintf(stderr, "tocsin launch: %s\n", line.c_str());
 }
 
 }  // namespace tocsin::cli

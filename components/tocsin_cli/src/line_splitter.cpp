@@ -4,11 +4,6 @@
 #include <utility>
 
 namespace tocsin::cli {
-namespace {
-
-constexpr std::size_t longest_line = 8192;
-
-}  // namespace
 
 std::vector<std::string> LineSplitter::feed(std::string_view bytes) {
   std::vector<std::string> lines;

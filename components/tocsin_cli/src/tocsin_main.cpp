@@ -12,6 +12,7 @@
 
 #include "command_line/programs.hpp"
 #include "foundation/error.hpp"
+#include "foundation/printable.hpp"
 #include "foundation/program.hpp"
 
 namespace tocsin::cli {
@@ -27,7 +28,7 @@ std::string description(const std::string& verb, const Folders& folders) {
   std::string text = line.data();
   while (std::fgets(line.data(), line.size(), output.get()) != nullptr) {
   }
-  return text.substr(0, text.find('\n'));
+  return printable(text.substr(0, text.find('\n')));
 }
 
 int print_help(const Folders& folders) {

@@ -5,9 +5,9 @@
 # know of a type, the runtime makes from its TypeInfo (a PubSubTypes file costs four times as much
 # to compile as the type itself).
 include_guard(GLOBAL)
-set(TOCSIN_DESCRIBE_IDL "${CMAKE_CURRENT_LIST_DIR}/describe_idl.py")
-set(TOCSIN_GENERATE_IDL "${CMAKE_CURRENT_LIST_DIR}/generate_idl.cmake")
-set(TOCSIN_INLINE_TYPES "${CMAKE_CURRENT_LIST_DIR}/inline_types.py")
+set(TOCSIN_GENERATE_IDL "${CMAKE_CURRENT_LIST_DIR}/generate_idl.py")
+file(GLOB TOCSIN_GENERATE_IDL_PARTS "${CMAKE_CURRENT_LIST_DIR}/*.py"
+     "${CMAKE_CURRENT_LIST_DIR}/fields.stg")
 
 function(tocsin_idl_library name)
   cmake_parse_arguments(A "" "" "IDL;LINK" ${ARGN})
@@ -17,33 +17,25 @@ function(tocsin_idl_library name)
   endif()
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   set(gen "${CMAKE_CURRENT_BINARY_DIR}/gen/${name}")
-  set(raw "${CMAKE_CURRENT_BINARY_DIR}/fastddsgen")
   set(idls ${A_IDL})
   list(TRANSFORM idls PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
-  set(stems)
   set(outputs)
   set(sources)
   foreach(idl IN LISTS idls)
     get_filename_component(stem "${idl}" NAME_WE)
-    list(APPEND stems ${stem})
     list(APPEND outputs "${gen}/${stem}.h" "${gen}/${stem}.hpp")
     list(APPEND sources "${gen}/${stem}.cxx" "${gen}/${stem}_type_info.cpp")
   endforeach()
-  set(search "${CMAKE_CURRENT_SOURCE_DIR}/idl")
+  set(search --search "${CMAKE_CURRENT_SOURCE_DIR}/idl")
   foreach(item IN LISTS A_LINK)
     string(REGEX REPLACE "::.*" "" package "${item}")
-    list(APPEND search "${${package}_DIR}/../idl")
+    list(APPEND search --search "${${package}_DIR}/../idl")
   endforeach()
-  string(REPLACE ";" "," search_list "${search}")
-  string(REPLACE ";" "," idl_list "${idls}")
   add_custom_command(
     OUTPUT ${outputs} ${sources}
-    COMMAND "${CMAKE_COMMAND}" "-DGENERATOR=${FASTDDSGEN_EXECUTABLE}" "-DIDLS=${idl_list}"
-            "-DSEARCH=${search_list}" "-DOUT=${raw}" -P "${TOCSIN_GENERATE_IDL}"
-    COMMAND "${CMAKE_COMMAND}" -E make_directory "${gen}"
-    COMMAND Python3::Interpreter -B "${TOCSIN_INLINE_TYPES}" "${raw}" "${gen}" ${stems}
-    COMMAND Python3::Interpreter -B "${TOCSIN_DESCRIBE_IDL}" ${name} "${gen}" ${idls}
-    DEPENDS ${idls} "${TOCSIN_GENERATE_IDL}" "${TOCSIN_INLINE_TYPES}" "${TOCSIN_DESCRIBE_IDL}"
+    COMMAND Python3::Interpreter -B "${TOCSIN_GENERATE_IDL}" --generator "${FASTDDSGEN_EXECUTABLE}"
+            --package ${name} --out "${gen}" ${search} -- ${idls}
+    DEPENDS ${idls} ${TOCSIN_GENERATE_IDL_PARTS}
     COMMENT "fastddsgen ${name}" VERBATIM)
   add_library(${name} SHARED ${sources})
   target_include_directories(${name} SYSTEM PUBLIC

@@ -1,19 +1,12 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Copies generated types with their small functions moved into the header, as inline.
-
-usage: inline_types.py FROM_DIRECTORY TO_DIRECTORY STEM ...
+"""Moves the small functions of generated types into the header, as inline.
 
 fastddsgen defines each accessor, constructor and assignment in the .cxx file: a call into a shared
 library for one move of a number, and copies that construct first and assign then. Here accessors
 and default constructors become inline, and what copies, moves or destroys becomes the compiler's
 own (`= default`), which does the same to the same members. CDR coding stays in the .cxx file.
 """
-import pathlib
 import re
-import sys
-
-from describe_idl import put
 
 COMMENT = re.compile(r"/\*!.*?\*/\n", re.DOTALL)
 DECLARATION = re.compile(r"(?P<start>(?P<name>\w+)(?:& operator =)?\(\s*"
@@ -47,15 +40,3 @@ def inlined(header, source):
     guard = header.rindex("#endif")
     includes = "#include <cstring>\n#include <utility>\n\n"
     return header[:guard] + includes + "\n".join(moved) + "\n" + header[guard:], source
-
-
-def main():
-    raw, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    for stem in sys.argv[3:]:
-        header, source = inlined(*((raw / f"{stem}.{end}").read_text() for end in ("h", "cxx")))
-        put(out / f"{stem}.h", header + "\n")
-        put(out / f"{stem}.cxx", source)
-
-
-if __name__ == "__main__":
-    main()

@@ -7,7 +7,9 @@ include(CTest)
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
-set(CMAKE_CXX_STANDARD 17)  # not only cxx_std_17: clang-tidy needs -std on the command line
+if(NOT CMAKE_CXX_STANDARD)
+  set(CMAKE_CXX_STANDARD 17)  # not only cxx_std_17: clang-tidy needs -std on the command line
+endif()
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
@@ -27,11 +29,11 @@ function(tocsin_link_directly target)
   endif()
 endfunction()
 
-# Warnings, armed asserts and sanitizers for one of our targets.
+# Armed asserts and sanitizers for a target. No warnings: which ones, and that they are errors, is
+# for who builds to say; for ours bringup/build does.
 function(tocsin_target_options target)
   tocsin_link_directly(${target})
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
-                                           -UNDEBUG)
+  target_compile_options(${target} PRIVATE -UNDEBUG)
   if(TOCSIN_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${TOCSIN_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all -g1)
@@ -94,8 +96,25 @@ function(tocsin_library name)
   tocsin_export(TARGETS ${name} LINK ${A_LINK} ${A_PRIVATE_LINK})
 endfunction()
 
+# Registers the library lib/tocsin/lib<name>.so as the component <name>, where the runtime looks for
+# it: in the ament index of the package, a line for each of its components.
+function(tocsin_register_component name)
+  if(NOT name MATCHES "^[a-z][a-z0-9_]*$")
+    message(FATAL_ERROR "tocsin_component(${name}): is not a name (a lower-case letter, then such "
+                        "letters, digits and '_')")
+  endif()
+  set(index "${PROJECT_BINARY_DIR}/tocsin_components/${PROJECT_NAME}")
+  get_property(known GLOBAL PROPERTY TOCSIN_COMPONENTS_OF_${PROJECT_NAME})
+  if(NOT known)
+    install(FILES "${index}" DESTINATION share/ament_index/resource_index/tocsin_components)
+  endif()
+  string(APPEND known "${name};lib/tocsin/lib${name}.so\n")
+  set_property(GLOBAL PROPERTY TOCSIN_COMPONENTS_OF_${PROJECT_NAME} "${known}")
+  file(WRITE "${index}" "${known}")
+endfunction()
+
 # A component package: <name>_core holds the decision and links no runtime; lib<name>.so holds the
-# ports and is loaded by name into a container process.
+# ports and is loaded by name into a container process. A package may have several.
 # tocsin_component(name [CORE a.cpp ...] [CORE_LINK ...] COMPONENT b.cpp ... [LINK ...])
 function(tocsin_component name)
   cmake_parse_arguments(A "" "" "CORE;CORE_LINK;COMPONENT;LINK" ${ARGN})
@@ -111,6 +130,7 @@ function(tocsin_component name)
                                        ${A_LINK})
   tocsin_target_options(${name})
   install(TARGETS ${name} LIBRARY DESTINATION lib/tocsin)
+  tocsin_register_component(${name})
 endfunction()
 
 # Tells a target the version of its package (package.xml) as TOCSIN_VERSION. All packages have the same one.
@@ -163,7 +183,11 @@ function(tocsin_test name)
   endif()
   add_test(NAME ${name} COMMAND ${name} --gtest_shuffle
            --gtest_output=xml:${CMAKE_CURRENT_BINARY_DIR}/test_results/${name}.xml)
-  set_tests_properties(${name} PROPERTIES LABELS ${A_LABEL} TIMEOUT ${A_TIMEOUT})
+  # What a test leaves in ::testing::TempDir() meets no other test's.
+  set(temporary "${CMAKE_CURRENT_BINARY_DIR}/test_tmp/${name}/")
+  file(MAKE_DIRECTORY "${temporary}")
+  set_tests_properties(${name} PROPERTIES LABELS ${A_LABEL} TIMEOUT ${A_TIMEOUT}
+                       ENVIRONMENT "TEST_TMPDIR=${temporary}")
 endfunction()
 
 include("${CMAKE_CURRENT_LIST_DIR}/TocsinIdl.cmake")

@@ -7,6 +7,12 @@
 
 namespace tocsin {
 
+/// What a name must be, for error texts.
+inline constexpr const char* name_rule = "a lower-case letter, then such letters, digits and '_'";
+
+/// Whether `text` can name a host, process or component: it is part of file names and topics.
+[[nodiscard]] bool is_name(std::string_view text);
+
 // Hosts, processes and components have names that are paths: `uxv`, `uxv/payload`,
 // `uxv/payload/camera`. Commands print them with or without a slash in front, and whole or in part;
 // whatever is printed is understood.

@@ -19,7 +19,7 @@ template <class Body>
     std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
     return 2;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), error_line(error.what()).c_str());
     return 1;
   }
 }

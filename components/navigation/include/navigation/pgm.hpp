@@ -15,7 +15,7 @@ struct GrayImage {
   std::vector<std::uint8_t> pixels;
 };
 
-/// Reads a PGM image, binary (P5) or text (P2), with at most 8 bits and 100 million pixels.
+/// Reads a PGM image, binary (P5) or text (P2), with at most 8 bits and 25 million pixels.
 /// Throws ConfigError naming `file` when the bytes are something else, or too few.
 [[nodiscard]] GrayImage parse_pgm(const std::string& bytes, const std::string& file);
 

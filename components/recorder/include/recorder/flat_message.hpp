@@ -15,10 +15,8 @@ struct FlatField {
 };
 
 /// Spreads a message into columns, always the same ones for a type. A list is one column in JSON;
-/// of bytes only the number is kept. NaN is the empty text.
+/// of bytes only the number is kept. NaN is the empty text; a text is printable() and has at most
+/// 4096 bytes of the original.
 [[nodiscard]] std::vector<FlatField> flatten(const TypeInfo& type, const void* message);
-
-/// `text` as one CSV cell (RFC 4180): quoted when it holds a comma, quote or line break.
-[[nodiscard]] std::string csv_cell(const std::string& text);
 
 }  // namespace tocsin
