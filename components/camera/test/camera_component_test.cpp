@@ -104,6 +104,34 @@ TEST_F(CameraTest, IgnoresALocationThatIsNotFinite) {
   EXPECT_TRUE(run(1).empty());
 }
 
+TEST_F(CameraTest, TellsHowMuchItWillWriteWhenItIsAsked) {
+  class Asking : public Bus {
+   public:
+    struct Asked final : Publication {
+      explicit Asked(std::optional<ExpectedLoad>& its) : load(its) {}
+      Status write(const std::shared_ptr<const void>&) override { return Status::ok; }
+      void expect(const std::function<ExpectedLoad()>& wanted) override { load = wanted(); }
+      std::optional<ExpectedLoad>& load;
+    };
+    std::unique_ptr<Subscription> subscribe(const Endpoint&, Receiver&) override {
+      return std::make_unique<Subscription>();
+    }
+    std::unique_ptr<Publication> advertise(const Endpoint&) override {
+      return std::make_unique<Asked>(load);
+    }
+    [[nodiscard]] Time now() const override { return {}; }
+    [[nodiscard]] std::int64_t wall_ns(Time) const override { return 0; }
+    void set_gate(bool) override {}
+    [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override { return {}; }
+    std::optional<ExpectedLoad> load;
+  } bus;
+  Context context{bus, "camera", "uxv", ""};
+  const CameraComponent sut(context, params_);
+  ASSERT_TRUE(bus.load);
+  EXPECT_EQ(bus.load->rate_hz, params_.rate_hz);
+  EXPECT_NEAR(bus.load->bytes, 38'000, 8'000);
+}
+
 TEST_F(CameraTest, SpendsFewerBytesInLowerQuality) {
   params_.quality = 5;
   CameraComponent coarse(context_, params_);

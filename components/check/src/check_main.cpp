@@ -10,6 +10,7 @@
 #include "dot.hpp"
 #include "examine.hpp"
 #include "examine_domains.hpp"
+#include "examine_load.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
 
@@ -47,6 +48,11 @@ void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) 
     for (const Finding& finding : examine(built.graph, {qos, traffic})) {
       // A component that could not be built leaves its readers and writers alone.
       if (whole || finding.severity == Severity::error) built.findings.push_back(finding);
+    }
+    const auto place = poor_place_of(deployment);
+    if (!place) return;
+    for (Finding& one : examine_load(built.graph, qos, *place)) {
+      built.findings.push_back(std::move(one));
     }
   } catch (const ConfigError& error) {
     built.findings.push_back({Severity::error, error.what()});

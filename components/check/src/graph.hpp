@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "idl_support/topic_info.hpp"
+#include "runtime/bus.hpp"
 
 namespace tocsin::check {
 
@@ -15,7 +17,8 @@ struct Port {
   std::string qos;   ///< profile
   Scope scope = Scope::host;
   bool writes = false;
-  Requests requests = Requests::profile;  ///< of a reader
+  Requests requests = Requests::profile;            ///< of a reader
+  std::optional<ExpectedLoad> load = std::nullopt;  ///< of a writer that tells
 };
 
 /// One component of a deployment with its ports.

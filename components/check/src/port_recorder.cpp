@@ -3,17 +3,28 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <utility>
 
 namespace tocsin::check {
 namespace {
 
 struct Silent : Subscription {};
 
-struct Deaf : Publication {
+/// Nobody hears it; only what it expects to write is kept.
+class Deaf final : public Publication {
+ public:
+  Deaf(PortRecorder& recorder, std::string topic) : recorder_(recorder), topic_(std::move(topic)) {}
   Status write(const std::shared_ptr<const void>& message) override {
     (void)message;
     return Status::ok;
   }
+  void expect(const std::function<ExpectedLoad()>& load) override {
+    recorder_.expect(topic_, load());
+  }
+
+ private:
+  PortRecorder& recorder_;
+  const std::string topic_;
 };
 
 struct NoEcho : EchoDevice {
@@ -32,8 +43,14 @@ void PortRecorder::record(const Endpoint& endpoint, bool writes) {
   };
   if (std::any_of(ports_.begin(), ports_.end(), same)) return;
   const TopicInfo& topic = endpoint.topic;
-  ports_.push_back(
-      {topic.name, endpoint.type->name, topic.qos, topic.scope, writes, topic.requests});
+  ports_.push_back({topic.name, endpoint.type->name, topic.qos, topic.scope, writes, topic.requests,
+                    std::nullopt});
+}
+
+void PortRecorder::expect(const std::string& topic, const ExpectedLoad& load) {
+  for (Port& port : ports_) {
+    if (port.topic == topic && port.writes) port.load = load;
+  }
 }
 
 std::unique_ptr<Subscription> PortRecorder::subscribe(const Endpoint& endpoint,
@@ -45,7 +62,7 @@ std::unique_ptr<Subscription> PortRecorder::subscribe(const Endpoint& endpoint,
 
 std::unique_ptr<Publication> PortRecorder::advertise(const Endpoint& endpoint) {
   record(endpoint, true);
-  return std::make_unique<Deaf>();
+  return std::make_unique<Deaf>(*this, endpoint.topic.name);
 }
 
 std::unique_ptr<SerialDevice> NoDevices::open_serial(const std::string& path, Readable readable) {

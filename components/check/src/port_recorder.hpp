@@ -21,6 +21,8 @@ class PortRecorder final : public Bus {
   void set_gate(bool open) override { (void)open; }
   [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override { return {}; }
 
+  /// What the writer of a topic expects to write.
+  void expect(const std::string& topic, const ExpectedLoad& load);
   /// The ports made so far, each once, in the order of their making.
   [[nodiscard]] const std::vector<Port>& ports() const { return ports_; }
 

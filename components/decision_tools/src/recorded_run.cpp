@@ -72,10 +72,11 @@ std::string joined_roles(const std::vector<Controller>& all) {
 
 std::optional<fs::path> deployment_beside(const fs::path& recording) {
   const fs::path folder = fs::absolute(recording).parent_path();
-  for (const fs::path& place : {folder, folder.parent_path()}) {
-    if (fs::is_regular_file(place / "deployment.yaml")) return place / "deployment.yaml";
-  }
-  return std::nullopt;
+  if (fs::is_regular_file(folder / "deployment.yaml")) return folder / "deployment.yaml";
+  // The recorder writes into a folder of its role; any other folder may lie beside a foreign file.
+  const fs::path above = folder.parent_path() / "deployment.yaml";
+  const bool is_of_role = folder.filename() == "uxv" || folder.filename() == "gcs";
+  return is_of_role && fs::is_regular_file(above) ? std::optional(above) : std::nullopt;
 }
 
 }  // namespace

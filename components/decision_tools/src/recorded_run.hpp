@@ -22,10 +22,10 @@ struct ControllerParameters {
   [[nodiscard]] decision::QniParams qni() const;
 };
 
-/// Those of the run that a file was recorded in, from deployment.yaml in its folder or the one
-/// above; empty when neither is there. An empty `role` means any, if all decide alike.
-/// Throws ConfigError when the file is bad, has no such controller, or more than one to choose
-/// from.
+/// Those of the run that a file was recorded in, from deployment.yaml in its folder, or the one
+/// above a folder uxv or gcs; empty when neither is there. An empty `role` means any, if all decide
+/// alike. Throws ConfigError when the file is bad, has no such controller, or more than one to
+/// choose from.
 [[nodiscard]] std::optional<ControllerParameters> controller_of_run(const std::string& recording,
                                                                     const std::string& role);
 

@@ -54,6 +54,11 @@ TEST_F(RecordedRunTest, FindsTheDeploymentInTheFolderAboveAndBeside) {
   EXPECT_EQ((*controller_of_run(folder.path("a.csv"), "gcs")->values)["alpha"].as<int>(), 3);
 }
 
+TEST_F(RecordedRunTest, TakesNoDeploymentAboveAFolderThatIsNoRolesOwn) {
+  deploy("alpha: 2", "alpha: 3");
+  EXPECT_FALSE(controller_of_run(folder.path("somewhere/a.csv"), "uxv"));
+}
+
 TEST_F(RecordedRunTest, NeedsARoleOnlyWhenTheControllersDecideDifferently) {
   deploy("alpha: 2", "alpha: 2, silence_is_poor: true");
   EXPECT_EQ(error_of(""), "no error");

@@ -61,8 +61,8 @@ Section::Section(const YAML::Node& node, std::string owner, const YamlSources& s
   for (const auto& entry : node_) {
     const std::string key = entry.first.Scalar();
     if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
-    throw ConfigError(owner_ + "." + printable(key) + ": unknown key; allowed: [" + joined(allowed) + "]" +
-                      yaml_place(sources_, entry.first));
+    throw ConfigError(owner_ + "." + printable(key) + ": unknown key; allowed: [" +
+                      joined(allowed) + "]" + yaml_place(sources_, entry.first));
   }
 }
 

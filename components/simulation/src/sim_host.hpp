@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pacer.hpp"
 #include "rtps.hpp"
 #include "runtime/bus.hpp"
 #include "runtime/middleware/qos_profile.hpp"
@@ -110,11 +111,13 @@ class SimProcess final : public Bus {
   void receive(Topic& topic, const Change& change, std::uint64_t source);
   void make_reader(Topic& topic);
   void make_writer(Topic& topic);
+  [[nodiscard]] Pacer* pacer(const QosProfile& qos);
   Network& network_;
   SimHost& host_;
   std::string name_;
   int life_;
   bool gate_open_ = true;
+  std::map<std::string, std::unique_ptr<Pacer>> pacers_;  ///< by the name of the flow controller
   std::map<std::string, std::unique_ptr<Topic>> topics_;
 };
 

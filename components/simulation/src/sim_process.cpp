@@ -135,8 +135,19 @@ void SimProcess::make_reader(Topic& its) {
   const auto deliver = [this, &its](const Change& change, std::uint64_t source) {
     receive(its, change, source);
   };
-  its.reader = std::make_unique<RtpsReader>(requested(its.endpoint.topic, its.qos), deliver);
+  its.reader = RtpsReader::make(network_.core, network_.link,
+                                requested(its.endpoint.topic, its.qos), deliver);
   network_.endpoints.add(its.endpoint.topic.name, host_, *its.reader);
+}
+
+/// Null: the writer's samples leave at once.
+Pacer* SimProcess::pacer(const QosProfile& qos) {
+  if (qos.flow_controller.empty()) return nullptr;
+  const FlowController& settings = network_.qos.flow_controllers().at(qos.flow_controller);
+  if (settings.max_bytes_per_period == 0) return nullptr;
+  auto& found = pacers_[qos.flow_controller];
+  if (!found) found = std::make_unique<Pacer>(network_.core, settings);
+  return found.get();
 }
 
 void SimProcess::make_writer(Topic& its) {
@@ -146,7 +157,7 @@ void SimProcess::make_writer(Topic& its) {
   its.end.drops = rule.while_poor == WhilePoor::drop;
   const RtpsWriter::Owner owner{host_.direction(), its.source, &its.end, &its.origin,
                                 [this](Time t) { return wall_ns(t); }};
-  auto writer = std::make_unique<RtpsWriter>(network_.core, network_.link, owner, its.qos);
+  auto writer = RtpsWriter::make(network_.core, network_.link, owner, its.qos, pacer(its.qos));
   its.writer = writer.get();
   GatedWriter::Freshness freshness;
   if (std::isfinite(its.qos.lifespan_s)) {

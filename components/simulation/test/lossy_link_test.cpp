@@ -19,14 +19,17 @@ class LossyPair {
  public:
   LossyPair(const QosProfile& qos, std::uint64_t seed)
       : link_(core_, lossy(), {}, seed),
-        writer_(core_, link_, {radio::Direction::uplink, 7, &end_, &origin_}, qos),
-        reader_(qos, [this](const Change& c, std::uint64_t) { got.push_back(c.sequence); }) {
-    writer_.match(reader_);
+        writer_(RtpsWriter::make(core_, link_, {radio::Direction::uplink, 7, &end_, &origin_}, qos,
+                                 nullptr)),
+        reader_(RtpsReader::make(core_, link_, qos, [this](const Change& c, std::uint64_t) {
+          got.push_back(c.sequence);
+        })) {
+    writer_->match(*reader_);
   }
   void write(std::size_t bytes) {
     Picture picture;
     picture.data().resize(bytes);
-    ASSERT_TRUE(writer_.send(&picture));
+    ASSERT_TRUE(writer_->send(&picture));
   }
   void run_for(double s) {
     const Time end = core_.now + seconds(s);
@@ -57,8 +60,8 @@ class LossyPair {
   Origin origin_;
   Core core_;
   RadioLink link_;
-  RtpsWriter writer_;
-  RtpsReader reader_;
+  std::unique_ptr<RtpsWriter> writer_;
+  std::unique_ptr<RtpsReader> reader_;
 };
 
 QosProfile profile(const char* reliability, int depth) {

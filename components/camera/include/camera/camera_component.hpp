@@ -43,6 +43,7 @@ class CameraComponent final : public Component {
   void tick(Time now) override;
 
  private:
+  [[nodiscard]] double expected_bytes() const;
   void take_location(Time now);
   void publish(Time now);
   using Picture = topic::CameraImage::Message;

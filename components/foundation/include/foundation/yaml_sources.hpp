@@ -22,11 +22,11 @@ class YamlSources {
   YamlSources(const char* file) : YamlSources(std::string(file)) {}
 
   /// Reads the one YAML document of a file; every YAML text of the stack comes in here or in
-  /// parse(). Throws ConfigError with file, line and reason when it cannot be read, is empty, is not
-  /// YAML, or would take more than a file of ours can need: 512 KiB, 32 lists and maps in each
+  /// parse(). Throws ConfigError with file, line and reason when it cannot be read, is empty, is
+  /// not YAML, or would take more than a file of ours can need: 512 KiB, 32 lists and maps in each
   /// other, 100,000 nodes (an alias counts as what it stands for); and for an alias within what it
-  /// stands for, a key that is given twice or is no text, and a second document. `copy`: where the same text is read
-  /// instead; empty: at `path`, which errors name in any case.
+  /// stands for, a key that is given twice or is no text, and a second document. `copy`: where the
+  /// same text is read instead; empty: at `path`, which errors name in any case.
   [[nodiscard]] YAML::Node read(const std::string& path, const std::string& copy = "");
   /// The same from a text that is no file; `name` stands for it in errors, without lines. An empty
   /// text is a null node.

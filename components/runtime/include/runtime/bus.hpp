@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,6 +68,12 @@ struct Subscription {
   }
 };
 
+/// What a component expects to write to a topic.
+struct ExpectedLoad {
+  double rate_hz;
+  double bytes;  ///< mean size of a sample
+};
+
 /// The writing end of a topic.
 class Publication {
  public:
@@ -75,6 +82,9 @@ class Publication {
   virtual Status write(const std::shared_ptr<const void>& message) = 0;
   /// False: nobody would notice a write, now or as a late joiner. Thread-safe.
   [[nodiscard]] virtual bool has_readers() const { return true; }
+  /// Asks `load` what will be written; only a bus that examines components without running them
+  /// wants to know.
+  virtual void expect(const std::function<ExpectedLoad()>& load) { (void)load; }
 };
 
 /// The only seam between components and the middleware.
