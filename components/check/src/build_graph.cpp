@@ -14,7 +14,7 @@ namespace {
 template <class Make>
 void probe(Node node, const deployment::Deployment& deployment, BuiltGraph& built, Make make) {
   PortRecorder recorder;
-  NoDevices devices;
+  SilentDevices devices;
   Context context{recorder, node.name, node.role, deployment.run_dir, [](int) {}, &devices};
   try {
     const auto component = make(context);

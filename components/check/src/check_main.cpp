@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -11,8 +12,10 @@
 #include "examine.hpp"
 #include "examine_domains.hpp"
 #include "examine_load.hpp"
+#include "examine_programs.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "runtime/middleware/component_library.hpp"
 
 namespace tocsin::check {
 namespace {
@@ -36,8 +39,14 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--strict", options.strict, "warnings count as errors")->excludes("--quiet");
 }
 
+bool has_containers(const deployment::Deployment& deployment) {
+  return std::any_of(deployment.hosts.begin(), deployment.hosts.end(),
+                     [](const deployment::Host& host) { return !host.containers.empty(); });
+}
+
 /// Needs only what the files say, so that a wrong component does not hide it.
 void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) {
+  if (!has_containers(deployment)) return;  // then there is no QoS
   try {
     const QosProfiles qos(deployment.qos);
     std::map<std::string, TrafficRules> traffic;
@@ -91,11 +100,15 @@ void draw(const Graph& graph, const Options& options) {
 int check(Options& options) {
   options.bringup.locate();
   const TemporaryFolder folder;
-  options.bringup.overrides.run_dir = folder.path("");
+  options.bringup.overrides.run_dir = folder.path();
+  options.bringup.overrides.installed = installed_components();
   const auto deployment = load_deployment(options.bringup.file, options.bringup.overrides);
   BuiltGraph built = build_graph(deployment);
   examine_files(deployment, built);
-  for (Finding& one : examine_domains(deployment)) built.findings.push_back(std::move(one));
+  for (const auto& found :
+       {examine_domains(deployment), examine_programs(deployment, program_folders())}) {
+    built.findings.insert(built.findings.end(), found.begin(), found.end());
+  }
   const std::size_t errors = print(built.findings, Severity::error, "error");
   const std::size_t warnings =
       options.quiet ? 0 : print(built.findings, Severity::warning, "warning");

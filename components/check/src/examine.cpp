@@ -44,6 +44,26 @@ std::string action(const End& end) {
   return end.node->path() + (end.port->writes ? " writes" : " reads");
 }
 
+/// What a port without counterpart lacks.
+enum class Lack { writer, writer_at_will, reader };
+
+Lack lack_of(const Port& port) {
+  if (port.writes) return Lack::reader;
+  return port.writers == Writers::needed ? Lack::writer : Lack::writer_at_will;
+}
+
+const char* text_of(Lack lack) {
+  switch (lack) {
+    case Lack::writer:
+      return ": nobody writes what it reads: ";
+    case Lack::writer_at_will:
+      return ": nobody writes what it would read as well: ";
+    case Lack::reader:
+      return ": nobody reads what it writes: ";
+  }
+  return "";
+}
+
 /// Collects what is found about one graph.
 class Examiner {
  public:
@@ -114,20 +134,19 @@ class Examiner {
   }
 
   void check_node(const Node& node) {
-    std::vector<std::string> unwritten;
-    std::vector<std::string> unread;
+    std::map<Lack, std::vector<std::string>> alone;
     for (const Port& port : node.ports) {
       const End end{&node, &port};
-      if (port.writes && port.scope == Scope::link) check_class(end);
+      check_class(end);
+      check_owners(end);
       if (has_counterpart(end)) continue;
-      (port.writes ? unread : unwritten).push_back(port.topic);
-      if (!port.writes) check_reach(end);
+      const Lack lack = lack_of(port);
+      alone[lack].push_back(port.topic);
+      if (lack == Lack::writer) check_reach(end);
     }
-    if (!unwritten.empty()) {
-      add(Severity::warning, node.path() + ": nobody writes what it reads: " + joined(unwritten));
-    }
-    if (!unread.empty()) {
-      add(Severity::note, node.path() + ": nobody reads what it writes: " + joined(unread));
+    for (const auto& [lack, topics] : alone) {
+      add(lack == Lack::writer ? Severity::warning : Severity::note,
+          node.path() + text_of(lack) + joined(topics));
     }
   }
 
@@ -150,10 +169,26 @@ class Examiner {
   }
 
   void check_class(const End& writer) {
+    if (!writer.port->writes || writer.port->scope != Scope::link) return;
     const auto rules = rules_.traffic.find(writer.node->role);
     if (rules == rules_.traffic.end()) return;
+    add_refusal([&] { (void)rules->second.of(writer.port->topic); });
+  }
+
+  void check_owners(const End& end) {
+    const Port& port = *end.port;
+    if (const auto qos = profile(port.topic, port)) {
+      add_refusal([&] {
+        refuse_owners_on_link({port.topic.c_str(), port.qos.c_str(), port.scope}, *qos);
+      });
+    }
+  }
+
+  /// What `ask` throws is an error, once.
+  template <class Ask>
+  void add_refusal(const Ask& ask) {
     try {
-      (void)rules->second.of(writer.port->topic);
+      ask();
     } catch (const ConfigError& error) {
       if (missing_.insert(error.what()).second) add(Severity::error, error.what());
     }

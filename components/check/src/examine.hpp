@@ -19,10 +19,12 @@ struct Rules {
 
 /// What is wrong with a graph, in the order of its nodes:
 /// - error: a topic with two types, QoS profile or scope clash, a pair of ends whose QoS will not
-///   match (policy by policy), a missing profile, a link topic without a traffic class;
-/// - warning: a reader without a writer, or with writers only where the topic's scope does not
-///   reach; a traffic rule or QoS override for a topic that nobody has;
-/// - note: a writer without a reader.
+///   match (policy by policy), a missing profile, a link topic without a traffic class or whose
+///   writers would have owners;
+/// - warning: a reader that needs a writer and has none, or only writers where the topic's scope
+///   does not reach; a QoS override for a topic that nobody has;
+/// - note: a reader that does without a writer, a writer without a reader, a traffic rule for a
+///   topic that nobody writes.
 [[nodiscard]] std::vector<Finding> examine(const Graph& graph, const Rules& rules);
 
 }  // namespace tocsin::check

@@ -18,6 +18,7 @@ struct Port {
   Scope scope = Scope::host;
   bool writes = false;
   Requests requests = Requests::profile;            ///< of a reader
+  Writers writers = Writers::needed;                ///< of a reader
   std::optional<ExpectedLoad> load = std::nullopt;  ///< of a writer that tells
 };
 

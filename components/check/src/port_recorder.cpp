@@ -27,6 +27,19 @@ class Deaf final : public Publication {
   const std::string topic_;
 };
 
+struct DeadLine : SerialDevice {
+  std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override {
+    (void)to;
+    (void)size;
+    return 0;
+  }
+  bool write(const std::uint8_t* bytes, std::size_t size) override {
+    (void)bytes;
+    (void)size;
+    return true;
+  }
+};
+
 struct NoEcho : EchoDevice {
   int send(std::uint16_t sequence) override {
     (void)sequence;
@@ -41,10 +54,14 @@ void PortRecorder::record(const Endpoint& endpoint, bool writes) {
   const auto same = [&](const Port& port) {
     return port.topic == endpoint.topic.name && port.writes == writes;
   };
-  if (std::any_of(ports_.begin(), ports_.end(), same)) return;
-  const TopicInfo& topic = endpoint.topic;
-  ports_.push_back({topic.name, endpoint.type->name, topic.qos, topic.scope, writes, topic.requests,
-                    std::nullopt});
+  const auto known = std::find_if(ports_.begin(), ports_.end(), same);
+  if (known == ports_.end()) {
+    const TopicInfo& topic = endpoint.topic;
+    ports_.push_back({topic.name, endpoint.type->name, topic.qos, topic.scope, writes,
+                      topic.requests, endpoint.writers, std::nullopt});
+  } else if (endpoint.writers == Writers::needed) {
+    known->writers = Writers::needed;
+  }
 }
 
 void PortRecorder::expect(const std::string& topic, const ExpectedLoad& load) {
@@ -65,21 +82,22 @@ std::unique_ptr<Publication> PortRecorder::advertise(const Endpoint& endpoint) {
   return std::make_unique<Deaf>(*this, endpoint.topic.name);
 }
 
-std::unique_ptr<SerialDevice> NoDevices::open_serial(const std::string& path, Readable readable) {
+std::unique_ptr<SerialDevice> SilentDevices::open_serial(const std::string& path,
+                                                         Readable readable) {
   (void)path;
   (void)readable;
-  return nullptr;
+  return std::make_unique<DeadLine>();
 }
 
-std::unique_ptr<EchoDevice> NoDevices::open_echo(const std::string& target,
-                                                 std::size_t payload_bytes, Readable readable) {
+std::unique_ptr<EchoDevice> SilentDevices::open_echo(const std::string& target,
+                                                     std::size_t payload_bytes, Readable readable) {
   (void)target;
   (void)payload_bytes;
   (void)readable;
   return std::make_unique<NoEcho>();
 }
 
-std::optional<std::string> NoDevices::read_text(const std::string& path) {
+std::optional<std::string> SilentDevices::read_text(const std::string& path) {
   (void)path;
   return std::nullopt;
 }

@@ -31,8 +31,9 @@ class PortRecorder final : public Bus {
   std::vector<Port> ports_;
 };
 
-/// A computer without devices: a check opens no port and sends no packet.
-class NoDevices final : public Devices {
+/// A computer whose devices say nothing: a check opens no port and sends no packet. There is a
+/// device at every serial port, so that nobody complains that he waits for his.
+class SilentDevices final : public Devices {
  public:
   [[nodiscard]] std::unique_ptr<SerialDevice> open_serial(const std::string& path,
                                                           Readable readable) override;

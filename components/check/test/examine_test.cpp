@@ -48,6 +48,32 @@ TEST_F(ExamineTest, WarnsOfEveryReaderWithoutAWriterInOneLine) {
               ElementsAre("warning: uxv/drive/navigator: nobody writes what it reads: odom, goal"));
 }
 
+TEST_F(ExamineTest, NotesAReaderThatDoesWithoutAWriter) {
+  const Graph graph{vehicle("mux", {may_read("set_inputs"), may_read("cmd_vel/teleop")}),
+                    station("recorder", {may_read("set_inputs")})};
+  EXPECT_THAT(found(graph), IsEmpty());
+  EXPECT_THAT(found(graph, true),
+              Contains("warning: uxv/drive/mux: nobody writes what it would read as well: "
+                       "set_inputs, cmd_vel/teleop"));
+}
+
+TEST_F(ExamineTest, AnObserverOnTheOtherHostIsNoMistake) {
+  EXPECT_THAT(found({vehicle("driver", {writes("odom")}), vehicle("pilot", {reads("odom")}),
+                     station("recorder", {may_read("odom")})}),
+              IsEmpty());
+}
+
+TEST_F(ExamineTest, RefusesOwnersOfATopicThatCrossesTheLink) {
+  qos_ += "owned: {ownership: exclusive}\n";
+  EXPECT_THAT(found({vehicle("a", {writes("location", Scope::link, "owned")}),
+                     station("b", {reads("location", Scope::link, "owned")})}),
+              ElementsAre("error: topic location: crosses the link; ownership: exclusive is for "
+                          "host topics"));
+  EXPECT_THAT(found({vehicle("a", {writes("odom", Scope::host, "owned")}),
+                     vehicle("b", {reads("odom", Scope::host, "owned")})}),
+              IsEmpty());
+}
+
 TEST_F(ExamineTest, NotesAWriterWithoutAReader) {
   const Graph graph{vehicle("driver", {writes("odom")})};
   EXPECT_THAT(found(graph), IsEmpty());

@@ -19,6 +19,11 @@ inline Port reads(const std::string& topic, Scope scope = Scope::host,
   return {topic, type, qos, scope, false};
 }
 
+/// A reader that does without a writer.
+inline Port may_read(const std::string& topic, Scope scope = Scope::host) {
+  return {topic, "Type", "sensor", scope, false, Writers::optional};
+}
+
 inline Node vehicle(const std::string& name, std::vector<Port> ports) {
   return {"uxv", "uxv", "drive", name, std::move(ports)};
 }

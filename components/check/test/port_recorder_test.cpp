@@ -48,9 +48,32 @@ TEST(PortRecorder, KeepsWhatAWriterExpectsToWrite) {
   EXPECT_FALSE(sut.ports()[0].load);
 }
 
-TEST(NoDevices, OpensNothing) {
-  NoDevices sut;
-  EXPECT_EQ(sut.open_serial("/dev/kobuki", [] {}), nullptr);
+class Choosy : public Component {
+ public:
+  explicit Choosy(Context& context) : Component(context) {}
+  void tick(Time now) override { (void)now; }
+
+ private:
+  OptionalInput<topic::Odom> odom_{*this};
+  OptionalInput<topic::Goal> goal_{*this};
+  Input<topic::Goal> needed_{*this};
+};
+
+TEST(PortRecorder, KnowsWhichReadersNeedAWriter) {
+  PortRecorder sut;
+  Context context{sut, "choosy", "uxv", ""};
+  const Choosy choosy(context);
+  ASSERT_EQ(sut.ports().size(), 2U);
+  EXPECT_EQ(sut.ports()[0].writers, Writers::optional);
+  EXPECT_EQ(sut.ports()[1].writers, Writers::needed) << "one of its two readers needs one";
+}
+
+TEST(SilentDevices, OpenAndSayNothing) {
+  SilentDevices sut;
+  const auto port = sut.open_serial("/dev/kobuki", [] {});
+  std::uint8_t byte = 0;
+  EXPECT_EQ(port->read(&byte, 1), std::optional<std::size_t>(0));
+  EXPECT_TRUE(port->write(&byte, 1));
   EXPECT_NE(sut.open_echo("10.0.0.1", 64, [] {})->send(1), 0);
   EXPECT_FALSE(sut.read_text("/proc/meminfo").has_value());
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -26,21 +25,6 @@ std::vector<fs::path> entries(const fs::path& folder) {
   }
   std::sort(paths.begin(), paths.end());
   return paths;
-}
-
-/// Levenshtein distance, by rows.
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
 }
 
 }  // namespace
@@ -92,13 +76,6 @@ std::vector<std::string> find_verbs(const Folders& folders) {
     }
   }
   return {verbs.begin(), verbs.end()};
-}
-
-std::vector<std::string> similar(const std::vector<std::string>& words, const std::string& word) {
-  std::vector<std::string> found;
-  std::copy_if(words.begin(), words.end(), std::back_inserter(found),
-               [&](const std::string& known) { return distance(known, word) <= 2; });
-  return found;
 }
 
 fs::path share_folder(const fs::path& program) {

@@ -52,13 +52,6 @@ TEST(Programs, ListsEachVerbOnceInOrder) {
               ElementsAre("check", "launch"));
 }
 
-TEST(Programs, SuggestsWordsThatDifferByAtMostTwoLetters) {
-  const std::vector<std::string> verbs{"launch", "topic", "report"};
-  EXPECT_THAT(similar(verbs, "lanch"), ElementsAre("launch"));
-  EXPECT_THAT(similar(verbs, "lanuch"), ElementsAre("launch"));
-  EXPECT_THAT(similar(verbs, "lau"), IsEmpty());
-}
-
 TEST(Programs, FindsTheShareOfAnIsolatedInstall) {
   const TemporaryFolder folder;
   folder.write("bringup/share/tocsin/config/qos.yaml", "");

@@ -8,6 +8,7 @@
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
 #include "foundation/printable.hpp"
+#include "foundation/spelling.hpp"
 #include "foundation/yaml_extends.hpp"
 #include "parameter_set.hpp"
 #include "reader.hpp"
@@ -124,6 +125,20 @@ void leave_out(const std::string& given, Deployment& deployment) {
   }
 }
 
+/// Throws when a component is none of those that can be loaded.
+void check_installed(const Deployment& deployment, const std::vector<std::string>& installed) {
+  const auto check = [&](const ComponentInstance& one) {
+    if (std::find(installed.begin(), installed.end(), one.component) != installed.end()) return;
+    throw ConfigError("no component '" + one.component + "' is installed" +
+                      did_you_mean(installed, one.component, "there are") + " (" + one.place + ")");
+  };
+  for (const Host& host : deployment.hosts) {
+    for (const Container& container : host.containers) {
+      std::for_each(container.components.begin(), container.components.end(), check);
+    }
+  }
+}
+
 /// Every text in what was taken away, the names of its components among them.
 void add_texts(const YAML::Node& removed, std::set<std::string>& texts) {
   if (removed.IsScalar()) texts.insert(removed.Scalar());
@@ -215,6 +230,7 @@ Deployment load_deployment(const std::string& path, const Overrides& overrides) 
   const Section section(root, "deployment", sources, body_keys({"domain", "parameters"}));
   deployment.file = path;
   read_body(section, sources, Named::must_be_readable, deployment);
+  if (!overrides.installed.empty()) check_installed(deployment, overrides.installed);
   deployment.run_dir = overrides.run_dir;
   deployment.share = overrides.share;
   deployment.seed = overrides.seed;

@@ -47,6 +47,7 @@ ComponentInstance read_instance(const YAML::Node& node, const std::string& owner
     }
   }
   instance.parameters = std::make_shared<const YAML::Node>(parameters);
+  instance.place = sources.place(node);
   return instance;
 }
 
@@ -66,14 +67,6 @@ bool read_shared_thread(const Section& section) {
   return threads == "shared";
 }
 
-/// Null when the key is absent.
-std::shared_ptr<const YAML::Node> read_map(const Section& section, const std::string& key) {
-  const YAML::Node found = section.find(key);
-  if (!found.IsDefined()) return nullptr;
-  if (!found.IsMap()) section.fail(key, "must be a map");
-  return std::make_shared<const YAML::Node>(found);
-}
-
 Container read_container(const YAML::Node& node, const std::string& owner,
                          const YamlSources& sources) {
   const Section section(node, owner, sources,
@@ -82,7 +75,8 @@ Container read_container(const YAML::Node& node, const std::string& owner,
   container.name = section.required_name("name");
   container.terminal = section.flag("terminal", false);
   container.shared_thread = read_shared_thread(section);
-  container.health = read_map(section, "health");
+  container.health =
+      load_parameters<HealthLimits>(section.find("health"), owner + ".health", sources);
   for (const YAML::Node& item : section.items("components")) {
     container.components.push_back(read_instance(item, owner + ".components", sources));
   }

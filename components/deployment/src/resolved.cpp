@@ -3,6 +3,7 @@
 
 #include "deployment/deployment.hpp"
 #include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
 #include "foundation/replace_file.hpp"
 #include "foundation/yaml_file.hpp"
 #include "reader.hpp"
@@ -31,6 +32,27 @@ void texts(YAML::Emitter& out, const char* key, const std::vector<std::string>& 
   out << EndSeq;
 }
 
+/// Writes each parameter of a struct with its value.
+class PairWriter {
+ public:
+  explicit PairWriter(YAML::Emitter& out) : out_(out) {}
+  template <class Value>
+  void operator()(const char* name, const Value& value, Range, const char*) {
+    pair(out_, name, value);
+  }
+
+ private:
+  YAML::Emitter& out_;
+};
+
+template <class Params>
+void write_all(YAML::Emitter& out, const char* key, Params params) {
+  out << YAML::Key << key << YAML::Value << BeginMap;
+  PairWriter writer(out);
+  params.visit(writer);
+  out << EndMap;
+}
+
 void write(YAML::Emitter& out, const ComponentInstance& instance, const YamlSources& sources) {
   out << BeginMap;
   pair(out, "component", instance.component);
@@ -57,7 +79,7 @@ void write(YAML::Emitter& out, const Container& container, const YamlSources& so
   pair(out, "name", container.name);
   pair(out, "terminal", container.terminal);
   pair(out, "threads", container.shared_thread ? "shared" : "one_each");
-  if (container.health) pair(out, "health", *container.health);
+  write_all(out, "health", container.health);
   out << YAML::Key << "components" << YAML::Value << BeginSeq;
   for (const ComponentInstance& instance : container.components) write(out, instance, sources);
   out << EndSeq << EndMap;
@@ -73,14 +95,6 @@ void write(YAML::Emitter& out, const Host& host, const YamlSources& sources) {
   out << EndSeq << YAML::Key << "containers" << YAML::Value << BeginSeq;
   for (const Container& container : host.containers) write(out, container, sources);
   out << EndSeq << EndMap;
-}
-
-void write(YAML::Emitter& out, const RestartPolicy& policy) {
-  out << YAML::Key << "restart" << YAML::Value << BeginMap;
-  pair(out, "backoff_s", policy.backoff_s);
-  pair(out, "max_backoff_s", policy.max_backoff_s);
-  pair(out, "limit", policy.limit);
-  out << EndMap;
 }
 
 void write(YAML::Emitter& out, const Radio& radio) {
@@ -100,7 +114,7 @@ void write(YAML::Emitter& out, const Deployment& deployment) {
   pair(out, "domain", deployment.link_domain - 2);
   text(out, "namespace", deployment.ros_namespace);
   text(out, "stop_when_exits", deployment.stop_when_exits);
-  write(out, deployment.restart);
+  write_all(out, "restart", deployment.restart);
   if (deployment.radio) write(out, *deployment.radio);
   out << YAML::Key << "hosts" << YAML::Value << BeginMap;
   for (const Host& host : deployment.hosts) write(out, host, deployment.sources);

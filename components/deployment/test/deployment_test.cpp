@@ -116,6 +116,20 @@ TEST_F(DeploymentTest, RejectsDuplicateNames) {
               HasSubstr("uxv/driver: component of this name twice"));
 }
 
+TEST_F(DeploymentTest, RejectsAComponentThatIsNotInstalledWithASuggestion) {
+  overrides_.installed = {"driver", "navigator", "mission_control"};
+  EXPECT_EQ(error_of(whole), "no error");
+  EXPECT_EQ(error_of(with(whole, "component: navigator", "component: navigater")),
+            "no component 'navigater' is installed; did you mean 'navigator'? (" +
+                path("bringup/m.yaml") + ":22)");
+  EXPECT_THAT(error_of(with(whole, "[mission_control]", "[lidar]")),
+              HasSubstr("no component 'lidar' is installed; there are: driver, navigator, "
+                        "mission_control ("));
+  // Before the file of parameters is asked for its components.
+  overrides_.set = {"driver.port=x"};
+  EXPECT_THAT(error_of(with(whole, "- driver", "- drivr")), HasSubstr("did you mean 'driver'?"));
+}
+
 TEST_F(DeploymentTest, AllowsTheSameComponentOnBothHosts) {
   EXPECT_EQ(error_of(with(whole, "[mission_control]", "[driver]")), "no error");
 }
@@ -212,6 +226,11 @@ TEST_F(DeploymentTest, AContainerHasOneThreadEachUnlessItSharesOne) {
 TEST_F(DeploymentTest, TheLimitsOfAContainersWatchAreAMap) {
   EXPECT_THAT(error_of(with(whole, "- name: drive", "- name: drive\n        health: 3")),
               HasSubstr("hosts.uxv.containers.health: must be a map"));
+  EXPECT_THAT(error_of(with(whole, "- name: drive", "- name: drive\n        health: {period: 3}")),
+              HasSubstr("hosts.uxv.containers.health.period: unknown key; allowed: [period_s, "));
+  EXPECT_THAT(
+      error_of(with(whole, "- name: drive", "- name: drive\n        health: {period_s: 0}")),
+      HasSubstr("hosts.uxv.containers.health.period_s: 0 is outside [0.1, 60] ("));
 }
 
 TEST_F(DeploymentTest, RejectsTwoTerminals) {

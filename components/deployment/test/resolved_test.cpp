@@ -62,7 +62,9 @@ TEST_F(ResolvedTest, KeepsThreadsAndLimitsOfAContainer) {
                at + "\n        threads: shared\n        health: {period_s: 2}");
   const Deployment sut = through_file(yaml);
   EXPECT_TRUE(sut.hosts[0].containers[0].shared_thread);
-  EXPECT_EQ((*sut.hosts[0].containers[0].health)["period_s"].as<int>(), 2);
+  EXPECT_EQ(sut.hosts[0].containers[0].health.period_s, 2);
+  EXPECT_EQ(sut.hosts[0].containers[0].health.growth_mib, 64);
+  EXPECT_EQ(sut.hosts[1].containers[0].health.period_s, 1);
   EXPECT_FALSE(sut.hosts[1].containers[0].shared_thread);
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -30,6 +32,14 @@ std::optional<std::string> read_file(const std::string& path) {
 std::optional<std::string> read_sysctl(std::string name) {
   for (char& c : name) c = c == '.' ? '/' : c;
   return read_file("/proc/sys/" + name);
+}
+
+/// 0 when it can be opened for reading and writing, else the errno.
+int error_of_opening(const char* device) {
+  const int descriptor = ::open(device, O_RDWR | O_CLOEXEC);
+  if (descriptor < 0) return errno;
+  ::close(descriptor);
+  return 0;
 }
 
 Advice judge_shared_memory(bool clean) {
@@ -63,6 +73,10 @@ void examine(const deployment::Deployment& deployment, Advices& advices) {
     for (const std::string& peer : host.peers) advices.push_back(compare_clock(peer));
   }
   advices.push_back(judge_domain("link", deployment.link_domain, ports));
+  if (!deployment.radio) return;
+  for (Advice& one : judge_radio(read_sysctl, ::geteuid() == 0, error_of_opening("/dev/net/tun"))) {
+    advices.push_back(std::move(one));
+  }
 }
 
 int print(const Advices& advices) {

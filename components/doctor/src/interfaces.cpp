@@ -36,7 +36,7 @@ Advice judge_address(const std::string& wanted, const std::vector<Interface>& in
   }
   if (!at->carrier) {
     return {Verdict::bad, where + " has no carrier",
-            "join the network first: containers wait 30 s for a carrier, then give up"};
+            "join the network: until then only topics of the host itself work"};
   }
   return {Verdict::good, where + " is up, with carrier", ""};
 }

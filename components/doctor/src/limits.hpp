@@ -16,4 +16,8 @@ using ReadSysctl = std::function<std::optional<std::string>(const std::string& n
 /// privileges, which `root` does not need.
 [[nodiscard]] Advices judge_limits(const ReadSysctl& read, bool root);
 
+/// Whether the emulated radio can be made here: `tun_error` is the errno of opening /dev/net/tun,
+/// 0 when that was possible; without `root` there must be user namespaces for everybody.
+[[nodiscard]] Advices judge_radio(const ReadSysctl& read, bool root, int tun_error);
+
 }  // namespace tocsin::doctor

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <map>
 
 namespace tocsin::doctor {
@@ -46,6 +47,32 @@ TEST(Limits, WhatCannotBeReadIsUnknown) {
     EXPECT_EQ(advice.verdict, Verdict::unknown);
     EXPECT_THAT(advice.text, HasSubstr("cannot be read"));
   }
+}
+
+std::optional<std::string> nothing(const std::string&) { return std::nullopt; }
+
+TEST(Radio, NeedsTheTunDevice) {
+  EXPECT_EQ(judge_radio(nothing, true, 0)[0].verdict, Verdict::good);
+  const Advice absent = judge_radio(nothing, true, ENOENT)[0];
+  EXPECT_EQ(absent.verdict, Verdict::bad);
+  EXPECT_THAT(absent.text, HasSubstr("/dev/net/tun (emulated radio): No such file"));
+  EXPECT_THAT(absent.remedy, HasSubstr("modprobe tun"));
+  EXPECT_THAT(judge_radio(nothing, false, EACCES)[0].remedy, HasSubstr("chmod"));
+}
+
+TEST(Radio, NeedsUserNamespacesForWhoIsNotRoot) {
+  for (const auto& [name, off] : std::map<std::string, std::string>{
+           {"kernel.unprivileged_userns_clone", "0\n"},
+           {"user.max_user_namespaces", "0\n"},
+           {"kernel.apparmor_restrict_unprivileged_userns", "1\n"}}) {
+    const auto read = [&](const std::string& wanted) {
+      return wanted == name ? std::optional<std::string>(off) : std::nullopt;
+    };
+    EXPECT_EQ(judge_radio(read, false, 0)[1].verdict, Verdict::bad) << name;
+    EXPECT_THAT(judge_radio(read, false, 0)[1].remedy, HasSubstr("sysctl -w " + name + "="));
+    EXPECT_EQ(judge_radio(read, true, 0)[1].verdict, Verdict::good) << name;
+  }
+  EXPECT_EQ(judge_radio(nothing, false, 0)[1].verdict, Verdict::good);
 }
 
 }  // namespace

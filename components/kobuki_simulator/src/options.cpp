@@ -24,6 +24,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   app.add_option("--control", options.control, "socket that takes commands (get, set, unplug ...)");
   app.add_option("--state", options.state, "file to resume from after a restart");
   app.add_option("--script", options.script_file, "file of lines 'SECONDS COMMAND'");
+  app.add_flag("--check", options.check, "only look at the arguments and the files that they name");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

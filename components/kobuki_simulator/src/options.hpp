@@ -22,6 +22,7 @@ struct Options {
   std::string state;
   std::string script;  ///< the text of the file
   std::string script_file;
+  bool check = false;  ///< only look at the arguments and the files
 };
 
 /// Empty with an exit code in `exit_code` when the program shall end at once (help, bad usage).

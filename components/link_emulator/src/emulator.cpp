@@ -31,11 +31,6 @@ FileDescriptor stop_signals() {
   return FileDescriptor(::signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC));
 }
 
-std::vector<radio::Wall> walls_of(const Options& options) {
-  if (options.walls_file.empty()) return {};
-  return radio::load_walls(options.walls_file);
-}
-
 timespec timespec_of(Time t) {
   const auto ns = std::max<std::int64_t>(1, t.time_since_epoch().count());
   return {static_cast<time_t>(ns / 1'000'000'000), static_cast<long>(ns % 1'000'000'000)};
@@ -43,13 +38,19 @@ timespec timespec_of(Time t) {
 
 }  // namespace
 
+radio::RadioChannel make_channel(const Options& options, Time start) {
+  std::vector<radio::Wall> walls;
+  if (!options.walls_file.empty()) walls = radio::load_walls(options.walls_file);
+  return {radio::load_channel(options.channel_file), std::move(walls), options.seed, start};
+}
+
 Emulator::Emulator(const Options& options)
     : options_(options),
       signals_(stop_signals()),
       epoll_(::epoll_create1(EPOLL_CLOEXEC)),
       timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC)),
       start_(clock_now()),
-      channel_(radio::load_channel(options.channel_file), walls_of(options), options.seed, start_),
+      channel_(make_channel(options, start_)),
       uxv_(options.uxv, options.interface),
       gcs_(options.gcs, options.interface),
       tick_at_(start_ + tick_period),

@@ -19,6 +19,9 @@
 
 namespace tocsin::link {
 
+/// The channel that the files of the options describe. Throws ConfigError.
+[[nodiscard]] radio::RadioChannel make_channel(const Options& options, Time start);
+
 /// The program: two interfaces, the channel between them, control, statistics; one thread.
 ///
 /// What may fail fails in the constructor (ConfigError, EnvironmentError). While running, a full

@@ -23,7 +23,12 @@ int main(int argc, char** argv) {
   die_with_parent();
   return tocsin::run_program("link_emulator", [&] {
     const auto options = tocsin::link::parse_options(argc, argv);
-    if (options) tocsin::link::Emulator(*options).run();
+    if (!options) return 0;
+    if (options->check) {
+      (void)tocsin::link::make_channel(*options, {});
+    } else {
+      tocsin::link::Emulator(*options).run();
+    }
     return 0;
   });
 }

@@ -72,6 +72,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
   app.add_option("--control", options.control_path, "unix datagram socket to create");
   app.add_option("--stats", options.stats_path, "JSON lines, one per second, appended");
   app.add_option("--wireless", options.wireless_path, "file like /proc/net/wireless, replaced");
+  app.add_flag("--check", options.check, "only look at the arguments and the files that they name");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

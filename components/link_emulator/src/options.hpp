@@ -26,6 +26,7 @@ struct Options {
   std::string control_path;   ///< empty: no control socket
   std::string stats_path;     ///< empty: none
   std::string wireless_path;  ///< empty: none
+  bool check = false;         ///< only look at the arguments and the files
 };
 
 /// `NAME:NETNS:ADDRESS/PREFIX` with NAME uxv or gcs; the netns may contain colons. Throws

@@ -107,7 +107,6 @@ deployment::Deployment with_guest(deployment::Deployment deployment, const std::
   for (deployment::Container& other : found->containers) other.terminal = false;
   deployment::Container container;
   container.name = guest_name();
-  container.health = std::make_shared<YAML::Node>(YAML::NodeType::Map);
   container.components.push_back(
       {guest.component, guest.component + "_operator", parameters_of(guest, deployment.sources)});
   found->containers.push_back(std::move(container));

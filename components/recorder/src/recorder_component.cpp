@@ -48,7 +48,8 @@ template <class... Topics>
 void RecorderComponent::add_all(topic::List<Topics...>) {
   (tracks_.push_back({Topics::info.name, &type_info<typename Topics::Message>(),
                       std::make_unique<InputPort>(
-                          *this, Endpoint{Topics::info, &type_info<typename Topics::Message>()}),
+                          *this, Endpoint{Topics::info, &type_info<typename Topics::Message>(),
+                                          Writers::optional}),
                       nullptr}),
    ...);
 }

@@ -2,14 +2,12 @@
 #include "container.hpp"
 
 #include <unistd.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "foundation/error.hpp"
 #include "foundation/free_space.hpp"
-#include "foundation/parameters.hpp"
 #include "runtime/middleware/component_library.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 
@@ -39,13 +37,6 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
           processes_of(deployment)};
 }
 
-HealthLimits limits_of(const deployment::Deployment& deployment,
-                       const deployment::Container& container) {
-  const YAML::Node none(YAML::NodeType::Map);
-  return load_parameters<HealthLimits>(container.health ? *container.health : none,
-                                       container.name + ".health", deployment.sources);
-}
-
 }  // namespace
 
 Container::Container(const deployment::Deployment& deployment, const deployment::Host& host,
@@ -60,7 +51,7 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
   instances_ = std::make_unique<Instances>(gate_context_, *threads_, load_component);
   gate_ = std::make_unique<GateComponent>(gate_context_, GateComponent::Params{}, container.name);
   control_ = std::make_unique<ControlComponent>(
-      control_context_, limits_of(deployment, container),
+      control_context_, container.health,
       ProcessName{host.name, container.name, static_cast<int>(getpid())}, *instances_,
       ControlComponent::Computer{resident_bytes, free_bytes});
   for (const deployment::ComponentInstance& one : container.components) {

@@ -5,32 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "deployment/deployment.hpp"
 #include "ros_idl/diagnostic_msgs.hpp"
 #include "runtime/component.hpp"
 #include "tick_account.hpp"
 
 namespace tocsin {
 
-/// When the health of a container's parts is no longer fine.
-struct HealthLimits {
-  double period_s = 1.0;
-  double slow_tick_s = 0.5;
-  double blocked_tick_s = 5.0;
-  double overrun_share = 0.1;
-  double resident_mib = 512;
-  double growth_mib = 64;
-  double disk_low_mib = 100;
-  template <class Visitor>
-  void visit(Visitor& v) {
-    v("period_s", period_s, {0.1, 60}, "[s] between reports");
-    v("slow_tick_s", slow_tick_s, {0.001, 3600}, "[s] a longer tick is a WARN");
-    v("blocked_tick_s", blocked_tick_s, {0.001, 3600}, "[s] a tick that runs longer is an ERROR");
-    v("overrun_share", overrun_share, {0, 1}, "[1] a larger share of skipped periods is a WARN");
-    v("resident_mib", resident_mib, {1, 1e6}, "[MiB] more resident memory is a WARN");
-    v("growth_mib", growth_mib, {1, 1e6}, "[MiB] memory that grew by more is a WARN");
-    v("disk_low_mib", disk_low_mib, {0, 1e9}, "[MiB] less room on the run folder's disk is a WARN");
-  }
-};
+using deployment::HealthLimits;
 
 /// Sums of one instance at one instant.
 struct InstanceSums {

@@ -155,4 +155,10 @@ std::vector<std::string> QosProfiles::overridden_topics() const {
   return names;
 }
 
+void refuse_owners_on_link(const TopicInfo& topic, const QosContract& qos) {
+  if (topic.scope != Scope::link || !qos.exclusive()) return;
+  throw ConfigError(std::string("topic ") + topic.name +
+                    ": crosses the link; ownership: exclusive is for host topics");
+}
+
 }  // namespace tocsin

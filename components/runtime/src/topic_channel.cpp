@@ -7,6 +7,7 @@
 
 #include "foundation/error.hpp"
 #include "layout_digest.hpp"
+#include "runtime/middleware/qos_profile.hpp"
 
 namespace tocsin {
 namespace {
@@ -34,10 +35,7 @@ TopicChannel::TopicChannel(ChannelOptions options, FastDdsParticipant& host,
       link_(link),
       exchange_(options_.qos),
       offered_(options_.qos) {
-  if (exclusive_ && options_.endpoint.topic.scope == Scope::link) {
-    throw ConfigError(std::string("topic ") + options_.endpoint.topic.name +
-                      ": crosses the link; ownership: exclusive is for host topics");
-  }
+  refuse_owners_on_link(options_.endpoint.topic, options_.qos);
   if (std::isfinite(options_.qos.max_rate_hz)) rate_.emplace(seconds(1 / options_.qos.max_rate_hz));
   if (std::isfinite(options_.qos.deadline_s)) deadline_.emplace(seconds(options_.qos.deadline_s));
 }

@@ -51,6 +51,12 @@ struct BaseConfig {
 BaseConfig read_config(const std::string& path) {
   const YAML::Node file = read_yaml_file(path);
   if (!file.IsMap()) throw ConfigError("kobuki_simulator: must be a map (" + path + ")");
+  for (const auto& entry : file) {
+    const std::string key = entry.first.Scalar();
+    if (key == "model" || key == "line") continue;
+    throw ConfigError("kobuki_simulator." + key + ": unknown key; allowed: [model, line]" +
+                      yaml_place(path, entry.first));
+  }
   return {load_parameters<kobuki::ModelParams>(file["model"], "kobuki_simulator.model", path),
           load_parameters<kobuki::LineParams>(file["line"], "kobuki_simulator.line", path)};
 }

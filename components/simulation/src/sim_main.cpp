@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "command_line/command.hpp"
+#include "runtime/middleware/component_library.hpp"
 #include "sim_command.hpp"
 
 namespace tocsin::simulation {
@@ -48,6 +49,7 @@ std::string replay_of(const Options& options, const std::string& file) {
 int run(Options& options) {
   options.replay = replay_of(options, options.file);
   options.locate();
+  options.overrides.installed = installed_components();
   const bool many = options.until_failure || !options.seeds.empty();
   return many ? search_seeds(options) : simulate(options);
 }

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
 #include "kobuki_protocol/command.hpp"
 
 namespace tocsin::simulation {
@@ -161,6 +162,9 @@ TEST(BaseOptions, AreRefusedWhenWrong) {
   EXPECT_THROW((void)read({"--link", "a", "--start", "1,2"}), ConfigError);
   EXPECT_THROW((void)read({"--link", "a", "--seed", "-1"}), ConfigError);
   EXPECT_THROW((void)read({"--link", "a", "--config", "/no/such/file"}), ConfigError);
+  const TemporaryFolder folder;
+  const std::string file = folder.write("base.yaml", "modell: {command_timeout_s: 1}\n");
+  EXPECT_THROW((void)read({"--link", "a", "--config", file}), ConfigError) << "an unknown key";
 }
 
 }  // namespace

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+
 #include "command_line/bringup_options.hpp"
-#include "command_line/programs.hpp"
 
 namespace tocsin::cli {
 
-/// Runs `tocsin check` on what is to be launched; it prints what is wrong on stderr. False when it
-/// refuses. Throws ConfigError when the program is in none of `folders`.
-[[nodiscard]] bool check_first(const BringupOptions& options, const Folders& folders);
+/// Runs `tocsin check`, which is `program`, on what is to be launched; what is wrong is printed on
+/// stderr. False when it refuses.
+[[nodiscard]] bool check_first(const BringupOptions& options, const std::filesystem::path& program);
 
 }  // namespace tocsin::cli

@@ -8,10 +8,12 @@
 #include "check_first.hpp"
 #include "command_line/bringup_options.hpp"
 #include "command_line/command.hpp"
+#include "command_line/launch_plan.hpp"
 #include "command_line/programs.hpp"
 #include "deployment/deployment.hpp"
 #include "deployment/resolved_copy.hpp"
 #include "deployment/run_folder.hpp"
+#include "foundation/error.hpp"
 #include "launcher.hpp"
 
 namespace tocsin::cli {
@@ -31,16 +33,26 @@ bool has_containers(const deployment::Deployment& deployment) {
                      [](const deployment::Host& host) { return !host.containers.empty(); });
 }
 
+/// All that is found before anything starts is what `tocsin check` finds. False when it refuses,
+/// and has said why. Throws ConfigError when that program is not there and needed.
+bool may_start(const BringupOptions& options, const Folders& folders) {
+  const auto checker = find_program("tocsin-check", folders);
+  if (checker && !check_first(options, *checker)) return false;
+  const auto deployment = deployment::load_deployment(options.file, options.overrides);
+  if (!checker && has_containers(deployment)) {
+    throw ConfigError("tocsin-check is not found beside tocsin-launch or in $PATH");
+  }
+  (void)plan_processes(deployment, {}, folders);
+  return true;
+}
+
 int launch(BringupOptions& options) {
   options.locate();
   deployment::Overrides& overrides = options.overrides;
   const std::string& file = options.file;
   // Checked before the folder of the run is made: a wrong file leaves nothing behind.
   const Folders folders = program_folders();
-  if (has_containers(deployment::load_deployment(file, overrides)) &&
-      !check_first(options, folders)) {
-    return 2;
-  }
+  if (!may_start(options, folders)) return 2;
   const deployment::RunFolder run(overrides.run_dir);
   overrides.run_dir = run.path().string();
   const deployment::Deployment deployment = deployment::load_deployment(file, overrides);

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "child.hpp"
+#include "command_line/launch_plan.hpp"
 #include "journal.hpp"
 #include "line_splitter.hpp"
-#include "plan.hpp"
 #include "restart_rule.hpp"
 
 namespace tocsin::cli {

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "command_line/programs.hpp"
+#include "command_line/run_to_end.hpp"
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/program.hpp"
+#include "foundation/spelling.hpp"
 
 namespace tocsin::cli {
 namespace {
@@ -21,14 +20,8 @@ namespace {
 /// The first line that the verb's program prints with --help.
 std::string description(const std::string& verb, const Folders& folders) {
   const auto program = find_program("tocsin-" + verb, folders);
-  const std::string command = "'" + program->string() + "' --help 2>/dev/null";
-  const std::unique_ptr<FILE, int (*)(FILE*)> output(::popen(command.c_str(), "r"), ::pclose);
-  std::array<char, 200> line{};
-  if (!output || std::fgets(line.data(), line.size(), output.get()) == nullptr) return "";
-  std::string text = line.data();
-  while (std::fgets(line.data(), line.size(), output.get()) != nullptr) {
-  }
-  return printable(text.substr(0, text.find('\n')));
+  const Ended help = run_to_end({program->string(), "--help"});
+  return help.code == 0 ? printable(help.output.substr(0, help.output.find('\n'))) : "";
 }
 
 int print_help(const Folders& folders) {
@@ -41,18 +34,9 @@ int print_help(const Folders& folders) {
   return 0;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 [[noreturn]] void reject(const std::string& verb, const Folders& folders) {
-  const auto verbs = find_verbs(folders);
-  const auto near = similar(verbs, verb);
-  throw ConfigError(
-      "'" + verb + "' is not a verb; " +
-      (near.empty() ? "the verbs are: " + joined(verbs) : "did you mean: " + joined(near) + "?"));
+  throw ConfigError("'" + verb + "' is not a verb" +
+                    did_you_mean(find_verbs(folders), verb, "the verbs are"));
 }
 
 int body(char** argv) {

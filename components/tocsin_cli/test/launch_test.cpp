@@ -188,6 +188,7 @@ TEST_F(LaunchTest, RejectsAProgramThatDoesNotExist) {
   launch("{name: x, command: [no_such_program]}");
   EXPECT_EQ(exit_code(), 2);
   EXPECT_THAT(output(), HasSubstr("a/x: program 'no_such_program' is not found"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("run")));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST_F(TocsinTest, ListsVerbsWithTheirDescriptions) {
 
 TEST_F(TocsinTest, SuggestsAVerbForAnUnknownOne) {
   EXPECT_EQ(run("wafe"), 2);
-  EXPECT_EQ(output(), "tocsin: 'wafe' is not a verb; did you mean: wave?\n");
+  EXPECT_EQ(output(), "tocsin: 'wafe' is not a verb; did you mean 'wave'?\n");
 }
 
 TEST_F(TocsinTest, ListsTheVerbsWhenNoneIsNear) {

@@ -12,6 +12,7 @@
 namespace tocsin {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 Ended check(const std::string& arguments) {
@@ -30,6 +31,26 @@ std::vector<std::string> yaml_blocks(const std::string& readme) {
     if (fence) inside = !inside && line == "```yaml";
   }
   return blocks;
+}
+
+TEST(Check, HasNoWarningForTheShippedFiles) {
+  for (const char* file : {"mission.yaml", "teleop.yaml", "dock.yaml"}) {
+    const Ended ended = check(std::string(file) + " --strict");
+    EXPECT_EQ(ended.code, 0) << file;
+    EXPECT_THAT(ended.output, EndsWith("components; 0 errors, 0 warnings\n"));
+    EXPECT_EQ(ended.output.find('\n'), ended.output.size() - 1) << ended.output;
+  }
+}
+
+TEST(Check, LooksAtAFileWithoutContainers) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.write("one.yaml",
+                   "hosts: {uxv: {role: uxv, address: 127.0.0.1, programs: [{name: a, command: "
+                   "[\"true\"]}]}}");
+  const Ended ended = check(file);
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.output, HasSubstr("0 components; 0 errors, 0 warnings"));
 }
 
 TEST(Check, TheExampleOfAFileThatExtendsTheMissionIsRight) {

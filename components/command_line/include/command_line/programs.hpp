@@ -29,10 +29,6 @@ using Folders = std::vector<std::filesystem::path>;
 /// VERB of every executable tocsin-VERB, sorted, each once.
 [[nodiscard]] std::vector<std::string> find_verbs(const Folders& folders);
 
-/// The words that differ from `word` by at most two letters.
-[[nodiscard]] std::vector<std::string> similar(const std::vector<std::string>& words,
-                                               const std::string& word);
-
 /// The installed folder share/tocsin beside `program`, or of the package bringup in an isolated
 /// install; `<prefix>/share/tocsin` when neither is there.
 [[nodiscard]] std::filesystem::path share_folder(const std::filesystem::path& program);

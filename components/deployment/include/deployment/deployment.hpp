@@ -18,6 +18,28 @@ struct ComponentInstance {
   /// A map of parameters, never null, possibly empty. Its nodes know where they were written, so
   /// `load_parameters<P>(*parameters, name, deployment.sources)` points there.
   std::shared_ptr<const YAML::Node> parameters;
+  std::string place = "";  ///< "file:line" where it stands
+};
+
+/// When the health of a container's parts is no longer fine.
+struct HealthLimits {
+  double period_s = 1.0;
+  double slow_tick_s = 0.5;
+  double blocked_tick_s = 5.0;
+  double overrun_share = 0.1;
+  double resident_mib = 512;
+  double growth_mib = 64;
+  double disk_low_mib = 100;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("period_s", period_s, {0.1, 60}, "[s] between reports");
+    v("slow_tick_s", slow_tick_s, {0.001, 3600}, "[s] a longer tick is a WARN");
+    v("blocked_tick_s", blocked_tick_s, {0.001, 3600}, "[s] a tick that runs longer is an ERROR");
+    v("overrun_share", overrun_share, {0, 1}, "[1] a larger share of skipped periods is a WARN");
+    v("resident_mib", resident_mib, {1, 1e6}, "[MiB] more resident memory is a WARN");
+    v("growth_mib", growth_mib, {1, 1e6}, "[MiB] memory that grew by more is a WARN");
+    v("disk_low_mib", disk_low_mib, {0, 1e9}, "[MiB] less room on the run folder's disk is a WARN");
+  }
 };
 
 /// One process that runs components.
@@ -27,8 +49,7 @@ struct Container {
   std::vector<ComponentInstance> components;
   /// All components on one thread, which hand over without a system call; else one thread each.
   bool shared_thread = false;
-  /// A map of limits of the container's own watch; null: all defaults.
-  std::shared_ptr<const YAML::Node> health = nullptr;
+  HealthLimits health = {};
 };
 
 /// One plain process without DDS.
@@ -95,6 +116,8 @@ struct Overrides {
   std::vector<std::string> set;
   /// "host/process" or "host/process/component" left out; names as in `resolve_path`.
   std::vector<std::string> without;
+  /// Components that can be loaded; another one in the file is an error. Empty: not looked at.
+  std::vector<std::string> installed;
 };
 
 /// Reads a bringup file, the files that it extends and its parameter files, and applies the

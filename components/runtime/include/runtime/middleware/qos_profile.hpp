@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "foundation/yaml_sources.hpp"
+#include "idl_support/topic_info.hpp"
 #include "runtime/middleware/qos_policies.hpp"
 
 namespace tocsin {
@@ -61,5 +62,8 @@ class QosProfiles {
   std::map<std::string, FlowController> flow_controllers_;
   std::map<std::string, TopicOverride> overrides_;
 };
+
+/// Throws ConfigError when the writers of a topic that crosses the link would have owners.
+void refuse_owners_on_link(const TopicInfo& topic, const QosContract& qos);
 
 }  // namespace tocsin

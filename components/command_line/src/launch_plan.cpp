@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plan.hpp"
+#include "command_line/launch_plan.hpp"
 
 #include <cassert>
 
 #include "foundation/error.hpp"
 
-namespace tocsin::cli {
+namespace tocsin {
 namespace {
 
 std::string located(const std::string& process, const std::string& program,
@@ -23,7 +23,8 @@ std::vector<ProcessSpec> plan_processes(const deployment::Deployment& deployment
   int index = 0;
   for (const deployment::Host& host : deployment.hosts) {
     for (const deployment::Program& program : host.programs) {
-      ProcessSpec spec{host.name + "/" + program.name, program.command, index, false};
+      ProcessSpec spec{host.name + "/" + program.name, program.command, index, false, false};
+      spec.checks_itself = program.command.front() == "kobuki_simulator";
       spec.command[0] = located(spec.name, spec.command[0], folders);
       specs.push_back(std::move(spec));
     }
@@ -33,7 +34,8 @@ std::vector<ProcessSpec> plan_processes(const deployment::Deployment& deployment
                        {located(name, "tocsin-container", folders), file.path, host.name,
                         container.name, file.copy},
                        index,
-                       container.terminal});
+                       container.terminal,
+                       false});
     }
     ++index;
   }
@@ -43,7 +45,7 @@ std::vector<ProcessSpec> plan_processes(const deployment::Deployment& deployment
 ProcessSpec plan_radio(const deployment::Deployment& deployment,
                        const std::vector<int>& descriptors, const Folders& folders) {
   assert(deployment.radio && descriptors.size() == deployment.hosts.size());
-  ProcessSpec spec{"radio", {located("radio", "link_emulator", folders)}, -1, false};
+  ProcessSpec spec{"radio", {located("radio", "link_emulator", folders)}, -1, false, true};
   const auto add = [&](const std::string& option, const std::string& value) {
     spec.command.push_back(option);
     spec.command.push_back(value);
@@ -62,4 +64,4 @@ ProcessSpec plan_radio(const deployment::Deployment& deployment,
   return spec;
 }
 
-}  // namespace tocsin::cli
+}  // namespace tocsin

@@ -7,24 +7,27 @@
 #include "command_line/programs.hpp"
 #include "deployment/deployment.hpp"
 
-namespace tocsin::cli {
+namespace tocsin {
 
-/// One process to start and keep.
+/// One process that `tocsin launch` starts and keeps.
 struct ProcessSpec {
   std::string name;                  ///< "host/process", or "radio"
   std::vector<std::string> command;  ///< the program's path and its arguments
   int host = -1;                     ///< index of its host; -1 runs outside of all hosts
   bool terminal = false;             ///< its stdout is the launcher's
+  /// A program of the stack that with `--check` behind its arguments only looks at them and the
+  /// files that they name: exit code 0, or one line and 2.
+  bool checks_itself = false;
 };
 
 /// The file that containers read.
 struct ResolvedFile {
   std::string path;
-  std::string copy;  ///< in memory, for those that are restarted when the file is gone
+  std::string copy = {};  ///< in memory, for those that are restarted when the file is gone
 };
 
-/// The programs and containers of all hosts in starting order.
-/// Throws ConfigError when a program is in none of `folders`.
+/// The programs and containers of all hosts in starting order. Both `tocsin launch` and `tocsin
+/// check` begin here. Throws ConfigError when a program is in none of `folders`.
 [[nodiscard]] std::vector<ProcessSpec> plan_processes(const deployment::Deployment& deployment,
                                                       const ResolvedFile& file,
                                                       const Folders& folders);
@@ -34,4 +37,4 @@ struct ResolvedFile {
 [[nodiscard]] ProcessSpec plan_radio(const deployment::Deployment& deployment,
                                      const std::vector<int>& descriptors, const Folders& folders);
 
-}  // namespace tocsin::cli
+}  // namespace tocsin

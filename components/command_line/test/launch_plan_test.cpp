@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plan.hpp"
+#include "command_line/launch_plan.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
 
-namespace tocsin::cli {
+namespace tocsin {
 namespace {
 
 using ::testing::ElementsAre;
@@ -81,4 +81,4 @@ TEST_F(PlanTest, JoinsTheHostsByTheirRoles) {
 }
 
 }  // namespace
-}  // namespace tocsin::cli
+}  // namespace tocsin

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line/run_to_end.hpp"
+
+#include <gtest/gtest.h>
+
+#include "foundation/error.hpp"
+
+namespace tocsin {
+namespace {
+
+Ended shell(const std::string& text) { return run_to_end({"/bin/sh", "-c", text}); }
+
+TEST(RunToEnd, GivesTheExitCodeAndBothOutputsInOrder) {
+  const Ended ended = shell("echo one; echo two >&2; echo three; exit 3");
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_EQ(ended.output, "one\ntwo\nthree\n");
+}
+
+TEST(RunToEnd, AProgramThatDiesByASignalIsToldFromOneThatEnds) {
+  EXPECT_EQ(shell("kill -9 $$").code, 128 + 9);
+}
+
+TEST(RunToEnd, PassesArgumentsAsTheyAre) {
+  EXPECT_EQ(run_to_end({"/bin/echo", "a 'b'", "$c"}).output, "a 'b' $c\n");
+}
+
+TEST(RunToEnd, TheProgramHasNoInput) { EXPECT_EQ(shell("cat; echo end").output, "end\n"); }
+
+TEST(RunToEnd, TakesMoreThanAPipeHolds) {
+  EXPECT_EQ(shell("head -c 1000000 /dev/zero").output.size(), 1000000U);
+}
+
+TEST(RunToEnd, AProgramThatIsNotThereIsAnEnvironmentError) {
+  EXPECT_THROW((void)run_to_end({"/nowhere/program"}), EnvironmentError);
+}
+
+}  // namespace
+}  // namespace tocsin
