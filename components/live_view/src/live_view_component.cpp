@@ -25,15 +25,11 @@ LiveViewComponent::LiveViewComponent(Context& context, const Params& params)
   }
   count(topic::List<topic::BatteryState, topic::MemoryUsage, topic::CpuLoad, topic::CpuTemperature,
                     topic::CameraImage, topic::DockingStatus>{});
-  declare_read(topic::List<topic::Location, topic::NavigationStatus, topic::NetworkQuality,
-                           topic::TransmissionState, topic::Heartbeat, topic::TrafficReport,
-                           topic::SafetyStatus, topic::MissionStatus>{});
+  for (const PortHealth& input : port_health()) table_.on_reader(input.topic, {});
 }
 
-template <class... Topics>
-void LiveViewComponent::declare_read(topic::List<Topics...>) {
-  (read_.insert(Topics::info.name), ...);
-  for (const std::string& name : read_) table_.on_reader(name, {});
+LiveViewComponent::~LiveViewComponent() {
+  if (terminal_) std::printf("\n");  // what comes next begins below the page
 }
 
 template <class... Topics>
@@ -43,7 +39,6 @@ void LiveViewComponent::count(topic::List<Topics...>) {
                                *this, Endpoint{Topics::info, &type_info<typename Topics::Message>(),
                                                Writers::optional})}),
    ...);
-  (read_.insert(Topics::info.name), ...);
 }
 
 template <class Topic>
@@ -107,9 +102,11 @@ void LiveViewComponent::take_diagnostics(Time now) {
 /// Of every topic that is counted, whether its reader has found a writer.
 void LiveViewComponent::look_at_readers() {
   std::map<std::string, TopicReader> readers;
+  for (const PortHealth& input : port_health()) readers[input.topic] = {};
   for (const EndpointHealth& endpoint : bus().health()) {
-    if (endpoint.writer || read_.count(endpoint.topic) == 0) continue;
-    TopicReader& reader = readers[endpoint.topic];
+    const auto found = readers.find(endpoint.topic);
+    if (endpoint.writer || found == readers.end()) continue;
+    TopicReader& reader = found->second;
     reader.writers = reader.writers.value_or(0) + endpoint.matched;
     reader.thins = reader.thins || endpoint.thinned > 0;
   }

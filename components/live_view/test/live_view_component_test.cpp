@@ -104,24 +104,41 @@ TEST_F(LiveViewTest, KnowsWhichTopicsItDoesNotRead) {
   EXPECT_EQ(sut_.state(bus_.now()).traffic.at(0).counting, Counting::not_read);
 }
 
+template <class Message>
+auto set_role(Message& message, int) -> decltype(message.role(std::string()), void()) {
+  message.role("uxv");
+}
+template <class Message>
+void set_role(Message&, ...) {}
+
+/// A report of every topic, then a sample of each.
 template <class... Topics>
-std::vector<std::string> names_of(topic::List<Topics...>) {
-  return {Topics::info.name...};
+void publish_all(SimBus& bus, topic::List<Topics...>) {
+  for (const char* name : {Topics::info.name...}) {
+    bus.publish<topic::TrafficReport>(report_of(name));
+  }
+  bus.run_for(seconds(0.1));
+  const auto publish = [&bus](auto message, auto topic) {
+    set_role(message, 0);
+    bus.publish<decltype(topic)>(std::move(message));
+  };
+  (publish(typename Topics::Message{}, Topics{}), ...);
+  bus.run_for(seconds(0.1));
 }
 
 TEST_F(LiveViewTest, CountsEveryTopicThatTheVehicleSends) {
-  using FromTheVehicle =
+  publish_all(
+      bus_,
       topic::List<topic::Location, topic::NetworkQuality, topic::NavigationStatus,
                   topic::BatteryState, topic::MemoryUsage, topic::CpuLoad, topic::CpuTemperature,
                   topic::CameraImage, topic::SafetyStatus, topic::DockingStatus, topic::Heartbeat,
-                  topic::TransmissionState, topic::TrafficReport>;
-  for (const std::string& name : names_of(FromTheVehicle{})) {
-    bus_.publish<topic::TrafficReport>(report_of(name));
-  }
-  bus_.run_for(seconds(0.1));
+                  topic::TransmissionState, topic::TrafficReport>{});
   const auto rows = sut_.state(bus_.now()).traffic;
   EXPECT_EQ(rows.size(), 13U);
-  for (const TrafficRow& row : rows) EXPECT_EQ(row.counting, Counting::counted) << row.topic;
+  for (const TrafficRow& row : rows) {
+    EXPECT_EQ(row.counting, Counting::counted) << row.topic;
+    EXPECT_GT(row.received, 0U) << row.topic;
+  }
 }
 
 TEST(LiveView, RefusesLimitsThatContradictEachOther) {

@@ -101,6 +101,7 @@ int run(const Options& options) {
     std::this_thread::sleep_for(seconds(options.period_s));
     show(options, listener.health(bus->now()));
   }
+  if (!options.json) std::printf("\n");  // the prompt comes below the page
   return 0;
 }
 

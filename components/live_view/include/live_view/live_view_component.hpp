@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +30,7 @@ class LiveViewComponent final : public Component {
 
   /// ConfigError when `unknown_after_s` is less than `stale_after_s`.
   LiveViewComponent(Context& context, const Params& params);
+  ~LiveViewComponent() override;
   void tick(Time now) override;
   /// What would be drawn at `now`; for tests.
   [[nodiscard]] ViewState state(Time now);
@@ -43,8 +43,6 @@ class LiveViewComponent final : public Component {
   };
   template <class... Topics>
   void count(topic::List<Topics...>);
-  template <class... Topics>
-  void declare_read(topic::List<Topics...>);
   void look_at_readers();
   void take_inputs(Time now);
   void take_states(Time now);
@@ -65,7 +63,6 @@ class LiveViewComponent final : public Component {
   std::vector<Counted> counted_;
   ViewState view_;
   TrafficTable table_;
-  std::set<std::string> read_;  ///< topics whose samples are counted
   const FreshnessLimits limits_;
   bool terminal_;
   Duration period_;
