@@ -5,13 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "foundation/numbers.hpp"
+
 namespace tocsin::camera {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double open_bytes = 40712;
 constexpr double near_bytes_m = 9600;
-constexpr double nearest_m = 0.3;
+constexpr double nearest_wall_m = 0.3;
 constexpr double farthest_m = 60;
 constexpr double least_bytes = 500;  // tables and headers of a JPEG
 
@@ -34,7 +35,7 @@ PictureSize::PictureSize(double field_of_view_deg, std::vector<Wall> walls)
 double PictureSize::law(const View& view) const {
   double sum_per_m = 0;
   for (const double wall_per_m : inverse_depths_per_m(view, sideways_, walls_)) {
-    sum_per_m += wall_per_m > 0 ? std::min(wall_per_m, 1 / nearest_m) : 1 / farthest_m;
+    sum_per_m += wall_per_m > 0 ? std::min(wall_per_m, 1 / nearest_wall_m) : 1 / farthest_m;
   }
   return open_bytes - near_bytes_m * sum_per_m / static_cast<double>(sideways_.size());
 }

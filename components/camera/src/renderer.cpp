@@ -6,11 +6,12 @@
 #include <cmath>
 #include <random>
 
+#include "foundation/numbers.hpp"
+
 namespace tocsin::camera {
 namespace {
 
 constexpr std::size_t noise_size = 65536;
-constexpr double pi = 3.14159265358979323846;
 
 /// Gaussian noise, more of it than one row needs.
 std::vector<std::int8_t> make_noise(const CameraParams& params) {

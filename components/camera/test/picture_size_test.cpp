@@ -10,7 +10,7 @@ namespace tocsin::camera {
 namespace {
 
 const std::vector<Wall>& classroom() {
-  static const auto walls = load_walls(TOCSIN_SOURCE_DIR "/../../config/maps/classroom.walls.yaml");
+  static const auto walls = load_walls(TOCSIN_REPOSITORY "/config/maps/classroom.walls.yaml");
   return walls;
 }
 

@@ -174,7 +174,7 @@ TEST(Renderer, SeesMoreWithAWiderLens) {
 }
 
 TEST(Renderer, DrawsTheClassroomOfTheRepository) {
-  const auto walls = load_walls(TOCSIN_SOURCE_DIR "/../../config/maps/classroom.walls.yaml");
+  const auto walls = load_walls(TOCSIN_REPOSITORY "/config/maps/classroom.walls.yaml");
   Renderer sut(small(), walls);
   // From the start of the missions, looking along x, the teacher's desk is ahead on the left.
   const Picture& picture = sut.render({}, 0);

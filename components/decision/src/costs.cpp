@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
-#include <limits>
+
+#include "foundation/numbers.hpp"
 
 namespace tocsin::decision {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// One slot of the programme: least cost by age of silence, 0 is speaking.
 /// Returns the age that speaking in this slot came from.

@@ -4,11 +4,10 @@
 #include <sstream>
 
 #include "foundation/error.hpp"
+#include "foundation/numbers.hpp"
 
 namespace tocsin::decision {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void check(const Normal& good, const Normal& bad, double clip) {
   std::ostringstream text;

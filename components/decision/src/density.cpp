@@ -2,16 +2,15 @@
 #include "decision/density.hpp"
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "foundation/error.hpp"
+#include "foundation/numbers.hpp"
 #include "special_functions.hpp"
 
 namespace tocsin::decision {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 const double ln_2pi = std::log(2 * M_PI);
 
 struct Shape {

@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "fit_start.hpp"
 #include "foundation/error.hpp"
+#include "foundation/numbers.hpp"
 #include "nelder_mead.hpp"
 
 namespace tocsin::decision {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Location-like parameters are searched as they are, positive ones by their logarithm.
 bool is_location(Family family, std::size_t i) {

@@ -4,12 +4,12 @@
 #include <sstream>
 
 #include "foundation/error.hpp"
+#include "foundation/numbers.hpp"
 
 namespace tocsin::decision {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int cells = 1000;
+constexpr int table_cells = 1000;
 
 /// Mean of the law within [0,100]; throws when hardly any of it lies there.
 double mean_on_scale(const Density& law, const char* which) {
@@ -21,9 +21,9 @@ double mean_on_scale(const Density& law, const char* which) {
     throw ConfigError(text.str());
   }
   double sum = 0;
-  for (int i = 0; i < cells; ++i) {
-    const double a = 100.0 * i / cells;
-    const double b = 100.0 * (i + 1) / cells;
+  for (int i = 0; i < table_cells; ++i) {
+    const double a = 100.0 * i / table_cells;
+    const double b = 100.0 * (i + 1) / table_cells;
     sum += (a + b) / 2 * (law.cdf(b) - law.cdf(a));
   }
   return sum / mass;
@@ -47,13 +47,13 @@ void check(const Density& good, const Density& bad, double clip) {
 DensityLlr::DensityLlr(const Density& good, const Density& bad, double clip)
     : good_(good), bad_(bad), clip_(clip > 0 ? clip : infinity), low_(0), high_(100) {
   check(good, bad, clip);
-  for (int i = 0; i <= cells; ++i) {
-    const double x = 100.0 * i / cells;
+  for (int i = 0; i <= table_cells; ++i) {
+    const double x = 100.0 * i / table_cells;
     if (raw(x) > raw(low_)) low_ = x;
   }
   high_ = low_;
-  for (int i = 0; i <= cells; ++i) {
-    const double x = 100.0 * i / cells;
+  for (int i = 0; i <= table_cells; ++i) {
+    const double x = 100.0 * i / table_cells;
     if (x > low_ && raw(x) < raw(high_)) high_ = x;
   }
 }

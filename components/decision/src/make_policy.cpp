@@ -10,9 +10,9 @@ namespace {
 
 int r_star(const PolicyParams& p) {
   const int n = p.th_max_samples;
-  const Discount discount = p.discount == "linear" ? linear_discount(p.discount_value, n)
-                                                   : geometric_discount(p.discount_value);
-  return discounted_secretary(n, discount).r_star;
+  const Discount factor = p.discount == "linear" ? linear_discount(p.discount_value, n)
+                                                 : geometric_discount(p.discount_value);
+  return discounted_secretary(n, factor).r_star;
 }
 
 Forward forward(const PolicyParams& p) {

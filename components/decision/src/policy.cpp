@@ -7,11 +7,10 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/numbers.hpp"
 
 namespace tocsin::decision {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// `a - b` for a >= b, without overflow.
 Duration since(Time a, Time b) {

@@ -5,12 +5,11 @@
 #include <utility>
 
 #include "decision/run_length.hpp"
+#include "foundation/numbers.hpp"
 #include "special_functions.hpp"
 
 namespace tocsin::decision {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double between(const Normal& law, double a, double b) {
   return b <= a ? 0 : normal_interval((a - law.mean) / law.sd, (b - law.mean) / law.sd);

@@ -16,7 +16,7 @@ namespace tocsin::decision {
 /// Where the golden numbers lie on a developer's machine; empty when they are absent.
 inline std::filesystem::path golden_file(const std::string& name) {
   const char* shared = std::getenv("TOCSIN_SHARED");
-  const std::filesystem::path root = shared ? shared : TOCSIN_SOURCE_DIR "/../../../shared";
+  const std::filesystem::path root = shared ? shared : TOCSIN_REPOSITORY "/../shared";
   const auto path = root / "data" / "golden" / name;
   return std::filesystem::exists(path) ? path : std::filesystem::path{};
 }

@@ -4,19 +4,17 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "csv_table.hpp"
 #include "decision/qni.hpp"
 #include "foundation/error.hpp"
+#include "foundation/numbers.hpp"
 #include "foundation/printable.hpp"
 #include "recorded_decisions.hpp"
 
 namespace tocsin::tools {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> numbers_or_nan(const CsvTable& table, const std::string& column) {
   return table.has(column) ? table.numbers(column) : std::vector<double>(table.rows(), nan);

@@ -128,7 +128,7 @@ TEST_F(Programs, ExplainThemselves) {
 
 TEST_F(Programs, ReadMeasuredWifi) {
   const char* shared = std::getenv("TOCSIN_SHARED");
-  const std::string root = shared ? shared : TOCSIN_SOURCE_DIR "/../../../shared";
+  const std::string root = shared ? shared : TOCSIN_REPOSITORY "/../shared";
   const std::string traces = root + "/data/traces";
   if (!std::filesystem::exists(traces)) GTEST_SKIP() << "no measured traces on this machine";
   for (const auto& file : std::filesystem::directory_iterator(traces)) {

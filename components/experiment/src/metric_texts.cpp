@@ -99,4 +99,8 @@ std::size_t metric_index(const std::string& name) {
   return static_cast<std::size_t>(found - texts.begin());
 }
 
+std::string metric_label(const std::string& name) {
+  return name + " [" + metric_texts()[metric_index(name)].unit + "]";
+}
+
 }  // namespace tocsin::experiment

@@ -8,57 +8,53 @@ namespace tocsin::experiment {
 namespace {
 
 /// What the table of a comparison shows; runs.csv has them all.
-const std::vector<std::string> shown{"qni_mean",
-                                     "probe_per_mean",
-                                     "probe_per_max",
-                                     "telemetry_per",
-                                     "telemetry_per_max",
-                                     "critical_lost",
-                                     "high_lost",
-                                     "goals_lost",
-                                     "low_lost",
-                                     "camera_lost",
-                                     "high_delivered",
-                                     "low_delivered",
-                                     "high_latency_median",
-                                     "high_latency_p99",
-                                     "low_latency_p99",
-                                     "goal_latency_p99",
-                                     "location_age_mean",
-                                     "location_age_p95",
-                                     "battery_age_mean",
-                                     "battery_age_p95",
-                                     "camera_age_mean",
-                                     "heartbeat_age_mean",
-                                     "state_age_mean",
-                                     "cpu_age_mean",
-                                     "link_bytes",
-                                     "airtime",
-                                     "detect",
-                                     "missed",
-                                     "resume",
-                                     "sent_in_poor",
-                                     "silent_in_good",
-                                     "slot_cost",
-                                     "slot_regret",
-                                     "pauses",
-                                     "silence_mean",
-                                     "silence_max",
-                                     "completion"};
+const std::vector<std::string> compared{"qni_mean",
+                                        "probe_per_mean",
+                                        "probe_per_max",
+                                        "telemetry_per",
+                                        "telemetry_per_max",
+                                        "critical_lost",
+                                        "high_lost",
+                                        "goals_lost",
+                                        "low_lost",
+                                        "camera_lost",
+                                        "high_delivered",
+                                        "low_delivered",
+                                        "high_latency_median",
+                                        "high_latency_p99",
+                                        "low_latency_p99",
+                                        "goal_latency_p99",
+                                        "location_age_mean",
+                                        "location_age_p95",
+                                        "battery_age_mean",
+                                        "battery_age_p95",
+                                        "camera_age_mean",
+                                        "heartbeat_age_mean",
+                                        "state_age_mean",
+                                        "cpu_age_mean",
+                                        "link_bytes",
+                                        "airtime",
+                                        "detect",
+                                        "missed",
+                                        "resume",
+                                        "sent_in_poor",
+                                        "silent_in_good",
+                                        "slot_cost",
+                                        "slot_regret",
+                                        "pauses",
+                                        "silence_mean",
+                                        "silence_max",
+                                        "completion"};
 
 const std::vector<std::string> boxed{
     "telemetry_per_max", "probe_per_max", "high_latency_p99", "location_age_p95", "silence_mean",
     "silence_max",       "detect",        "resume",           "completion"};
 
-std::string label_of(const std::string& metric) {
-  return metric + " [" + metric_texts()[metric_index(metric)].unit + "]";
-}
-
 void add_means(const std::vector<const Group*>& round, Document& document) {
   std::vector<std::vector<std::string>> rows{{"mean over runs"}};
   for (const Group* group : round) rows[0].push_back(display_name(group->policy));
-  for (const std::string& metric : shown) {
-    std::vector<std::string> row{label_of(metric)};
+  for (const std::string& metric : compared) {
+    std::vector<std::string> row{metric_label(metric)};
     bool any = false;
     for (const Group* group : round) {
       const Estimate one = estimate(group->metric(metric));
@@ -84,8 +80,8 @@ void add_differences(const std::vector<const Group*>& round, const Group& ours,
   for (const Group* group : round) {
     if (group != &ours) rows[0].push_back(display_name(group->policy));
   }
-  for (const std::string& metric : shown) {
-    std::vector<std::string> row{label_of(metric)};
+  for (const std::string& metric : compared) {
+    std::vector<std::string> row{metric_label(metric)};
     for (const Group* group : round) {
       if (group == &ours) continue;
       row.push_back(difference_cell(ours, *group, metric));

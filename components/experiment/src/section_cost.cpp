@@ -12,10 +12,6 @@ namespace {
 const std::vector<std::string> contested{"telemetry_per_max", "high_latency_p99", "probe_per_max",
                                          "slot_cost", "low_delivered"};
 
-std::string label_of(const std::string& metric) {
-  return metric + " [" + metric_texts()[metric_index(metric)].unit + "]";
-}
-
 const Group* ours_of(const std::vector<const Group*>& round) {
   const auto found = std::find_if(round.begin(), round.end(),
                                   [](const Group* group) { return group->policy == "tocp_dsp"; });
@@ -84,7 +80,7 @@ void add_best_table(const std::vector<std::vector<const Group*>>& rounds, Docume
       if (best == nullptr) continue;
       const bool less = metric_texts()[metric_index(metric)].less_is_better;
       const Estimate difference = paired_difference(ours.metric(metric), best->metric(metric));
-      rows.push_back({ours.set + ": " + round_title(ours), label_of(metric),
+      rows.push_back({ours.set + ": " + round_title(ours), metric_label(metric),
                       html::number(estimate(best->metric(metric))), display_name(best->policy),
                       html::number(estimate(ours.metric(metric))),
                       best == &ours ? "it is the best" : coloured(difference, less)});

@@ -7,7 +7,8 @@
 namespace tocsin::experiment {
 namespace {
 
-const std::vector<std::string> judged{"telemetry_per_max", "high_latency_p99", "probe_per_max"};
+const std::vector<std::string> headline_metrics{"telemetry_per_max", "high_latency_p99",
+                                                "probe_per_max"};
 
 void add_failures(const Results& results, Document& document) {
   if (results.failures.empty()) return;
@@ -27,7 +28,7 @@ void add_round_verdicts(const std::vector<const Group*>& round, Document& docume
   if (ours == nullptr) return;
   document.heading(3, round_title(*ours));
   std::string list;
-  for (const std::string& metric : judged) {
+  for (const std::string& metric : headline_metrics) {
     for (const Group* other : round) {
       if (other == ours) continue;
       list += "<li>" + verdict_line(*ours, *other, round, metric) + "</li>\n";

@@ -8,7 +8,7 @@
 namespace tocsin::experiment {
 namespace {
 
-const std::vector<std::string> shown{
+const std::vector<std::string> agreed{
     "qni_mean",      "probe_per_mean", "telemetry_per",       "critical_lost",
     "high_lost",     "low_lost",       "camera_lost",         "high_delivered",
     "low_delivered", "silent_in_good", "high_latency_median", "high_latency_p99",
@@ -118,8 +118,8 @@ void add_table(const Results& results, Document& document) {
   std::vector<std::vector<std::string>> rows{
       {"metric", "simulated, all", "real, all", "real minus simulated", "pairs",
        "simulated, both finished", "real, both finished", "real minus simulated", "pairs"}};
-  for (const std::string& metric : shown) {
-    std::vector<std::string> row{metric + " [" + metric_texts()[metric_index(metric)].unit + "]"};
+  for (const std::string& metric : agreed) {
+    std::vector<std::string> row{metric_label(metric)};
     for (const Which which : {Which::all, Which::finished}) {
       const Pairs pairs = values_of(results, metric, which);
       const Estimate difference = pairs.difference();

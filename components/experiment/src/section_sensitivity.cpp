@@ -5,7 +5,7 @@
 namespace tocsin::experiment {
 namespace {
 
-const std::vector<std::string> shown{"telemetry_per_max",
+const std::vector<std::string> swept{"telemetry_per_max",
                                      "high_lost",
                                      "high_latency_p99",
                                      "low_delivered",
@@ -28,13 +28,13 @@ std::string setting_of(const Results& results, const std::string& name) {
 
 void add_table(const Results& results, const std::vector<const Group*>& round, Document& document) {
   std::vector<std::vector<std::string>> rows{{"variant"}};
-  for (const std::string& metric : shown) {
-    rows[0].push_back(metric + " [" + metric_texts()[metric_index(metric)].unit + "]");
+  for (const std::string& metric : swept) {
+    rows[0].push_back(metric_label(metric));
   }
   rows[0].emplace_back("set");
   for (const Group* group : round) {
     std::vector<std::string> row{group->policy};
-    for (const std::string& metric : shown) {
+    for (const std::string& metric : swept) {
       row.push_back(html::number(estimate(group->metric(metric))));
     }
     row.push_back(setting_of(results, group->policy));
@@ -47,7 +47,7 @@ void add_figure(const std::vector<const Group*>& round, const std::string& metri
                 Document& document) {
   Figure figure("sensitivity_" + round_id(*round.front()) + "_" + metric,
                 mission_name(round.front()->mission) + ": " + metric + " of the variants");
-  figure.axes("", metric + " [" + metric_texts()[metric_index(metric)].unit + "]");
+  figure.axes("", metric_label(metric));
   figure.with("set yrange [0:*]");
   for (const Group* group : round) {
     const Estimate one = estimate(group->metric(metric));

@@ -97,7 +97,7 @@ TEST(ExperimentFile, IsParsedWithoutItsFiles) {
 }
 
 TEST(ExperimentFile, ShippedOnesLoad) {
-  const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config/experiments/";
+  const std::string config = std::string(TOCSIN_REPOSITORY) + "/config/experiments/";
   const Experiment thesis = load_experiment(config + "thesis.yaml");
   EXPECT_EQ(make_plan(thesis).size(), 800U);
   EXPECT_NO_THROW((void)make_plan(load_experiment(config + "study.yaml")));
@@ -105,7 +105,7 @@ TEST(ExperimentFile, ShippedOnesLoad) {
 }
 
 TEST(ExperimentFile, ShippedOnesFitOnSeedsThatAreNotCompared) {
-  const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config/experiments/";
+  const std::string config = std::string(TOCSIN_REPOSITORY) + "/config/experiments/";
   int fitted = 0;
   for (const RunSet& set : load_experiment(config + "study.yaml").sets) {
     if (set.kind != "fit") {

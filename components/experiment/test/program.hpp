@@ -34,7 +34,7 @@ inline bool succeeds(const std::string& command) {
 /// The installed program.
 inline std::string program() { return std::string(TOCSIN_INSTALL) + "/bin/tocsin-experiment"; }
 inline std::string config(const std::string& name) {
-  return std::string(TOCSIN_SOURCE_DIR) + "/../../config/" + name;
+  return std::string(TOCSIN_REPOSITORY) + "/config/" + name;
 }
 
 /// What a slice of an experiment has of its own.

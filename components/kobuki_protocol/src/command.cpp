@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "gains.hpp"
+
 namespace tocsin::kobuki {
 namespace {
 
@@ -98,15 +100,6 @@ Command read_tone(ByteReader in) {
   return c;
 }
 
-Command read_gains(ByteReader in) {
-  SetGains c;
-  c.gains.type = in.u8();
-  c.gains.kp_milli = in.u32();
-  c.gains.ki_milli = in.u32();
-  c.gains.kd_milli = in.u32();
-  return c;
-}
-
 std::optional<Command> read_tune(ByteReader in) {
   const std::uint8_t value = in.u8();
   if (value > static_cast<std::uint8_t>(Tune::cleaning_end)) return std::nullopt;
@@ -131,7 +124,7 @@ std::optional<Command> read(const SubPayload& sub) {
     case 12:
       return OutputRegister{in.u16()};
     case 13:
-      return read_gains(in);
+      return SetGains{read_gains(in)};
     default:
       return GetGains{};
   }

@@ -2,6 +2,7 @@
 #include "kobuki_protocol/feedback.hpp"
 
 #include "feedback_ids.hpp"
+#include "gains.hpp"
 
 namespace tocsin::kobuki {
 namespace {
@@ -82,15 +83,6 @@ UniqueId read_unique_id(ByteReader in) {
   UniqueId id{};
   for (std::uint32_t& word : id) word = in.u32();
   return id;
-}
-
-ControllerGains read_gains(ByteReader in) {
-  ControllerGains gains;
-  gains.type = in.u8();
-  gains.kp_milli = in.u32();
-  gains.ki_milli = in.u32();
-  gains.kd_milli = in.u32();
-  return gains;
 }
 
 template <class T>

@@ -20,7 +20,7 @@ namespace {
 std::vector<std::string> lines_of(const std::string& file) {
   const char* shared = std::getenv("TOCSIN_SHARED");
   const std::string root =
-      shared != nullptr ? shared : std::string(TOCSIN_SOURCE_DIR) + "/../../../shared";
+      shared != nullptr ? shared : std::string(TOCSIN_REPOSITORY) + "/../shared";
   std::ifstream in(root + "/data/kobuki/" + file);
   std::vector<std::string> lines;
   for (std::string line; std::getline(in, line);) {

@@ -11,7 +11,7 @@ namespace tocsin::kobuki {
 namespace {
 
 /// What `set` may change, copied so that it is taken as a whole or not at all.
-struct Settings {
+struct Adjustable {
   BaseInputs inputs;
   LineParams line;
   ChargingSource source = ChargingSource::none;
@@ -73,7 +73,7 @@ bool set_line_count(int& to, const std::string& text, int max) {
   return !text.empty() && text != "0" && set_mask(to, text, max) && to >= 1;
 }
 
-bool set_one(Settings& settings, const std::string& key, const std::string& value) {
+bool set_one(Adjustable& settings, const std::string& key, const std::string& value) {
   if (std::uint8_t* byte = input_byte(settings.inputs, key)) return set_mask(*byte, value, 255);
   if (std::uint16_t* analog = analog_input(settings.inputs, key)) {
     return set_mask(*analog, value, 4095);
@@ -91,7 +91,7 @@ bool set_one(Settings& settings, const std::string& key, const std::string& valu
 
 std::string set(SimulatedBase& base, std::istringstream& words) {
   Power& power = base.model().power();
-  Settings settings{base.model().inputs(), base.line().params(), power.source(), power.charge()};
+  Adjustable settings{base.model().inputs(), base.line().params(), power.source(), power.charge()};
   for (std::string word; words >> word;) {
     const std::size_t equals = word.find('=');
     const bool known = equals != std::string::npos &&

@@ -46,7 +46,7 @@ Row parse_row(const std::string& line) {
 std::vector<Case> read_trace() {
   const char* shared = std::getenv("TOCSIN_SHARED");
   const std::string folder =
-      shared != nullptr ? shared : std::string(TOCSIN_SOURCE_DIR) + "/../../../shared";
+      shared != nullptr ? shared : std::string(TOCSIN_REPOSITORY) + "/../shared";
   std::ifstream file(folder + "/data/kobuki/docking_trace.txt");
   std::vector<Case> cases;
   for (std::string line; std::getline(file, line);) {

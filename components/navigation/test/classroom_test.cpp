@@ -16,12 +16,11 @@
 namespace tocsin::navigation {
 namespace {
 
-const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config";
+const std::string config = std::string(TOCSIN_REPOSITORY) + "/config";
 
 std::string thesis_folder() {
   const char* shared = std::getenv("TOCSIN_SHARED");
-  return (shared != nullptr ? std::string(shared)
-                            : std::string(TOCSIN_SOURCE_DIR) + "/../../../shared") +
+  return (shared != nullptr ? std::string(shared) : std::string(TOCSIN_REPOSITORY) + "/../shared") +
          "/data/thesis";
 }
 

@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "drawn_map.hpp"
+#include "foundation/numbers.hpp"
 
 namespace tocsin::navigation {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 const OccupancyMap room = drawn_map({"######",  //
                                      "#....#",  //

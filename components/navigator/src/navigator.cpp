@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <utility>
+
+#include "foundation/numbers.hpp"
 
 namespace tocsin {
 
@@ -14,7 +15,6 @@ using navigation::Velocity;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double home_tolerance_m = 0.2;
 constexpr double moved_m = 0.05;  // more is progress
 constexpr double turned_rad = 0.1;

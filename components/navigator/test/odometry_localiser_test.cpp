@@ -20,9 +20,9 @@ void expect_pose(const std::optional<Pose2>& pose, const Pose2& expected) {
 }
 
 TEST(OdometryLocaliser, AddsOdometryToTheStart) {
-  OdometryLocaliser sut(Pose2{1, 2, navigation::pi / 2});
-  expect_pose(sut.update({0, 0, 0}, t0), {1, 2, navigation::pi / 2});
-  expect_pose(sut.update({0.5, 0, 0.1}, t0 + seconds(1)), {1, 2.5, navigation::pi / 2 + 0.1});
+  OdometryLocaliser sut(Pose2{1, 2, pi / 2});
+  expect_pose(sut.update({0, 0, 0}, t0), {1, 2, pi / 2});
+  expect_pose(sut.update({0.5, 0, 0.1}, t0 + seconds(1)), {1, 2.5, pi / 2 + 0.1});
 }
 
 TEST(OdometryLocaliser, AcceptsAFirstPoseFarFromZero) {

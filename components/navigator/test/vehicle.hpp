@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include "foundation/numbers.hpp"
 
 #include "navigator/navigator.hpp"
 
@@ -18,7 +19,6 @@ using Answer = GoalAnswer;
 
 constexpr Time t0{std::chrono::hours(1)};
 constexpr Duration period = std::chrono::milliseconds(50);
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// 8 m x 4 m; a wall at x = 4 from y = 0 to `wall_m`.
 inline OccupancyMap floor_with_wall(double wall_m) {

@@ -192,7 +192,7 @@ TEST_F(WirelessReaderTest, SaysThatNoInterfaceIsConfigured) {
 TEST(ProcWireless, ReadsTheRecordedFiles) {
   const char* root = std::getenv("TOCSIN_SHARED");
   const std::string folder =
-      (root ? std::string(root) : TOCSIN_SOURCE_DIR "/../../../shared") + "/data/wireless/";
+      (root ? std::string(root) : TOCSIN_REPOSITORY "/../shared") + "/data/wireless/";
   std::ifstream file(folder + "proc_net_wireless.txt");
   if (!file) GTEST_SKIP() << "no recorded data in " << folder;
   const std::string text{std::istreambuf_iterator<char>(file), {}};

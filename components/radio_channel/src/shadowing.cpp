@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "foundation/numbers.hpp"
 #include "radio_channel/random.hpp"
 #include "waves.hpp"
 
@@ -10,7 +11,6 @@ namespace tocsin::radio {
 namespace {
 
 constexpr int wave_count = 160;
-constexpr double pi = 3.14159265358979323846;
 
 }  // namespace
 

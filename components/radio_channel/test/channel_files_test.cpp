@@ -127,7 +127,7 @@ TEST(Readme, ShowsTheParametersAsTheyAre) {
 }
 
 TEST(ShippedFiles, AllLoad) {
-  const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config/";
+  const std::string config = std::string(TOCSIN_REPOSITORY) + "/config/";
   for (const char* name : {"classroom", "classroom_mission_b", "open", "bernoulli", "thesis_a",
                            "thesis_b", "weak_a", "weak_b", "replay"}) {
     EXPECT_NO_THROW((void)load_channel(config + "radio/" + name + ".yaml")) << name;

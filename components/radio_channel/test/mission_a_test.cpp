@@ -70,7 +70,7 @@ class MissionRun {
 
  private:
   static std::string file(const std::string& name) {
-    return std::string(TOCSIN_SOURCE_DIR) + "/../../config/" + name;
+    return std::string(TOCSIN_REPOSITORY) + "/config/" + name;
   }
 
   void send(double at_s) {

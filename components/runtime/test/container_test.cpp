@@ -29,7 +29,7 @@ using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
 const std::string bin = STAGE "/bin/";
-const std::string config = TOCSIN_SOURCE_DIR "/../../config/";
+const std::string config = TOCSIN_REPOSITORY "/config/";
 
 /// A program of the stage that runs until it is told to end.
 class Process {

@@ -29,7 +29,7 @@ class FastDdsBusTest : public ::testing::Test {
     return next += 3;
   }
   static std::unique_ptr<Bus> make(const std::string& role, int first_domain, int side) {
-    const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config/";
+    const std::string config = std::string(TOCSIN_REPOSITORY) + "/config/";
     return make_fast_dds_bus({role,
                               role,
                               "",

@@ -24,7 +24,7 @@ std::string error_of_file(const std::string& text) {
   return error_of([&] { QosProfiles{file.path()}; });
 }
 
-const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config";
+const std::string config = std::string(TOCSIN_REPOSITORY) + "/config";
 
 template <class Topic>
 void expect_profile(const QosProfiles& profiles) {

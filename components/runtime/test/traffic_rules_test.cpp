@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string config = std::string(TOCSIN_SOURCE_DIR) + "/../../config";
+const std::string config = std::string(TOCSIN_REPOSITORY) + "/config";
 
 TEST(TrafficRules, ShippedFilePausesTheCameraAndNoGoal) {
   const TrafficRules uxv(config + "/traffic.yaml", "uxv");

@@ -11,7 +11,7 @@
 namespace tocsin::simulation {
 namespace {
 
-const std::string config = TOCSIN_SOURCE_DIR "/../../config/";
+const std::string config = TOCSIN_REPOSITORY "/config/";
 
 deployment::Container container(const char* name) {
   deployment::Container made;

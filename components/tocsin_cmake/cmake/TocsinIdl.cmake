@@ -38,6 +38,7 @@ function(tocsin_idl_library name)
     DEPENDS ${idls} ${TOCSIN_GENERATE_IDL_PARTS}
     COMMENT "fastddsgen ${name}" VERBATIM)
   add_library(${name} SHARED ${sources})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   target_include_directories(${name} SYSTEM PUBLIC
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}/gen>" "$<BUILD_INTERFACE:${gen}>"
     "$<INSTALL_INTERFACE:include>" "$<INSTALL_INTERFACE:include/${name}>")

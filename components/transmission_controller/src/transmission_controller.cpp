@@ -2,11 +2,10 @@
 #include "transmission_controller/transmission_controller.hpp"
 
 #include <algorithm>
-#include <limits>
+
+#include "foundation/numbers.hpp"
 
 namespace tocsin {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TransmissionController::TransmissionController(const Params& params)
     : qni_(params.qni),

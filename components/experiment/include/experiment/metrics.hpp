@@ -22,6 +22,8 @@ struct MetricText {
 [[nodiscard]] const std::vector<MetricText>& metric_texts();
 /// Place of a metric; the name must be one.
 [[nodiscard]] std::size_t metric_index(const std::string& name);
+/// `name [unit]`.
+[[nodiscard]] std::string metric_label(const std::string& name);
 
 /// One observation of a run: `observation_s` long.
 struct Observation {

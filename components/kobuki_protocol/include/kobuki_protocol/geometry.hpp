@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "foundation/numbers.hpp"
+
 /// Dimensions of the base (reference page 1.6).
 namespace tocsin::kobuki {
 
-inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double degree_rad = pi / 180.0;
 
 inline constexpr double wheel_separation_m = 0.230;

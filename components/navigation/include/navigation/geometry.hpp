@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-namespace tocsin::navigation {
+#include "foundation/numbers.hpp"
 
-inline constexpr double pi = 3.14159265358979323846;
+namespace tocsin::navigation {
 
 /// A place in the plane [m].
 struct Point2 {
