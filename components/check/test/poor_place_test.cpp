@@ -10,7 +10,7 @@
 namespace tocsin::check {
 namespace {
 
-const std::string config = TOCSIN_SOURCE_DIR "/../../config/";
+const std::string config = TOCSIN_REPOSITORY "/config/";
 
 /// A room of 20 m by 20 m around the access point.
 std::vector<radio::Wall> room() {

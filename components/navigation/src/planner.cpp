@@ -25,8 +25,6 @@ constexpr std::array<CellIndex, 8> steps{
 
 CellIndex add(CellIndex a, CellIndex b) { return {a.column + b.column, a.row + b.row}; }
 
-}  // namespace
-
 /// The open cells, cheapest estimate first, among equals the last one put in. A ring of buckets,
 /// one per estimate: with a consistent heuristic an estimate never lies below the one taken last,
 /// nor above it by more than one step, so neither a heap nor a comparison is needed.
@@ -70,6 +68,8 @@ class OpenCells {
   std::uint32_t current_ = 0;
   std::size_t count_ = 0;
 };
+
+}  // namespace
 
 class Planner::Search {
  public:

@@ -13,7 +13,7 @@
 namespace tocsin::simulation {
 namespace {
 
-const std::string config = TOCSIN_SOURCE_DIR "/../../config/";
+const std::string config = TOCSIN_REPOSITORY "/config/";
 
 template <class Topic>
 Endpoint endpoint() {

@@ -34,6 +34,10 @@ endfunction()
 function(tocsin_target_options target)
   tocsin_link_directly(${target})
   target_compile_options(${target} PRIVATE -UNDEBUG)
+  if(CMAKE_UNITY_BUILD)
+    # What a source keeps to itself seems to be in a header then.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
   if(TOCSIN_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${TOCSIN_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all -g1)

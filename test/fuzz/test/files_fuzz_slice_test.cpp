@@ -89,7 +89,7 @@ class Mutation {
 class FilesFuzz : public ::testing::TestWithParam<FileKind> {
  protected:
   FilesFuzz() {
-    const fs::path source = fs::path(TOCSIN_SOURCE_DIR) / "../..";
+    const fs::path source = fs::path(TOCSIN_REPOSITORY);
     for (const char* folder : {"bringup", "config"}) {
       fs::copy(source / folder, folder_.path(folder), fs::copy_options::recursive);
     }
