@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
+
+#include "view_state.hpp"
 
 namespace tocsin {
 namespace {
@@ -14,56 +15,6 @@ namespace {
 using terminal::Size;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-const Time t0{std::chrono::hours(1)};
-constexpr FreshnessLimits limits{3, 30};
-
-TrafficRow camera_row() {
-  return {"camera/image_raw/compressed",
-          "low",
-          Counting::counted,
-          7.8,
-          seconds(0.12),
-          95,
-          100,
-          11,
-          true,
-          seconds(0.5)};
-}
-
-/// A vehicle under way, all of it heard at `t0`.
-ViewState full_state() {
-  ViewState state;
-  tocsin_msgs::msg::MissionStatus mission;
-  mission.mission("mission_a");
-  mission.state("running");
-  mission.waypoint(3);
-  mission.waypoints(9);
-  mission.elapsed_s(125);
-  mission.goals_sent(4);
-  state.mission = {mission, t0};
-  tocsin_msgs::msg::NavigationStatus navigation;
-  navigation.state("driving");
-  navigation.distance_m(4.25);
-  state.navigation = {navigation, t0};
-  tocsin_msgs::msg::NetworkQuality quality;
-  quality.per_percent(12.5F);
-  quality.signal_dbm(std::numeric_limits<float>::quiet_NaN());
-  state.quality = {quality, t0};
-  tocsin_msgs::msg::TransmissionState decision;
-  decision.policy("tocp_dsp");
-  decision.reason("cusum_alarm");
-  decision.qni(50);
-  decision.deadline_s(26);
-  state.uxv = {decision, t0};
-  decision.active(true);
-  state.gcs = {decision, t0};
-  state.safety = {{}, t0};
-  state.safety->value.enabled(true);
-  state.location = {{1.234, 0}, t0};
-  state.traffic.push_back(camera_row());
-  return state;
-}
 
 ViewState with_topics(std::size_t count) {
   ViewState state = full_state();
@@ -289,22 +240,6 @@ TEST(Screen, ATimeThatIsNoneIsADash) {
     state.mission->value.elapsed_s(odd);
     EXPECT_THAT(text_of(state), HasSubstr("waypoint 4 of 9, -, 4 goals"));
   }
-}
-
-TEST(SummaryLine, IsOneLine) {
-  EXPECT_EQ(summary_line(full_state(), t0, limits),
-            "waypoint 4/9 running  at (1.23, 0.00) m  QNI 50.0  vehicle passive (cusum_alarm)  "
-            "station active (cusum_alarm)");
-}
-
-TEST(SummaryLine, TellsAgesAndWhatHindersTheVehicle) {
-  ViewState state = full_state();
-  state.safety->value.emergency_stop(true);
-  state.location->at = t0 - seconds(40);
-  state.uxv->at = t0 - seconds(5);
-  EXPECT_EQ(summary_line(state, t0, limits),
-            "EMERGENCY STOP  waypoint 4/9 running  location unknown for 40 s  "
-            "QNI 50.0  vehicle passive (cusum_alarm) 5 s ago  station active (cusum_alarm)");
 }
 
 }  // namespace
