@@ -148,12 +148,13 @@ TEST(QosProfiles, AFlowControllerIsReadAndMustBeThere) {
   EXPECT_EQ(sut.flow_controllers().at("radio").max_bytes_per_period, 12500);
   EXPECT_EQ(sut.flow_controllers().at("radio").scheduler, "high_priority");
   EXPECT_EQ(sut.of("bulk", "any").flow_controller, "radio");
-  EXPECT_THAT(error_of_file("flow_controllers: {radio: {max_bytes_per_period: 255}}\n"),
-              HasSubstr("flow_controllers.radio.max_bytes_per_period: 255 has no room for a message; "
-                        "allowed are 0 (unlimited) and 256 or more"));
+  EXPECT_THAT(
+      error_of_file("flow_controllers: {radio: {max_bytes_per_period: 255}}\n"),
+      HasSubstr("flow_controllers.radio.max_bytes_per_period: 255 has no room for a message; "
+                "allowed are 0 (unlimited) and 256 or more"));
   for (const char* bytes : {"0", "256"}) {
-    EXPECT_EQ(error_of_file(std::string("flow_controllers: {radio: {max_bytes_per_period: ") + bytes +
-                            "}}\n"),
+    EXPECT_EQ(error_of_file(std::string("flow_controllers: {radio: {max_bytes_per_period: ") +
+                            bytes + "}}\n"),
               "no error");
   }
   EXPECT_THAT(error_of_file(flow + "bulk: {flow_controller: wire}\n"),

@@ -25,6 +25,7 @@ class ReliableWriter final : public RtpsWriter,
  public:
   ReliableWriter(Core& core, RadioLink& link, const Owner& owner, const QosProfile& qos,
                  Pacer* pacer);
+  using RtpsWriter::send;
   void match(RtpsReader& reader) override;
   void unmatch(const RtpsReader& reader) override;
   void on_answer(rtps::EndId reader, const rtps::Message& message) override;

@@ -60,7 +60,7 @@ std::optional<WriterInfo> LinkEndpoints::writer(const std::string& topic,
   const auto all = topics_.find(topic);
   if (all == topics_.end()) return std::nullopt;
   for (const auto& one : all->second.writers) {
-    if (one.end->source() == source) return one.end->info();
+    if (one.end->owner().source == source) return one.end->info();
   }
   return std::nullopt;
 }

@@ -48,9 +48,10 @@ TEST_F(ExamineLoadTest, WarnsOfAReliableStreamThatIsMoreThanThePoorPlaceCarries)
   const auto findings = examine(10'599);
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].severity, Severity::warning);
-  EXPECT_THAT(findings[0].text,
-              HasSubstr("topic x: uxv/drive/source writes it reliably (QoS profile state), 11 kB/s "
-                        "on the radio to 1 process; in its poor places (9 dB) radio.yaml carries "));
+  EXPECT_THAT(
+      findings[0].text,
+      HasSubstr("topic x: uxv/drive/source writes it reliably (QoS profile state), 11 kB/s "
+                "on the radio to 1 process; in its poor places (9 dB) radio.yaml carries "));
 }
 
 TEST_F(ExamineLoadTest, CountsACopyForEachReadingProcessOnTheOtherHost) {
@@ -65,9 +66,7 @@ TEST_F(ExamineLoadTest, DoesNotWarnOfWhatStaysOnItsHost) {
   EXPECT_TRUE(examine(1, "state", Scope::host).empty());
 }
 
-TEST_F(ExamineLoadTest, LeavesAMissingProfileToOthers) {
-  EXPECT_TRUE(examine(1, "none").empty());
-}
+TEST_F(ExamineLoadTest, LeavesAMissingProfileToOthers) { EXPECT_TRUE(examine(1, "none").empty()); }
 
 TEST_F(ExamineLoadTest, AFlowControllerBoundsWhatIsOffered) {
   EXPECT_TRUE(examine(4'000, "bound").empty());
@@ -83,8 +82,8 @@ TEST_F(ExamineLoadTest, AMaximumRateBoundsWhatIsOffered) {
 TEST_F(ExamineLoadTest, JudgesOnlyWritersThatTellWhatTheyExpect) {
   const Graph graph{vehicle("source", {writes("x", Scope::link, "state")}),
                     station("sink", {reads("x", Scope::link, "state")})};
-  EXPECT_TRUE(examine_load(graph, QosProfiles(folder_.path("qos.yaml")), {"radio.yaml", 9, 0, 1})
-                  .empty());
+  EXPECT_TRUE(
+      examine_load(graph, QosProfiles(folder_.path("qos.yaml")), {"radio.yaml", 9, 0, 1}).empty());
 }
 
 }  // namespace

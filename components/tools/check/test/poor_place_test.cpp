@@ -14,7 +14,8 @@ const std::string config = TOCSIN_REPOSITORY "/config/";
 
 /// A room of 20 m by 20 m around the access point.
 std::vector<radio::Wall> room() {
-  return {{-10, -10, 10, -10, 0}, {10, -10, 10, 10, 0}, {10, 10, -10, 10, 0}, {-10, 10, -10, -10, 0}};
+  return {
+      {-10, -10, 10, -10, 0}, {10, -10, 10, 10, 0}, {10, 10, -10, 10, 0}, {-10, 10, -10, -10, 0}};
 }
 
 TEST(PoorPlace, OfAStrongRadioIsAGoodOne) {
@@ -29,8 +30,8 @@ TEST(PoorPlace, OfAWeakRadioIsOneWhereSomethingStillComesThrough) {
   params.tx_dbm = -40;
   const PoorPlace sut = poor_place(params, room());
   EXPECT_EQ(sut.mean_snr_db, 8);
-  EXPECT_GT(sut.bytes_per_s, 50'000);
-  EXPECT_LT(sut.bytes_per_s, 700'000);
+  EXPECT_GT(sut.bytes_per_s, 500'000);
+  EXPECT_LT(sut.bytes_per_s, poor_place({}, room()).bytes_per_s / 2);
 }
 
 TEST(PoorPlace, CarriesLessWhereOthersSpeak) {
@@ -46,9 +47,7 @@ TEST(PoorPlace, IsTheSameEachTime) {
   EXPECT_EQ(poor_place(params, room()).bytes_per_s, poor_place(params, room()).bytes_per_s);
 }
 
-TEST(PoorPlace, WithoutWallsIsWithinTenMetres) {
-  EXPECT_GT(poor_place({}, {}).mean_snr_db, 20);
-}
+TEST(PoorPlace, WithoutWallsIsWithinTenMetres) { EXPECT_GT(poor_place({}, {}).mean_snr_db, 20); }
 
 TEST(PoorPlace, NeedsARadioThatIsAModelOfAPlace) {
   deployment::Deployment deployment;

@@ -126,9 +126,11 @@ TEST_F(CameraTest, TellsHowMuchItWillWriteWhenItIsAsked) {
     std::optional<ExpectedLoad> load;
   } bus;
   Context context{bus, "camera", "uxv", ""};
-  const CameraComponent sut(context, params_);
+  CameraComponent::Params params;
+  params.walls_file = walls_file_;
+  const CameraComponent sut(context, params);
   ASSERT_TRUE(bus.load);
-  EXPECT_EQ(bus.load->rate_hz, params_.rate_hz);
+  EXPECT_EQ(bus.load->rate_hz, 8);
   EXPECT_NEAR(bus.load->bytes, 38'000, 8'000);
 }
 
