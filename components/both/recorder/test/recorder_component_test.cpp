@@ -11,6 +11,7 @@
 
 #include "foundation/error.hpp"
 #include "runtime/sim_bus.hpp"
+#include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
 namespace {
@@ -55,6 +56,58 @@ TEST_F(RecorderTest, WritesTheFieldsOfATopic) {
   EXPECT_THAT(read("goal.csv"),
               StartsWith("receive_s,send_s,sequence,stamp.sec,stamp.nanosec,id,"));
   EXPECT_THAT(read("goal.csv"), HasSubstr(",0,0,7,"));
+}
+
+TEST_F(RecorderTest, RecordsATopicOfItsHostByName) {
+  RecorderComponent::Params params;
+  params.topics = {"odom"};
+  SimBus bus;
+  Context context{bus, "recorder", "gcs", directory_};
+  RecorderComponent sut(context, params);
+  bus.add(sut);
+  nav_msgs::msg::Odometry odometry;
+  odometry.pose().pose().position().x(3.5);
+  bus.publish<topic::Odom>(odometry);
+  bus.publish<topic::Goal>({});
+  bus.run_for(seconds(1));
+  EXPECT_THAT(read("odom.csv"), HasSubstr(",3.5,"));
+  EXPECT_THAT(read("messages.csv"), HasSubstr(",goal,"));
+}
+
+/// A topic that no library states.
+struct Remark {
+  using Message = std_msgs::msg::String;
+  static constexpr TopicInfo info{"crew/remark", "event", Scope::host};
+};
+
+TEST_F(RecorderTest, RecordsATopicThatNobodyKnowsByItsType) {
+  RecorderComponent::Params params;
+  params.link_topics = false;
+  params.topics = {"/crew/remark std_msgs/msg/String event"};
+  SimBus bus;
+  Context context{bus, "recorder", "gcs", directory_};
+  RecorderComponent sut(context, params);
+  bus.add(sut);
+  std_msgs::msg::String remark;
+  remark.data("fog ahead");
+  bus.publish<Remark>(remark);
+  bus.publish<topic::Goal>({});
+  bus.run_for(seconds(1));
+  EXPECT_THAT(read("crew.remark.csv"), HasSubstr(",fog ahead\n"));
+  EXPECT_EQ(read("messages.csv").find(",goal,"), std::string::npos);
+}
+
+TEST_F(RecorderTest, KnowsTheTopicsOfInstalledLibrariesThatItDoesNotLink) {
+  RecorderComponent::Params params;
+  params.topics = {"sensors/cor"};
+  SimBus bus;
+  Context context{bus, "recorder", "gcs", directory_};
+  try {
+    const RecorderComponent sut(context, params);
+    FAIL() << "no error";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), StartsWith("recorder.topics: 'sensors/cor' is not a known topic"));
+  }
 }
 
 TEST_F(RecorderTest, ARestartedRecorderAppends) {

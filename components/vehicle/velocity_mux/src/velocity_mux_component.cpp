@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "idl_support/topic_registry.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -27,19 +28,19 @@ void VelocityMuxComponent::tick(Time now) {
 
 /// Ports for new inputs; those of inputs that are gone go, the others keep what waits in them.
 void VelocityMuxComponent::make_sources() {
-  std::vector<std::unique_ptr<Source>> sources;
+  std::vector<Source> sources;
   for (const motion::MuxInput& input : mux_.inputs()) {
-    const auto kept = std::find_if(sources_.begin(), sources_.end(), [&](const auto& source) {
-      return source && source->name == input.name;
+    const auto kept = std::find_if(sources_.begin(), sources_.end(), [&](const Source& source) {
+      return source.port && source.name == input.name;
     });
     if (kept != sources_.end()) {
       sources.push_back(std::move(*kept));
       continue;
     }
-    sources.push_back(std::make_unique<Source>(Source{input.name, "cmd_vel/" + input.name, {}}));
-    const TopicInfo info{sources.back()->topic.c_str(), topic::CmdVel::info.qos, Scope::host};
-    sources.back()->port = std::make_unique<InputPort>(
-        *this, Endpoint{info, &type_info<topic::CmdVel::Message>(), Writers::optional});
+    const TopicInfo info =
+        make_topic_info("cmd_vel/" + input.name, topic::CmdVel::info.qos, Scope::host);
+    const Endpoint end{info, &type_info<topic::CmdVel::Message>(), Writers::optional};
+    sources.push_back({input.name, std::make_unique<InputPort>(*this, end)});
   }
   sources_ = std::move(sources);
 }
@@ -58,11 +59,11 @@ void VelocityMuxComponent::take_list() {
 }
 
 void VelocityMuxComponent::take_commands(Time now) {
-  for (const auto& source : sources_) {
-    while (const auto sample = source->port->take_sample()) {
+  for (const Source& source : sources_) {
+    while (const auto sample = source.port->take_sample()) {
       const auto wanted = std::static_pointer_cast<const topic::CmdVel::Message>(sample->message);
       const motion::BodyVelocity velocity{wanted->linear().x(), wanted->angular().z()};
-      if (mux_.on_command(source->name, velocity, now)) send(wanted);
+      if (mux_.on_command(source.name, velocity, now)) send(wanted);
     }
   }
 }

@@ -24,4 +24,10 @@ struct TopicInfo {
   Requests requests = Requests::profile;
 };
 
+/// Topics of a list, for those who handle all of them alike.
+namespace topic {
+template <class... Topics>
+struct List {};
+}  // namespace topic
+
 }  // namespace tocsin

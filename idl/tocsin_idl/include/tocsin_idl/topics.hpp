@@ -207,13 +207,14 @@ struct ContainerState {
   static constexpr TopicInfo info{"container_state", "state", Scope::host};
 };
 
-/// Topics of a list, for those who handle all of them alike.
-template <class... Topics>
-struct List {};
-
 using AllLinkTopics =
     List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage, CpuLoad,
          CpuTemperature, CameraImage, Goal, MissionStatus, EmergencyStop, SafetyStatus,
          DockingStatus, TeleopCmdVel, DockingCommand, Heartbeat, TransmissionState, TrafficReport>;
+
+using AllHostTopics =
+    List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation, CmdVelDocking,
+         CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs, MuxSetInputs,
+         SafetyEnable, EmergencyStopRequest, ContainerCommand, ContainerState>;
 
 }  // namespace tocsin::topic

@@ -6,26 +6,27 @@
 #include <string>
 #include <vector>
 
-#include "recorder/csv_file.hpp"
+#include "recorder/recording.hpp"
+#include "recorder/topic_choice.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
-#include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
 
-/// Records every link topic that reaches its process.
-///
-/// `messages.csv` has a row per sample: when it was sent and received, from which writer, its
-/// number there. `<topic>.csv` (with '.' for '/') has the fields of the messages.
+/// Records every link topic that reaches its process, and any other topic that it is told to.
 class RecorderComponent final : public Component {
  public:
   struct Params {
     std::string directory;
     double flush_period_s = 0.5;
+    bool link_topics = true;
+    std::vector<std::string> topics;
     template <class Visitor>
     void visit(Visitor& v) {
       v("directory", directory, "folder of the files; made when absent; empty: run folder/role");
       v("flush_period_s", flush_period_s, {0.05, 60}, "[s] between writes to the disk");
+      v("link_topics", link_topics, "whether every topic that crosses the link is recorded");
+      v("topics", topics, "others: names, patterns, or NAME TYPE [QOS [host|link]]");
     }
   };
 
@@ -33,24 +34,18 @@ class RecorderComponent final : public Component {
   void tick(Time now) override;
 
  private:
-  /// One topic: where it comes from and goes to.
+  /// One topic: where it comes from, and its number in the recording.
   struct Track {
-    std::string topic;
-    const TypeInfo* type;
+    std::size_t number;
     std::unique_ptr<InputPort> input;
-    std::unique_ptr<CsvFile> fields;  ///< opened with the first sample, which tells the columns
   };
-  template <class... Topics>
-  void add_all(topic::List<Topics...>);
-  void record(Track& track, const Sample& sample);
-  void open(Track& track, const std::vector<std::string>& columns);
   void flush(Time now);
-  [[nodiscard]] std::uint64_t lost() const;
 
-  std::string directory_;
-  Duration flush_period_;
+  const std::string directory_;
+  const Duration flush_period_;
   Time next_flush_{};
-  std::unique_ptr<CsvFile> messages_;
+  const std::vector<ChosenTopic> topics_;
+  const std::unique_ptr<Recording> recording_;
   std::vector<Track> tracks_;
   bool disk_full_ = false;
   std::uint64_t lost_ = 0;

@@ -29,10 +29,9 @@ class VelocityMuxComponent final : public Component {
   void tick(Time now) override;
 
  private:
-  /// One input's name, its topic and its port.
+  /// One input's name and its port.
   struct Source {
     std::string name;
-    std::string topic;
     std::unique_ptr<InputPort> port;
   };
   void make_sources();
@@ -49,7 +48,7 @@ class VelocityMuxComponent final : public Component {
   Output<topic::MuxInputs> inputs_{*this};
 
   motion::VelocityMux mux_;
-  std::vector<std::unique_ptr<Source>> sources_;  // the topic's name must not move
+  std::vector<Source> sources_;
   std::string reported_;
 };
 
