@@ -36,6 +36,12 @@ std::vector<InstalledComponent> installed_components() {
   return components_in(package_prefixes(prefix_paths(), own_program()));
 }
 
+std::vector<std::string> installed_component_names() {
+  std::vector<std::string> names;
+  for (const InstalledComponent& one : installed_components()) names.push_back(one.name);
+  return names;
+}
+
 const ComponentEntry& load_component(const std::string& name) {
   static std::mutex mutex;
   static std::map<std::string, const ComponentEntry*> loaded;

@@ -49,7 +49,7 @@ std::string replay_of(const Options& options, const std::string& file) {
 int run(Options& options) {
   options.replay = replay_of(options, options.file);
   options.locate();
-  options.overrides.installed = installed_components();
+  options.overrides.installed = installed_component_names();
   const bool many = options.until_failure || !options.seeds.empty();
   return many ? search_seeds(options) : simulate(options);
 }

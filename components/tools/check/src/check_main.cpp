@@ -101,7 +101,7 @@ int check(Options& options) {
   options.bringup.locate();
   const TemporaryFolder folder;
   options.bringup.overrides.run_dir = folder.path();
-  options.bringup.overrides.installed = installed_components();
+  options.bringup.overrides.installed = installed_component_names();
   const auto deployment = load_deployment(options.bringup.file, options.bringup.overrides);
   BuiltGraph built = build_graph(deployment);
   examine_files(deployment, built);

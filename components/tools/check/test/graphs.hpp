@@ -21,7 +21,7 @@ inline Port reads(const std::string& topic, Scope scope = Scope::host,
 
 /// A reader that does without a writer.
 inline Port may_read(const std::string& topic, Scope scope = Scope::host) {
-  return {topic, "Type", "sensor", scope, false, Writers::optional};
+  return {topic, "Type", "sensor", scope, false, Requests::profile, Writers::optional};
 }
 
 inline Node vehicle(const std::string& name, std::vector<Port> ports) {

@@ -22,5 +22,7 @@ namespace tocsin {
 /// The components that load_component finds, sorted by name. Throws ConfigError when an index is
 /// damaged.
 [[nodiscard]] std::vector<InstalledComponent> installed_components();
+/// Their names only.
+[[nodiscard]] std::vector<std::string> installed_component_names();
 
 }  // namespace tocsin
