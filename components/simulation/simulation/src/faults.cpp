@@ -8,6 +8,7 @@
 #include <random>
 
 #include "foundation/error.hpp"
+#include "foundation/names.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/yaml_file.hpp"
 
@@ -43,6 +44,10 @@ void check(const Fault& fault, const std::string& path) {
   if (is_share && (fault.amount < 0 || fault.amount > 1)) {
     throw ConfigError(path + ": faults.amount: " + std::to_string(fault.amount) +
                       " is outside [0, 1]");
+  }
+  const auto words = words_of_path(fault.target);
+  if (!std::all_of(words.begin(), words.end(), is_name)) {
+    throw ConfigError(path + ": faults.target: '" + fault.target + "' is not host or host/process");
   }
   if (fault.kind == FaultKind::delay && fault.amount < 0) {
     throw ConfigError(path + ": faults.amount: a delay is not negative");

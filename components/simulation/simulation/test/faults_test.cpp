@@ -88,5 +88,16 @@ TEST(LoadFaults, RefusesAnUnknownKindAndAShareAboveOne) {
   EXPECT_THROW((void)load("faults: [{kind: delay, at_s: 1, amount: -0.1}]\n"), ConfigError);
 }
 
+// It is printed and written as it is.
+TEST(LoadFaults, RefusesATargetThatIsNoName) {
+  EXPECT_NO_THROW((void)load("faults: [{kind: crash, at_s: 1, target: /uxv/link}]\n"));
+  for (const char* target : {"uxv/li nk", "a\\\"b", "\\x1b[2J", "Uxv"}) {
+    EXPECT_THROW(
+        (void)load("faults: [{kind: crash, at_s: 1, target: \"" + std::string(target) + "\"}]\n"),
+        ConfigError)
+        << target;
+  }
+}
+
 }  // namespace
 }  // namespace tocsin::simulation

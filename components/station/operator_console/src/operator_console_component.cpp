@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "foundation/error.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -13,7 +14,7 @@ constexpr Duration send_again = std::chrono::milliseconds(500);
 constexpr Duration look_again = std::chrono::milliseconds(100);
 
 void print_line(const std::string& line) {
-  std::printf("%s\n", line.c_str());
+  std::printf("%s\n", error_line(line).c_str());
   std::fflush(stdout);
 }
 
