@@ -43,7 +43,7 @@ TEST_F(LaunchTest, PrintsAndLogsWhatAProcessSaysWithoutControlCharacters) {
   launch(R"({name: p, command: [sh, -c, 'printf "\033[2J\007one\ttwo\377\n"']})");
   EXPECT_EQ(exit_code(), 0);
   EXPECT_THAT(output(), HasSubstr("[a/p] \\x1b[2J\\x07one\ttwo\\xff\n"));
-  EXPECT_EQ(folder_.read("run/logs/a.p.log"), "\\x1b[2J\\x07one\ttwo\\xff\n");
+  EXPECT_EQ(folder_.read("run/log/a.p.log"), "\\x1b[2J\\x07one\ttwo\\xff\n");
 }
 
 TEST_F(LaunchTest, RestartsAProcessThatWasKilled) {
