@@ -24,9 +24,10 @@ import xml.etree.ElementTree as ElementTree
 Test = collections.namedtuple("Test", "package name system result_file")
 Outcome = collections.namedtuple("Outcome", "passed failed skipped reasons seconds")
 
-# The shell stays, as the process that reaps orphans. Root has the right to namespaces; anybody else becomes root of a user namespace first.
-PRIVATE_WORLD = ["unshare", "--net", "--mount", "--pid", "--fork", "--mount-proc", *([] if os.geteuid() == 0 else ["--map-root-user"]),
-                 "sh", "-c", """mount -t tmpfs -o mode=1777 tmpfs /dev/shm && ip link set lo up &&
+# Root has the right to namespaces; anybody else becomes root of a user namespace first. The shell
+# stays, as the process that reaps orphans.
+PRIVATE_WORLD = ["unshare", "--net", "--mount", "--pid", "--fork", "--mount-proc",
+                 *([] if os.geteuid() == 0 else ["--map-root-user"]), "sh", "-c", """mount -t tmpfs -o mode=1777 tmpfs /dev/shm && ip link set lo up &&
                  { echo 0 0 > /proc/sys/net/ipv4/ping_group_range || true; } 2>/dev/null &&
                  "$@"; exit $? """, "-"]
 SLOWEST_SHOWN = 5

@@ -56,7 +56,7 @@ inline void deliver_by_packets() {
 /// A bus on loopback with the QoS file `qos`.
 inline std::unique_ptr<Bus> make_test_bus(int domain, const std::string& qos,
                                           bool shared_memory = false) {
-  const std::string path = "/tmp/bus_test_" + std::to_string(getpid());
+  const std::string path = ::testing::TempDir() + "bus_test_" + std::to_string(getpid());
   std::ofstream(path + "_qos.yaml") << qos;
   std::ofstream(path + "_traffic.yaml") << "uxv: {}\n";
   BusOptions options;

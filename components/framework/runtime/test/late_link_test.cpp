@@ -42,7 +42,7 @@ std::string text_of(const Sample& sample) {
 
 /// A bus whose link is on `address`.
 std::unique_ptr<Bus> make_link_bus(const std::string& address, const std::string& peer) {
-  const std::string path = "/tmp/late_link_test_" + std::to_string(getpid());
+  const std::string path = ::testing::TempDir() + "late_link_test_" + std::to_string(getpid());
   std::ofstream(path + "_qos.yaml") << qos;
   std::ofstream(path + "_traffic.yaml") << traffic;
   BusOptions options;

@@ -215,6 +215,6 @@ using AllLinkTopics =
 using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation, CmdVelDocking,
          CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs, MuxSetInputs,
-         SafetyEnable, EmergencyStopRequest, ContainerCommand, ContainerState>;
+         SafetyEnable, EmergencyStopRequest, EmergencyStopState, ContainerCommand, ContainerState>;
 
 }  // namespace tocsin::topic
