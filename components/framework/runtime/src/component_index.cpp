@@ -10,6 +10,7 @@
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
 #include "foundation/read_file.hpp"
+#include "sorted_entries.hpp"
 
 namespace tocsin {
 namespace {
@@ -30,16 +31,6 @@ std::vector<fs::path> folders_of(const std::string& variable) {
     if (!word.empty()) folders.push_back(fs::path(word).lexically_normal());
   }
   return folders;
-}
-
-std::vector<fs::path> sorted_entries(const fs::path& folder) {
-  std::error_code unreadable;
-  std::vector<fs::path> entries;
-  for (const auto& entry : fs::directory_iterator(folder, unreadable)) {
-    entries.push_back(entry.path());
-  }
-  std::sort(entries.begin(), entries.end());
-  return entries;
 }
 
 /// The prefixes of packages, each once, those without components left out.

@@ -9,21 +9,12 @@
 #include <string>
 
 #include "command_line/programs.hpp"
+#include "sorted_entries.hpp"
 
 namespace tocsin {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> sorted_entries(const fs::path& folder) {
-  std::error_code unreadable;
-  std::vector<fs::path> entries;
-  for (const auto& entry : fs::directory_iterator(folder, unreadable)) {
-    entries.push_back(entry.path());
-  }
-  std::sort(entries.begin(), entries.end());
-  return entries;
-}
 
 /// An install folder of all packages, or one with a folder for each.
 void add_workspace(const fs::path& install, std::vector<fs::path>& prefixes) {
