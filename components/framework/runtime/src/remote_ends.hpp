@@ -19,7 +19,7 @@ struct AnnouncedEnd {
   std::string type;
   std::string layout;  ///< layout_digest; empty: it does not tell, as other vendors
   bool writer = false;
-  QosContract qos = {};  ///< what it offers or requests
+  QosContract qos = {};        ///< what it offers or requests
   std::string user_data = "";  ///< all of it, with the layout
 };
 

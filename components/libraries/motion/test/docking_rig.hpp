@@ -79,8 +79,7 @@ inline kobuki::Pose draw_start(std::mt19937_64& random) {
   };
   const double angle_rad = uniform(-45, 45) * kobuki::degree_rad;
   const double distance_m = uniform(0.4, 2.9);
-  return {distance_m * std::cos(angle_rad), distance_m * std::sin(angle_rad),
-          uniform(-pi, pi)};
+  return {distance_m * std::cos(angle_rad), distance_m * std::sin(angle_rad), uniform(-pi, pi)};
 }
 
 }  // namespace tocsin::motion

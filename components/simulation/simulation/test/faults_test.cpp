@@ -29,7 +29,8 @@ deployment::Deployment two_hosts() {
 }
 
 FaultPlan load(const std::string& text) {
-  const std::string path = ::testing::TempDir() + "faults_test_" + std::to_string(::getpid()) + ".yaml";
+  const std::string path =
+      ::testing::TempDir() + "faults_test_" + std::to_string(::getpid()) + ".yaml";
   std::ofstream(path) << text;
   try {
     FaultPlan plan = load_faults(path);
