@@ -72,6 +72,7 @@ class PacedWorldTest : public PacerTest {
     read<topic::NetworkQuality>(ground_);
     read<topic::NavigationStatus>(ground_);
   }
+  ~PacedWorldTest() override { subscriptions_.clear(); }  // before the hosts go
   Network network_{core_, link_, QosProfiles(folder_.path("qos.yaml")), {}};
   SimHost uxv_{network_, "uxv", "uxv", config + "traffic.yaml"};
   SimHost gcs_{network_, "gcs", "gcs", config + "traffic.yaml"};
