@@ -12,6 +12,9 @@ NAMES = {"JPEG": "libjpeg-dev", "libevdev": "libevdev-dev", "libnl-genl-3.0": "l
          "Python3": None, "Threads": None, "GTest": None}
 NUMBERS = r"(?:unsigned )?(?:short|long long|long)|octet|float|double|u?int(?:8|16|32|64)"
 FIELD = re.compile(rf"^\s*(?:sequence<)?\s*(?:{NUMBERS})\b[^;]*;(.*)$")
+# Rooms of packages, the lowest first: a package may depend on its own and on lower ones.
+ROOMS = [["idl"], ["framework"], ["libraries"], ["vehicle", "station", "both"], ["simulation"], ["tools"]]
+ANYWHERE = {"tocsin_cmake"}  # builds all of them
 broken = []
 
 
@@ -57,6 +60,23 @@ def check_dependencies():
             report(xml, 1, f"{name} is only in {where}")
 
 
+def check_rooms():
+    rank = {name: number for number, names in enumerate(ROOMS) for name in names}
+    files = tracked("idl/*/package.xml", "components/*/package.xml")
+    room_of = {xml.parent.name: xml.parts[0] if xml.parts[0] == "idl" else xml.parts[1] for xml in files}
+    for xml in files:
+        own = room_of[xml.parent.name]
+        if own not in rank:
+            report(xml, 1, f"lies in no room; rooms are {sum(ROOMS, [])}")
+            continue
+        stated = re.findall(r"<\w*depend>(\S+)</", xml.read_text())
+        for name in sorted(set(stated) & room_of.keys() - ANYWHERE):
+            upward = rank[room_of[name]] > rank[own]
+            beside = rank[room_of[name]] == rank[own] and own in ROOMS[3]
+            if upward or beside:
+                report(xml, 1, f"{own} may not depend on {name} of {room_of[name]}")
+
+
 def check_units():
     for file in tracked("idl/tocsin_idl/*.idl"):
         for number, line in enumerate(file.read_text().split("\n"), 1):
@@ -75,10 +95,19 @@ def check_versions():
             report(xml, 1, f"version {version} is not {newest}, the newest of CHANGELOG.md")
 
 
+def check_yaml():
+    for file in tracked("components/*/src/*.cpp", "components/*/include/*.hpp"):
+        for number, line in enumerate(file.read_text().split("\n"), 1):
+            if "YAML::Load" in line and file.name != "yaml_sources.cpp":
+                report(file, number, "reads YAML without limits; use foundation's yaml_sources.hpp")
+
+
 check_licence()
 check_versions()
 check_length()
 check_dependencies()
+check_rooms()
 check_units()
+check_yaml()
 print("\n".join(broken) or "house rules: kept")
 sys.exit(1 if broken else 0)

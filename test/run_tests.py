@@ -5,8 +5,8 @@
 usage: run_tests.py BUILD_FOLDER LABEL_REGEX [PACKAGE ...]
 
 As many tests run side by side as there are cores, those that took longest the last time first. A system
-test gets a network, a /dev/shm and mounts of its own, so that no other test hears it; where the
-kernel or the container forbids that, system tests run one after the other. A test program that
+test gets a network, process ids, a /dev/shm and mounts of its own, so that no other test hears or
+finds it; where the kernel or the container forbids that, system tests run one after the other. A test program that
 crashes, or leaves no result file, counts as one failed case. The last line is
 "N passed, N failed, N skipped"; the exit code is 1 when a case failed.
 """
@@ -24,11 +24,12 @@ import xml.etree.ElementTree as ElementTree
 Test = collections.namedtuple("Test", "package name system result_file")
 Outcome = collections.namedtuple("Outcome", "passed failed skipped reasons seconds")
 
-# Root has the right to namespaces; anybody else becomes root of a user namespace first.
-PRIVATE_WORLD = ["unshare", "--net", "--mount", *([] if os.geteuid() == 0 else ["--map-root-user"]),
-                 "sh", "-c", """mount -t tmpfs -o mode=1777 tmpfs /dev/shm && ip link set lo up &&
+# Root has the right to namespaces; anybody else becomes root of a user namespace first. The shell
+# stays, as the process that reaps orphans.
+PRIVATE_WORLD = ["unshare", "--net", "--mount", "--pid", "--fork", "--mount-proc",
+                 *([] if os.geteuid() == 0 else ["--map-root-user"]), "sh", "-c", """mount -t tmpfs -o mode=1777 tmpfs /dev/shm && ip link set lo up &&
                  { echo 0 0 > /proc/sys/net/ipv4/ping_group_range || true; } 2>/dev/null &&
-                 exec "$@" """, "-"]
+                 "$@"; exit $? """, "-"]
 SLOWEST_SHOWN = 5
 
 

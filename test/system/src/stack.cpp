@@ -46,6 +46,24 @@ pid_t start(const std::vector<std::string>& words, const std::string& output) {
   _exit(127);
 }
 
+/// What mounts a disk on a folder and becomes the command that follows.
+std::vector<std::string> on_own_disk(const std::string& folder, int mib) {
+  fs::create_directory(folder);
+  const std::string options = "size=" + std::to_string(mib) + "m";
+  return {"/usr/bin/unshare",
+          getuid() == 0 ? "-m" : "-rm",
+          "/bin/sh",
+          "-c",
+          "mount -t tmpfs -o " + options + " none " + folder + " && exec \"$@\"",
+          "sh"};
+}
+
+std::string text_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells(1);
   bool quoted = false;
@@ -76,13 +94,16 @@ Ended run_to_end(const std::string& program, const std::string& arguments) {
   return ended;
 }
 
-Stack::Stack(const std::vector<std::string>& arguments) {
+Stack::Stack(const std::vector<std::string>& arguments, int disk_mib) : own_disk_(disk_mib > 0) {
   std::string name = "/tmp/tocsin_stack_XXXXXX";
-  folder_ = mkdtemp(name.data());
-  std::vector<std::string> words{installed("tocsin_cli", "bin/tocsin"), "launch"};
+  top_ = mkdtemp(name.data());
+  folder_ = top_ + "/run";
+  std::vector<std::string> words;
+  if (own_disk_) words = on_own_disk(folder_, disk_mib);
+  words.insert(words.end(), {installed("tocsin_cli", "bin/tocsin"), "launch"});
   words.insert(words.end(), arguments.begin(), arguments.end());
   words.insert(words.end(), {"--run-dir", folder_});
-  launcher_ = start(words, folder_ + "/launch.out");
+  launcher_ = start(words, top_ + "/launch.out");
 }
 
 Stack::~Stack() {
@@ -90,7 +111,7 @@ Stack::~Stack() {
     kill(launcher_, SIGTERM);
     if (exit_code(std::chrono::seconds(20)) == -1) kill(launcher_, SIGKILL);
   }
-  if (!keep_) fs::remove_all(folder_);
+  if (!keep_) fs::remove_all(top_);
 }
 
 std::string Stack::program(const std::string& package, const std::string& name) {
@@ -110,11 +131,14 @@ bool Stack::eventually(std::chrono::seconds limit, const std::function<bool()>& 
   return true;
 }
 
-std::string Stack::read(const std::string& name) const {
-  std::ostringstream text;
-  text << std::ifstream(folder_ + "/" + name).rdbuf();
-  return text.str();
+std::string Stack::path(const std::string& name) const {
+  const std::string root = own_disk_ ? "/proc/" + std::to_string(launcher_) + "/root" : "";
+  return root + folder_ + "/" + name;
 }
+
+std::string Stack::read(const std::string& name) const { return text_of(path(name)); }
+
+std::string Stack::output() const { return text_of(top_ + "/launch.out"); }
 
 bool Stack::logged(const std::string& text) const {
   return output().find(text) != std::string::npos;
@@ -137,7 +161,7 @@ void Stack::control(const std::string& socket_name, const std::string& line) con
   const int fd = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   sockaddr_un to{};
   to.sun_family = AF_UNIX;
-  const std::string path = folder_ + "/" + socket_name;
+  const std::string path = this->path(socket_name);
   std::strncpy(to.sun_path, path.c_str(), sizeof to.sun_path - 1);
   const auto* address = reinterpret_cast<const sockaddr*>(&to);
   const bool sent = sendto(fd, line.data(), line.size(), 0, address, sizeof to) >= 0;

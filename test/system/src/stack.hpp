@@ -23,8 +23,9 @@ struct Ended {
 /// launcher is stopped when it still runs.
 class Stack {
  public:
-  /// `arguments` follow `tocsin launch`. `--run-dir` is added.
-  explicit Stack(const std::vector<std::string>& arguments);
+  /// `arguments` follow `tocsin launch`. `--run-dir` is added. `disk_mib`: size of a disk of its
+  /// own for the run folder, which only its processes see as such; 0: none.
+  explicit Stack(const std::vector<std::string>& arguments, int disk_mib = 0);
   ~Stack();
   Stack(const Stack&) = delete;
   Stack& operator=(const Stack&) = delete;
@@ -40,7 +41,7 @@ class Stack {
   [[nodiscard]] std::string read(const std::string& name) const;
   [[nodiscard]] bool logged(const std::string& text) const;
   /// Everything that the launcher printed.
-  [[nodiscard]] std::string output() const { return read("launch.out"); }
+  [[nodiscard]] std::string output() const;
   /// Names of the processes that run now, and the process id of one (0 when it does not run).
   [[nodiscard]] std::vector<std::string> processes() const;
   [[nodiscard]] pid_t pid(const std::string& process) const;
@@ -49,11 +50,18 @@ class Stack {
   /// The launcher's exit code; -1 when it did not end within `limit`.
   int exit_code(std::chrono::seconds limit);
   [[nodiscard]] const std::string& folder() const { return folder_; }
+  /// A file of the run folder as this process reaches it.
+  [[nodiscard]] std::string path(const std::string& name) const;
+  /// A folder beside it, for what belongs to the test; lives as long as this.
+  [[nodiscard]] const std::string& scratch() const { return top_; }
+  [[nodiscard]] pid_t launcher() const { return launcher_; }
   /// Keeps the run folder, for a person to look at after a failure.
   void keep() { keep_ = true; }
 
  private:
+  std::string top_;
   std::string folder_;
+  bool own_disk_;
   pid_t launcher_ = -1;
   int code_ = -1;
   bool keep_ = false;

@@ -55,7 +55,7 @@ TEST(Check, LooksAtAFileWithoutContainers) {
 
 TEST(Check, TheExampleOfAFileThatExtendsTheMissionIsRight) {
   std::ostringstream readme;
-  readme << std::ifstream(TOCSIN_SOURCE_DIR "/../../components/deployment/README.md").rdbuf();
+  readme << std::ifstream(TOCSIN_REPOSITORY "/components/framework/deployment/README.md").rdbuf();
   const auto blocks = yaml_blocks(readme.str());
   ASSERT_EQ(blocks.size(), 2U);
   const TemporaryFolder folder;

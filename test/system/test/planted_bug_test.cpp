@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -19,31 +20,16 @@ using ::testing::HasSubstr;
 /// The whole main job but for pictures and recordings, with another mission control.
 class PlantedBugTest : public ::testing::Test {
  protected:
-  /// This program's folder gets a lib/tocsin beside it with all installed components.
-  static void SetUpTestSuite() {
-    const fs::path libraries = fs::read_symlink("/proc/self/exe").parent_path() / "../lib/tocsin";
-    fs::create_directories(libraries);
-    for (const fs::path& folder : {install() / "lib/tocsin", install()}) {
-      if (fs::exists(folder)) link_components(folder, libraries);
-    }
-  }
+  /// The other components are those of the installation, as after its setup.bash.
+  static void SetUpTestSuite() { ::setenv("COLCON_PREFIX_PATH", install().c_str(), 1); }
   static fs::path install() {
     const fs::path own = TOCSIN_INSTALL;
-    return fs::exists(own / "lib/tocsin") ? own : own.parent_path();
+    return fs::exists(own / "share/tocsin") ? own : own.parent_path();
   }
   static fs::path share() {
     const fs::path together = install() / "share/tocsin";
     return fs::exists(together) ? together : install() / "bringup/share/tocsin";
   }
-  static void link_components(const fs::path& folder, const fs::path& to) {
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-      const fs::path& file = entry.path();
-      if (file.extension() != ".so" || file.parent_path().filename() != "tocsin") continue;
-      fs::remove(to / file.filename());
-      fs::create_symlink(file, to / file.filename());
-    }
-  }
-
   static Verdict run(std::uint64_t seed, bool repeats) {
     const TemporaryFolder folder;
     deployment::Overrides overrides;

@@ -110,6 +110,11 @@ bool deserialize(const std::uint8_t* buffer, std::size_t size, void* message) {
 }
 
 template <class T>
+void visit_value(FieldVisitor& visitor, const char* name, const std::vector<T>& list);
+template <class T, std::size_t size>
+void visit_value(FieldVisitor& visitor, const char* name, const std::array<T, size>& list);
+
+template <class T>
 void visit_value(FieldVisitor& visitor, const char* name, const T& value) {
   if constexpr (std::is_floating_point_v<T>) {
     visitor.number(name, value);

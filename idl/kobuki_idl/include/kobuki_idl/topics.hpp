@@ -116,4 +116,10 @@ struct RawControl {
   static constexpr TopicInfo info{"debug/raw_control_command", "sensor", Scope::host};
 };
 
+using AllKobukiTopics =
+    List<SensorsCore, DockInfrared, ButtonEvents, BumperEvents, CliffEvents, WheelDropEvents,
+         PowerEvents, InputEvents, RobotState, VersionInfo, ImuRaw, ChargerState, ControllerInfo,
+         Led1, Led2, SoundCommand, DigitalOutput, ExternalPower, ResetOdometry, MotorPower,
+         GainsCommand, RawStream, RawCommand, RawControl>;
+
 }  // namespace tocsin::topic

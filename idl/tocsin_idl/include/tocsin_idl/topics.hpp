@@ -146,16 +146,28 @@ struct MissionStatus {
   using Message = tocsin_msgs::msg::MissionStatus;
   static constexpr TopicInfo info{"mission_status", "state", Scope::link};
 };
-/// True stops the vehicle until false is sent.
+/// True stops the vehicle; it stands until everybody who said true has said false, see
+/// motion::EmergencyStopLatch. Anybody may stop it, so every writer is heard. Who says true goes on
+/// saying it: readers that come late get no older sample.
 struct EmergencyStop {
   using Message = std_msgs::msg::Bool;
-  static constexpr TopicInfo info{"emergency_stop", "state", Scope::link};
+  static constexpr TopicInfo info{"emergency_stop", "state", Scope::link, Requests::anything};
+  /// User data of the writers that speak for the ground station's people, and their name in
+  /// SafetyStatus.
+  static constexpr const char* station = "tocsin_stop=station;";
+  static constexpr const char* station_name = "station";
 };
 
 /// What the ground station's people ask for; its component emergency_stop keeps it and sends it.
 struct EmergencyStopRequest {
   using Message = std_msgs::msg::Bool;
-  static constexpr TopicInfo info{"emergency_stop/request", "event", Scope::host};
+  static constexpr TopicInfo info{"emergency_stop/request", "event", Scope::host,
+                                  Requests::anything};
+};
+/// What came of it.
+struct EmergencyStopState {
+  using Message = tocsin_msgs::msg::EmergencyStopState;
+  static constexpr TopicInfo info{"emergency_stop/state", "state", Scope::host};
 };
 /// Manual driving, from any computer. The stamp is when the operator wanted it, frame_id the
 /// device.
@@ -195,13 +207,14 @@ struct ContainerState {
   static constexpr TopicInfo info{"container_state", "state", Scope::host};
 };
 
-/// Topics of a list, for those who handle all of them alike.
-template <class... Topics>
-struct List {};
-
 using AllLinkTopics =
     List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage, CpuLoad,
          CpuTemperature, CameraImage, Goal, MissionStatus, EmergencyStop, SafetyStatus,
          DockingStatus, TeleopCmdVel, DockingCommand, Heartbeat, TransmissionState, TrafficReport>;
+
+using AllHostTopics =
+    List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation, CmdVelDocking,
+         CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs, MuxSetInputs,
+         SafetyEnable, EmergencyStopRequest, EmergencyStopState, ContainerCommand, ContainerState>;
 
 }  // namespace tocsin::topic

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "recorder/recording.hpp"
+#include "recorder/topic_choice.hpp"
+#include "runtime/component.hpp"
+#include "runtime/port.hpp"
+
+namespace tocsin {
+
+/// Records every link topic that reaches its process, and any other topic that it is told to.
+class RecorderComponent final : public Component {
+ public:
+  struct Params {
+    std::string directory;
+    double flush_period_s = 0.5;
+    bool link_topics = true;
+    std::vector<std::string> topics;
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("directory", directory, "folder of the files; made when absent; empty: run folder/role");
+      v("flush_period_s", flush_period_s, {0.05, 60}, "[s] between writes to the disk");
+      v("link_topics", link_topics, "whether every topic that crosses the link is recorded");
+      v("topics", topics, "others: names, patterns, or NAME TYPE [QOS [host|link]]");
+    }
+  };
+
+  RecorderComponent(Context& context, const Params& params);
+  void tick(Time now) override;
+
+ private:
+  /// One topic: where it comes from, and its number in the recording.
+  struct Track {
+    std::size_t number;
+    std::unique_ptr<InputPort> input;
+  };
+  void flush(Time now);
+
+  const std::string directory_;
+  const Duration flush_period_;
+  Time next_flush_{};
+  const std::vector<ChosenTopic> topics_;
+  const std::unique_ptr<Recording> recording_;
+  std::vector<Track> tracks_;
+  bool disk_full_ = false;
+  std::uint64_t lost_ = 0;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recorder/csv_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "foundation/error.hpp"
+#include "foundation/printable.hpp"
+
+namespace tocsin {
+namespace {
+
+constexpr std::size_t most_waiting = 65536;  // [byte]
+
+std::string row_of(const std::vector<std::string>& cells) {
+  std::string row;
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front()) row += ',';
+    row += csv_cell(cell, cell.size());
+  }
+  return row + '\n';
+}
+
+/// A process that was killed may have left half a row behind.
+bool ends_with_newline(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file || file.tellg() == 0) return true;
+  file.seekg(-1, std::ios::end);
+  return file.get() == '\n';
+}
+
+}  // namespace
+
+CsvFile::CsvFile(const std::string& path, const std::vector<std::string>& columns)
+    : descriptor_(::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644)) {
+  if (descriptor_ < 0) throw ConfigError(path + ": cannot be written: " + std::strerror(errno));
+  std::error_code none;
+  is_cut_ = !ends_with_newline(path);
+  if (std::filesystem::file_size(path, none) == 0 || none) waiting_ = row_of(columns);
+}
+
+CsvFile::~CsvFile() {
+  (void)flush();
+  ::close(descriptor_);
+}
+
+void CsvFile::write(const std::vector<std::string>& cells) {
+  waiting_ += row_of(cells);
+  if (waiting_.size() >= most_waiting) (void)flush();
+}
+
+bool CsvFile::flush() {
+  if (waiting_.empty()) return true;
+  if (is_cut_) waiting_.insert(waiting_.begin(), '\n');
+  std::string_view rest = waiting_;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) break;
+    rest.remove_prefix(static_cast<std::size_t>(written));
+    is_cut_ = *(rest.data() - 1) != '\n';
+  }
+  if (!rest.empty() && rest.size() == waiting_.size() && is_cut_) rest.remove_prefix(1);
+  lost_ += static_cast<std::uint64_t>(std::count(rest.begin(), rest.end(), '\n'));
+  const bool fitted = rest.empty();
+  waiting_.clear();
+  return fitted;
+}
+
+}  // namespace tocsin

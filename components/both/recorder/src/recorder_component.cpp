@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recorder/recorder_component.hpp"
+
+#include <utility>
+
+#include "recorder/csv_recording.hpp"
+#include "runtime/component_entry.hpp"
+#include "runtime/middleware/idl_libraries.hpp"
+
+namespace tocsin {
+namespace {
+
+/// Those that libraries of this process state; with wishes, those of all that are installed.
+std::vector<ChosenTopic> chosen_topics(const std::string& name,
+                                       const RecorderComponent::Params& params) {
+  if (!params.topics.empty()) load_idl_libraries();
+  return choose_topics(name, {params.link_topics, params.topics}, known_topics());
+}
+
+}  // namespace
+
+RecorderComponent::RecorderComponent(Context& context, const Params& params)
+    : Component(context),
+      directory_(params.directory.empty() ? context.run_dir + "/" + context.role
+                                          : params.directory),
+      flush_period_(seconds(params.flush_period_s)),
+      topics_(chosen_topics(context.name, params)),
+      recording_(std::make_unique<CsvRecording>(context.name, directory_, log())) {
+  for (const ChosenTopic& topic : topics_) {
+    const Writers writers = topic.named ? Writers::needed : Writers::optional;
+    tracks_.push_back(
+        {recording_->add(topic),
+         std::make_unique<InputPort>(*this, Endpoint{topic.info, topic.type, writers})});
+  }
+}
+
+void RecorderComponent::tick(Time now) {
+  for (const Track& track : tracks_) {
+    while (const auto sample = track.input->take_sample()) {
+      recording_->write(track.number, *sample);
+    }
+  }
+  if (now >= next_flush_) flush(now);
+  wake_at(next_flush_);
+}
+
+void RecorderComponent::flush(Time now) {
+  next_flush_ = now + flush_period_;
+  recording_->flush();
+  const std::uint64_t lost_before = std::exchange(lost_, recording_->lost());
+  const bool was_full = std::exchange(disk_full_, lost_ > lost_before);
+  if (disk_full_ != was_full) {
+    if (disk_full_) {
+      log().error("rows are being lost: {} cannot be written", directory_);
+    } else {
+      log().info("{} can be written again; {} rows were lost since the start", directory_, lost_);
+    }
+  }
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::RecorderComponent)

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line/launch_plan.hpp"
+
+#include <cassert>
+
+#include "foundation/error.hpp"
+
+namespace tocsin {
+namespace {
+
+std::string located(const std::string& process, const std::string& program,
+                    const Folders& folders) {
+  if (const auto found = find_program(program, folders)) return found->string();
+  throw ConfigError(process + ": program '" + program +
+                    "' is not found beside tocsin-launch, in its install folder or in $PATH");
+}
+
+}  // namespace
+
+std::vector<ProcessSpec> plan_processes(const deployment::Deployment& deployment,
+                                        const ResolvedFile& file, const Folders& folders) {
+  std::vector<ProcessSpec> specs;
+  int index = 0;
+  for (const deployment::Host& host : deployment.hosts) {
+    for (const deployment::Program& program : host.programs) {
+      ProcessSpec spec{host.name + "/" + program.name, program.command, index, false, false};
+      spec.checks_itself = program.command.front() == "kobuki_simulator";
+      spec.command[0] = located(spec.name, spec.command[0], folders);
+      specs.push_back(std::move(spec));
+    }
+    for (const deployment::Container& container : host.containers) {
+      const std::string name = host.name + "/" + container.name;
+      specs.push_back({name,
+                       {located(name, "tocsin-container", folders), file.path, host.name,
+                        container.name, file.copy},
+                       index,
+                       container.terminal,
+                       false});
+    }
+    ++index;
+  }
+  return specs;
+}
+
+ProcessSpec plan_radio(const deployment::Deployment& deployment,
+                       const std::vector<int>& descriptors, const Folders& folders) {
+  assert(deployment.radio && descriptors.size() == deployment.hosts.size());
+  ProcessSpec spec{"radio", {located("radio", "link_emulator", folders)}, -1, false, true};
+  const auto add = [&](const std::string& option, const std::string& value) {
+    spec.command.push_back(option);
+    spec.command.push_back(value);
+  };
+  add("--channel", deployment.radio->channel);
+  add("--walls", deployment.radio->walls);
+  add("--seed", std::to_string(deployment.seed));
+  for (std::size_t i = 0; i < descriptors.size(); ++i) {
+    const deployment::Host& host = deployment.hosts[i];
+    add("--end", host.role + ":/proc/self/fd/" + std::to_string(descriptors[i]) + ":" +
+                     host.address + "/24");
+  }
+  add("--control", deployment.run_dir + "/radio.sock");
+  add("--stats", deployment.run_dir + "/radio.jsonl");
+  add("--wireless", deployment.run_dir + "/wireless");
+  return spec;
+}
+
+}  // namespace tocsin

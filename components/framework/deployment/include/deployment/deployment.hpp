@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "foundation/yaml_sources.hpp"
+
+/// The bringup file in memory: which components run in which process, on which host.
+namespace tocsin::deployment {
+
+/// One component of a container process.
+struct ComponentInstance {
+  std::string component;  ///< library that offers it, also its default name
+  std::string name;       ///< unique on its host
+  /// A map of parameters, never null, possibly empty. Its nodes know where they were written, so
+  /// `load_parameters<P>(*parameters, name, deployment.sources)` points there.
+  std::shared_ptr<const YAML::Node> parameters;
+  std::string place = "";  ///< "file:line" where it stands
+};
+
+/// When the health of a container's parts is no longer fine.
+struct HealthLimits {
+  double period_s = 1.0;
+  double slow_tick_s = 0.5;
+  double blocked_tick_s = 5.0;
+  double overrun_share = 0.1;
+  double resident_mib = 512;
+  double growth_mib = 64;
+  double disk_low_mib = 100;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("period_s", period_s, {0.1, 60}, "[s] between reports");
+    v("slow_tick_s", slow_tick_s, {0.001, 3600}, "[s] a longer tick is a WARN");
+    v("blocked_tick_s", blocked_tick_s, {0.001, 3600}, "[s] a tick that runs longer is an ERROR");
+    v("overrun_share", overrun_share, {0, 1}, "[1] a larger share of skipped periods is a WARN");
+    v("resident_mib", resident_mib, {1, 1e6}, "[MiB] more resident memory is a WARN");
+    v("growth_mib", growth_mib, {1, 1e6}, "[MiB] memory that grew by more is a WARN");
+    v("disk_low_mib", disk_low_mib, {0, 1e9}, "[MiB] less room on the run folder's disk is a WARN");
+  }
+};
+
+/// One process that runs components.
+struct Container {
+  std::string name;       ///< unique among the programs and containers of its host
+  bool terminal = false;  ///< owns the terminal; at most one of a deployment
+  std::vector<ComponentInstance> components;
+  /// All components on one thread, which hand over without a system call; else one thread each.
+  bool shared_thread = false;
+  HealthLimits health = {};
+};
+
+/// One plain process without DDS.
+struct Program {
+  std::string name;
+  std::vector<std::string> command;  ///< program and arguments, at least the program
+};
+
+/// One side of the radio link.
+struct Host {
+  std::string name;
+  std::string role;                ///< "uxv" or "gcs"
+  std::string address;             ///< IPv4, of this host on the link
+  std::vector<std::string> peers;  ///< IPv4 addresses of the other hosts
+  int local_domain = 0;            ///< DDS domain id of topics that stay on this host
+  std::vector<Program> programs;
+  std::vector<Container> containers;
+};
+
+/// The emulated radio between the two hosts; with it each host has a network namespace.
+struct Radio {
+  std::string channel;  ///< absolute path of the channel's parameters
+  std::string walls;    ///< absolute path of the wall segments
+};
+
+/// When and how often a process that died is started again.
+struct RestartPolicy {
+  double backoff_s = 0.2;      ///< [0.01, 60] wait before the first restart, doubled each time
+  double max_backoff_s = 5.0;  ///< [0.01, 600] longest wait, at least backoff_s
+  int limit = 10;              ///< [0, 1000] restarts of one process within 60 s
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("backoff_s", backoff_s, {0.01, 60}, "[s] wait before the first restart, doubled each time");
+    v("max_backoff_s", max_backoff_s, {0.01, 600}, "[s] longest wait");
+    v("limit", limit, {0, 1000}, "[1] restarts of one process within 60 s");
+  }
+};
+
+/// A whole bringup file. All paths are absolute, all variables replaced.
+struct Deployment {
+  std::string file;     ///< it was read from; for error texts
+  YamlSources sources;  ///< that file, those that it extends, parameter files, settings
+  std::string run_dir;  ///< folder of this run's recordings, logs and sockets
+  std::string share;    ///< installed share/tocsin folder
+  int seed = 1;
+  std::string qos;              ///< path; empty only without containers
+  std::string traffic;          ///< path; empty only without containers
+  int link_domain = 2;          ///< DDS domain id of the topics that cross the radio
+  std::string ros_namespace;    ///< of all topics; empty or words joined by '/'
+  std::string stop_when_exits;  ///< "host/process" whose exit with 0 or 1 ends the run; or empty
+  RestartPolicy restart;
+  std::optional<Radio> radio;
+  std::vector<Host> hosts;  ///< one or two, in the file's order
+};
+
+/// What the command line adds to a bringup file.
+struct Overrides {
+  std::string run_dir;        ///< value of ${run_dir}
+  std::string share;          ///< value of ${share}
+  int seed = 1;               ///< value of ${seed}
+  std::optional<int> domain;  ///< in place of the file's `domain`
+  std::string channel;        ///< path in place of the file's `radio.channel`; empty: none
+  /// "name.key=value" or "host/name.key=value", value in YAML; names as in `means`.
+  std::vector<std::string> set;
+  /// "host/process" or "host/process/component" left out; names as in `resolve_path`.
+  std::vector<std::string> without;
+  /// Components that can be loaded; another one in the file is an error. Empty: not looked at.
+  std::vector<std::string> installed;
+};
+
+/// Reads a bringup file, the files that it extends and its parameter files, and applies the
+/// overrides.
+/// Throws ConfigError naming file:line, key, value and what is allowed.
+[[nodiscard]] Deployment load_deployment(const std::string& path, const Overrides& overrides);
+
+/// The deployment as one self-contained YAML text; each parameter with its origin as a comment.
+[[nodiscard]] std::string resolved_text(const Deployment& deployment);
+
+/// Writes that text to a file, whole or not at all. Throws EnvironmentError when it cannot.
+void write_resolved(const Deployment& deployment, const std::string& path);
+
+/// Reads what write_resolved wrote. Throws ConfigError like load_deployment. `copy`: where the same
+/// text is read instead; empty: at `path`, which errors name in any case.
+[[nodiscard]] Deployment load_resolved(const std::string& path, const std::string& copy = "");
+
+/// The host that `--host` names: by its name, with or without a slash in front, or by its role when
+/// no host has this name. Throws ConfigError with the choice.
+[[nodiscard]] const Host& host_named(const Deployment& deployment, const std::string& given);
+
+/// Null when there is no such host or container.
+[[nodiscard]] const Host* find_host(const Deployment& deployment, const std::string& name);
+[[nodiscard]] const Container* find_container(const Host& host, const std::string& name);
+
+}  // namespace tocsin::deployment

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reader.hpp"
+
+#include <arpa/inet.h>
+
+#include <algorithm>
+
+#include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
+#include "foundation/yaml_file.hpp"
+
+namespace tocsin::deployment {
+namespace {
+
+bool is_address(const std::string& text) {
+  in_addr address{};
+  return inet_pton(AF_INET, text.c_str(), &address) == 1;
+}
+
+void check_address(const std::string& text, const std::string& key, const Section& section) {
+  if (!is_address(text)) section.fail(key, "'" + text + "' is not an IPv4 address");
+}
+
+bool is_ros_namespace(const std::string& text) {
+  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '/'; };
+  return text.empty() ||
+         (std::isalpha(static_cast<unsigned char>(text[0])) != 0 && text.back() != '/' &&
+          text.find("//") == std::string::npos && std::all_of(text.begin(), text.end(), allowed));
+}
+
+ComponentInstance read_instance(const YAML::Node& node, const std::string& owner,
+                                const YamlSources& sources) {
+  ComponentInstance instance;
+  YAML::Node parameters(YAML::NodeType::Map);
+  if (node.IsScalar()) {
+    instance.component = instance.name = node.Scalar();
+    check_name(instance.name, owner, node, sources);
+  } else {
+    const Section section(node, owner, sources, {"component", "name", "parameters"});
+    instance.component = section.required_name("component");
+    instance.name = section.text("name", instance.component);
+    check_name(instance.name, owner + ".name", node, sources);
+    const YAML::Node given = section.find("parameters");
+    if (given.IsDefined() && !given.IsNull()) {
+      const Section keys(given, instance.name, sources);
+      parameters = given;
+    }
+  }
+  instance.parameters = std::make_shared<const YAML::Node>(parameters);
+  instance.place = sources.place(node);
+  return instance;
+}
+
+Program read_program(const YAML::Node& node, const std::string& owner, const YamlSources& sources) {
+  const Section section(node, owner, sources, {"name", "command"});
+  Program program{section.required_name("name"), section.texts("command")};
+  if (program.command.empty()) section.fail("command", "must be a list with at least a program");
+  return program;
+}
+
+/// `shared` or `one_each`.
+bool read_shared_thread(const Section& section) {
+  const std::string threads = section.text("threads", "one_each");
+  if (threads != "shared" && threads != "one_each") {
+    section.fail("threads", "'" + threads + "' is not one of: one_each, shared");
+  }
+  return threads == "shared";
+}
+
+Container read_container(const YAML::Node& node, const std::string& owner,
+                         const YamlSources& sources) {
+  const Section section(node, owner, sources,
+                        {"name", "terminal", "threads", "health", "components"});
+  Container container;
+  container.name = section.required_name("name");
+  container.terminal = section.flag("terminal", false);
+  container.shared_thread = read_shared_thread(section);
+  container.health =
+      load_parameters<HealthLimits>(section.find("health"), owner + ".health", sources);
+  for (const YAML::Node& item : section.items("components")) {
+    container.components.push_back(read_instance(item, owner + ".components", sources));
+  }
+  if (container.components.empty()) section.fail("components", "must name at least one component");
+  return container;
+}
+
+Host read_host(const std::string& name, const YAML::Node& node, const YamlSources& sources) {
+  check_name(name, "hosts", node, sources);
+  const std::string owner = "hosts." + name;
+  const Section section(node, owner, sources,
+                        {"role", "address", "peers", "programs", "containers"});
+  Host host;
+  host.name = name;
+  host.role = section.required_text("role");
+  if (host.role != "uxv" && host.role != "gcs") {
+    section.fail("role", "'" + host.role + "' is not one of: uxv, gcs");
+  }
+  host.address = section.required_text("address");
+  check_address(host.address, "address", section);
+  host.peers = section.texts("peers");
+  for (const std::string& peer : host.peers) check_address(peer, "peers", section);
+  for (const YAML::Node& item : section.items("programs")) {
+    host.programs.push_back(read_program(item, owner + ".programs", sources));
+  }
+  for (const YAML::Node& item : section.items("containers")) {
+    host.containers.push_back(read_container(item, owner + ".containers", sources));
+  }
+  return host;
+}
+
+RestartPolicy read_restart(const YAML::Node& node, const YamlSources& sources) {
+  const auto policy = load_parameters<RestartPolicy>(node, "restart", sources);
+  if (policy.max_backoff_s < policy.backoff_s) {
+    throw ConfigError("restart.max_backoff_s: must not be less than restart.backoff_s" +
+                      yaml_place(sources, node));
+  }
+  return policy;
+}
+
+std::optional<Radio> read_radio(const YAML::Node& node, const YamlSources& sources, Named named) {
+  if (!node.IsDefined() || node.IsNull()) return std::nullopt;
+  const Section section(node, "radio", sources, {"channel", "walls"});
+  Radio radio{section.file("channel", named), section.file("walls", named)};
+  if (radio.channel.empty()) section.fail("channel", "is missing");
+  if (radio.walls.empty()) section.fail("walls", "is missing");
+  return radio;
+}
+
+}  // namespace
+
+std::vector<std::string> body_keys(const std::vector<std::string>& more) {
+  std::vector<std::string> keys{"qos",     "traffic", "namespace", "stop_when_exits",
+                                "restart", "radio",   "hosts"};
+  keys.insert(keys.end(), more.begin(), more.end());
+  return keys;
+}
+
+void read_body(const Section& section, const YamlSources& sources, Named named,
+               Deployment& deployment) {
+  deployment.qos = section.file("qos", named);
+  deployment.traffic = section.file("traffic", named);
+  deployment.ros_namespace = section.text("namespace", "");
+  if (!is_ros_namespace(deployment.ros_namespace)) {
+    section.fail("namespace", "'" + deployment.ros_namespace +
+                                  "' is not words of letters, digits and '_' joined by '/'");
+  }
+  deployment.stop_when_exits = section.text("stop_when_exits", "");
+  deployment.restart = read_restart(section.find("restart"), sources);
+  deployment.radio = read_radio(section.find("radio"), sources, named);
+  const YAML::Node hosts = section.find("hosts");
+  if (!hosts.IsDefined()) section.fail("hosts", "is missing");
+  const Section names(hosts, "hosts", sources);
+  for (const auto& entry : hosts) {
+    deployment.hosts.push_back(read_host(entry.first.Scalar(), entry.second, sources));
+  }
+}
+
+}  // namespace tocsin::deployment

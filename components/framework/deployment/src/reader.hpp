@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "deployment/deployment.hpp"
+#include "section.hpp"
+
+namespace tocsin::deployment {
+
+/// The keys of `read_body` and `more`.
+[[nodiscard]] std::vector<std::string> body_keys(const std::vector<std::string>& more);
+
+/// Reads the parts that a bringup file and a resolved file share into `deployment`:
+/// qos, traffic, namespace, stop_when_exits, restart, radio, hosts. `named`: the files that it
+/// names.
+void read_body(const Section& section, const YamlSources& sources, Named named,
+               Deployment& deployment);
+
+/// Gives every host its domain id: `domain`, `domain + 1`; the link has `domain + 2`.
+void assign_domains(int domain, Deployment& deployment);
+
+/// Throws ConfigError when parts contradict each other: duplicate names, two terminals,
+/// a radio without one host of each role, stop_when_exits that names nothing, missing qos.
+void check_whole(const Deployment& deployment);
+
+}  // namespace tocsin::deployment

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <yaml-cpp/yaml.h>
+
+#include "deployment/deployment.hpp"
+#include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
+#include "foundation/replace_file.hpp"
+#include "foundation/yaml_file.hpp"
+#include "reader.hpp"
+
+namespace tocsin::deployment {
+namespace {
+
+using YAML::BeginMap;
+using YAML::BeginSeq;
+using YAML::EndMap;
+using YAML::EndSeq;
+
+template <class Value>
+void pair(YAML::Emitter& out, const char* key, const Value& value) {
+  out << YAML::Key << key << YAML::Value << value;
+}
+
+/// Texts are quoted, so that one like `true` or `12` stays a text.
+void text(YAML::Emitter& out, const char* key, const std::string& value) {
+  out << YAML::Key << key << YAML::Value << YAML::DoubleQuoted << value;
+}
+
+void texts(YAML::Emitter& out, const char* key, const std::vector<std::string>& values) {
+  out << YAML::Key << key << YAML::Value << YAML::Flow << BeginSeq;
+  for (const std::string& value : values) out << YAML::DoubleQuoted << value;
+  out << EndSeq;
+}
+
+/// Writes each parameter of a struct with its value.
+class PairWriter {
+ public:
+  explicit PairWriter(YAML::Emitter& out) : out_(out) {}
+  template <class Value>
+  void operator()(const char* name, const Value& value, Range, const char*) {
+    pair(out_, name, value);
+  }
+
+ private:
+  YAML::Emitter& out_;
+};
+
+template <class Params>
+void write_all(YAML::Emitter& out, const char* key, Params params) {
+  out << YAML::Key << key << YAML::Value << BeginMap;
+  PairWriter writer(out);
+  params.visit(writer);
+  out << EndMap;
+}
+
+void write(YAML::Emitter& out, const ComponentInstance& instance, const YamlSources& sources) {
+  out << BeginMap;
+  pair(out, "component", instance.component);
+  pair(out, "name", instance.name);
+  out << YAML::Key << "parameters" << YAML::Value << BeginMap;
+  for (const auto& entry : *instance.parameters) {
+    YAML::Node value(entry.second);
+    if (!value.IsScalar()) value.SetStyle(YAML::EmitterStyle::Flow);
+    pair(out, entry.first.Scalar().c_str(), value);
+    out << YAML::Comment(sources.place(entry.first));
+  }
+  out << EndMap << EndMap;
+}
+
+void write(YAML::Emitter& out, const Program& program) {
+  out << BeginMap;
+  pair(out, "name", program.name);
+  texts(out, "command", program.command);
+  out << EndMap;
+}
+
+void write(YAML::Emitter& out, const Container& container, const YamlSources& sources) {
+  out << BeginMap;
+  pair(out, "name", container.name);
+  pair(out, "terminal", container.terminal);
+  pair(out, "threads", container.shared_thread ? "shared" : "one_each");
+  write_all(out, "health", container.health);
+  out << YAML::Key << "components" << YAML::Value << BeginSeq;
+  for (const ComponentInstance& instance : container.components) write(out, instance, sources);
+  out << EndSeq << EndMap;
+}
+
+void write(YAML::Emitter& out, const Host& host, const YamlSources& sources) {
+  out << YAML::Key << host.name << YAML::Value << BeginMap;
+  pair(out, "role", host.role);
+  text(out, "address", host.address);
+  texts(out, "peers", host.peers);
+  out << YAML::Key << "programs" << YAML::Value << BeginSeq;
+  for (const Program& program : host.programs) write(out, program);
+  out << EndSeq << YAML::Key << "containers" << YAML::Value << BeginSeq;
+  for (const Container& container : host.containers) write(out, container, sources);
+  out << EndSeq << EndMap;
+}
+
+void write(YAML::Emitter& out, const Radio& radio) {
+  out << YAML::Key << "radio" << YAML::Value << BeginMap;
+  text(out, "channel", radio.channel);
+  text(out, "walls", radio.walls);
+  out << EndMap;
+}
+
+void write(YAML::Emitter& out, const Deployment& deployment) {
+  out << BeginMap;
+  text(out, "run_dir", deployment.run_dir);
+  text(out, "share", deployment.share);
+  pair(out, "seed", deployment.seed);
+  text(out, "qos", deployment.qos);
+  text(out, "traffic", deployment.traffic);
+  pair(out, "domain", deployment.link_domain - 2);
+  text(out, "namespace", deployment.ros_namespace);
+  text(out, "stop_when_exits", deployment.stop_when_exits);
+  write_all(out, "restart", deployment.restart);
+  if (deployment.radio) write(out, *deployment.radio);
+  out << YAML::Key << "hosts" << YAML::Value << BeginMap;
+  for (const Host& host : deployment.hosts) write(out, host, deployment.sources);
+  out << EndMap << EndMap;
+}
+
+}  // namespace
+
+std::string resolved_text(const Deployment& deployment) {
+  YAML::Emitter out;
+  out.SetDoublePrecision(10);
+  write(out, deployment);
+  std::string text = "# Written by tocsin launch from:\n";
+  for (const std::string& source : deployment.sources.files()) text += "#   " + source + "\n";
+  return text + out.c_str() + "\n";
+}
+
+void write_resolved(const Deployment& deployment, const std::string& path) {
+  if (const auto error = replace_file(path, resolved_text(deployment))) {
+    throw EnvironmentError(path + ": cannot be written: " + error.message());
+  }
+}
+
+Deployment load_resolved(const std::string& path, const std::string& copy) {
+  Deployment deployment;
+  deployment.file = path;
+  const YAML::Node root = deployment.sources.read(path, copy);
+  const Section section(root, "deployment", deployment.sources,
+                        body_keys({"run_dir", "share", "seed", "domain"}));
+  // The files that it names were there at the launch.
+  read_body(section, deployment.sources, Named::may_be_gone, deployment);
+  deployment.run_dir = section.text("run_dir", "");
+  deployment.share = section.text("share", "");
+  deployment.seed = section.whole("seed", 1, 0, 1'000'000'000);
+  const int domain = section.whole("domain", 0, 0, 229);
+  check_whole(deployment);
+  assign_domains(domain, deployment);
+  return deployment;
+}
+
+}  // namespace tocsin::deployment

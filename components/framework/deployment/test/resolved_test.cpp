@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <yaml-cpp/yaml.h>
+
+#include <sstream>
+
+#include "deployment/resolved_copy.hpp"
+#include "fixture.hpp"
+#include "foundation/parameters.hpp"
+
+namespace tocsin::deployment {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class ResolvedTest : public DeploymentTest {
+ protected:
+  [[nodiscard]] Deployment through_file(const std::string& yaml) const {
+    write_resolved(load(yaml), path("resolved.yaml"));
+    return load_resolved(path("resolved.yaml"));
+  }
+  [[nodiscard]] std::string resolved_text() const {
+    std::ostringstream text;
+    text << std::ifstream(path("resolved.yaml")).rdbuf();
+    return text.str();
+  }
+};
+
+TEST_F(ResolvedTest, KeepsEveryPart) {
+  const Deployment sut = through_file(whole);
+  EXPECT_EQ(sut.file, path("resolved.yaml"));
+  EXPECT_EQ(sut.run_dir, "/tmp/run");
+  EXPECT_EQ(sut.share, "/opt/share");
+  EXPECT_EQ(sut.seed, 7);
+  EXPECT_EQ(sut.qos, path("qos.yaml"));
+  EXPECT_EQ(sut.traffic, path("traffic.yaml"));
+  EXPECT_EQ(sut.ros_namespace, "robot_1");
+  EXPECT_EQ(sut.stop_when_exits, "gcs/mission");
+  EXPECT_EQ(sut.restart.backoff_s, 0.5);
+  EXPECT_EQ(sut.restart.limit, 3);
+  ASSERT_TRUE(sut.radio);
+  EXPECT_EQ(sut.radio->channel, path("channel.yaml"));
+}
+
+TEST_F(ResolvedTest, KeepsHostsAndTheirProcesses) {
+  const Deployment sut = through_file(whole);
+  ASSERT_EQ(sut.hosts.size(), 2U);
+  EXPECT_EQ(sut.hosts[0].name, "uxv");
+  EXPECT_EQ(sut.hosts[1].local_domain, 41);
+  EXPECT_EQ(sut.link_domain, 42);
+  EXPECT_THAT(sut.hosts[1].peers, ElementsAre("10.77.0.1"));
+  EXPECT_EQ(sut.hosts[0].programs[0].command.at(2), "/tmp/run/kobuki");
+  EXPECT_TRUE(sut.hosts[1].containers[0].terminal);
+  EXPECT_EQ(sut.hosts[0].containers[0].components[1].component, "navigator");
+  EXPECT_EQ(sut.hosts[0].containers[0].components[1].name, "pilot");
+}
+
+TEST_F(ResolvedTest, KeepsThreadsAndLimitsOfAContainer) {
+  std::string yaml = whole;
+  const std::string at = "- name: drive";
+  yaml.replace(yaml.find(at), at.size(),
+               at + "\n        threads: shared\n        health: {period_s: 2}");
+  const Deployment sut = through_file(yaml);
+  EXPECT_TRUE(sut.hosts[0].containers[0].shared_thread);
+  EXPECT_EQ(sut.hosts[0].containers[0].health.period_s, 2);
+  EXPECT_EQ(sut.hosts[0].containers[0].health.growth_mib, 64);
+  EXPECT_EQ(sut.hosts[1].containers[0].health.period_s, 1);
+  EXPECT_FALSE(sut.hosts[1].containers[0].shared_thread);
+}
+
+TEST_F(ResolvedTest, KeepsHostsWithoutProcesses) {
+  EXPECT_EQ(through_file("hosts: {a: {role: uxv, address: 1.1.1.1}}").hosts.size(), 1U);
+}
+
+TEST_F(ResolvedTest, KeepsParametersOfEveryKind) {
+  const Deployment sut = through_file(
+      with(whole, "gain: 2", "gain: 0.1, on: true, empty: '', list: [1, two], text: 'a: b # c'"));
+  const YAML::Node parameters = *sut.hosts[0].containers[0].components[1].parameters;
+  EXPECT_EQ(parameters["gain"].as<double>(), 0.1);
+  EXPECT_TRUE(parameters["on"].as<bool>());
+  EXPECT_EQ(parameters["empty"].as<std::string>(), "");
+  EXPECT_EQ(parameters["list"][1].as<std::string>(), "two");
+  EXPECT_EQ(parameters["text"].as<std::string>(), "a: b # c");
+  EXPECT_EQ(parameters["map"].as<std::string>(), path("maps/a.yaml"));
+}
+
+struct Gain {
+  double gain = 1;
+  std::string map;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("gain", gain, {0, 1}, "[1] gain");
+    v("map", map, "map");
+  }
+};
+
+TEST_F(ResolvedTest, PointsToTheLineOfABadParameter) {
+  const Deployment sut = through_file(whole);
+  const ComponentInstance& pilot = sut.hosts[0].containers[0].components[1];
+  try {
+    (void)load_parameters<Gain>(*pilot.parameters, pilot.name, sut.sources);
+    FAIL() << "no error";
+  } catch (const ConfigError& error) {
+    const std::string text = error.what();
+    EXPECT_THAT(text, HasSubstr("pilot.gain: 2 is outside [0, 1] (" + sut.file + ":"));
+    std::istringstream lines(resolved_text());
+    std::string line;
+    for (int n = std::stoi(text.substr(text.rfind(':') + 1)); n > 0; --n) std::getline(lines, line);
+    EXPECT_THAT(line, HasSubstr("gain: 2"));
+  }
+}
+
+TEST_F(ResolvedTest, SaysWhereAValueCameFrom) {
+  (void)through_file(whole);
+  EXPECT_THAT(resolved_text(), HasSubstr("gain: 2  # " + path("bringup/m.yaml:22")));
+}
+
+TEST_F(ResolvedTest, RejectsUnknownKeys) {
+  const std::string file = write("resolved.yaml", "hosts: {}\nspeed: 1\n");
+  try {
+    (void)load_resolved(file);
+    FAIL() << "no error";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("deployment.speed: unknown key"));
+  }
+}
+
+TEST_F(ResolvedTest, ReportsAFileThatCannotBeWritten) {
+  EXPECT_THAT([&] { write_resolved(load(whole), path("no/such/folder.yaml")); },
+              ::testing::Throws<EnvironmentError>(::testing::Property(
+                  &EnvironmentError::what, HasSubstr("cannot be written: No such file"))));
+}
+
+TEST_F(ResolvedTest, ACopyInMemoryIsReadInPlaceOfTheFileThatErrorsName) {
+  const ResolvedCopy copy(load(whole));
+  const Deployment sut = load_resolved("/gone/deployment.yaml", copy.path());
+  EXPECT_EQ(sut.file, "/gone/deployment.yaml");
+  EXPECT_EQ(sut.run_dir, "/tmp/run");
+  EXPECT_EQ(sut.hosts.size(), 2U);
+  EXPECT_EQ(load_resolved("/gone/deployment.yaml", copy.path()).seed, 7);  // as often as wanted
+}
+
+}  // namespace
+}  // namespace tocsin::deployment

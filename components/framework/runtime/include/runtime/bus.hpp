@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "foundation/time.hpp"
+#include "idl_support/topic_info.hpp"
+#include "idl_support/type_info.hpp"
+#include "runtime/middleware/accounts.hpp"
+
+namespace tocsin {
+
+/// What became of a write. Only `failed` is a loss that the caller did not ask for.
+enum class [[nodiscard]] Status{
+    ok,      ///< Handed to every reader on this host and, for link topics, to the link's writer.
+    paused,  ///< Handed to the readers on this host; the gate kept it off the radio.
+    failed,  ///< The middleware refused it (history full, or shutting down); counted.
+};
+
+/// One message with what is known of its way here.
+struct Sample {
+  std::shared_ptr<const void> message;
+  Time received{};                    ///< when it reached this process, or its writer's tick began
+  std::int64_t sent_wall_ns = 0;      ///< [ns] since the Unix epoch, writer's clock
+  std::int64_t received_wall_ns = 0;  ///< [ns] since the Unix epoch, own clock
+  std::uint64_t sequence = 0;  ///< of the writer, gaps are samples that never came; 0 unknown
+  std::uint64_t source = 0;    ///< identifies the writer; changes when it restarts
+  std::uint32_t bytes = 0;     ///< serialised size; 0 when it was handed over unserialised
+};
+
+/// Takes samples off a bus. `receive` may be called from any thread, and must not block.
+struct Receiver {
+  virtual ~Receiver() = default;
+  virtual void receive(const Sample& sample) = 0;
+  /// Called instead when nobody gets it after this one, who may move from it.
+  virtual void receive_last(Sample&& sample) { receive(sample); }
+};
+
+/// Whether a reader is of use without a writer; for `tocsin check`, no bus looks at it.
+enum class Writers { needed, optional };
+
+/// One end of a topic, as the bus sees it.
+struct Endpoint {
+  TopicInfo topic;
+  const TypeInfo* type;
+  Writers writers = Writers::needed;
+  const char* user_data = "";  ///< "key=value;" of a writer, announced beside what its profile says
+};
+
+/// A writer that a subscription hears now.
+struct WriterInfo {
+  std::string name;       ///< of its participant, as discovery tools show it; not unique
+  std::string user_data;  ///< all that it announces
+};
+
+/// Subscribed as long as it lives. Destroying it waits for a running `receive`.
+struct Subscription {
+  virtual ~Subscription() = default;
+  /// The writer with this `Sample::source`; empty when it is gone: closed, or its process was not
+  /// heard for the lease of its participant (5 s on a host, 60 s over the link). Thread-safe.
+  [[nodiscard]] virtual std::optional<WriterInfo> writer(std::uint64_t /*source*/) const {
+    return {};
+  }
+};
+
+/// What a component expects to write to a topic.
+struct ExpectedLoad {
+  double rate_hz;
+  double bytes;  ///< mean size of a sample
+};
+
+/// The writing end of a topic.
+class Publication {
+ public:
+  virtual ~Publication() = default;
+  /// Thread-safe; never blocks on the network. The message must not change afterwards.
+  virtual Status write(const std::shared_ptr<const void>& message) = 0;
+  /// False: nobody would notice a write, now or as a late joiner. Thread-safe.
+  [[nodiscard]] virtual bool has_readers() const { return true; }
+  /// Asks `load` what will be written; only a bus that examines components without running them
+  /// wants to know.
+  virtual void expect(const std::function<ExpectedLoad()>& load) { (void)load; }
+};
+
+/// The only seam between components and the middleware.
+class Bus {
+ public:
+  virtual ~Bus() = default;
+
+  /// Throws ConfigError when the topic's QoS profile is missing or its type clashes with the one
+  /// that another endpoint of this process uses. `receiver` must outlive the result.
+  virtual std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) = 0;
+  virtual std::unique_ptr<Publication> advertise(const Endpoint& endpoint) = 0;
+
+  /// The clock of this bus: real, or virtual in a simulation.
+  [[nodiscard]] virtual Time now() const = 0;
+  /// Wall time at `t` [ns since the Unix epoch], for stamps only.
+  [[nodiscard]] virtual std::int64_t wall_ns(Time t) const = 0;
+
+  /// Opens or closes the gate of all pausable link writers of this process. Returns when a closed
+  /// gate's writers have fallen silent. Thread-safe.
+  virtual void set_gate(bool open) = 0;
+  /// What the link writers of this process did so far. Thread-safe.
+  [[nodiscard]] virtual std::vector<TopicTraffic> link_traffic() const = 0;
+  /// Every DDS endpoint of this process. Thread-safe.
+  [[nodiscard]] virtual std::vector<EndpointHealth> health() const { return {}; }
+};
+
+}  // namespace tocsin

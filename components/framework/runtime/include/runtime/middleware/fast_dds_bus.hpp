@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/bus.hpp"
+
+namespace tocsin {
+
+/// What one process needs to join the two DDS domains of its side.
+struct BusOptions {
+  std::string name;                     ///< participant name, shown by discovery tools
+  std::string role;                     ///< uxv or gcs: which rules of traffic.yaml hold
+  std::string ros_namespace;            ///< of all topics; empty for none
+  std::string qos_file;                 ///< empty: the profiles that are built in
+  std::string traffic_file;             ///< empty: nothing is ever paused
+  int host_domain = 0;                  ///< [0, 231] of topics that stay on this host
+  int link_domain = 1;                  ///< [0, 231] of topics that cross the radio
+  std::string link_address;             ///< own IPv4 on the link; empty: no link
+  std::vector<std::string> link_peers;  ///< IPv4 of the other side
+  /// [1, 100] processes with a bus, on this host and on the other side. Fast DDS numbers the
+  /// participants of a process in one row and asks peers by number, so a process that has had
+  /// many buses needs more.
+  int processes = 8;
+  /// Samples go to other processes of this host by shared memory instead of loopback UDP. A
+  /// process that is killed leaves files in /dev/shm; the next start removes them.
+  bool shared_memory = false;
+};
+
+/// The bus on Fast DDS in real time. Host topics use loopback only; link topics also use the
+/// interface of `link_address`, unicast only, in RTPS messages of at most 1400 bytes.
+///
+/// While no interface with `link_address` is up and has carrier, link topics wait: readers hear
+/// this host only, and every writer that the gate does not let drop keeps its newest sample. They
+/// join when the interface comes up, however late.
+///
+/// Throws ConfigError for bad files, EnvironmentError when a participant cannot be created.
+[[nodiscard]] std::unique_ptr<Bus> make_fast_dds_bus(const BusOptions& options);
+
+}  // namespace tocsin

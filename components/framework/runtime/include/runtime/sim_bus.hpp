@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/bus.hpp"
+#include "runtime/component.hpp"
+
+namespace tocsin {
+
+/// A bus in memory with virtual time and one thread: what component tests run on.
+///
+///     SimBus bus;
+///     Context context{bus, "link_monitor", "uxv", ""};
+///     LinkMonitorComponent sut(context, {});
+///     SimReader<topic::LinkState> states(bus);
+///     bus.add(sut);
+///     bus.publish<topic::LinkSample>(sample);
+///     bus.run_for(seconds(1));
+///     EXPECT_EQ(states.take().size(), 1U);
+class SimBus : public Bus {
+ public:
+  /// Virtual time starts at one hour, wall time at 2026-01-01 00:00 UTC.
+  SimBus();
+  ~SimBus() override;
+
+  std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
+  std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
+  [[nodiscard]] Time now() const override { return now_; }
+  [[nodiscard]] std::int64_t wall_ns(Time t) const override;
+  void set_gate(bool open) override { gate_open_ = open; }
+  [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override { return {}; }
+  [[nodiscard]] bool gate_open() const { return gate_open_; }
+
+  /// From now on `component` is ticked by run_until, first at once. It must outlive the runs.
+  void add(Component& component);
+  /// Ticks every component in the order of inputs and deadlines, then sets the clock to `end`.
+  void run_until(Time end);
+  void run_for(Duration duration) { run_until(now_ + duration); }
+
+  /// Delivers a message as if another component had written it, which is always there.
+  template <class Topic>
+  void publish(typename Topic::Message message) {
+    deliver({Topic::info, &type_info<typename Topic::Message>()},
+            std::make_shared<const typename Topic::Message>(std::move(message)), anybody);
+  }
+
+ private:
+  class Topic;
+  class Writer;
+  static constexpr std::uint64_t anybody = 1;
+  void deliver(const Endpoint& endpoint, const std::shared_ptr<const void>& message,
+               std::uint64_t source);
+  Topic& topic(const Endpoint& endpoint);
+  void tick_all_due();
+  [[nodiscard]] Time next_deadline() const;
+
+  Time now_;
+  bool gate_open_ = true;
+  std::uint64_t last_source_ = anybody;
+  std::map<std::string, std::unique_ptr<Topic>> topics_;
+  std::vector<Component*> components_;
+};
+
+/// A writer of its own, as of another process; gone when this is destroyed. `data`: its user data.
+template <class Topic>
+class SimWriter {
+ public:
+  explicit SimWriter(SimBus& bus, const char* data = "")
+      : end_{Topic::info, &type_info<typename Topic::Message>(), Writers::needed, data},
+        publication_(bus.advertise(end_)) {}
+  Status write(typename Topic::Message message) {
+    return publication_->write(std::make_shared<const typename Topic::Message>(std::move(message)));
+  }
+
+ private:
+  const Endpoint end_;
+  const std::unique_ptr<Publication> publication_;
+};
+
+/// Collects what is written to a topic.
+template <class Topic>
+class SimReader : private Receiver {
+ public:
+  using Message = typename Topic::Message;
+  explicit SimReader(SimBus& bus)
+      : subscription_(bus.subscribe({Topic::info, &type_info<Message>()}, *this)) {}
+
+  /// What came since the last call.
+  std::vector<Message> take() { return std::exchange(messages_, {}); }
+
+ private:
+  void receive(const Sample& sample) override {
+    messages_.push_back(*std::static_pointer_cast<const Message>(sample.message));
+  }
+  std::vector<Message> messages_;
+  std::unique_ptr<Subscription> subscription_;
+};
+
+}  // namespace tocsin

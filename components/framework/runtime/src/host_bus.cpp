@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/middleware/host_bus.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+
+#include "command_line/host_option.hpp"
+#include "command_line/programs.hpp"
+#include "deployment/deployment.hpp"
+#include "deployment/running_host.hpp"
+#include "foundation/error.hpp"
+#include "foundation/names.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
+
+namespace tocsin {
+namespace {
+
+constexpr int processes = 16;
+
+BusOptions options_of_run(const HostChoice& choice) {
+  const auto running = deployment::running_host(choice.run_dir, choice.host);
+  deployment::enter_namespaces(running.process);
+  BusOptions options;
+  options.role = running.itself().role;
+  options.ros_namespace = running.deployment.ros_namespace;
+  options.qos_file = running.deployment.qos;
+  options.traffic_file = running.deployment.traffic;
+  options.host_domain = running.itself().local_domain;
+  return options;
+}
+
+BusOptions installed_options(const HostChoice& choice) {
+  const std::string config = share_folder(own_program()).string() + "/config/";
+  BusOptions options;
+  options.role = "uxv";
+  options.ros_namespace = choice.ros_namespace;
+  options.qos_file = config + "qos.yaml";
+  options.traffic_file = config + "traffic.yaml";
+  options.host_domain = default_domain();
+  return options;
+}
+
+}  // namespace
+
+void HostChoice::declare(CLI::App& app) {
+  app.add_option("--domain", domain, "DDS domain of the host [of --run-dir, or $ROS_DOMAIN_ID, 0]")
+      ->check(CLI::Range(0, 231));
+  app.add_option("--run-dir", run_dir, "folder of a run of tocsin launch");
+  add_host_option(app, host, "host of that run [its first]");
+  add_name_option(app, "--namespace", ros_namespace,
+                  "ROS namespace of the topics, without --run-dir");
+}
+
+void HostChoice::adopt_host_of(const std::string& name) {
+  const auto words = words_of_path(name);
+  if (!host.empty() || run_dir.empty() || words.size() < 2) return;
+  for (const auto& one : deployment::running_hosts().hosts) {
+    const bool has_it = deployment::find_host(one.deployment, words.front()) != nullptr;
+    if (has_it && one.is_of(run_dir)) host = words.front();
+  }
+}
+
+int default_domain() {
+  const char* const text = std::getenv("ROS_DOMAIN_ID");
+  if (text == nullptr || *text == '\0') return 0;
+  char* end = nullptr;
+  const long domain = std::strtol(text, &end, 10);
+  if (*end != '\0' || domain < 0 || domain > 231) {
+    throw ConfigError(std::string("ROS_DOMAIN_ID: '") + text + "' is not a number in [0, 231]");
+  }
+  return static_cast<int>(domain);
+}
+
+std::unique_ptr<Bus> open_host_bus(const HostChoice& choice, const std::string& name) {
+  BusOptions options = choice.run_dir.empty() ? installed_options(choice) : options_of_run(choice);
+  options.name = name;
+  options.processes = processes;
+  if (choice.domain >= 0) options.host_domain = choice.domain;
+  return make_fast_dds_bus(options);
+}
+
+}  // namespace tocsin

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/middleware/qos_policies.hpp"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+namespace tocsin {
+namespace {
+
+constexpr int keep_all_room = 1000;
+
+int rank(const std::string& liveliness) {
+  return liveliness == "automatic" ? 0 : liveliness == "manual_by_participant" ? 1 : 2;
+}
+
+/// The kinds of durability, weakest first; other vendors and ROS 2 nodes may ask for all of them.
+std::size_t durability_rank(const std::string& durability) {
+  constexpr std::array kinds{"volatile", "transient_local", "transient", "persistent"};
+  const auto* const found = std::find(kinds.begin(), kinds.end(), durability);
+  return static_cast<std::size_t>(found - kinds.begin());
+}
+
+bool name_matches(const std::string& a, const std::string& b) {
+  return fnmatch(a.c_str(), b.c_str(), 0) == 0 || fnmatch(b.c_str(), a.c_str(), 0) == 0;
+}
+
+/// No partition is the partition without name.
+bool share_partition(std::vector<std::string> a, std::vector<std::string> b) {
+  if (a.empty()) a.emplace_back();
+  if (b.empty()) b.emplace_back();
+  return std::any_of(a.begin(), a.end(), [&b](const std::string& mine) {
+    return std::any_of(b.begin(), b.end(),
+                       [&mine](const std::string& other) { return name_matches(mine, other); });
+  });
+}
+
+std::optional<QosConflict> history_conflict(const QosProfile& qos) {
+  if (!qos.keeps_all() && qos.max_samples != 0 && qos.max_samples < qos.depth) {
+    return QosConflict{"max_samples", "is less than depth"};
+  }
+  if (qos.allocated_samples > qos.room()) {
+    return QosConflict{"allocated_samples", "is more than max_samples has room for"};
+  }
+  if (qos.keeps_last() && !qos.reliable()) {
+    return QosConflict{"durability",
+                       "transient_local needs reliability: reliable; old samples are "
+                       "sent as repairs"};
+  }
+  return std::nullopt;
+}
+
+std::optional<QosConflict> thinning_conflict(const QosProfile& qos) {
+  if (qos.minimum_separation_s > qos.deadline_s) {
+    return QosConflict{"minimum_separation_s", "is longer than deadline_s"};
+  }
+  if (1.0 / qos.max_rate_hz > qos.deadline_s) {
+    return QosConflict{"max_rate_hz", "is too slow for deadline_s"};
+  }
+  if (qos.thins() && qos.keeps_last()) {
+    return QosConflict{qos.minimum_separation_s > 0 ? "minimum_separation_s" : "max_rate_hz",
+                       "drops samples, and durability: transient_local promises the last one"};
+  }
+  return std::nullopt;
+}
+
+std::optional<QosConflict> writer_conflict(const QosProfile& qos) {
+  if (!qos.flow_controller.empty() && qos.publish_mode == "synchronous") {
+    return QosConflict{"flow_controller", "needs publish_mode: asynchronous or by_scope"};
+  }
+  if (qos.ownership_strength != 0 && !qos.exclusive()) {
+    return QosConflict{"ownership_strength", "means nothing without ownership: exclusive"};
+  }
+  if (std::isfinite(qos.liveliness_announcement_s) &&
+      qos.liveliness_announcement_s >= qos.liveliness_lease_s) {
+    return QosConflict{"liveliness_announcement_s", "must be shorter than liveliness_lease_s"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+int QosHistory::room() const {
+  if (max_samples != 0) return max_samples;
+  return keeps_all() ? keep_all_room : depth + 1;
+}
+
+QosProfile requested(const TopicInfo& topic, QosProfile offered) {
+  if (topic.requests == Requests::profile) return offered;
+  const QosContract least;
+  offered.reliability = "best_effort";
+  offered.durability = "volatile";
+  offered.deadline_s = least.deadline_s;
+  offered.liveliness = least.liveliness;
+  offered.liveliness_lease_s = least.liveliness_lease_s;
+  offered.depth = std::max(offered.depth, 16);
+  offered.max_samples = 0;
+  return offered;
+}
+
+std::vector<std::string> incompatibilities(const QosContract& offered,
+                                           const QosContract& requested) {
+  std::vector<std::string> found;
+  const auto require = [&found](bool met, const char* policy) {
+    if (!met) found.emplace_back(policy);
+  };
+  require(offered.reliable() || !requested.reliable(), "reliability");
+  require(durability_rank(offered.durability) >= durability_rank(requested.durability),
+          "durability");
+  require(offered.deadline_s <= requested.deadline_s, "deadline");
+  require(rank(offered.liveliness) >= rank(requested.liveliness) &&
+              offered.liveliness_lease_s <= requested.liveliness_lease_s,
+          "liveliness");
+  require(offered.ownership == requested.ownership, "ownership");
+  require(share_partition(offered.partition, requested.partition), "partition");
+  return found;
+}
+
+std::optional<QosConflict> conflict(const QosProfile& profile) {
+  if (auto found = history_conflict(profile)) return found;
+  if (auto found = thinning_conflict(profile)) return found;
+  return writer_conflict(profile);
+}
+
+std::string refusal(const std::string& key, const std::string& value) {
+  static const std::map<std::string, const char*> reasons{
+      {"latency_budget", "Fast DDS 2.9.1 announces it and does nothing"},
+      {"transport_priority",
+       "Fast DDS 2.9.1 announces it and does nothing; use flow_controller and priority"},
+      {"destination_order", "Fast DDS 2.9.1 orders by reception only"},
+      {"presentation", "Fast DDS 2.9.1 announces it; coherent and ordered access are stubs"},
+      {"time_based_filter",
+       "Fast DDS 2.9.1 announces it and delivers everything; use minimum_separation_s"},
+      {"durability_service", "Fast DDS 2.9.1 has no durability service"},
+      {"writer_data_lifecycle", "types here have no keys: there are no instances to dispose of"},
+      {"reader_data_lifecycle", "Fast DDS 2.9.1 ignores it; types here have no keys"},
+      {"max_instances", "types here have no keys: a topic is one instance"},
+      {"max_samples_per_instance", "types here have no keys; use max_samples"},
+      {"entity_factory", "the runtime enables what it creates"},
+      {"group_data", "Fast DDS 2.9.1 announces it; nobody reads it; use user_data"},
+      {"topic_data", "Fast DDS 2.9.1 announces it; nobody reads it; use user_data"},
+      {"data_sharing",
+       "needs types of fixed size; types here are encoded, and every reader would cost a thread"},
+      {"disable_positive_acks",
+       "Fast DDS 2.9.1 crashes when a best-effort reader matches such a writer"},
+      {"data_representation", "Fast DDS 2.9.1 always writes XCDR1"},
+      {"type_consistency", "types match by name and layout; nothing is coerced"},
+      {"throughput_controller", "replaced in Fast DDS 2.9.1; use flow_controller"},
+      {"durability transient", "needs a database: each write would block for 4 to 14 ms"},
+      {"durability persistent", "Fast DDS 2.9.1 does not support it"},
+      {"memory_policy preallocated", "types here have no largest size"},
+  };
+  const auto found = reasons.find(key);
+  if (found != reasons.end()) return found->second;
+  constexpr const char* unit = "_s";
+  if (key.size() > 2 && key.compare(key.size() - 2, 2, unit) == 0) {
+    return refusal(key.substr(0, key.size() - 2), value);
+  }
+  const auto with_value = reasons.find(key + " " + value);
+  return with_value != reasons.end() ? with_value->second : "";
+}
+
+}  // namespace tocsin

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/rtps/common/Guid.h>
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "runtime/bus.hpp"
+#include "runtime/middleware/qos_policies.hpp"
+
+namespace tocsin {
+
+/// One end of a topic, as it is announced to other participants.
+struct AnnouncedEnd {
+  std::string topic;
+  std::string type;
+  std::string layout;  ///< layout_digest; empty: it does not tell, as other vendors
+  bool writer = false;
+  QosContract qos = {};        ///< what it offers or requests
+  std::string user_data = "";  ///< all of it, with the layout
+};
+
+/// The user data of an endpoint: what the profile asks for, and the layout, as "key=value;" like
+/// the type hash of ROS 2. Others ignore it.
+[[nodiscard]] std::string with_layout(const std::string& user_data, const std::string& layout);
+/// Two pieces of user data in one.
+[[nodiscard]] std::string joined(const std::string& user_data, const std::string& more);
+/// The layout in user data; empty when there is none.
+[[nodiscard]] std::string layout_in(const std::string& user_data);
+
+/// The ends that other participants have announced. Thread-safe.
+class RemoteEnds {
+ public:
+  using Guid = eprosima::fastrtps::rtps::GUID_t;
+  using Participant = eprosima::fastrtps::rtps::GuidPrefix_t;
+
+  void add(const Participant& participant, const std::string& name);
+  void add(const Guid& guid, AnnouncedEnd end);
+  /// The participant and all its ends.
+  void remove(const Participant& participant);
+  void remove(const Guid& guid);
+
+  /// The type of an end opposite to `own` that is not that of `own`, and its participant; empty
+  /// when there is none.
+  [[nodiscard]] std::string other_type(const AnnouncedEnd& own) const;
+  /// The policies by which an end opposite to `own`, of its type, will not match it, and its
+  /// participant; empty when there is none. Ends of other partitions are not meant to match.
+  [[nodiscard]] std::string misfit(const AnnouncedEnd& own) const;
+  /// Whether `guid` has announced another layout than `own`.
+  [[nodiscard]] bool has_other_layout(const Guid& guid, const AnnouncedEnd& own) const;
+  /// What is known of a writer; empty fields: nothing.
+  [[nodiscard]] WriterInfo writer(const Guid& guid) const;
+
+ private:
+  [[nodiscard]] std::string owner_of(const Guid& guid) const;
+  mutable std::mutex mutex_;
+  std::map<Participant, std::string> names_;
+  std::map<Guid, AnnouncedEnd> ends_;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/middleware/qos_policies.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tocsin {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+QosContract with_partition(std::vector<std::string> names) {
+  QosContract contract;
+  contract.partition = std::move(names);
+  return contract;
+}
+QosContract with_liveliness(const char* kind, double lease_s) {
+  QosContract contract;
+  contract.liveliness = kind;
+  contract.liveliness_lease_s = lease_s;
+  return contract;
+}
+std::string conflicting(const QosProfile& profile) {
+  const auto found = conflict(profile);
+  return found ? found->policy : "";
+}
+
+TEST(Incompatibilities, AProfileMatchesItself) {
+  EXPECT_THAT(incompatibilities(QosProfile{}, QosProfile{}), IsEmpty());
+}
+
+TEST(Incompatibilities, ABestEffortWriterDoesNotSatisfyAReliableReader) {
+  QosContract best_effort;
+  best_effort.reliability = "best_effort";
+  EXPECT_THAT(incompatibilities(best_effort, {}), ElementsAre("reliability"));
+  EXPECT_THAT(incompatibilities({}, best_effort), IsEmpty());
+}
+
+TEST(Incompatibilities, AVolatileWriterDoesNotSatisfyAReaderOfOldSamples) {
+  QosContract keeps;
+  keeps.durability = "transient_local";
+  EXPECT_THAT(incompatibilities({}, keeps), ElementsAre("durability"));
+  EXPECT_THAT(incompatibilities(keeps, {}), IsEmpty());
+}
+
+TEST(Incompatibilities, TheWriterMustPromiseNoLongerDeadlineThanIsRequested) {
+  QosContract one;
+  one.deadline_s = 1;
+  QosContract two;
+  two.deadline_s = 2;
+  EXPECT_THAT(incompatibilities(one, one), IsEmpty());
+  EXPECT_THAT(incompatibilities(one, two), IsEmpty());
+  EXPECT_THAT(incompatibilities(two, one), ElementsAre("deadline"));
+}
+
+TEST(Incompatibilities, LivelinessNeedsAtLeastTheKindAndAtMostTheLease) {
+  const auto automatic = with_liveliness("automatic", 1);
+  const auto by_participant = with_liveliness("manual_by_participant", 1);
+  const auto by_topic = with_liveliness("manual_by_topic", 1);
+  EXPECT_THAT(incompatibilities(by_topic, by_participant), IsEmpty());
+  EXPECT_THAT(incompatibilities(by_participant, by_topic), ElementsAre("liveliness"));
+  EXPECT_THAT(incompatibilities(automatic, by_participant), ElementsAre("liveliness"));
+  EXPECT_THAT(incompatibilities(with_liveliness("automatic", 1.1), automatic),
+              ElementsAre("liveliness"));
+}
+
+TEST(Incompatibilities, OwnershipMustBeTheSame) {
+  QosContract exclusive;
+  exclusive.ownership = "exclusive";
+  EXPECT_THAT(incompatibilities(exclusive, {}), ElementsAre("ownership"));
+  EXPECT_THAT(incompatibilities({}, exclusive), ElementsAre("ownership"));
+}
+
+TEST(Incompatibilities, PartitionsMatchByNameAndWildcardOnEitherSide) {
+  EXPECT_THAT(incompatibilities(with_partition({"a", "b"}), with_partition({"b"})), IsEmpty());
+  EXPECT_THAT(incompatibilities(with_partition({"r*"}), with_partition({"robot"})), IsEmpty());
+  EXPECT_THAT(incompatibilities(with_partition({"robot"}), with_partition({"r*"})), IsEmpty());
+  EXPECT_THAT(incompatibilities(with_partition({"a"}), with_partition({"b"})),
+              ElementsAre("partition"));
+  EXPECT_THAT(incompatibilities(with_partition({}), with_partition({"a"})),
+              ElementsAre("partition"));
+}
+
+TEST(Incompatibilities, NamesEveryPolicyThatFails) {
+  QosContract strict;
+  strict.durability = "transient_local";
+  strict.deadline_s = 1;
+  EXPECT_THAT(incompatibilities({}, strict), ElementsAre("durability", "deadline"));
+}
+
+TEST(QosConflict, ThereIsNoneInTheDefaults) { EXPECT_EQ(conflicting({}), ""); }
+
+TEST(QosConflict, MaxSamplesMustHoldTheDepthOfKeepLast) {
+  QosProfile sut;
+  sut.depth = 5;
+  sut.max_samples = 5;
+  EXPECT_EQ(conflicting(sut), "");
+  sut.max_samples = 4;
+  EXPECT_EQ(conflicting(sut), "max_samples");
+  sut.history = "keep_all";
+  EXPECT_EQ(conflicting(sut), "");
+}
+
+TEST(QosConflict, NoMoreIsAllocatedThanThereIsRoom) {
+  QosProfile sut;
+  sut.allocated_samples = 2;
+  EXPECT_EQ(conflicting(sut), "");
+  sut.allocated_samples = 3;
+  EXPECT_EQ(conflicting(sut), "allocated_samples");
+}
+
+TEST(QosConflict, OldSamplesNeedRepair) {
+  QosProfile sut;
+  sut.durability = "transient_local";
+  EXPECT_EQ(conflicting(sut), "");
+  sut.reliability = "best_effort";
+  EXPECT_EQ(conflicting(sut), "durability");
+}
+
+TEST(QosConflict, ThinningMustLeaveWhatTheDeadlineNeeds) {
+  QosProfile sut;
+  sut.deadline_s = 1;
+  sut.minimum_separation_s = 1;
+  sut.max_rate_hz = 1;
+  EXPECT_EQ(conflicting(sut), "");
+  sut.minimum_separation_s = 1.1;
+  EXPECT_EQ(conflicting(sut), "minimum_separation_s");
+  sut.minimum_separation_s = 0;
+  sut.max_rate_hz = 0.9;
+  EXPECT_EQ(conflicting(sut), "max_rate_hz");
+}
+
+TEST(QosConflict, ThinningWouldLoseTheLastState) {
+  QosProfile sut;
+  sut.durability = "transient_local";
+  sut.minimum_separation_s = 0.1;
+  EXPECT_EQ(conflicting(sut), "minimum_separation_s");
+  sut.minimum_separation_s = 0;
+  sut.max_rate_hz = 10;
+  EXPECT_EQ(conflicting(sut), "max_rate_hz");
+}
+
+TEST(QosConflict, AFlowControllerNeedsAnAsynchronousWriter) {
+  QosProfile sut;
+  sut.flow_controller = "radio";
+  EXPECT_EQ(conflicting(sut), "");
+  sut.publish_mode = "synchronous";
+  EXPECT_EQ(conflicting(sut), "flow_controller");
+}
+
+TEST(Requested, IsTheProfileItselfUnlessTheTopicAsksForNothing) {
+  QosProfile offered;
+  offered.durability = "transient_local";
+  offered.deadline_s = 1;
+  const QosProfile sut = requested({"odom", "state", Scope::host}, offered);
+  EXPECT_EQ(sut.durability, "transient_local");
+  EXPECT_EQ(sut.reliability, "reliable");
+  EXPECT_EQ(sut.deadline_s, 1);
+}
+
+TEST(Requested, ATopicThatAsksForNothingMatchesEveryWriter) {
+  const TopicInfo stop{"stop", "state", Scope::link, Requests::anything};
+  QosProfile strict;
+  strict.durability = "transient_local";
+  strict.deadline_s = 0.1;
+  strict.liveliness = "manual_by_topic";
+  strict.liveliness_lease_s = 1;
+  strict.max_samples = 2;
+  const QosProfile sut = requested(stop, strict);
+  EXPECT_EQ(conflicting(sut), "");
+  EXPECT_GE(sut.depth, 16);
+  QosContract least;
+  least.reliability = "best_effort";
+  EXPECT_THAT(incompatibilities(least, sut), ::testing::IsEmpty());
+  EXPECT_THAT(incompatibilities(strict, sut), ::testing::IsEmpty());
+}
+
+TEST(QosConflict, StrengthNeedsExclusiveOwnership) {
+  QosProfile sut;
+  sut.ownership_strength = 1;
+  EXPECT_EQ(conflicting(sut), "ownership_strength");
+  sut.ownership = "exclusive";
+  EXPECT_EQ(conflicting(sut), "");
+}
+
+TEST(QosConflict, SignsOfLifeComeMoreOftenThanTheLease) {
+  QosProfile sut;
+  sut.liveliness_lease_s = 1;
+  sut.liveliness_announcement_s = 0.9;
+  EXPECT_EQ(conflicting(sut), "");
+  sut.liveliness_announcement_s = 1;
+  EXPECT_EQ(conflicting(sut), "liveliness_announcement_s");
+}
+
+TEST(QosHistory, RoomIsOneMoreThanTheDepthSoThatAWriteNeverWaits) {
+  QosHistory sut;
+  sut.depth = 5;
+  EXPECT_EQ(sut.room(), 6);
+  sut.history = "keep_all";
+  EXPECT_EQ(sut.room(), 1000);
+  sut.max_samples = 7;
+  EXPECT_EQ(sut.room(), 7);
+}
+
+TEST(QosDelivery, ThinsWhenARateOrASeparationIsGiven) {
+  QosDelivery sut;
+  EXPECT_FALSE(sut.thins());
+  sut.max_rate_hz = 1e9;
+  EXPECT_TRUE(sut.thins());
+  sut.max_rate_hz = infinite;
+  sut.minimum_separation_s = 0.001;
+  EXPECT_TRUE(sut.thins());
+}
+
+TEST(Refusal, NamesTheReasonWithAndWithoutUnit) {
+  EXPECT_THAT(refusal("latency_budget", ""), HasSubstr("announces it"));
+  EXPECT_EQ(refusal("latency_budget_s", "1"), refusal("latency_budget", ""));
+  EXPECT_THAT(refusal("time_based_filter", ""), HasSubstr("minimum_separation_s"));
+}
+
+TEST(Refusal, OfAValueLeavesTheOthers) {
+  EXPECT_THAT(refusal("durability", "transient"), HasSubstr("database"));
+  EXPECT_EQ(refusal("durability", "transient_local"), "");
+}
+
+TEST(Refusal, KnowsNothingAgainstOtherKeys) {
+  EXPECT_EQ(refusal("deadline_s", "1"), "");
+  EXPECT_EQ(refusal("no_such_policy", ""), "");
+  EXPECT_EQ(refusal("_s", ""), "");
+}
+
+}  // namespace
+}  // namespace tocsin

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The TypeInfo of every struct of an IDL file: <stem>.hpp and <stem>_type_info.cpp.
+
+`types` is what idl_dialect.structs() gives.
+"""
+
+
+def scoped(scope, name):
+    return "_".join(scope + [name])
+
+
+def header(package, stem, includes, types):
+    more = "".join(f'#include "{name}.hpp"\n' for name in includes)
+    names = "\n".join(
+        f"template <>\nconst TypeInfo& type_info<{'::'.join(scope)}::{name}>();"
+        for scope, name, _ in types)
+    return (f"// Generated from {stem}.idl.\n#pragma once\n\n"
+            f'#include "idl_support/type_info.hpp"\n#include "{package}/{stem}.h"\n{more}\n'
+            f"namespace tocsin {{\n{names}\n}}  // namespace tocsin\n")
+
+
+def visit_function(scope, name, fields):
+    body = "".join(f'  cdr::visit_value(v, "{field}", m.{field}());\n' for field in fields)
+    return f"void visit_fields(FieldVisitor& v, const {'::'.join(scope + [name])}& m) {{\n{body}}}\n"
+
+
+def skip_function(scope, name, fields):
+    body = " &&\n         ".join(
+        f"cdr::skip_field<decltype(std::declval<const M&>().{field}())>(c)" for field in fields)
+    return (f"bool skip_{scoped(scope, name)}(WireCursor& c) {{\n"
+            f"  using M = {'::'.join(scope + [name])};\n  return {body};\n}}\n")
+
+
+def source(package, stem, types):
+    text = [f'// Generated from {stem}.idl.\n#include "{package}/{stem}.hpp"\n\n']
+    text.append('#include <utility>\n\n#include "idl_support/cdr_type.hpp"\n')
+    text.append('#include "idl_support/type_registry.hpp"\n\n')
+    text.append("namespace tocsin {\nnamespace {\n")
+    text += [visit_function(*item) + skip_function(*item) for item in types]
+    text.append("}  // namespace\n")
+    for scope, name, _ in types:
+        qualified = "::".join(scope + [name])
+        wire = "::".join(scope + ["dds_", name + "_"])
+        text.append(f"template <>\nconst TypeInfo& type_info<{qualified}>() {{\n"
+                    f'  static const TypeInfo info = cdr::make_type_info<{qualified}>(\n'
+                    f'      "{wire}", [](const void* m, FieldVisitor& v) {{\n'
+                    f"        visit_fields(v, *static_cast<const {qualified}*>(m));\n      }},\n"
+                    f"      skip_{scoped(scope, name)});\n"
+                    "  return info;\n}\n")
+    text.append("namespace {\nconst bool registered = [] {\n")
+    text += [f"  register_type(type_info<{'::'.join(scope + [name])}>());\n"
+             for scope, name, _ in types]
+    text.append("  return true;\n}();\n}  // namespace\n}  // namespace tocsin\n")
+    return "".join(text)

@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Makes C++ of IDL files: for each <stem>.h, .cxx, .hpp and _type_info.cpp.
+
+The types and their CDR coding are fastddsgen's; the description of their fields is taken from its
+own parse. What the dialect does not know is refused with file and line, and nothing is written.
+"""
+import argparse
+import pathlib
+import sys
+
+import describe_idl
+import idl_dialect
+import idl_parser
+import inline_types
+
+
+def put(path, text):
+    """Writes only what differs, so that nothing is compiled in vain."""
+    if not path.exists() or path.read_text() != text:
+        path.write_text(text)
+
+
+def files_of(package, stem, parsed, generated):
+    """{file name: text} of one IDL file."""
+    types = idl_dialect.structs(parsed)
+    includes = [pathlib.PurePath(name).name for name in parsed["includes"]]
+    header, source = inline_types.inlined(*generated)
+    return {f"{stem}.h": header + "\n", f"{stem}.cxx": source,
+            f"{stem}.hpp": describe_idl.header(package, stem, includes, types),
+            f"{stem}_type_info.cpp": describe_idl.source(package, stem, types)}
+
+
+def refuse_faults(parsed):
+    """Throws one IdlError with the faults of all files."""
+    faults = []
+    for idl, content in parsed.items():
+        try:
+            idl_dialect.check(idl, content)
+        except idl_parser.IdlError as error:
+            faults.append(str(error))
+    if faults:
+        raise idl_parser.IdlError("\n".join(faults))
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--generator", default="fastddsgen", help="the program fastddsgen, 2.3")
+    parser.add_argument("--package", required=True, help="folder of the headers in an #include")
+    parser.add_argument("--out", required=True, type=pathlib.Path, help="folder of what is made")
+    parser.add_argument("--search", action="append", default=[], metavar="FOLDER",
+                        help="where an #include of IDL is looked for")
+    parser.add_argument("idl", nargs="+", type=pathlib.Path)
+    return parser.parse_args()
+
+
+def main():
+    given = arguments()
+    idls = [idl.absolute() for idl in given.idl]
+    search = [pathlib.Path(folder).absolute() for folder in given.search]
+    try:
+        parsed = idl_parser.parse(given.generator, idls, search)
+        refuse_faults(parsed)
+        generated = idl_parser.generate(given.generator, idls, search)
+    except (idl_parser.IdlError, OSError) as error:
+        sys.exit(str(error))
+    given.out.mkdir(parents=True, exist_ok=True)
+    for idl in idls:
+        for name, text in files_of(given.package, idl.stem, parsed[idl], generated[idl.stem]).items():
+            put(given.out / name, text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: Apache-2.0
+# The CMake functions of the workspace. Every package includes them with find_package(tocsin_cmake).
+include_guard(DIRECTORY)
+include(GNUInstallDirs)
+include(CTest)
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+if(NOT CMAKE_CXX_STANDARD)
+  set(CMAKE_CXX_STANDARD 17)  # not only cxx_std_17: clang-tidy needs -std on the command line
+endif()
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/.." "$ORIGIN/../lib")
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+set(TOCSIN_SANITIZE "" CACHE STRING "Sanitizers for all of our code: address,undefined or thread")
+
+# Calls within a shared library go straight to their function, those between libraries through one
+# pointer: a stub on the way costs a line of the instruction cache, the scarcest thing in a program
+# that does a little of everything all the time.
+function(tocsin_link_directly target)
+  target_compile_options(${target} PRIVATE -fno-plt)
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL SHARED_LIBRARY)
+    target_link_options(${target} PRIVATE "LINKER:-Bsymbolic-functions")
+  endif()
+endfunction()
+
+# Armed asserts and sanitizers for a target. No warnings: which ones, and that they are errors, is
+# for who builds to say; for ours bringup/build does.
+function(tocsin_target_options target)
+  tocsin_link_directly(${target})
+  target_compile_options(${target} PRIVATE -UNDEBUG)
+  if(CMAKE_UNITY_BUILD)
+    # What a source keeps to itself seems to be in a header then.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
+  if(TOCSIN_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${TOCSIN_SANITIZE} -fno-omit-frame-pointer
+                                             -fno-sanitize-recover=all -g1)
+    target_link_options(${target} PUBLIC -fsanitize=${TOCSIN_SANITIZE})
+    # Optimised, the checks take twice as long to compile; only where the computing is, it pays.
+    get_target_property(type ${target} TYPE)
+    if(NOT type STREQUAL STATIC_LIBRARY)
+      target_compile_options(${target} PRIVATE -O0)
+    endif()
+  endif()
+endfunction()
+
+# Installs targets with headers and a package configuration that finds what they link to.
+# tocsin_export(TARGETS a b LINK pkg::target ...)
+function(tocsin_export)
+  cmake_parse_arguments(A "" "" "TARGETS;LINK" ${ARGN})
+  set(config "include(CMakeFindDependencyMacro)\n")
+  foreach(item IN LISTS A_LINK)
+    string(REGEX REPLACE "::.*" "" package "${item}")
+    if(NOT package STREQUAL PROJECT_NAME AND NOT package MATCHES "^(dl|rt|m|util|jpeg|pthread)$")
+      string(APPEND config "find_dependency(${package})\n")
+    endif()
+  endforeach()
+  string(APPEND config "include(\"\${CMAKE_CURRENT_LIST_DIR}/${PROJECT_NAME}Targets.cmake\")\n")
+  file(WRITE "${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake" "${config}")
+  set(to share/${PROJECT_NAME}/cmake)
+  install(TARGETS ${A_TARGETS} EXPORT ${PROJECT_NAME}Targets LIBRARY DESTINATION lib)
+  install(EXPORT ${PROJECT_NAME}Targets NAMESPACE ${PROJECT_NAME}:: DESTINATION ${to})
+  install(FILES "${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake" DESTINATION ${to})
+  if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/include")
+    # Not install(DIRECTORY): that keeps the time of the source, so that a header installed after an
+    # object was compiled with its predecessor looks older than the object, and nothing is rebuilt.
+    install(CODE "file(GLOB_RECURSE headers RELATIVE \"${PROJECT_SOURCE_DIR}/include\"
+                       \"${PROJECT_SOURCE_DIR}/include/*\")
+                  foreach(header IN LISTS headers)
+                    set(to \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/include/\${header}\")
+                    get_filename_component(folder \"\${to}\" DIRECTORY)
+                    file(MAKE_DIRECTORY \"\${folder}\")
+                    execute_process(COMMAND \"${CMAKE_COMMAND}\" -E copy_if_different
+                                    \"${PROJECT_SOURCE_DIR}/include/\${header}\" \"\${to}\"
+                                    COMMAND_ERROR_IS_FATAL ANY)
+                  endforeach()")
+  endif()
+endfunction()
+
+# A library of this package, exported as <project>::<name>.
+# tocsin_library(name [SHARED] SOURCES a.cpp ... LINK pkg::target ...)
+# With one library per package this is the whole of it.
+function(tocsin_library name)
+  cmake_parse_arguments(A "SHARED" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  set(kind STATIC)
+  if(A_SHARED)
+    set(kind SHARED)
+  endif()
+  add_library(${name} ${kind} ${A_SOURCES})
+  target_include_directories(${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
+                                            "$<INSTALL_INTERFACE:include>")
+  target_link_libraries(${name} PUBLIC ${A_LINK} PRIVATE ${A_PRIVATE_LINK})
+  tocsin_target_options(${name})
+  tocsin_export(TARGETS ${name} LINK ${A_LINK} ${A_PRIVATE_LINK})
+endfunction()
+
+# Registers the library lib/tocsin/lib<name>.so as the component <name>, where the runtime looks for
+# it: in the ament index of the package, a line for each of its components.
+function(tocsin_register_component name)
+  if(NOT name MATCHES "^[a-z][a-z0-9_]*$")
+    message(FATAL_ERROR "tocsin_component(${name}): is not a name (a lower-case letter, then such "
+                        "letters, digits and '_')")
+  endif()
+  set(index "${PROJECT_BINARY_DIR}/tocsin_components/${PROJECT_NAME}")
+  get_property(known GLOBAL PROPERTY TOCSIN_COMPONENTS_OF_${PROJECT_NAME})
+  if(NOT known)
+    install(FILES "${index}" DESTINATION share/ament_index/resource_index/tocsin_components)
+  endif()
+  string(APPEND known "${name};lib/tocsin/lib${name}.so\n")
+  set_property(GLOBAL PROPERTY TOCSIN_COMPONENTS_OF_${PROJECT_NAME} "${known}")
+  file(WRITE "${index}" "${known}")
+endfunction()
+
+# A component package: <name>_core holds the decision and links no runtime; lib<name>.so holds the
+# ports and is loaded by name into a container process. A package may have several.
+# tocsin_component(name [CORE a.cpp ...] [CORE_LINK ...] COMPONENT b.cpp ... [LINK ...])
+function(tocsin_component name)
+  cmake_parse_arguments(A "" "" "CORE;CORE_LINK;COMPONENT;LINK" ${ARGN})
+  if(A_CORE)
+    add_library(${name}_core STATIC ${A_CORE})
+    target_include_directories(${name}_core PUBLIC include src)
+    target_link_libraries(${name}_core PUBLIC ${A_CORE_LINK})
+    tocsin_target_options(${name}_core)
+  endif()
+  add_library(${name} SHARED ${A_COMPONENT})
+  target_include_directories(${name} PUBLIC include src)
+  target_link_libraries(${name} PUBLIC $<TARGET_NAME_IF_EXISTS:${name}_core> runtime::runtime
+                                       ${A_LINK})
+  tocsin_target_options(${name})
+  install(TARGETS ${name} LIBRARY DESTINATION lib/tocsin)
+  tocsin_register_component(${name})
+endfunction()
+
+# Tells a target the version of its package (package.xml) as TOCSIN_VERSION. All packages have the same one.
+function(tocsin_tell_version target)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS package.xml)
+  file(STRINGS package.xml version REGEX "<version>")
+  string(REGEX REPLACE ".*<version>(.*)</version>.*" "\\1" version "${version}")
+  target_compile_definitions(${target} PRIVATE TOCSIN_VERSION="${version}")
+endfunction()
+
+# A program of this package, installed in bin/.
+# tocsin_executable(name SOURCES a.cpp ... LINK ...)
+function(tocsin_executable name)
+  cmake_parse_arguments(A "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${A_SOURCES})
+  target_link_libraries(${name} PRIVATE ${A_LINK})
+  tocsin_target_options(${name})
+  install(TARGETS ${name} RUNTIME DESTINATION bin)
+endfunction()
+
+# GoogleTest's headers, precompiled by tocsin_cmake; build trees of a workspace stand side by side.
+set(TOCSIN_TEST_PRECOMPILED
+    "${CMAKE_BINARY_DIR}/../tocsin_cmake/CMakeFiles/test_precompiled.dir/cmake_pch.hxx")
+
+# How every test program is compiled. Not optimised: that saves a third of its compile time.
+function(tocsin_test_options target)
+  target_compile_options(${target} PRIVATE -O0)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+  if(EXISTS "${TOCSIN_TEST_PRECOMPILED}.gch" AND NOT PROJECT_NAME STREQUAL tocsin_cmake)
+    target_compile_options(${target} PRIVATE "SHELL:-include ${TOCSIN_TEST_PRECOMPILED}")
+  endif()
+endfunction()
+
+# The folder above this package that holds colcon.meta; the package's own when there is none.
+function(tocsin_repository variable)
+  set(folder "${PROJECT_SOURCE_DIR}")
+  while(NOT EXISTS "${folder}/colcon.meta")
+    cmake_path(GET folder PARENT_PATH above)
+    if(above STREQUAL folder)
+      set(folder "${PROJECT_SOURCE_DIR}")
+      break()
+    endif()
+    set(folder "${above}")
+  endwhile()
+  set(${variable} "${folder}" PARENT_SCOPE)
+endfunction()
+
+# A GoogleTest program. LABEL is unit, component or system; sources default to test/<name>.cpp.
+# With a sanitizer, system tests are built on demand only, and tests may take five times as long.
+# tocsin_test(name LABEL unit LINK target ... [SOURCES ...] [TIMEOUT seconds])
+function(tocsin_test name)
+  if(NOT BUILD_TESTING)
+    return()
+  endif()
+  cmake_parse_arguments(A "" "LABEL;TIMEOUT" "LINK;SOURCES" ${ARGN})
+  if(NOT A_LABEL MATCHES "^(unit|component|system)$")
+    message(FATAL_ERROR "tocsin_test(${name}): LABEL '${A_LABEL}' is not unit, component or system")
+  endif()
+  if(NOT A_SOURCES)
+    set(A_SOURCES test/${name}.cpp)
+  endif()
+  if(NOT A_TIMEOUT)
+    set(A_TIMEOUT 120)
+  endif()
+  find_package(GTest REQUIRED)
+  add_executable(${name} ${A_SOURCES})
+  target_link_libraries(${name} PRIVATE ${A_LINK} GTest::gmock GTest::gtest_main)
+  tocsin_target_options(${name})
+  tocsin_test_options(${name})
+  tocsin_repository(repository)
+  target_compile_definitions(${name} PRIVATE TOCSIN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                             TOCSIN_REPOSITORY="${repository}")
+  if(TOCSIN_SANITIZE)
+    math(EXPR A_TIMEOUT "5 * ${A_TIMEOUT}")
+    if(A_LABEL STREQUAL system)
+      set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
+  endif()
+  add_test(NAME ${name} COMMAND ${name} --gtest_shuffle
+           --gtest_output=xml:${CMAKE_CURRENT_BINARY_DIR}/test_results/${name}.xml)
+  # What a test leaves in ::testing::TempDir() meets no other test's.
+  set(temporary "${CMAKE_CURRENT_BINARY_DIR}/test_tmp/${name}/")
+  file(MAKE_DIRECTORY "${temporary}")
+  set_tests_properties(${name} PROPERTIES LABELS ${A_LABEL} TIMEOUT ${A_TIMEOUT}
+                       ENVIRONMENT "TEST_TMPDIR=${temporary}")
+endfunction()
+
+include("${CMAKE_CURRENT_LIST_DIR}/TocsinIdl.cmake")

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What generate_idl.py makes of small IDL files, by the fastddsgen that is installed."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CMAKE = pathlib.Path(__file__).parents[1] / "cmake"
+sys.path.insert(0, str(CMAKE))
+
+import describe_idl  # noqa: E402
+import idl_dialect  # noqa: E402
+import idl_parser  # noqa: E402
+
+
+class IdlFolder:
+    """IDL files in a folder that goes with the test."""
+
+    def __init__(self, files):
+        self._folder = tempfile.TemporaryDirectory()
+        self.path = pathlib.Path(self._folder.name)
+        for name, text in files.items():
+            (self.path / f"{name}.idl").write_text(text)
+
+    def __del__(self):
+        self._folder.cleanup()
+
+    def idl(self, name):
+        return self.path / f"{name}.idl"
+
+    def parse(self, *names):
+        return idl_parser.parse("fastddsgen", [self.idl(name) for name in names], [self.path])
+
+    def run(self, *names):
+        """The program as CMake calls it: exit code and what it printed."""
+        done = subprocess.run([sys.executable, "-B", CMAKE / "generate_idl.py", "--package", "toy",
+                               "--out", self.path / "out", *map(self.idl, names)],
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        return done.returncode, done.stdout
+
+    def made(self):
+        out = self.path / "out"
+        return sorted(file.name for file in out.iterdir()) if out.exists() else []
+
+
+ACCEPTED = {
+    "one_line": "module a { module msg { @final struct One { long x; }; }; };",
+    "two_names": "@final struct Two {\n  long x, z;\n  @default(1.5) double w;\n};",
+    "comments": "/* struct No { long a; }; */\n@final struct Yes {  // { long b; }\n  long c;  /* d */\n};",
+    "brace_below": "@final\nstruct Below\n{\n  sequence<long>\n    values;\n  float grid[2][3];\n}\n;",
+    "same_name": "module a { @final struct S { long x; }; };\nmodule b { @final struct S { a::S y; }; };",
+    "enum": "enum E { E_A, E_B };\ntypedef sequence<E> Es;\n@final struct Uses { E e; Es es; };",
+    "user": '#include "one_line.idl"\n@final struct User { a::msg::One one; };',
+}
+
+# name: (text, line of the fault, what is said)
+REFUSED = {
+    "key": ("@final struct S {\n  @key long id;\n};", 2, "S field id is a @key"),
+    "optional": ("@final struct S {\n  long a;\n  @optional long b;\n};", 3, "field b has @optional"),
+    "map": ("@final struct S {\n\n  map<long, long> m;\n};", 3, "field m is a map; allowed are boolean"),
+    "not_final": ("// x\nstruct S { long a; };", 2, "S must be @final"),
+    "appendable": ("@appendable struct S { long a; };", 1, "S has @appendable"),
+    "base": ("@final struct B { long a; };\n@final struct S : B { long b; };", 2, "S inherits"),
+    "forward": ("struct S;\n@final struct S { sequence<S> s; };", 1, "S is declared before"),
+    "empty": ("\n@final struct S {};", 2, "S has no field"),
+    "bounded": ("@final struct S {\n  sequence<long, 3> l;\n};", 2, "field l is a bounded sequence"),
+    "short_text": ("@final struct S {\n  string<5> t;\n};", 2, "field t is a bounded string"),
+    "wide": ("@final struct S {\n  wstring w;\n};", 2, "field w is a wide string"),
+    "inner": ("@final struct S {\n  sequence<wchar> w;\n};", 2, "field w is a wide character"),
+    "long_double": ("@final struct S {\n  long double d;\n};", 2, "field d is a long double"),
+    "union": ("module m {\n  union U switch (long) { case 1: long a; };\n};", 2, "m::U is a union"),
+    "bitmask": ("bitmask B { flag };", 1, "B is a bitmask"),
+    "alias": ("typedef map<long, long> M;", 1, "M is a map"),
+    "bits": ("@bit_bound(8) enum E { E_A };", 1, "E has @bit_bound"),
+    "constant": ("const long N = 3;\n@final struct S {\n  long l[2][N];\n};", 3, "l is an array of N"),
+    "nothing": ("@final struct S {\n  long l[0];\n};", 2, "field l is an array of 0"),
+    "default": ("@final struct S {\n  @default(1) sequence<long> l;\n};", 2, "l has @default, which"),
+    "interface": ("interface I { void f(); };", 1, "I is an interface; allowed are @final"),
+    "exception": ("exception E { long x; };", 1, "E is an exception"),
+    "annotation": ("@annotation mark { long v; };\n@final struct S {\n  @mark(v=1) long a;\n};", 3,
+                   "field a has @mark"),
+    "second": ("@final struct S { long a; };\n@final struct T {\n  wstring a;\n};", 3, "T field a is"),
+}
+
+class Accepted(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = IdlFolder(ACCEPTED)
+        cls.parsed = cls.folder.parse(*ACCEPTED)
+
+    def structs_of(self, name):
+        path = self.folder.idl(name)
+        idl_dialect.check(path, self.parsed[path])
+        return idl_dialect.structs(self.parsed[path])
+
+    def test_struct_on_one_line(self):
+        self.assertEqual(self.structs_of("one_line"), [(["a", "msg"], "One", ["x"])])
+
+    def test_several_names_of_one_type(self):
+        self.assertEqual(self.structs_of("two_names"), [([], "Two", ["x", "z", "w"])])
+
+    def test_comments_hold_no_fields(self):
+        self.assertEqual(self.structs_of("comments"), [([], "Yes", ["c"])])
+
+    def test_fields_over_several_lines(self):
+        self.assertEqual(self.structs_of("brace_below"), [([], "Below", ["values", "grid"])])
+
+    def test_same_name_in_two_modules(self):
+        self.assertEqual(self.structs_of("same_name"), [(["a"], "S", ["x"]), (["b"], "S", ["y"])])
+        source = describe_idl.source("toy", "same_name", self.structs_of("same_name"))
+        self.assertIn("bool skip_a_S(", source)
+        self.assertIn("bool skip_b_S(", source)
+
+    def test_enums_and_their_aliases(self):
+        self.assertEqual(self.structs_of("enum"), [([], "Uses", ["e", "es"])])
+
+    def test_included_structs_are_described_where_they_are_defined(self):
+        self.assertEqual(self.structs_of("user"), [([], "User", ["one"])])
+        self.assertEqual(self.parsed[self.folder.idl("user")]["includes"], ["one_line"])
+
+
+class Refused(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = IdlFolder({name: text for name, (text, _, _) in REFUSED.items()})
+        cls.parsed = cls.folder.parse(*REFUSED)
+
+    def test_with_file_line_and_reason(self):
+        for name, (_, line, said) in REFUSED.items():
+            with self.subTest(name):
+                path = self.folder.idl(name)
+                with self.assertRaises(idl_parser.IdlError) as refusal:
+                    idl_dialect.check(path, self.parsed[path])
+                lines = str(refusal.exception).splitlines()
+                self.assertTrue(any(f"{path}:{line}: " in one and said in one for one in lines),
+                                str(refusal.exception))
+
+
+class Complaints(unittest.TestCase):
+    """What fastddsgen prints; the lines are its own."""
+
+    def test_are_placed_in_their_file(self):
+        self.assertEqual(idl_parser.complaints(
+            "Loading templates...\nProcessing the file /a/b.idl...\n"
+            "\x1b[1m/a/b.idl:2:26: \x1b[0m\x1b[1;31merror: \x1b[0mUnexpected input \x1b[1m'}'\x1b[0m\n"
+            "Exception in thread \"main\" java.lang.NullPointerException: Cannot invoke\n"
+            "\tat com.eprosima.fastdds.fastddsgen.execute(fastddsgen.java:407)\n"),
+            ["/a/b.idl:2: Unexpected input '}'"])
+
+    def test_are_also_what_it_only_warns_of(self):
+        self.assertEqual(idl_parser.complaints(
+            "Processing the file /a/b.idl...\n"
+            "WARNING (File b, Line 17): Annotation unit not supported. Ignoring...\n"),
+            ["/a/b.idl:17: Annotation unit not supported"])
+
+    def test_are_also_those_of_the_preprocessor(self):
+        self.assertEqual(idl_parser.complaints(
+            "Processing the file /a/b.idl...\n"
+            "/a/b.idl:1:10: fatal error: no.idl: No such file or directory\n"
+            "    1 | #include \"no.idl\"\n      |          ^~~~~~~~\ncompilation terminated.\n"),
+            ["/a/b.idl:1: no.idl: No such file or directory"])
+
+    def test_are_also_characters_that_it_leaves_out(self):
+        folder = IdlFolder({"a": "// $\n\n@final struct S { long x$; };"})
+        self.assertEqual(idl_parser.complaints(
+            f"Processing the file {folder.idl('a')}...\nline 9:24 token recognition error at: '$'\n"),
+            [f"{folder.idl('a')}:3: '$' is no part of IDL"])
+
+    def test_name_no_java_objects(self):
+        self.assertEqual(idl_parser.complaints(
+            "a.idl:2:16: error: Illegal identifier: A is already defined "
+            "(Definition: com.eprosima.idl.parser.tree.TypeDeclaration@1068e947)"),
+            ["a.idl:2: Illegal identifier: A is already defined"])
+
+
+class Program(unittest.TestCase):
+    def test_refuses_what_is_no_idl_without_a_stack_trace(self):
+        folder = IdlFolder({"a": "@final struct S {\n  float64 x;\n};"})
+        self.assertEqual(folder.run("a"), (
+            1, f"{folder.idl('a')}:2: 'float64' was not defined previously; IDL calls it double\n"))
+        self.assertEqual(folder.made(), [])
+
+    def test_names_the_faults_of_all_files_and_makes_nothing(self):
+        folder = IdlFolder({"a": ACCEPTED["enum"], "b": REFUSED["map"][0], "c": REFUSED["key"][0]})
+        code, printed = folder.run("a", "b", "c")
+        self.assertEqual(code, 1)
+        self.assertEqual([line.split(":")[0] for line in printed.splitlines()],
+                         [str(folder.idl("b")), str(folder.idl("c"))])
+        self.assertEqual(folder.made(), [])
+
+    def test_makes_the_same_of_the_same(self):
+        folder = IdlFolder({"enum": ACCEPTED["enum"]})
+        self.assertEqual(folder.run("enum"), (0, ""))
+        self.assertEqual(folder.made(), ["enum.cxx", "enum.h", "enum.hpp", "enum_type_info.cpp"])
+        files = sorted((folder.path / "out").iterdir())
+        before = [(file.stat().st_mtime_ns, file.read_text()) for file in files]
+        self.assertEqual(folder.run("enum")[0], 0)
+        self.assertEqual([(file.stat().st_mtime_ns, file.read_text()) for file in files], before)
+        self.assertNotIn("@", "".join(text for _, text in before if "com.eprosima" in text))
+
+    def test_says_when_there_is_no_generator(self):
+        with self.assertRaises(OSError):
+            idl_parser.parse("/nowhere/fastddsgen", [pathlib.Path("a.idl")], [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "foundation/time.hpp"
+#include "idl_support/topic_info.hpp"
+#include "idl_support/type_info.hpp"
+#include "radio_channel/radio_channel.hpp"
+#include "runtime/bus.hpp"
+
+namespace tocsin::simulation {
+
+/// A topic in one process. Lives as long as the world, so that its address may serve as a key.
+struct TopicEnd {
+  std::string host;
+  std::string role;  ///< of the host: uxv or gcs
+  std::string process;
+  std::string topic;
+  std::string traffic_class;  ///< of a link topic that the process writes, else empty
+  Scope scope = Scope::host;
+  const TypeInfo* type = nullptr;
+  double lifespan_s = 0;  ///< infinity: none
+  bool reliable = false;
+  bool pausable = false;       ///< its gate can close
+  bool drops = false;          ///< and then its samples are dropped
+  std::string user_data = "";  ///< that its writers announce
+};
+
+/// A sample that a component wrote. Its readers on the same host have it already. A component need
+/// not write what nobody reads.
+struct Written {
+  const TopicEnd& from;
+  Time time;
+  std::uint64_t sequence;  ///< from 1, each write of this end one more
+  std::size_t bytes;       ///< serialised; 0 for a host topic
+  const void* message;     ///< of type `from.type`; valid during the call
+  Status status;
+};
+
+/// A sample that went through the gate to the radio: within its write, or later.
+struct Sent {
+  const TopicEnd& from;
+  Time time;
+  std::uint64_t sequence;  ///< on the link: from 1, counts only what was sent
+  std::uint64_t written;  ///< Written::sequence; 0 when the gate does not hand back the very object
+  std::size_t bytes;
+};
+
+/// A sample that crossed the radio and was given to the readers of one process.
+struct Delivered {
+  const TopicEnd& from;
+  const TopicEnd& to;
+  std::uint64_t sequence;  ///< Sent::sequence
+  std::uint64_t written;   ///< Written::sequence or 0
+  Time written_at;         ///< when it was written; as `sent_at` when `written` is 0
+  Time sent_at;            ///< when it left the gate
+  Time received;
+  std::size_t bytes;
+  const void* message;
+};
+
+/// One echo request of network_monitor, when it is sent and, unless it is lost, when it is back.
+struct Echo {
+  const std::string& host;
+  std::uint16_t sequence;
+  Time sent;
+  Time received;  ///< `never` at sending
+};
+
+/// Where a base truly is.
+struct BasePosition {
+  const std::string& host;
+  Time time;
+  double x_m;
+  double y_m;
+  double heading_rad;
+  double speed_mps;
+  double turn_rate_radps;
+  Time commanded;  ///< when bytes last came from the computer; Time::min() never
+};
+
+enum class ProcessEvent : std::uint8_t { started, killed, exited };
+
+struct ProcessChange {
+  const std::string& process;  ///< host/name
+  ProcessEvent event;
+  Time time;
+  int exit_code;  ///< of one that exited
+};
+
+/// The gate of a process after it opened or closed.
+struct GateChange {
+  const std::string& host;
+  const std::string& process;
+  Time time;
+  bool open;
+};
+
+/// Sees what happens in a simulated world, in the thread that runs it. Overwrite what is wanted;
+/// it must not change the world. It costs nothing when there is none.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void on_written(const Written&) {}
+  virtual void on_sent(const Sent&) {}
+  virtual void on_delivered(const Delivered&) {}
+  virtual void on_echo(const Echo&) {}
+  /// Each second: what a Wi-Fi driver would tell, airtime and loss counts of both directions.
+  virtual void on_channel(const radio::LinkReport&, Time) {}
+  /// Ten times a second.
+  virtual void on_position(const BasePosition&) {}
+  virtual void on_gate(const GateChange&) {}
+  /// Not at the start of the world.
+  virtual void on_process(const ProcessChange&) {}
+  /// A component threw `what` and is ticked no more.
+  virtual void on_failure(const std::string& /*component*/, const std::string& /*what*/, Time) {}
+  /// Everything due at this instant is done. Not told of packets that complete no sample.
+  virtual void on_step(Time) {}
+};
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/faults.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "foundation/error.hpp"
+#include "foundation/names.hpp"
+#include "foundation/parameters.hpp"
+#include "foundation/yaml_file.hpp"
+
+namespace tocsin::simulation {
+namespace {
+
+constexpr std::array<const char*, 8> names{"crash",      "loss",         "delay",  "duplication",
+                                           "clock_jump", "serial_noise", "unplug", "disk_full"};
+
+/// A fault as in the file.
+struct FaultEntry {
+  std::string kind = "loss";
+  double at_s = 0;
+  double for_s = 1;
+  std::string target;
+  double amount = 0;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("kind", kind,
+      {"crash", "loss", "delay", "duplication", "clock_jump", "serial_noise", "unplug",
+       "disk_full"},
+      "what goes wrong");
+    v("at_s", at_s, {0, 1e6}, "[s] from the start of the run");
+    v("for_s", for_s, {0.001, 1e6}, "[s] how long; of a crash: until it is started again");
+    v("target", target, "crash: host/process; clock_jump: host");
+    v("amount", amount, {-1e6, 1e6}, "share, or [s] of delay and clock_jump");
+  }
+};
+
+void check(const Fault& fault, const std::string& path) {
+  const bool is_share = fault.kind == FaultKind::loss || fault.kind == FaultKind::duplication ||
+                        fault.kind == FaultKind::serial_noise;
+  if (is_share && (fault.amount < 0 || fault.amount > 1)) {
+    throw ConfigError(path + ": faults.amount: " + std::to_string(fault.amount) +
+                      " is outside [0, 1]");
+  }
+  const auto words = words_of_path(fault.target);
+  if (!std::all_of(words.begin(), words.end(), is_name)) {
+    throw ConfigError(path + ": faults.target: '" + fault.target + "' is not host or host/process");
+  }
+  if (fault.kind == FaultKind::delay && fault.amount < 0) {
+    throw ConfigError(path + ": faults.amount: a delay is not negative");
+  }
+}
+
+bool earlier(const Fault& a, const Fault& b) { return a.at_s < b.at_s; }
+
+/// Numbers from the seed, the same with every standard library.
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : random_(seed * 0x9E3779B97F4A7C15ULL + 1) {}
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
+  double between(double low, double high) {
+    const double share = static_cast<double>(random_() >> 11U) / 9007199254740992.0;  // 2^53
+    return std::round((low + (high - low) * share) * 1000) / 1000;
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+std::vector<std::string> processes_of(const deployment::Deployment& deployment) {
+  std::vector<std::string> all;
+  for (const deployment::Host& host : deployment.hosts) {
+    for (const deployment::Container& container : host.containers) {
+      if (!container.terminal) all.push_back(host.name + "/" + container.name);
+    }
+  }
+  return all;
+}
+
+Fault draw_fault(Draw& draw, const deployment::Deployment& deployment) {
+  const auto processes = processes_of(deployment);
+  Fault fault;
+  fault.kind = static_cast<FaultKind>(draw.below(names.size()));
+  if (draw.below(3) == 0) fault.kind = FaultKind::crash;  // what hurts most comes most often
+  if (fault.kind == FaultKind::crash && processes.empty()) fault.kind = FaultKind::loss;
+  fault.at_s = draw.between(2, 60);
+  fault.for_s = draw.between(0.2, 10);
+  fault.amount = draw.between(0.02, 1);
+  if (fault.kind == FaultKind::crash) {
+    fault.target = processes[draw.below(processes.size())];
+    fault.for_s = draw.between(0.2, 5);
+    fault.amount = 0;
+  }
+  if (fault.kind == FaultKind::clock_jump) {
+    fault.target = deployment.hosts[draw.below(deployment.hosts.size())].name;
+    fault.amount = draw.between(-3600, 3600);
+  }
+  if (fault.kind == FaultKind::serial_noise) fault.amount = draw.between(0.0001, 0.05);
+  return fault;
+}
+
+}  // namespace
+
+FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment) {
+  Draw draw(seed);
+  FaultPlan plan(1 + draw.below(6));
+  for (Fault& fault : plan) fault = draw_fault(draw, deployment);
+  std::sort(plan.begin(), plan.end(), earlier);
+  return plan;
+}
+
+FaultPlan load_faults(const std::string& path) {
+  const YAML::Node file = read_yaml_file(path);
+  const YAML::Node list = file.IsMap() ? file["faults"] : YAML::Node();
+  if (!list.IsDefined() || !list.IsSequence()) throw ConfigError(path + ": has no list `faults`");
+  FaultPlan plan;
+  for (const YAML::Node& node : list) {
+    const auto entry = load_parameters<FaultEntry>(node, "faults", path);
+    const auto at = std::find(names.begin(), names.end(), entry.kind) - names.begin();
+    plan.push_back(
+        {static_cast<FaultKind>(at), entry.at_s, entry.for_s, entry.target, entry.amount});
+    check(plan.back(), path);
+  }
+  std::stable_sort(plan.begin(), plan.end(), earlier);
+  return plan;
+}
+
+std::string to_yaml(const FaultPlan& plan) {
+  std::string text = "faults:\n";
+  for (const Fault& fault : plan) {
+    char line[200];
+    std::snprintf(line, sizeof line,
+                  "  - {kind: %s, at_s: %g, for_s: %g, target: \"%s\", amount: %g}\n",
+                  names[static_cast<std::size_t>(fault.kind)], fault.at_s, fault.for_s,
+                  fault.target.c_str(), fault.amount);
+    text += line;
+  }
+  return text;
+}
+
+double end_of(const FaultPlan& plan) {
+  double end_s = 0;
+  for (const Fault& fault : plan) end_s = std::max(end_s, fault.at_s + fault.for_s);
+  return end_s;
+}
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_host.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "foundation/file_cache.hpp"
+
+namespace tocsin::simulation {
+namespace {
+
+TrafficRules rules_of(const std::string& file, const std::string& role) {
+  static FileCache<TrafficRules> of_vehicles;
+  static FileCache<TrafficRules> of_ground_stations;
+  const auto read = [&] { return TrafficRules(file, role); };
+  if (role == "uxv") return of_vehicles.get(file, read);
+  return role == "gcs" ? of_ground_stations.get(file, read) : read();
+}
+
+}  // namespace
+
+void LinkEndpoints::add(const std::string& topic, const SimHost& host, RtpsWriter& writer) {
+  Topic& all = topics_[topic];
+  all.writers.push_back({&host, &writer});
+  for (const auto& reader : all.readers) {
+    if (reader.host != &host) match(writer, *reader.end);
+  }
+}
+
+void LinkEndpoints::add(const std::string& topic, const SimHost& host, RtpsReader& reader) {
+  Topic& all = topics_[topic];
+  all.readers.push_back({&host, &reader});
+  for (const auto& writer : all.writers) {
+    if (writer.host != &host) match(*writer.end, reader);
+  }
+}
+
+void LinkEndpoints::match(RtpsWriter& writer, RtpsReader& reader) {
+  if (core_ == nullptr) return writer.match(reader);
+  core_->events.at(core_->now + discovery_, [&writer, &reader] {
+    if (writer.alive() && reader.alive()) writer.match(reader);
+  });
+}
+
+void LinkEndpoints::remove(const std::string& topic, const RtpsWriter& writer) {
+  auto& all = topics_[topic].writers;
+  all.erase(std::remove_if(all.begin(), all.end(), [&](auto& one) { return one.end == &writer; }),
+            all.end());
+}
+
+void LinkEndpoints::remove(const std::string& topic, const RtpsReader& reader) {
+  auto& all = topics_[topic].readers;
+  all.erase(std::remove_if(all.begin(), all.end(), [&](auto& one) { return one.end == &reader; }),
+            all.end());
+}
+
+std::optional<WriterInfo> LinkEndpoints::writer(const std::string& topic,
+                                                std::uint64_t source) const {
+  const auto all = topics_.find(topic);
+  if (all == topics_.end()) return std::nullopt;
+  for (const auto& one : all->second.writers) {
+    if (one.end->owner().source == source) return one.end->info();
+  }
+  return std::nullopt;
+}
+
+SimHost::SimHost(Network& network, std::string name, std::string role,
+                 const std::string& traffic_file)
+    : network_(network),
+      name_(std::move(name)),
+      role_(std::move(role)),
+      rules_(rules_of(traffic_file, role_)) {}
+
+radio::Direction SimHost::direction() const {
+  return role_ == "uxv" ? radio::Direction::uplink : radio::Direction::downlink;
+}
+
+SimProcess& SimHost::add_process(const std::string& name, int life) {
+  return processes_.emplace_back(network_, *this, name, life);
+}
+
+void SimHost::detach(SimProcess::Topic& topic) {
+  auto& processes = topic.on_host->processes;
+  processes.erase(std::remove(processes.begin(), processes.end(), &topic), processes.end());
+  if (topic.on_host->last.source == topic.source) topic.on_host->last = {};  // it died with it
+}
+
+void SimHost::attach(SimProcess::Topic& topic) {
+  HostTopic& all = topics_[topic.endpoint.topic.name];
+  topic.on_host = &all;
+  if (all.type == nullptr) all.type = topic.endpoint.type;
+  if (all.type != topic.endpoint.type) {
+    throw ConfigError(std::string("topic ") + topic.endpoint.topic.name + ": type " +
+                      topic.endpoint.type->name + " clashes with " + all.type->name);
+  }
+  all.processes.push_back(&topic);
+  if (all.last.message) topic.deliver(all.last);
+}
+
+bool SimHost::has_readers(const SimProcess::Topic& topic) {
+  const auto& all = topic.on_host->processes;
+  return std::any_of(all.begin(), all.end(),
+                     [](const auto* one) { return !one->receivers.empty(); });
+}
+
+void SimHost::deliver(const SimProcess::Topic& from, const Sample& sample) {
+  if (from.keeps_last) from.on_host->last = sample;
+  for (SimProcess::Topic* topic : from.on_host->processes) {
+    topic->deliver(sample);
+  }
+}
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/faults.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::simulation {
+namespace {
+
+deployment::Deployment two_hosts() {
+  deployment::Deployment deployment;
+  for (const char* name : {"uxv", "gcs"}) {
+    deployment::Host host;
+    host.name = host.role = name;
+    deployment::Container link;
+    link.name = "link";
+    deployment::Container view;
+    view.name = "view";
+    view.terminal = true;
+    host.containers = {link, view};
+    deployment.hosts.push_back(host);
+  }
+  return deployment;
+}
+
+FaultPlan load(const std::string& text) {
+  const std::string path =
+      ::testing::TempDir() + "faults_test_" + std::to_string(::getpid()) + ".yaml";
+  std::ofstream(path) << text;
+  try {
+    FaultPlan plan = load_faults(path);
+    std::remove(path.c_str());
+    return plan;
+  } catch (...) {
+    std::remove(path.c_str());
+    throw;
+  }
+}
+
+TEST(RandomFaults, AreTheSameForTheSameSeedOnly) {
+  const auto deployment = two_hosts();
+  EXPECT_EQ(to_yaml(random_faults(7, deployment)), to_yaml(random_faults(7, deployment)));
+  EXPECT_NE(to_yaml(random_faults(7, deployment)), to_yaml(random_faults(8, deployment)));
+}
+
+TEST(RandomFaults, AreOneToSixInOrderAndOverInTime) {
+  const auto deployment = two_hosts();
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const FaultPlan plan = random_faults(seed, deployment);
+    EXPECT_GE(plan.size(), 1U);
+    EXPECT_LE(plan.size(), 6U);
+    EXPECT_LE(end_of(plan), 70);
+    for (std::size_t i = 1; i < plan.size(); ++i) EXPECT_LE(plan[i - 1].at_s, plan[i].at_s);
+    for (const Fault& fault : plan) {
+      EXPECT_GE(fault.at_s, 2);
+      EXPECT_GT(fault.for_s, 0);
+      EXPECT_EQ(fault.target.find("view"), std::string::npos);
+    }
+  }
+}
+
+TEST(LoadFaults, ReadsWhatToYamlWrites) {
+  const FaultPlan plan = random_faults(3, two_hosts());
+  EXPECT_EQ(to_yaml(load(to_yaml(plan))), to_yaml(plan));
+}
+
+TEST(LoadFaults, SortsByTime) {
+  const FaultPlan plan = load(
+      "faults:\n"
+      "  - {kind: unplug, at_s: 9, for_s: 1}\n"
+      "  - {kind: crash, at_s: 3, for_s: 1, target: uxv/link}\n");
+  ASSERT_EQ(plan.size(), 2U);
+  EXPECT_EQ(plan[0].kind, FaultKind::crash);
+  EXPECT_EQ(plan[0].target, "uxv/link");
+  EXPECT_EQ(end_of(plan), 10);
+}
+
+TEST(LoadFaults, RefusesAFileWithoutAList) { EXPECT_THROW((void)load("a: 1\n"), ConfigError); }
+
+TEST(LoadFaults, RefusesAnUnknownKindAndAShareAboveOne) {
+  EXPECT_THROW((void)load("faults: [{kind: flood, at_s: 1}]\n"), ConfigError);
+  EXPECT_NO_THROW((void)load("faults: [{kind: loss, at_s: 1, amount: 1}]\n"));
+  EXPECT_THROW((void)load("faults: [{kind: loss, at_s: 1, amount: 1.01}]\n"), ConfigError);
+  EXPECT_THROW((void)load("faults: [{kind: delay, at_s: 1, amount: -0.1}]\n"), ConfigError);
+}
+
+// It is printed and written as it is.
+TEST(LoadFaults, RefusesATargetThatIsNoName) {
+  EXPECT_NO_THROW((void)load("faults: [{kind: crash, at_s: 1, target: /uxv/link}]\n"));
+  for (const char* target : {"uxv/li nk", "a\\\"b", "\\x1b[2J", "Uxv"}) {
+    EXPECT_THROW(
+        (void)load("faults: [{kind: crash, at_s: 1, target: \"" + std::string(target) + "\"}]\n"),
+        ConfigError)
+        << target;
+  }
+}
+
+}  // namespace
+}  // namespace tocsin::simulation

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Worlds without components; test/system/simulation_test.cpp has the whole mission.
+#include "simulation/sim_world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::simulation {
+namespace {
+
+const std::string config = TOCSIN_REPOSITORY "/config/";
+
+deployment::Container container(const char* name) {
+  deployment::Container made;
+  made.name = name;
+  return made;
+}
+
+/// A base and the gate of one process on each side.
+deployment::Deployment small() {
+  deployment::Deployment deployment;
+  deployment.qos = config + "qos.yaml";
+  deployment.traffic = config + "traffic.yaml";
+  deployment::Host uxv;
+  uxv.name = uxv.role = "uxv";
+  uxv.programs = {{"base", {"kobuki_simulator", "--link", "/dev/kobuki"}}};
+  uxv.containers = {container("drive")};
+  deployment::Host gcs;
+  gcs.name = gcs.role = "gcs";
+  gcs.containers = {container("mission")};
+  deployment.hosts = {uxv, gcs};
+  return deployment;
+}
+
+TEST(SimWorld, RunsUntilTheLimit) {
+  SimWorld sut(small());
+  const Outcome outcome = sut.run(seconds(10));
+  EXPECT_EQ(outcome.simulated, seconds(10));
+  EXPECT_FALSE(outcome.exit_code);
+  EXPECT_GE(outcome.ticks, 20U);  // each gate each second
+}
+
+TEST(SimWorld, GoesOnWhereItStopped) {
+  SimWorld whole(small());
+  SimWorld parts(small());
+  const Outcome at_once = whole.run(seconds(10));
+  (void)parts.run(seconds(4));
+  const Outcome rest = parts.run(seconds(6));
+  EXPECT_EQ(rest.simulated, seconds(6));
+  EXPECT_EQ(rest.digest, at_once.digest);
+}
+
+TEST(SimWorld, WorldsInOneProcessDoNotTouchEachOther) {
+  SimWorld alone(small());
+  const Outcome expected = alone.run(seconds(5));
+  SimWorld one(small());
+  SimWorld other(small());
+  Outcome last;
+  for (int i = 0; i < 5; ++i) {
+    last = one.run(seconds(1));
+    (void)other.run(seconds(0.7));
+  }
+  EXPECT_EQ(last.digest, expected.digest);
+  EXPECT_EQ(last.ticks, expected.ticks);
+}
+
+/// Counts what it is shown.
+class Counter : public Observer {
+ public:
+  void on_written(const Written& written) override {
+    ++samples;
+    EXPECT_EQ(written.sequence, ++last[&written.from]);
+    EXPECT_EQ(written.bytes > 0, written.from.scope == Scope::link);
+  }
+  void on_sent(const Sent& sent) override { in_air[sent.written] = sent.time; }
+  void on_delivered(const Delivered& delivered) override {
+    ++deliveries;
+    EXPECT_NE(delivered.from.host, delivered.to.host);
+    EXPECT_EQ(delivered.sent_at, in_air[delivered.written]);
+    EXPECT_GT(delivered.received, delivered.sent_at);
+  }
+  void on_channel(const radio::LinkReport&, Time) override { ++reports; }
+  void on_position(const BasePosition& base) override {
+    EXPECT_EQ(base.host, "uxv");
+    ++positions;
+  }
+  void on_step(Time now) override { now_ = now; }
+  std::uint64_t samples = 0;
+  int deliveries = 0;
+  int reports = 0;
+  int positions = 0;
+  Time now_{};
+  std::map<const TopicEnd*, std::uint64_t> last;
+  std::map<std::uint64_t, Time> in_air;
+};
+
+TEST(SimWorld, ShowsTheObserverWhatHappensAndIsNotChangedByIt) {
+  const Outcome alone = SimWorld(small()).run(seconds(10));
+  Counter counter;
+  WorldOptions options;
+  options.observer = &counter;
+  SimWorld sut(small(), options);
+  const Outcome outcome = sut.run(seconds(10));
+  EXPECT_EQ(outcome.digest, alone.digest);
+  EXPECT_EQ(counter.samples, outcome.samples);
+  EXPECT_EQ(counter.reports, 11);     // at start and each second
+  EXPECT_EQ(counter.positions, 101);  // at start and each 100 ms
+}
+
+TEST(SimWorld, WithoutDigestDoesTheSame) {
+  const Outcome with = SimWorld(small()).run(seconds(10));
+  WorldOptions options;
+  options.digest = false;
+  const Outcome outcome = SimWorld(small(), options).run(seconds(10));
+  EXPECT_EQ(outcome.digest, 0U);
+  EXPECT_EQ(outcome.ticks, with.ticks);
+  EXPECT_EQ(outcome.samples, with.samples);
+}
+
+TEST(SimWorld, RefusesAProgramWithoutAModel) {
+  deployment::Deployment deployment = small();
+  deployment.hosts[1].programs = {{"browser", {"firefox"}}};
+  EXPECT_THROW(SimWorld{deployment}, ConfigError);
+}
+
+TEST(SimWorld, RefusesAComponentThatIsNotInstalled) {
+  deployment::Deployment deployment = small();
+  deployment.hosts[0].containers[0].components.resize(1);
+  deployment.hosts[0].containers[0].components[0].component = "no_such_component";
+  EXPECT_THROW(SimWorld{deployment}, ConfigError);
+}
+
+}  // namespace
+}  // namespace tocsin::simulation

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "emergency_stop/emergency_stop_component.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+namespace {
+
+std::string memory_path(const Context& context) {
+  const bool simulated = context.devices != nullptr && !context.devices->keeps_files();
+  const bool nowhere = context.run_dir.empty() || simulated;
+  return nowhere ? "" : context.run_dir + "/" + context.name + ".request";
+}
+
+bool is_by_station(const topic::SafetyStatus::Message& status) {
+  const auto& names = status.stopped_by();
+  return std::find(names.begin(), names.end(), topic::EmergencyStop::station_name) != names.end();
+}
+
+}  // namespace
+
+EmergencyStopComponent::EmergencyStopComponent(Context& context, const Params& params)
+    : Component(context), file_(memory_path(context)), keeper_(params) {
+  known_.vehicle("unheard");
+  if (!file_.load()) return;
+  keeper_.restore();
+  log().warn("emergency stop ON, as before the restart");
+}
+
+void EmergencyStopComponent::tick(Time now) {
+  take_requests(now);
+  take_status();
+  if (const auto word = keeper_.word(now)) say(*word, now);
+  keep();
+  tell(now);
+  wake_at(keeper_.due(now));
+}
+
+void EmergencyStopComponent::take_requests(Time now) {
+  while (const auto request = request_.take()) {
+    if (keeper_.wanted() != request->data()) {
+      log().warn("emergency stop {}", request->data() ? "ON" : "off");
+    }
+    keeper_.on_request(request->data(), now);
+  }
+}
+
+void EmergencyStopComponent::take_status() {
+  while (const auto status = vehicle_.take()) {
+    keeper_.on_vehicle(status->emergency_stop(), is_by_station(*status));
+    const char* vehicle = status->emergency_stop() ? "stands" : "may_drive";
+    if (known_.vehicle() == vehicle && known_.stopped_by() == status->stopped_by()) continue;
+    known_.vehicle(vehicle);
+    known_.stopped_by(status->stopped_by());
+    told_ = false;
+  }
+}
+
+void EmergencyStopComponent::say(bool pressed, Time now) {
+  topic::EmergencyStop::Message message;
+  message.data(pressed);
+  if (stop_.write(std::move(message)) == Status::failed) log().warn("the stop was not sent");
+  keeper_.said(now);
+}
+
+/// The first time at the start, while the disk may still have room.
+void EmergencyStopComponent::keep() {
+  const bool pressed = keeper_.wanted() == true;
+  if (kept_ == pressed) return;
+  kept_ = pressed;
+  if (!file_.save(pressed)) log().warn("the request cannot be kept for a restart");
+}
+
+void EmergencyStopComponent::tell(Time now) {
+  const auto wanted = keeper_.wanted();
+  const char* asked = !wanted ? "never" : *wanted ? "on" : "off";
+  if (told_ && known_.asked() == asked) return;
+  known_.asked(asked);
+  known_.stamp(wall(now));
+  told_ = state_.write(known_) != Status::failed;
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::EmergencyStopComponent)

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mission_control/mission_control_component.hpp"
+
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "navigation/map_loader.hpp"
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+namespace {
+
+navigation::Mission load_checked_mission(const std::string& name,
+                                         const MissionControlComponent::Params& params) {
+  if (params.mission_file.empty()) throw ConfigError(name + ".mission_file: is required");
+  auto mission = navigation::load_mission(params.mission_file);
+  if (!params.map_file.empty()) {
+    require_free(mission, navigation::load_map(params.map_file), params.robot_radius_m);
+  }
+  return mission;
+}
+
+navigation::Pose2 pose_of(const topic::Location::Message& message) {
+  const auto& pose = message.pose().pose();
+  const auto& q = pose.orientation();
+  return {pose.position().x(), pose.position().y(),
+          navigation::yaw_of({q.x(), q.y(), q.z(), q.w()})};
+}
+
+/// Two starts never begin in the same nanosecond, and a simulated one begins always in the same.
+std::uint64_t seed_of(const Bus& bus) { return static_cast<std::uint64_t>(bus.wall_ns(bus.now())); }
+
+bool differ(const MissionControl::Progress& a, const MissionControl::Progress& b) {
+  return a.state != b.state || a.waypoint != b.waypoint || a.goals_sent != b.goals_sent;
+}
+
+}  // namespace
+
+MissionControlComponent::MissionControlComponent(Context& context, const Params& params)
+    : Component(context),
+      params_(params),
+      control_(params.control, load_checked_mission(context.name, params), seed_of(context.bus)) {
+  wake_every(seconds(1 / params.rate_hz));
+}
+
+void MissionControlComponent::tick(Time now) {
+  take_inputs(now);
+  if (const auto goal = control_.update(now)) send(*goal, now);
+  log_arrivals();
+  report(now);
+}
+
+void MissionControlComponent::take_inputs(Time now) {
+  if (const auto location = location_.take_latest()) control_.on_location(pose_of(*location), now);
+  while (const auto status = navigation_.take()) {
+    control_.on_status({status->mission(), status->goal_id()}, status->state(), now);
+  }
+}
+
+void MissionControlComponent::send(const MissionControl::Goal& goal, Time now) {
+  topic::Goal::Message message;
+  message.stamp(wall(now));
+  message.mission(goal.name.mission);
+  message.id(goal.name.id);
+  message.waypoint(goal.waypoint);
+  message.x(goal.pose.x);
+  message.y(goal.pose.y);
+  message.yaw(goal.pose.yaw);
+  message.tolerance_m(goal.tolerance_m);
+  message.lifetime_s(goal.lifetime_s);
+  for (const navigation::Pose2& pose : goal.ahead) {
+    message.ahead().emplace_back();
+    message.ahead().back().x(pose.x);
+    message.ahead().back().y(pose.y);
+    message.ahead().back().yaw(pose.yaw);
+  }
+  if (goal_.write(std::move(message)) == Status::failed) log().warn("a goal was not sent");
+}
+
+void MissionControlComponent::log_arrivals() {
+  for (; arrivals_logged_ < control_.arrivals().size(); ++arrivals_logged_) {
+    const auto& arrival = control_.arrivals()[arrivals_logged_];
+    log().info("waypoint {} reached after {:.1f} s, {:.2f} m away, told by {}, {} goals sent",
+               arrival.waypoint + 1, arrival.after_s, arrival.distance_m,
+               arrival.by_location ? "location" : "status", arrival.goals);
+  }
+}
+
+void MissionControlComponent::report(Time now) {
+  const auto progress = control_.progress(now);
+  const bool has_changed = differ(progress, reported_);
+  if (!has_changed && now < next_report_) return;
+  topic::MissionStatus::Message message;
+  message.stamp(wall(now));
+  message.mission(control_.mission().name);
+  message.state(to_string(progress.state));
+  message.waypoint(progress.waypoint);
+  message.waypoints(progress.waypoints);
+  message.goals_sent(progress.goals_sent);
+  message.elapsed_s(progress.elapsed_s);
+  if (status_.write(std::move(message)) == Status::failed) return;
+  if (progress.state != reported_.state) {
+    log().info("mission {}: {} {}", control_.mission().name, to_string(progress.state),
+               progress.reason);
+    end_when_over(progress.state);
+  }
+  reported_ = progress;
+  next_report_ = now + seconds(params_.status_period_s);
+}
+
+void MissionControlComponent::end_when_over(MissionControl::State state) {
+  if (!params_.exit_when_over) return;
+  if (state == MissionControl::State::done) context().request_exit(0);
+  if (state == MissionControl::State::aborted) context().request_exit(1);
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::MissionControlComponent)

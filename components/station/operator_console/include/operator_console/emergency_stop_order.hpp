@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "foundation/time.hpp"
+#include "operator_console/verdict.hpp"
+
+namespace tocsin {
+
+/// Presses or releases the emergency stop and waits until the vehicle says that it obeys.
+///
+/// The ground station's component emergency_stop is asked to; when it has not taken the order after
+/// a second (it does not run, or hangs), the vehicle is told directly. Pure; `now` must not
+/// decrease.
+class EmergencyStopOrder {
+ public:
+  enum class Wish { on, off, status };
+  /// What the ground station's component said last that a person asked it for.
+  enum class Asked { nothing, on, off };
+  static constexpr Duration direct_after = std::chrono::seconds(1);
+
+  EmergencyStopOrder(Wish wish, Time now, Duration wait)
+      : wish_(wish), direct_at_(now + direct_after), deadline_(now + wait) {}
+
+  void on_station(Asked asked) { asked_ = asked; }
+  /// What the vehicle says of itself, heard from it or told by the station: whether it stands by
+  /// the emergency stop, and by whose.
+  void on_vehicle(bool stands, std::vector<std::string> stopped_by);
+  /// What must be asked of the station, now and again until there is a verdict.
+  [[nodiscard]] std::optional<bool> request() const;
+  /// What must be said to the vehicle itself, now and again.
+  [[nodiscard]] std::optional<bool> direct(Time now) const;
+  [[nodiscard]] std::optional<Verdict> verdict(Time now) const;
+
+ private:
+  [[nodiscard]] bool is_taken() const;
+  [[nodiscard]] Verdict obeyed() const;
+  [[nodiscard]] Verdict failure() const;
+  [[nodiscard]] Verdict status() const;
+  Wish wish_;
+  Time direct_at_;
+  Time deadline_;
+  std::optional<Asked> asked_;  ///< empty: the station's component was not heard
+  std::optional<bool> stands_;  ///< empty: the vehicle was not heard
+  std::vector<std::string> stopped_by_;
+};
+
+}  // namespace tocsin

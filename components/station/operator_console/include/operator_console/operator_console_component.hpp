@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "operator_console/dock_order.hpp"
+#include "operator_console/emergency_stop_order.hpp"
+#include "runtime/component.hpp"
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// Gives one order, prints what comes of it and ends its process. For tocsin estop and tocsin dock.
+class OperatorConsoleComponent final : public Component {
+ public:
+  struct Params {
+    std::string order = "estop_status";
+    double wait_s = 5;
+    bool direct = false;
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("order", order,
+        {"estop_on", "estop_off", "estop_status", "dock_start", "dock_cancel", "dock_status"},
+        "what to do");
+      v("wait_s", wait_s, {0.5, 600}, "[s] for an answer");
+      v("direct", direct, "the vehicle itself is told to stop when nobody at the station takes it");
+    }
+  };
+  using Printer = std::function<void(const std::string& line)>;
+
+  OperatorConsoleComponent(Context& context, const Params& params);
+  OperatorConsoleComponent(Context& context, const Params& params, Printer print);
+  void tick(Time now) override;
+
+ private:
+  void give(EmergencyStopOrder& order, Time now);
+  void hear(EmergencyStopOrder& order);
+  template <class Topic>
+  void say(Output<Topic>& output, bool pressed);
+  void give(DockOrder& order, Time now);
+  [[nodiscard]] bool due(Time now);
+  void end(const Verdict& verdict);
+
+  Input<topic::EmergencyStopState> station_{*this};
+  Input<topic::SafetyStatus> safety_{*this};
+  Input<topic::DockingStatus> docking_{*this};
+  Output<topic::EmergencyStopRequest> request_{*this};
+  std::optional<Output<topic::EmergencyStop>> direct_;
+  Output<topic::DockingCommand> command_{*this};
+
+  Params params_;
+  Printer print_;
+  std::variant<std::monostate, EmergencyStopOrder, DockOrder> order_;
+  Time next_send_ = Time::min();
+  bool ended_ = false;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// tocsin estop on | off | status
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <optional>
+#include <thread>
+
+#include "command_line/command.hpp"
+#include "estop_target.hpp"
+#include "foundation/program.hpp"
+#include "operator_console/operator_console_component.hpp"
+
+namespace tocsin {
+namespace {
+
+constexpr auto tick_period = std::chrono::milliseconds(50);
+
+using Params = OperatorConsoleComponent::Params;
+
+/// Gives the order in this process; its exit code.
+int give(const EstopTarget& target, const Params& params) {
+  if (target.process) deployment::enter_namespaces(*target.process);
+  const auto bus = make_fast_dds_bus(target.bus);
+  std::optional<int> code;
+  Context context{*bus, "estop", target.bus.role, "", [&code](int wanted) { code = wanted; }};
+  OperatorConsoleComponent order(context, params);
+  while (!code) {
+    order.tick(bus->now());
+    std::this_thread::sleep_for(tick_period);
+  }
+  return *code;
+}
+
+/// Each in a process of its own, as each has a network of its own; the greatest exit code.
+int give_all(const std::vector<EstopTarget>& targets, const Params& params) {
+  if (targets.size() == 1) return give(targets.front(), params);
+  for (const EstopTarget& target : targets) {
+    std::printf("ordered: %s\n", target.name.c_str());
+    std::fflush(stdout);
+    if (::fork() == 0) {
+      ::_exit(run_program("tocsin estop", [&] { return give(target, params); }));
+    }
+  }
+  int worst = 0;
+  for (int status = 0; ::wait(&status) > 0 || errno == EINTR; status = 0) {
+    worst = std::max(worst, WIFEXITED(status) ? WEXITSTATUS(status) : 1);
+  }
+  return worst;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Presses or releases the emergency stop of the vehicle", "tocsin estop");
+  EstopOptions options;
+  std::string order;
+  Params params;
+  params.direct = true;
+  app.add_option("ORDER", order, "on, off or status")
+      ->required()
+      ->check(CLI::IsMember({"on", "off", "status"}));
+  app.add_option("--wait", params.wait_s, "seconds to wait for the vehicle")
+      ->check(CLI::Range(0.5, 600.0))
+      ->capture_default_str();
+  options.declare(app);
+  return run_command(app, argc, argv, [&] {
+    params.order = "estop_" + order;
+    // When it is not clear which vehicle is meant, all stand.
+    const Among among = order == "on" ? Among::all : Among::only_one;
+    return give_all(find_targets(options, among, deployment::running_hosts()), params);
+  });
+}
+
+}  // namespace
+}  // namespace tocsin
+
+int main(int argc, char** argv) { return tocsin::run(argc, argv); }

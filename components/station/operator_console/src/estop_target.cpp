@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "estop_target.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "foundation/error.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Participants that are looked for on each host: more than those of a bringup file, as other
+/// commands of the operator may run.
+constexpr int processes = 24;
+
+BusOptions bus_of(const deployment::Deployment& deployment, const deployment::Host& host) {
+  BusOptions bus;
+  bus.name = "estop";
+  bus.role = host.role;
+  bus.ros_namespace = deployment.ros_namespace;
+  bus.host_domain = host.local_domain;
+  bus.link_domain = deployment.link_domain;
+  bus.link_address = host.address;
+  bus.link_peers = host.peers;
+  bus.processes = processes;
+  return bus;
+}
+
+/// Where no station is, so that an order for the vehicle itself reaches no other station.
+int nobodys_domain(int link_domain) { return link_domain == 231 ? 230 : 231; }
+
+bool names_domains(const EstopOptions& options) {
+  return options.domain >= 0 || options.link_domain >= 0;
+}
+
+EstopTarget target_of(const EstopOptions& options) {
+  const bool has_link = options.link_domain >= 0;
+  if (has_link == options.address.empty() || has_link == options.peers.empty()) {
+    throw ConfigError("--link-domain, --address and --peer belong together");
+  }
+  BusOptions bus;
+  bus.name = "estop";
+  bus.role = options.join.host;
+  bus.ros_namespace = options.ros_namespace;
+  bus.host_domain = options.domain >= 0 ? options.domain : nobodys_domain(options.link_domain);
+  bus.processes = processes;
+  if (has_link) {
+    bus.link_domain = options.link_domain;
+    bus.link_address = options.address;
+    bus.link_peers = options.peers;
+  }
+  return {"", std::nullopt, std::move(bus)};
+}
+
+EstopTarget target_of(const deployment::RunningHost& running) {
+  return {running.deployment.run_dir, running.process,
+          bus_of(running.deployment, running.itself())};
+}
+
+/// Folders of runs, newest first: they are named by their time.
+std::vector<fs::path> runs_here() {
+  std::vector<fs::path> folders;
+  std::error_code absent;
+  for (const auto& entry : fs::directory_iterator("runs", absent)) folders.push_back(entry.path());
+  std::sort(folders.rbegin(), folders.rend());
+  return folders;
+}
+
+/// A station that does not run any more, but whose file still tells how its vehicle is reached.
+/// An emulated radio ends with its launcher.
+std::optional<EstopTarget> target_of_file(const fs::path& run, const std::string& name) {
+  try {
+    const auto deployment = deployment::load_resolved(run / "deployment.yaml");
+    for (const deployment::Host& host : deployment.hosts) {
+      if ((host.role != name && host.name != name) || deployment.radio) continue;
+      return EstopTarget{run.string() + ", which does not run", std::nullopt,
+                         bus_of(deployment, host)};
+    }
+  } catch (const ConfigError&) {  // holds no run, or cannot be read
+  }
+  return std::nullopt;
+}
+
+std::optional<EstopTarget> target_that_ran(const EstopOptions& options) {
+  const JoinOptions& join = options.join;
+  if (!join.run_dir.empty()) return target_of_file(join.run_dir, join.host);
+  for (const fs::path& run : runs_here()) {
+    if (auto target = target_of_file(run, join.host)) return target;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void EstopOptions::declare(CLI::App& app) {
+  join.declare(app);
+  app.add_option("--domain", domain, "DDS domain of the station's host, in place of a run")
+      ->check(CLI::Range(0, 231));
+  app.add_option("--link-domain", link_domain,
+                 "DDS domain of the link: tells the vehicle itself; with --address and --peer")
+      ->check(CLI::Range(0, 231));
+  app.add_option("--address", address, "own IPv4 address on the link");
+  app.add_option("--peer", peers, "IPv4 address of the vehicle on the link")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--namespace", ros_namespace, "ROS namespace of the topics, with a domain");
+}
+
+std::vector<EstopTarget> find_targets(const EstopOptions& options, Among among,
+                                      deployment::RunningHosts running) {
+  if (names_domains(options)) return {target_of(options)};
+  std::vector<EstopTarget> targets;
+  if (among == Among::all) {
+    for (const auto& one : hosts_to_join(options.join, running)) {
+      targets.push_back(target_of(one));
+    }
+    if (!targets.empty()) return targets;
+  }
+  try {
+    targets.push_back(target_of(host_to_join(options.join, std::move(running))));
+  } catch (const EnvironmentError& nothing_runs) {
+    auto ran = target_that_ran(options);
+    if (!ran) {
+      throw EnvironmentError(std::string(nothing_runs.what()) +
+                             "; --link-domain, --address and --peer reach a vehicle all the same");
+    }
+    targets.push_back(std::move(*ran));
+  }
+  return targets;
+}
+
+}  // namespace tocsin

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "running_system.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
+
+namespace tocsin {
+
+/// Where an order about the emergency stop is given.
+struct EstopTarget {
+  std::string name;              ///< to tell people
+  std::optional<pid_t> process;  ///< whose network is entered first
+  BusOptions bus;                ///< with built-in QoS: no file is read
+};
+
+/// How tocsin estop finds its station.
+struct EstopOptions {
+  JoinOptions join;
+  // In place of a run: names one by its DDS domains.
+  int domain = -1;       ///< of the station's host; -1: none
+  int link_domain = -1;  ///< of the topics that cross the radio; -1: none
+  std::string address;   ///< own IPv4 on the link
+  std::vector<std::string> peers;
+  std::string ros_namespace;
+
+  void declare(CLI::App& app);
+};
+
+enum class Among { all, only_one };
+
+/// The stations that are meant: those that the options name, else those that run on this computer,
+/// else the one of the last run here, which can still reach the vehicle. Needs no file, except the
+/// last one. Throws EnvironmentError when there is none, ConfigError for options that do not fit
+/// together and, with `only_one`, when several run.
+[[nodiscard]] std::vector<EstopTarget> find_targets(const EstopOptions& options, Among among,
+                                                    deployment::RunningHosts running);
+
+}  // namespace tocsin

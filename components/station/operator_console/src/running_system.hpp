@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "deployment/running_host.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace tocsin {
+
+/// Which run a command joins, and on which side.
+struct JoinOptions {
+  std::string run_dir;       ///< empty: the one that runs on this computer
+  std::string host = "gcs";  ///< that the component shall run on: its name, or its role
+  /// Adds --run-dir and --host.
+  void declare(CLI::App& app);
+};
+
+/// One more component for a system that runs.
+struct Guest {
+  std::string component;
+  std::vector<std::string> settings;  ///< "key=value", value in YAML
+};
+
+/// The running hosts of that name or role, all or those of one run.
+[[nodiscard]] std::vector<deployment::RunningHost> hosts_to_join(const JoinOptions& options,
+                                                                 deployment::RunningHosts running);
+/// The only one of them. Throws EnvironmentError when there is none, ConfigError that names the
+/// runs when there are several.
+[[nodiscard]] deployment::RunningHost host_to_join(const JoinOptions& options,
+                                                   deployment::RunningHosts running);
+
+/// The deployment with one more container on the host of that name, the last one there.
+/// Throws ConfigError for a setting that is not key=value.
+[[nodiscard]] deployment::Deployment with_guest(deployment::Deployment deployment,
+                                                const std::string& host, const Guest& guest);
+
+/// Runs the component in a process of its own beside the system that `tocsin launch` runs, with the
+/// terminal of this program, until it ends. Returns its exit code. Writes no file.
+/// Throws EnvironmentError when nothing runs there, ConfigError as with_guest does.
+[[nodiscard]] int run_guest(const JoinOptions& options, const Guest& guest);
+
+}  // namespace tocsin

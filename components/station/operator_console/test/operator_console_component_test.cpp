@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "operator_console/operator_console_component.hpp"
+
+#include <gtest/gtest.h>
+
+#include "runtime/sim_bus.hpp"
+
+namespace tocsin {
+namespace {
+
+class OperatorConsoleComponentTest : public ::testing::Test {
+ protected:
+  void order(const char* what) {
+    params_.order = what;
+    sut_ = std::make_unique<OperatorConsoleComponent>(
+        context_, params_, [this](const std::string& line) { lines_.push_back(line); });
+    bus_.add(*sut_);
+  }
+  void hear_vehicle(bool stands) {
+    topic::SafetyStatus::Message message;
+    message.emergency_stop(stands);
+    bus_.publish<topic::SafetyStatus>(message);
+    bus_.run_for(seconds(0.01));
+  }
+  void hear_station(const char* asked, const char* vehicle) {
+    topic::EmergencyStopState::Message message;
+    message.asked(asked);
+    message.vehicle(vehicle);
+    bus_.publish<topic::EmergencyStopState>(message);
+    bus_.run_for(seconds(0.01));
+  }
+  void hear_docking(std::uint32_t run, const char* state, const char* result) {
+    topic::DockingStatus::Message message;
+    message.run(run);
+    message.state(state);
+    message.result(result);
+    bus_.publish<topic::DockingStatus>(message);
+    bus_.run_for(seconds(0.01));
+  }
+
+  SimBus bus_;
+  std::optional<int> code_;
+  Context context_{bus_, "operator_console", "gcs", "", [this](int code) { code_ = code; }};
+  SimReader<topic::EmergencyStopRequest> requests_{bus_};
+  SimReader<topic::DockingCommand> commands_{bus_};
+  SimReader<topic::EmergencyStop> stops_{bus_};
+  OperatorConsoleComponent::Params params_;
+  std::vector<std::string> lines_;
+  std::unique_ptr<OperatorConsoleComponent> sut_;
+};
+
+TEST_F(OperatorConsoleComponentTest, RepeatsTheEmergencyStopUntilTheVehicleStands) {
+  order("estop_on");
+  bus_.run_for(seconds(1.2));
+  EXPECT_EQ(requests_.take().size(), 3U);
+  hear_station("on", "may_drive");
+  EXPECT_FALSE(code_);
+  hear_vehicle(true);
+  EXPECT_EQ(code_, 0);
+  EXPECT_EQ(lines_, (std::vector<std::string>{"emergency stop ON: the vehicle stands"}));
+}
+
+TEST_F(OperatorConsoleComponentTest, GivesUpAfterItsWait) {
+  order("estop_off");
+  bus_.run_for(seconds(4.9));
+  EXPECT_FALSE(code_);
+  bus_.run_for(seconds(0.2));
+  EXPECT_EQ(code_, 1);
+  requests_.take();
+  bus_.run_for(seconds(5));
+  EXPECT_TRUE(requests_.take().empty());
+}
+
+TEST_F(OperatorConsoleComponentTest, StatusOrdersNothing) {
+  order("estop_status");
+  hear_station("off", "unheard");
+  EXPECT_FALSE(code_);
+  hear_vehicle(false);
+  EXPECT_EQ(code_, 0);
+  EXPECT_TRUE(requests_.take().empty());
+}
+
+TEST_F(OperatorConsoleComponentTest, BelievesTheStationWhatTheVehicleSaid) {
+  order("estop_on");
+  hear_station("on", "stands");
+  EXPECT_EQ(code_, 0);
+}
+
+TEST_F(OperatorConsoleComponentTest, SaysNothingToTheVehicleItselfUnlessItShall) {
+  order("estop_on");
+  bus_.run_for(seconds(3));
+  EXPECT_TRUE(stops_.take().empty());
+}
+
+TEST_F(OperatorConsoleComponentTest, TellsTheVehicleItselfWhenNobodyAtTheStationTakesIt) {
+  params_.direct = true;
+  order("estop_on");
+  bus_.run_for(seconds(0.99));
+  EXPECT_TRUE(stops_.take().empty());
+  bus_.run_for(seconds(1));
+  const auto said = stops_.take();
+  ASSERT_GE(said.size(), 5U);
+  EXPECT_TRUE(said.back().data());
+  hear_vehicle(true);
+  EXPECT_EQ(code_, 0);
+}
+
+TEST_F(OperatorConsoleComponentTest, StartsDockingAndTellsItsSteps) {
+  order("dock_start");
+  bus_.run_for(seconds(0.1));
+  EXPECT_EQ(commands_.take().back().data(), "start");
+  hear_docking(1, "scan", "none");
+  hear_docking(1, "aligned_far", "none");
+  hear_docking(1, "done", "docked");
+  EXPECT_EQ(code_, 0);
+  EXPECT_EQ(lines_, (std::vector<std::string>{"0 s: scan", "0 s: aligned_far", "docking docked"}));
+}
+
+TEST_F(OperatorConsoleComponentTest, ADockThatWasNotFoundIsAFailure) {
+  order("dock_start");
+  hear_docking(1, "scan", "none");
+  hear_docking(1, "done", "no_dock_found");
+  EXPECT_EQ(code_, 1);
+}
+
+TEST_F(OperatorConsoleComponentTest, CancelsDocking) {
+  order("dock_cancel");
+  bus_.run_for(seconds(0.1));
+  EXPECT_EQ(commands_.take().back().data(), "cancel");
+  hear_docking(1, "done", "cancelled");
+  EXPECT_EQ(code_, 0);
+}
+
+}  // namespace
+}  // namespace tocsin

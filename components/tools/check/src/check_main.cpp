@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <map>
+
+#include "build_graph.hpp"
+#include "command_line/bringup_options.hpp"
+#include "command_line/command.hpp"
+#include "dot.hpp"
+#include "examine.hpp"
+#include "examine_domains.hpp"
+#include "examine_load.hpp"
+#include "examine_programs.hpp"
+#include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
+#include "runtime/middleware/component_library.hpp"
+
+namespace tocsin::check {
+namespace {
+
+struct Options {
+  BringupOptions bringup;
+  std::string dot;
+  std::string svg;
+  bool all = false;
+  bool quiet = false;
+  bool strict = false;
+};
+
+void declare(CLI::App& app, Options& options) {
+  options.bringup.declare(app);
+  app.add_option("--dot", options.dot, "write a picture of the graph for Graphviz to this file");
+  app.add_option("--svg", options.svg, "write the picture itself to this file");
+  app.add_flag("--all", options.all,
+               "show notes, and draw recorders, views and unread topics, too");
+  app.add_flag("--quiet", options.quiet, "print errors only");
+  app.add_flag("--strict", options.strict, "warnings count as errors")->excludes("--quiet");
+}
+
+bool has_containers(const deployment::Deployment& deployment) {
+  return std::any_of(deployment.hosts.begin(), deployment.hosts.end(),
+                     [](const deployment::Host& host) { return !host.containers.empty(); });
+}
+
+/// Needs only what the files say, so that a wrong component does not hide it.
+void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) {
+  if (!has_containers(deployment)) return;  // then there is no QoS
+  try {
+    const QosProfiles qos(deployment.qos);
+    std::map<std::string, TrafficRules> traffic;
+    for (const deployment::Host& host : deployment.hosts) {
+      traffic.emplace(host.role, TrafficRules(deployment.traffic, host.role));
+    }
+    const bool whole = built.findings.empty();
+    for (const Finding& finding : examine(built.graph, {qos, traffic})) {
+      // A component that could not be built leaves its readers and writers alone.
+      if (whole || finding.severity == Severity::error) built.findings.push_back(finding);
+    }
+    const auto place = poor_place_of(deployment);
+    if (!place) return;
+    for (Finding& one : examine_load(built.graph, qos, *place)) {
+      built.findings.push_back(std::move(one));
+    }
+  } catch (const ConfigError& error) {
+    built.findings.push_back({Severity::error, error.what()});
+  }
+}
+
+std::size_t print(const std::vector<Finding>& findings, Severity severity, const char* word) {
+  std::size_t count = 0;
+  for (const Finding& finding : findings) {
+    if (finding.severity != severity) continue;
+    std::fprintf(stderr, "%s: %s\n", word, error_line(finding.text).c_str());
+    ++count;
+  }
+  return count;
+}
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (!file) throw EnvironmentError(path + ": cannot be written");
+}
+
+void draw(const Graph& graph, const Options& options) {
+  const std::string dot = to_dot(graph, options.all);
+  if (!options.dot.empty()) write(options.dot, dot);
+  if (options.svg.empty()) return;
+  const std::string command = "dot -Tsvg -o '" + options.svg + "'";
+  FILE* const program = ::popen(command.c_str(), "w");
+  if (program != nullptr) std::fputs(dot.c_str(), program);
+  if (program == nullptr || ::pclose(program) != 0) {
+    throw EnvironmentError(options.svg + ": dot could not draw it (package graphviz)");
+  }
+}
+
+int check(Options& options) {
+  options.bringup.locate();
+  const TemporaryFolder folder;
+  options.bringup.overrides.run_dir = folder.path();
+  options.bringup.overrides.installed = installed_component_names();
+  const auto deployment = load_deployment(options.bringup.file, options.bringup.overrides);
+  BuiltGraph built = build_graph(deployment);
+  examine_files(deployment, built);
+  for (const auto& found :
+       {examine_domains(deployment), examine_programs(deployment, program_folders())}) {
+    built.findings.insert(built.findings.end(), found.begin(), found.end());
+  }
+  const std::size_t errors = print(built.findings, Severity::error, "error");
+  const std::size_t warnings =
+      options.quiet ? 0 : print(built.findings, Severity::warning, "warning");
+  if (options.all) (void)print(built.findings, Severity::note, "note");
+  draw(built.graph, options);
+  if (!options.quiet) {
+    std::printf("%s: %zu components; %zu errors, %zu warnings\n", options.bringup.file.c_str(),
+                built.graph.size(), errors, warnings);
+  }
+  return errors > 0 || (options.strict && warnings > 0) ? 2 : 0;
+}
+
+}  // namespace
+}  // namespace tocsin::check
+
+int main(int argc, char** argv) {
+  CLI::App app{"Check a bringup file without starting it, and draw it", "tocsin check"};
+  tocsin::check::Options options;
+  declare(app, options);
+  return tocsin::run_command(app, argc, argv, [&] { return tocsin::check::check(options); });
+}

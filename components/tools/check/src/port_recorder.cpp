@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "port_recorder.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+
+namespace tocsin::check {
+namespace {
+
+struct Silent : Subscription {};
+
+/// Nobody hears it; only what it expects to write is kept.
+class Deaf final : public Publication {
+ public:
+  Deaf(PortRecorder& recorder, std::string topic) : recorder_(recorder), topic_(std::move(topic)) {}
+  Status write(const std::shared_ptr<const void>& message) override {
+    (void)message;
+    return Status::ok;
+  }
+  void expect(const std::function<ExpectedLoad()>& load) override {
+    recorder_.expect(topic_, load());
+  }
+
+ private:
+  PortRecorder& recorder_;
+  const std::string topic_;
+};
+
+struct DeadLine : SerialDevice {
+  std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override {
+    (void)to;
+    (void)size;
+    return 0;
+  }
+  bool write(const std::uint8_t* bytes, std::size_t size) override {
+    (void)bytes;
+    (void)size;
+    return true;
+  }
+};
+
+struct NoEcho : EchoDevice {
+  int send(std::uint16_t sequence) override {
+    (void)sequence;
+    return ENETUNREACH;
+  }
+  std::optional<Reply> receive() override { return std::nullopt; }
+};
+
+}  // namespace
+
+void PortRecorder::record(const Endpoint& endpoint, bool writes) {
+  const auto same = [&](const Port& port) {
+    return port.topic == endpoint.topic.name && port.writes == writes;
+  };
+  const auto known = std::find_if(ports_.begin(), ports_.end(), same);
+  if (known == ports_.end()) {
+    const TopicInfo& topic = endpoint.topic;
+    ports_.push_back({topic.name, endpoint.type->name, topic.qos, topic.scope, writes,
+                      topic.requests, endpoint.writers, std::nullopt});
+  } else if (endpoint.writers == Writers::needed) {
+    known->writers = Writers::needed;
+  }
+}
+
+void PortRecorder::expect(const std::string& topic, const ExpectedLoad& load) {
+  for (Port& port : ports_) {
+    if (port.topic == topic && port.writes) port.load = load;
+  }
+}
+
+std::unique_ptr<Subscription> PortRecorder::subscribe(const Endpoint& endpoint,
+                                                      Receiver& receiver) {
+  (void)receiver;
+  record(endpoint, false);
+  return std::make_unique<Silent>();
+}
+
+std::unique_ptr<Publication> PortRecorder::advertise(const Endpoint& endpoint) {
+  record(endpoint, true);
+  return std::make_unique<Deaf>(*this, endpoint.topic.name);
+}
+
+std::unique_ptr<SerialDevice> SilentDevices::open_serial(const std::string& path,
+                                                         Readable readable) {
+  (void)path;
+  (void)readable;
+  return std::make_unique<DeadLine>();
+}
+
+std::unique_ptr<EchoDevice> SilentDevices::open_echo(const std::string& target,
+                                                     std::size_t payload_bytes, Readable readable) {
+  (void)target;
+  (void)payload_bytes;
+  (void)readable;
+  return std::make_unique<NoEcho>();
+}
+
+std::optional<std::string> SilentDevices::read_text(const std::string& path) {
+  (void)path;
+  return std::nullopt;
+}
+
+}  // namespace tocsin::check

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "graph.hpp"
+#include "runtime/bus.hpp"
+#include "runtime/devices.hpp"
+
+namespace tocsin::check {
+
+/// A bus without a wire: it only writes down which ports a component makes.
+class PortRecorder final : public Bus {
+ public:
+  std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
+  std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
+  [[nodiscard]] Time now() const override { return {}; }
+  [[nodiscard]] std::int64_t wall_ns(Time t) const override { return t.time_since_epoch().count(); }
+  void set_gate(bool open) override { (void)open; }
+  [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override { return {}; }
+
+  /// What the writer of a topic expects to write.
+  void expect(const std::string& topic, const ExpectedLoad& load);
+  /// The ports made so far, each once, in the order of their making.
+  [[nodiscard]] const std::vector<Port>& ports() const { return ports_; }
+
+ private:
+  void record(const Endpoint& endpoint, bool writes);
+  std::vector<Port> ports_;
+};
+
+/// A computer whose devices say nothing: a check opens no port and sends no packet. There is a
+/// device at every serial port, so that nobody complains that he waits for his.
+class SilentDevices final : public Devices {
+ public:
+  [[nodiscard]] std::unique_ptr<SerialDevice> open_serial(const std::string& path,
+                                                          Readable readable) override;
+  [[nodiscard]] std::unique_ptr<EchoDevice> open_echo(const std::string& target,
+                                                      std::size_t payload_bytes,
+                                                      Readable readable) override;
+  [[nodiscard]] std::optional<std::string> read_text(const std::string& path) override;
+};
+
+}  // namespace tocsin::check

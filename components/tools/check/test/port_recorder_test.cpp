@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "port_recorder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin::check {
+namespace {
+
+class Toy : public Component {
+ public:
+  explicit Toy(Context& context) : Component(context) {}
+  void tick(Time now) override { (void)now; }
+  void expect(double rate_hz, double bytes) {
+    location_.expect([=] { return ExpectedLoad{rate_hz, bytes}; });
+  }
+
+ private:
+  Input<topic::Odom> odom_{*this};
+  Input<topic::Odom> again_{*this};
+  Output<topic::Location> location_{*this};
+};
+
+TEST(PortRecorder, WritesDownEachPortOnce) {
+  PortRecorder sut;
+  Context context{sut, "toy", "uxv", ""};
+  const Toy toy(context);
+  ASSERT_EQ(sut.ports().size(), 2U);
+  EXPECT_EQ(sut.ports()[0].topic, "odom");
+  EXPECT_FALSE(sut.ports()[0].writes);
+  EXPECT_EQ(sut.ports()[0].type, "nav_msgs::msg::dds_::Odometry_");
+  EXPECT_EQ(sut.ports()[1].topic, "location");
+  EXPECT_TRUE(sut.ports()[1].writes);
+  EXPECT_EQ(sut.ports()[1].scope, Scope::link);
+}
+
+TEST(PortRecorder, KeepsWhatAWriterExpectsToWrite) {
+  PortRecorder sut;
+  Context context{sut, "toy", "uxv", ""};
+  Toy toy(context);
+  EXPECT_FALSE(sut.ports()[1].load);
+  toy.expect(5, 400);
+  ASSERT_TRUE(sut.ports()[1].load);
+  EXPECT_EQ(sut.ports()[1].load->rate_hz, 5);
+  EXPECT_EQ(sut.ports()[1].load->bytes, 400);
+  EXPECT_FALSE(sut.ports()[0].load);
+}
+
+class Choosy : public Component {
+ public:
+  explicit Choosy(Context& context) : Component(context) {}
+  void tick(Time now) override { (void)now; }
+
+ private:
+  OptionalInput<topic::Odom> odom_{*this};
+  OptionalInput<topic::Goal> goal_{*this};
+  Input<topic::Goal> needed_{*this};
+};
+
+TEST(PortRecorder, KnowsWhichReadersNeedAWriter) {
+  PortRecorder sut;
+  Context context{sut, "choosy", "uxv", ""};
+  const Choosy choosy(context);
+  ASSERT_EQ(sut.ports().size(), 2U);
+  EXPECT_EQ(sut.ports()[0].writers, Writers::optional);
+  EXPECT_EQ(sut.ports()[1].writers, Writers::needed) << "one of its two readers needs one";
+}
+
+TEST(SilentDevices, OpenAndSayNothing) {
+  SilentDevices sut;
+  const auto port = sut.open_serial("/dev/kobuki", [] {});
+  std::uint8_t byte = 0;
+  EXPECT_EQ(port->read(&byte, 1), std::optional<std::size_t>(0));
+  EXPECT_TRUE(port->write(&byte, 1));
+  EXPECT_NE(sut.open_echo("10.0.0.1", 64, [] {})->send(1), 0);
+  EXPECT_FALSE(sut.read_text("/proc/meminfo").has_value());
+}
+
+}  // namespace
+}  // namespace tocsin::check

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "command_line/programs.hpp"
+#include "command_line/run_to_end.hpp"
+#include "foundation/error.hpp"
+#include "foundation/printable.hpp"
+#include "foundation/program.hpp"
+#include "foundation/spelling.hpp"
+
+namespace tocsin::cli {
+namespace {
+
+/// The first line that the verb's program prints with --help.
+std::string description(const std::string& verb, const Folders& folders) {
+  const auto program = find_program("tocsin-" + verb, folders);
+  const Ended help = run_to_end({program->string(), "--help"});
+  return help.code == 0 ? printable(help.output.substr(0, help.output.find('\n'))) : "";
+}
+
+int print_help(const Folders& folders) {
+  std::printf(
+      "usage: tocsin VERB [ARGUMENT...] | --help | --version\n\nVerbs (tocsin VERB --help tells "
+      "more):\n");
+  for (const std::string& verb : find_verbs(folders)) {
+    std::printf("  %-12s %s\n", verb.c_str(), description(verb, folders).c_str());
+  }
+  return 0;
+}
+
+[[noreturn]] void reject(const std::string& verb, const Folders& folders) {
+  throw ConfigError("'" + verb + "' is not a verb" +
+                    did_you_mean(find_verbs(folders), verb, "the verbs are"));
+}
+
+int body(char** argv) {
+  const Folders folders = program_folders();
+  if (argv[1] == nullptr) throw ConfigError("a verb is missing; tocsin --help lists them");
+  const std::string verb = argv[1];
+  if (verb == "--help" || verb == "-h" || verb == "help") return print_help(folders);
+  if (verb == "--version") {
+    std::printf("tocsin %s\n", TOCSIN_VERSION);
+    return 0;
+  }
+  const auto program =
+      verb.find('/') == std::string::npos ? find_program("tocsin-" + verb, folders) : std::nullopt;
+  if (!program) reject(verb, folders);
+  ::execv(program->c_str(), argv + 1);
+  throw EnvironmentError(program->string() + ": " + std::strerror(errno));
+}
+
+}  // namespace
+}  // namespace tocsin::cli
+
+int main(int, char** argv) {
+  return tocsin::run_program("tocsin", [&] { return tocsin::cli::body(argv); });
+}

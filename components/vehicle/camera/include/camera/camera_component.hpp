@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "camera/picture_size.hpp"
+#include "camera/renderer.hpp"
+#include "runtime/component.hpp"
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// A simulated camera: pictures of the map from where the vehicle reports to be. In simulated time,
+/// where drawing would take most of the computing, pictures are zeros, as many as the JPEG had.
+class CameraComponent final : public Component {
+ public:
+  struct Params {
+    std::string walls_file;
+    double rate_hz = 8;
+    int quality = 65;
+    double pose_timeout_s = 2;
+    std::string in_simulated_time = "sized";
+    camera::CameraParams camera;
+
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("walls_file", walls_file, "wall segments of the building, map frame; required");
+      v("rate_hz", rate_hz, {0.1, 30}, "[1/s] pictures");
+      v("quality", quality, {1, 100}, "[1] of the JPEG; sets the size of a picture");
+      v("pose_timeout_s", pose_timeout_s, {0.1, 60}, "[s] no picture from an older location");
+      v("in_simulated_time", in_simulated_time, {"sized", "drawn"},
+        "sized: zeros of the right number, which is 100 times faster");
+      camera.visit(v);
+    }
+  };
+
+  /// ConfigError when the walls file cannot be used.
+  CameraComponent(Context& context, const Params& params);
+  void tick(Time now) override;
+
+ private:
+  [[nodiscard]] double expected_bytes() const;
+  void take_location(Time now);
+  void publish(Time now);
+  using Picture = topic::CameraImage::Message;
+  [[nodiscard]] std::shared_ptr<Picture> unused_picture();
+  void fill(Picture& picture);
+  void size_picture(std::vector<std::uint8_t>& data);
+  [[nodiscard]] std::vector<std::uint8_t> calibrate();
+  [[nodiscard]] std::vector<std::uint8_t> draw();
+
+  Input<topic::Location> location_{*this};
+  Output<topic::CameraImage> image_{*this};
+  const Params params_;
+  std::vector<camera::Wall> walls_;
+  Duration period_;
+  Duration pose_timeout_;
+  std::optional<camera::Renderer> renderer_;  ///< when something is drawn
+  std::optional<camera::PictureSize> size_;   ///< when they are not
+  std::optional<camera::View> view_;
+  Time view_time_{};
+  Time next_picture_ = Time::min();
+  std::vector<std::shared_ptr<Picture>> pictures_;  ///< of zeros; each may still be read
+  std::uint32_t frame_ = 0;
+};
+
+}  // namespace tocsin

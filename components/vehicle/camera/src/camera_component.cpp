@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "camera/camera_component.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "camera/jpeg.hpp"
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+namespace {
+
+/// The view of a pose on the floor; empty when a part of it is not finite.
+std::optional<camera::View> to_view(const topic::Location::Message& message) {
+  const auto& position = message.pose().pose().position();
+  const auto& q = message.pose().pose().orientation();
+  const double yaw =
+      std::atan2(2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
+  const camera::View view{position.x(), position.y(), yaw};
+  const bool finite = std::isfinite(view.x_m) && std::isfinite(view.y_m) && std::isfinite(yaw);
+  return finite ? std::optional(view) : std::nullopt;
+}
+
+/// Whether the law of picture sizes was fitted to these parameters.
+bool is_fitted(const CameraComponent::Params& params) {
+  const CameraComponent::Params fitted;
+  const camera::CameraParams& a = params.camera;
+  const camera::CameraParams& b = fitted.camera;
+  return params.quality == fitted.quality && a.width == b.width && a.height == b.height &&
+         a.field_of_view_deg == b.field_of_view_deg && a.camera_height_m == b.camera_height_m &&
+         a.sensor_noise == b.sensor_noise;
+}
+
+}  // namespace
+
+CameraComponent::CameraComponent(Context& context, const Params& params)
+    : Component(context),
+      params_(params),
+      walls_(camera::load_walls(params.walls_file)),
+      period_(seconds(1 / params.rate_hz)),
+      pose_timeout_(seconds(params.pose_timeout_s)) {
+  const bool draws = context.devices == nullptr || params.in_simulated_time == "drawn";
+  if (draws) renderer_.emplace(params.camera, walls_);
+  image_.expect([this] { return ExpectedLoad{params_.rate_hz, expected_bytes()}; });
+}
+
+/// Of a picture from the map's origin.
+double CameraComponent::expected_bytes() const {
+  camera::Renderer renderer(params_.camera, walls_);
+  const auto picture = camera::encode_jpeg(renderer.render({0, 0, 0}, 0), params_.quality);
+  return static_cast<double>(picture.size());
+}
+
+void CameraComponent::tick(Time now) {
+  take_location(now);
+  const bool fresh = view_ && now - view_time_ <= pose_timeout_;
+  if (!fresh) return;  // the next location wakes
+  if (now >= next_picture_) {
+    next_picture_ = next_picture_ + period_ > now ? next_picture_ + period_ : now + period_;
+    publish(now);
+  }
+  wake_at(next_picture_);
+}
+
+void CameraComponent::take_location(Time now) {
+  const auto message = location_.take_latest();
+  const auto view = message ? to_view(*message) : std::nullopt;
+  if (!view) return;
+  view_ = view;
+  view_time_ = now;
+}
+
+void CameraComponent::publish(Time now) {
+  const std::shared_ptr<Picture> picture = unused_picture();
+  picture->header().stamp(wall(now));
+  picture->header().frame_id("camera");
+  picture->format("jpeg");
+  fill(*picture);
+  if (image_.write(picture) == Status::failed) log().warn("a picture was not sent");
+}
+
+/// One of zeros that everybody else has let go, so that its memory serves again.
+std::shared_ptr<CameraComponent::Picture> CameraComponent::unused_picture() {
+  constexpr std::size_t most = 8;
+  const auto found = std::find_if(pictures_.begin(), pictures_.end(),
+                                  [](const auto& one) { return one.use_count() == 1; });
+  if (found != pictures_.end()) return *found;
+  auto fresh = std::make_shared<Picture>();
+  const bool is_zeros = !renderer_ && size_;
+  if (!is_zeros || pictures_.size() == most) return fresh;
+  return pictures_.emplace_back(std::move(fresh));
+}
+
+void CameraComponent::fill(Picture& picture) {
+  if (renderer_) {
+    picture.data(draw());
+  } else {
+    size_picture(picture.data());
+  }
+}
+
+std::vector<std::uint8_t> CameraComponent::draw() {
+  return camera::encode_jpeg(renderer_->render(*view_, frame_++), params_.quality);
+}
+
+/// With other parameters than those of the law the first one is drawn to fit the size to them.
+void CameraComponent::size_picture(std::vector<std::uint8_t>& data) {
+  if (size_) return data.resize(size_->bytes(*view_));
+  size_.emplace(params_.camera.field_of_view_deg, walls_);
+  if (is_fitted(params_)) {
+    data.resize(size_->bytes(*view_));
+  } else {
+    data = calibrate();
+  }
+}
+
+std::vector<std::uint8_t> CameraComponent::calibrate() {
+  renderer_.emplace(params_.camera, walls_);
+  std::vector<std::uint8_t> first = draw();
+  renderer_.reset();
+  size_->calibrate(*view_, first.size());
+  return first;
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::CameraComponent)

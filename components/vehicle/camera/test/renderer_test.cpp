@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "camera/renderer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "camera/jpeg.hpp"
+
+namespace tocsin::camera {
+namespace {
+
+/// A room of 8 m x 6 m around the origin.
+std::vector<Wall> room() {
+  return {
+      {-4, -3, 4, -3, false}, {4, -3, 4, 3, false}, {4, 3, -4, 3, false}, {-4, 3, -4, -3, false}};
+}
+
+CameraParams small() {
+  CameraParams params;
+  params.width = 160;
+  params.height = 120;
+  params.sensor_noise = 0;
+  return params;
+}
+
+using Mean = std::array<double, 3>;
+
+/// Mean colour of a block of pixels.
+Mean mean_of(const Picture& picture, int column, int row, int side = 8) {
+  Mean mean{};
+  for (int k = 0; k < side * side; ++k) {
+    const auto* pixel = picture.at(column + k % side, row + k / side);
+    for (std::size_t i = 0; i < 3; ++i) mean[i] += pixel[i] / static_cast<double>(side * side);
+  }
+  return mean;
+}
+
+/// The first row, from the top, in which the middle column shows the wall: there it is no longer
+/// the ceiling of a picture without any walls.
+int wall_top(const CameraParams& params, double distance_m) {
+  Renderer empty(params, {});
+  Renderer sut(params, {{distance_m, -50, distance_m, 50, false}});
+  const Picture ceiling = empty.render({}, 0);
+  const Picture& picture = sut.render({}, 0);
+  const int middle = params.width / 2;
+  for (int row = 0; row < params.height; ++row) {
+    if (!std::equal(picture.at(middle, row), picture.at(middle, row) + 3, ceiling.at(middle, row)))
+      return row;
+  }
+  return params.height;
+}
+
+TEST(Renderer, GivesTheSamePictureForTheSameArguments) {
+  CameraParams params = small();
+  params.sensor_noise = 4;
+  Renderer a(params, room()), b(params, room());
+  (void)b.render({1, 1, 1}, 3);  // what came before does not matter
+  EXPECT_EQ(a.render({0, 0, 0.5}, 7).rgb, b.render({0, 0, 0.5}, 7).rgb);
+}
+
+TEST(Renderer, GivesNewNoiseInEachFrame) {
+  CameraParams params = small();
+  params.sensor_noise = 4;
+  Renderer sut(params, room());
+  const Picture first = sut.render({}, 0);
+  EXPECT_NE(first.rgb, sut.render({}, 1).rgb);
+}
+
+TEST(Renderer, GivesNoNoiseWhenAskedForNone) {
+  Renderer sut(small(), room());
+  const Picture first = sut.render({}, 0);
+  EXPECT_EQ(first.rgb, sut.render({}, 1).rgb);
+}
+
+TEST(Renderer, HasNoiseOfTheStatedStrength) {
+  CameraParams params = small();
+  Renderer clean(params, room());
+  params.sensor_noise = 4;
+  Renderer noisy(params, room());
+  const Picture& a = clean.render({}, 0);
+  const Picture& b = noisy.render({}, 0);
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::pow(b.rgb[i] - a.rgb[i], 2);
+  EXPECT_NEAR(std::sqrt(sum / static_cast<double>(a.rgb.size())), 4.0, 0.2);
+}
+
+TEST(Renderer, ShowsTheWallAsHighAsPerspectiveSays) {
+  // Focal length 80 px / tan(30 deg) = 138.6 px; the wall's top is 2.5 m above the lens.
+  EXPECT_NEAR(wall_top(small(), 8.0), 60 - 138.6 * 2.5 / 8.0, 1.0);
+  EXPECT_NEAR(wall_top(small(), 16.0), 60 - 138.6 * 2.5 / 16.0, 1.0);
+}
+
+TEST(Renderer, FillsThePictureCloseToAWall) { EXPECT_EQ(wall_top(small(), 1.0), 0); }
+
+TEST(Renderer, GetsDarkerWithDistance) {
+  Renderer near(small(), {{3, -50, 3, 50, false}});
+  Renderer far(small(), {{20, -50, 20, 50, false}});
+  EXPECT_GT(mean_of(near.render({}, 0), 76, 40)[0], 1.3 * mean_of(far.render({}, 0), 76, 48, 2)[0]);
+}
+
+TEST(Renderer, ShowsFurnitureBeforeTheWallAndTheWallAboveIt) {
+  auto walls = room();
+  walls.push_back({2, -1, 2, 1, true});
+  Renderer sut(small(), walls);
+  const Picture& picture = sut.render({}, 0);
+  const Mean brown = mean_of(picture, 76, 60), plaster = mean_of(picture, 76, 2);
+  EXPECT_GT(brown[0], 1.8 * brown[2]);
+  EXPECT_LT(plaster[0], 1.3 * plaster[2]);
+}
+
+TEST(Renderer, TurnsWithTheView) {
+  auto walls = room();
+  walls.push_back({-0.5, 2, 0.5, 2, true});  // to the left of who looks along x
+  Renderer sut(small(), walls);
+  const Mean ahead = mean_of(sut.render({0, 0, 0}, 0), 76, 60);
+  EXPECT_LT(ahead[0], 1.5 * ahead[2]);
+  const Mean left = mean_of(sut.render({0, 0, std::acos(-1.0) / 2}, 0), 76, 60);
+  EXPECT_GT(left[0], 1.8 * left[2]);
+}
+
+TEST(Renderer, ShowsTheLeftOnTheLeft) {
+  auto walls = room();
+  walls.push_back({3, 0.5, 3, 1.5, true});
+  Renderer sut(small(), walls);
+  const Picture& picture = sut.render({}, 0);
+  const Mean left = mean_of(picture, 30, 60), right = mean_of(picture, 122, 60);
+  EXPECT_GT(left[0], 1.8 * left[2]);
+  EXPECT_LT(right[0], 1.5 * right[2]);
+}
+
+/// Share of the bytes that are the same.
+double likeness(const Picture& a, const Picture& b) {
+  int same = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) same += a.rgb[i] == b.rgb[i] ? 1 : 0;
+  return same / static_cast<double>(a.rgb.size());
+}
+
+TEST(Renderer, HoldsSurfacesStillWhileTheCameraMoves) {
+  // 8.4 m is three times the pattern of the wall, and seven times that of floor and ceiling.
+  Renderer sut(small(), {{3, -100, 3, 100, false}});
+  const Picture here = sut.render({0, 0, 0}, 0);
+  EXPECT_GT(likeness(here, sut.render({0, 8.4, 0}, 0)), 0.98);
+  EXPECT_LT(likeness(here, sut.render({0, 8.0, 0}, 0)), 0.5);
+}
+
+TEST(Renderer, ShowsAPictureInEachSizeThatIsAllowed) {
+  for (const auto& [width, height] :
+       {std::pair(64, 48), std::pair(320, 240), std::pair(65, 1080)}) {
+    CameraParams params;
+    params.width = width;
+    params.height = height;
+    Renderer sut(params, room());
+    const Picture& picture = sut.render({}, 0);
+    EXPECT_EQ(picture.width, width);
+    EXPECT_EQ(picture.height, height);
+    EXPECT_GT(picture.at(width / 2, height - 1)[0], 20) << "the floor is lit";
+  }
+}
+
+TEST(Renderer, SeesMoreWithAWiderLens) {
+  CameraParams params = small();
+  params.field_of_view_deg = 120;
+  Renderer wide(params, {{3, 3, 3, 5, true}, {9, -90, 9, 90, false}});
+  params.field_of_view_deg = 60;
+  Renderer narrow(params, {{3, 3, 3, 5, true}, {9, -90, 9, 90, false}});
+  const Mean seen = mean_of(wide.render({}, 0), 16, 60, 4);
+  EXPECT_GT(seen[0], 1.8 * seen[2]);
+  const Mean unseen = mean_of(narrow.render({}, 0), 0, 60, 4);
+  EXPECT_LT(unseen[0], 1.5 * unseen[2]);
+}
+
+TEST(Renderer, DrawsTheClassroomOfTheRepository) {
+  const auto walls = load_walls(TOCSIN_REPOSITORY "/config/maps/classroom.walls.yaml");
+  Renderer sut(small(), walls);
+  // From the start of the missions, looking along x, the teacher's desk is ahead on the left.
+  const Picture& picture = sut.render({}, 0);
+  const Mean desk = mean_of(picture, 20, 60), floor = mean_of(picture, 76, 110);
+  EXPECT_GT(desk[0], 1.8 * desk[2]);
+  EXPECT_LT(floor[0], 1.4 * floor[2]);
+}
+
+TEST(Renderer, SurvivesEveryPlaceAndDirection) {
+  Renderer sut(small(), room());
+  for (const double far : {0.0, 4.0, 3.999, 1e6, -1e9}) {
+    for (int i = 0; i < 16; ++i) (void)sut.render({far, -far, i * 0.4}, 0);
+  }
+  (void)sut.render({1e300, -1e300, 1e300}, 0);
+}
+
+TEST(Renderer, MakesAStreamOfTwoToThreeMegabitAtItsDefaults) {
+  // 640 x 480, quality 65, 8 pictures a second: 31 to 47 kB each.
+  Renderer sut(CameraParams{}, room());
+  double bytes = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    bytes += static_cast<double>(encode_jpeg(sut.render({i * 0.2 - 1, 0, i * 0.8}, i), 65).size());
+  }
+  EXPECT_GT(bytes * 8, 2.0e6);
+  EXPECT_LT(bytes * 8, 3.0e6);
+}
+
+}  // namespace
+}  // namespace tocsin::camera

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "foundation/time.hpp"
+#include "navigation/occupancy_map.hpp"
+#include "navigation/path_follower.hpp"
+#include "navigation/planner.hpp"
+#include "navigator/goal_list.hpp"
+
+namespace tocsin {
+
+/// Drives the vehicle to one goal at a time, on to the next one that it knows, and says what it
+/// does about it.
+///
+/// Pure: no clock, no I/O. `now` must not decrease between calls. It stands still unless it has
+/// a goal that has not expired, a fresh pose and no emergency stop.
+class Navigator {
+ public:
+  struct Params {
+    navigation::InflationParams inflation;
+    navigation::FollowerParams follower;
+    double pose_timeout_s = 0.5;
+    std::string on_link_lost = "continue";
+    double link_lost_after_s = 10;
+    double stuck_after_s = 4;
+    double retry_after_s = 3;
+    double replan_beside_m = 0.4;
+    bool align_yaw = true;
+    double yaw_tolerance_rad = 0.2;
+    template <class Visitor>
+    void visit(Visitor& v) {
+      inflation.visit(v);
+      follower.visit(v);
+      v("pose_timeout_s", pose_timeout_s, {0.05, 10}, "[s] older poses stop the vehicle");
+      v("on_link_lost", on_link_lost, {"continue", "hold", "return"},
+        "what to do about the goal while the ground station is not heard");
+      v("link_lost_after_s", link_lost_after_s, {0.5, 3600}, "[s] longer silence is a lost link");
+      v("stuck_after_s", stuck_after_s, {0.5, 60}, "[s] without moving: back up, plan again");
+      v("retry_after_s", retry_after_s, {0.5, 60}, "[s] blocked for this long before a new try");
+      v("replan_beside_m", replan_beside_m, {0.1, 5}, "[m] farther beside the path: plan again");
+      v("align_yaw", align_yaw, "whether to turn to the goal's heading after arriving");
+      v("yaw_tolerance_rad", yaw_tolerance_rad, {0.02, 3}, "[rad] heading error that will do");
+    }
+  };
+
+  enum class State { idle, driving, reached, blocked, held };
+
+  struct Status {
+    std::uint64_t mission = 0;
+    std::uint64_t goal_id = 0;
+    State state = State::idle;
+    double distance_m = 0;    // along the path to the goal, NaN: no path
+    const char* reason = "";  // of standing: no_pose, emergency_stop, goal_expired, link_lost, ...
+  };
+
+  struct Output {
+    navigation::Velocity velocity;
+    Status status;
+  };
+
+  /// Throws ConfigError when the parameters contradict each other.
+  Navigator(const Params& params, const navigation::OccupancyMap& map);
+  /// The same with costs that were computed before, from this map and `params.inflation`.
+  Navigator(const Params& params, navigation::OccupancyMap map,
+            std::shared_ptr<const navigation::CostMap> costs);
+
+  [[nodiscard]] GoalAnswer on_goal(Goal goal, Time now);
+  /// Pose of the vehicle in the map frame; one that is not finite is ignored.
+  void on_pose(const navigation::Pose2& pose, Time now);
+  /// Stops the vehicle at once, until it is called with false.
+  void on_emergency_stop(bool is_pressed) { emergency_stop_ = is_pressed; }
+  /// The ground station was heard. Until it was heard once, the link does not count as lost.
+  void on_ground_station(Time now) { heard_ = now; }
+
+  /// The velocity to drive from now on. To be called 10 to 50 times a second.
+  [[nodiscard]] Output update(Time now);
+
+ private:
+  struct Target {
+    std::uint64_t key;  // the goal's number, 0 for the way home
+    navigation::Pose2 pose;
+    double tolerance_m;
+  };
+
+  [[nodiscard]] const char* reason_to_halt(Time now) const;
+  [[nodiscard]] const char* reason_to_hold(Time now) const;
+  [[nodiscard]] bool is_link_lost(Time now) const;
+  [[nodiscard]] bool stands_at_goal() const;
+  [[nodiscard]] Status status(State state, double distance_m, const char* reason) const;
+  Output stand(State state, const navigation::Velocity& velocity, const char* reason);
+  Output go_home(Time now, Duration dt);
+  Output drive(const Target& target, Time now, Duration dt);
+  Output drive_path(const Target& target, Time now, Duration dt);
+  navigation::Velocity follow_with_care(Duration dt);
+  Output align(const Target& target, Duration dt);
+  Output block(Time now, const char* reason);
+  Output wait_blocked(Time now, Duration dt);
+  [[nodiscard]] bool has_arrived(const Target& target) const;
+  void take_up(const Target& target);
+  [[nodiscard]] bool would_hit() const;
+  [[nodiscard]] bool is_free_behind() const;
+  [[nodiscard]] bool is_stuck(Time now);
+
+  Params params_;
+  navigation::OccupancyMap map_;
+  navigation::Planner planner_;
+  navigation::PathFollower follower_;
+
+  GoalList goals_;
+  std::optional<navigation::Pose2> home_;  // the first pose
+  navigation::Pose2 pose_;
+  Time pose_time_{};
+  std::optional<Time> heard_;
+  std::optional<Time> last_update_;
+  bool emergency_stop_ = false;
+
+  // About the target being driven to.
+  std::optional<std::uint64_t> target_key_;
+  bool has_path_ = false;
+  bool arrived_ = false;  // near enough, perhaps still turning
+  bool reached_ = false;
+  std::optional<Time> blocked_since_;
+  const char* blocked_reason_ = "";
+  navigation::Pose2 progress_pose_;  // where it last was seen to move
+  Time progress_time_{};             // or last had no reason to
+};
+
+/// The word of NavigationStatus.state.
+[[nodiscard]] const char* to_string(Navigator::State state);
+
+}  // namespace tocsin

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "emergency_stop_input/emergency_stop_input.hpp"
+#include "navigator/localiser_file.hpp"
+#include "navigator/navigator.hpp"
+#include "runtime/component.hpp"
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// Drives to goals; tells the ground station where the vehicle is and what becomes of the goal.
+class NavigatorComponent final : public Component {
+ public:
+  struct Params {
+    std::string map_file;
+    double start_x_m = 0;
+    double start_y_m = 0;
+    double start_yaw_rad = 0;
+    double rate_hz = 20;
+    double location_hz = 5;
+    double status_period_s = 1;
+    Navigator::Params navigator;
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("map_file", map_file, "map in the format of ROS's map_server (YAML); required");
+      v("start_x_m", start_x_m, {-1e5, 1e5}, "[m] where odometry begins, map frame");
+      v("start_y_m", start_y_m, {-1e5, 1e5}, "[m]");
+      v("start_yaw_rad", start_yaw_rad, {-7, 7}, "[rad]");
+      v("rate_hz", rate_hz, {5, 50}, "[Hz] of velocity commands");
+      v("location_hz", location_hz, {0.2, 20}, "[Hz] of the location, over the radio");
+      v("status_period_s", status_period_s, {0.1, 60}, "[s] between reports without a change");
+      navigator.visit(v);
+    }
+  };
+
+  /// Throws ConfigError when the map cannot be read.
+  NavigatorComponent(Context& context, const Params& params);
+  void tick(Time now) override;
+
+ private:
+  void take_odometry(Time now);
+  bool take_orders(Time now);
+  bool is_turn(Time now);
+  void take_goal(const topic::Goal::Message& message, Time now);
+  void drive(const navigation::Velocity& velocity);
+  void report_location(Time now);
+  void report_status(const Navigator::Status& status, Time now);
+  void log_change(const Navigator::Status& status);
+  void remember(Time now);
+
+  Input<topic::Odom> odom_{*this, Arrival::waits};
+  OptionalInput<topic::Goal> goal_{*this};
+  EmergencyStopInput emergency_stop_{*this};
+  Input<topic::Heartbeat> heartbeat_{*this};
+  Output<topic::CmdVelNavigation> cmd_vel_{*this};
+  Output<topic::Location> location_{*this};
+  Output<topic::NavigationStatus> status_{*this};
+
+  Params params_;
+  Navigator navigator_;
+  LocaliserFile file_;
+  OdometryLocaliser localiser_;
+  std::optional<navigation::Pose2> pose_;
+  Time next_turn_{};
+  Time next_location_{};
+  Time next_status_{};
+  Time next_save_{};
+  bool is_saved_ = true;
+  Navigator::Status reported_;
+  bool is_standing_ = false;  // the last command was to stand, and has been sent
+};
+
+}  // namespace tocsin

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigator/navigator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "foundation/numbers.hpp"
+
+namespace tocsin {
+
+using navigation::Pose2;
+using navigation::Velocity;
+
+namespace {
+
+constexpr double home_tolerance_m = 0.2;
+constexpr double moved_m = 0.05;  // more is progress
+constexpr double turned_rad = 0.1;
+constexpr double slow_mps = 0.15;
+constexpr double bumper_gap_m = 0.05;  // left between a wall and a vehicle that braked before it
+constexpr Duration back_up_time = std::chrono::milliseconds(1500);
+
+Pose2 ahead(const Pose2& pose, double metres) {
+  return {pose.x + metres * std::cos(pose.yaw), pose.y + metres * std::sin(pose.yaw), pose.yaw};
+}
+
+}  // namespace
+
+Navigator::Navigator(const Params& params, const navigation::OccupancyMap& map)
+    : Navigator(params, map, std::make_shared<const navigation::CostMap>(map, params.inflation)) {}
+
+Navigator::Navigator(const Params& params, navigation::OccupancyMap map,
+                     std::shared_ptr<const navigation::CostMap> costs)
+    : params_(params),
+      map_(std::move(map)),
+      planner_(std::move(costs)),
+      follower_(params.follower) {}
+
+GoalAnswer Navigator::on_goal(Goal goal, Time now) {
+  const GoalAnswer answer = goals_.on_goal(std::move(goal), now);
+  if (answer == GoalAnswer::accepted || answer == GoalAnswer::renewed) heard_ = now;
+  return answer;
+}
+
+void Navigator::on_pose(const Pose2& pose, Time now) {
+  if (!is_finite(pose)) return;
+  pose_ = pose;
+  pose_time_ = now;
+  if (!home_) home_ = pose;
+}
+
+Navigator::Output Navigator::update(Time now) {
+  const Duration dt = last_update_ ? now - *last_update_ : Duration{0};
+  last_update_ = now;
+  if (const char* reason = reason_to_halt(now)) return stand(State::held, follower_.halt(), reason);
+  if (!goals_.present()) return stand(State::idle, follower_.brake(dt), "no_goal");
+  if (is_link_lost(now) && params_.on_link_lost == "return") return go_home(now, dt);
+  const char* const reason = reason_to_hold(now);
+  if (reason != nullptr && !stands_at_goal()) {
+    return stand(State::held, follower_.brake(dt), reason);
+  }
+  if (reason == nullptr && stands_at_goal()) (void)goals_.advance();
+  const Goal& goal = *goals_.present();
+  return drive({goals_.present_number(), goal.pose, goal.tolerance_m}, now, dt);
+}
+
+bool Navigator::stands_at_goal() const {
+  return reached_ && target_key_ == goals_.present_number();
+}
+
+Navigator::Status Navigator::status(State state, double distance_m, const char* reason) const {
+  const auto& goal = goals_.present();
+  return {goal ? goal->mission : 0, goal ? goal->id : 0, state, distance_m, reason};
+}
+
+const char* Navigator::reason_to_halt(Time now) const {
+  if (emergency_stop_) return "emergency_stop";
+  if (!home_ || now - pose_time_ > seconds(params_.pose_timeout_s)) return "no_pose";
+  return nullptr;
+}
+
+const char* Navigator::reason_to_hold(Time now) const {
+  if (now >= goals_.present()->expires) return "goal_expired";
+  if (is_link_lost(now) && params_.on_link_lost == "hold") return "link_lost";
+  return nullptr;
+}
+
+bool Navigator::is_link_lost(Time now) const {
+  return heard_ && now - *heard_ > seconds(params_.link_lost_after_s);
+}
+
+Navigator::Output Navigator::stand(State state, const Velocity& velocity, const char* reason) {
+  progress_pose_ = pose_;
+  progress_time_ = *last_update_;
+  return {velocity, status(state, nan, reason)};
+}
+
+Navigator::Output Navigator::go_home(Time now, Duration dt) {
+  Output output = drive({0, *home_, home_tolerance_m}, now, dt);
+  output.status.state = State::held;  // the goal is not driven to
+  output.status.reason = "link_lost";
+  output.status.distance_m = nan;
+  return output;
+}
+
+Navigator::Output Navigator::drive(const Target& target, Time now, Duration dt) {
+  if (target_key_ != target.key) take_up(target);
+  if (reached_) return {follower_.brake(dt), status(State::reached, 0, "")};
+  arrived_ = arrived_ || has_arrived(target);
+  if (arrived_) return align(target, dt);
+  if (blocked_since_ && now - *blocked_since_ < seconds(params_.retry_after_s)) {
+    return wait_blocked(now, dt);
+  }
+  return drive_path(target, now, dt);
+}
+
+/// Near enough and slow, so that braking does not carry the vehicle out of the tolerance again.
+bool Navigator::has_arrived(const Target& target) const {
+  const double away_m = distance(position(pose_), position(target.pose));
+  const bool is_slow = std::abs(follower_.velocity().v_mps) <= slow_mps;
+  return away_m <= target.tolerance_m / 2 || (away_m <= target.tolerance_m && is_slow);
+}
+
+void Navigator::take_up(const Target& target) {
+  target_key_ = target.key;
+  has_path_ = false;
+  arrived_ = false;
+  reached_ = false;
+  blocked_since_.reset();
+  progress_pose_ = pose_;
+  progress_time_ = *last_update_;
+}
+
+Navigator::Output Navigator::align(const Target& target, Duration dt) {
+  const bool is_aligned =
+      std::abs(navigation::wrap_angle(target.pose.yaw - pose_.yaw)) <= params_.yaw_tolerance_rad;
+  reached_ = is_aligned || !params_.align_yaw;
+  if (reached_) return {follower_.brake(dt), status(State::reached, 0, "")};
+  const double away_m = distance(position(pose_), position(target.pose));
+  return {follower_.turn_to(pose_, target.pose.yaw, dt),
+          status(State::driving, away_m, "aligning")};
+}
+
+Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration dt) {
+  if (!has_path_) {
+    auto path = planner_.plan(position(pose_), position(target.pose));
+    if (!path) return block(now, "no_path");
+    follower_.start(std::move(*path));
+    has_path_ = true;
+    blocked_since_.reset();
+  }
+  if (is_stuck(now)) return block(now, "stuck");
+  const Velocity velocity = follow_with_care(dt);
+  // The next update plans from where the vehicle is then.
+  if (follower_.deviation_m() > params_.replan_beside_m) has_path_ = false;
+  return {velocity, status(State::driving, follower_.remaining_m(), "")};
+}
+
+Navigator::Output Navigator::block(Time now, const char* reason) {
+  has_path_ = false;
+  blocked_since_ = now;
+  blocked_reason_ = reason;
+  return stand(State::blocked, follower_.halt(), reason);
+}
+
+Navigator::Output Navigator::wait_blocked(Time now, Duration dt) {
+  const bool backs_up = blocked_reason_ == std::string_view("stuck") &&
+                        now - *blocked_since_ < back_up_time && is_free_behind();
+  return stand(State::blocked, backs_up ? follower_.back_up(dt) : follower_.brake(dt),
+               blocked_reason_);
+}
+
+Velocity Navigator::follow_with_care(Duration dt) {
+  if (would_hit()) return follower_.brake(dt);
+  const bool stood = follower_.velocity().v_mps <= 0;
+  const Velocity velocity = follower_.follow(pose_, dt);
+  return stood && would_hit() ? follower_.halt() : velocity;
+}
+
+bool Navigator::would_hit() const {
+  const Velocity v = follower_.velocity();
+  const double radius_m = params_.inflation.robot_radius_m;
+  if (v.v_mps <= 0) return false;
+  const double braking_m =
+      v.v_mps * v.v_mps / (2 * params_.follower.acceleration_mps2) + bumper_gap_m;
+  const bool is_clear = map_.is_clear(pose_.x, pose_.y, radius_m + braking_m);
+  if (is_clear || map_.collides(pose_.x, pose_.y, radius_m)) return false;
+  Pose2 pose = pose_;
+  constexpr int samples = 4;
+  for (int i = 0; i < samples; ++i) {
+    pose = ahead(pose, braking_m / samples);
+    pose.yaw += v.w_radps / v.v_mps * braking_m / samples;
+    if (map_.collides(pose.x, pose.y, radius_m)) return true;
+  }
+  return false;
+}
+
+bool Navigator::is_free_behind() const {
+  const Pose2 behind = ahead(pose_, -0.2);
+  return !map_.collides(behind.x, behind.y, params_.inflation.robot_radius_m);
+}
+
+bool Navigator::is_stuck(Time now) {
+  const bool has_moved =
+      distance(position(pose_), position(progress_pose_)) > moved_m ||
+      std::abs(navigation::wrap_angle(pose_.yaw - progress_pose_.yaw)) > turned_rad;
+  if (has_moved) {
+    progress_pose_ = pose_;
+    progress_time_ = now;
+  }
+  return now - progress_time_ > seconds(params_.stuck_after_s);
+}
+
+const char* to_string(Navigator::State state) {
+  switch (state) {
+    case Navigator::State::idle:
+      return "idle";
+    case Navigator::State::driving:
+      return "driving";
+    case Navigator::State::reached:
+      return "reached";
+    case Navigator::State::blocked:
+      return "blocked";
+    case Navigator::State::held:
+      return "held";
+  }
+  return "";
+}
+
+}  // namespace tocsin

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigator/navigator_component.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "navigation/map_loader.hpp"
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+
+using navigation::Pose2;
+
+namespace {
+
+Navigator make_navigator(const std::string& name, const NavigatorComponent::Params& params) {
+  if (params.map_file.empty()) throw ConfigError(name + ".map_file: is required");
+  return {params.navigator, navigation::load_map(params.map_file),
+          navigation::load_costs(params.map_file, params.navigator.inflation)};
+}
+
+Pose2 pose_of(const geometry_msgs::msg::Pose& message) {
+  const auto& q = message.orientation();
+  return {message.position().x(), message.position().y(),
+          navigation::yaw_of({q.x(), q.y(), q.z(), q.w()})};
+}
+
+geometry_msgs::msg::Pose to_msg(const Pose2& pose) {
+  geometry_msgs::msg::Pose message;
+  message.position().x(pose.x);
+  message.position().y(pose.y);
+  const auto q = navigation::quaternion_from_yaw(pose.yaw);
+  message.orientation().z(q.z);
+  message.orientation().w(q.w);
+  return message;
+}
+
+OdometryLocaliser make_localiser(const LocaliserFile& file, const Pose2& start) {
+  const auto memory = file.load();
+  return memory ? OdometryLocaliser(*memory) : OdometryLocaliser(start);
+}
+
+std::string memory_path(const Context& context) {
+  const bool simulated = context.devices != nullptr && !context.devices->keeps_files();
+  const bool nowhere = context.run_dir.empty() || simulated;
+  return nowhere ? "" : context.run_dir + "/" + context.name + ".pose";
+}
+
+}  // namespace
+
+NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
+    : Component(context),
+      params_(params),
+      navigator_(make_navigator(context.name, params)),
+      file_(memory_path(context)),
+      localiser_(
+          make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})) {}
+
+void NavigatorComponent::tick(Time now) {
+  take_odometry(now);
+  const bool is_ordered = take_orders(now);
+  report_location(now);
+  if (is_turn(now) || is_ordered) {
+    const Navigator::Output output = navigator_.update(now);
+    drive(output.velocity);
+    report_status(output.status, now);
+  }
+  remember(now);
+  wake_at(next_turn_);
+}
+
+/// Whether a velocity is due: it need not follow each of fifty poses a second.
+bool NavigatorComponent::is_turn(Time now) {
+  if (now < next_turn_) return false;
+  const Duration period = seconds(1 / params_.rate_hz);
+  next_turn_ = std::max(next_turn_ + period, now + period / 2);
+  return true;
+}
+
+void NavigatorComponent::take_odometry(Time now) {
+  const auto odom = odom_.take_latest();
+  if (!odom) return;
+  pose_ = localiser_.update(pose_of(odom->pose().pose()), now);
+  if (pose_) navigator_.on_pose(*pose_, now);
+}
+
+/// True when there was one to answer at once.
+bool NavigatorComponent::take_orders(Time now) {
+  bool any = false;
+  if (emergency_stop_.take()) {
+    navigator_.on_emergency_stop(emergency_stop_.stands());
+    any = true;
+  }
+  while (const auto heartbeat = heartbeat_.take()) {
+    if (heartbeat->role() == "gcs") navigator_.on_ground_station(now);
+  }
+  while (const auto goal = goal_.take()) {
+    take_goal(*goal, now);
+    any = true;
+  }
+  return any;
+}
+
+void NavigatorComponent::take_goal(const topic::Goal::Message& message, Time now) {
+  // Counted from its arrival: the clocks of both sides may differ by hours. How old it may have
+  // become on its way is limited by the lifespan of its topic.
+  const Duration lifetime = seconds(std::clamp(message.lifetime_s(), 0.0, 3600.0));
+  Goal goal{message.mission(),     message.id(),   {message.x(), message.y(), message.yaw()},
+            message.tolerance_m(), now + lifetime, {}};
+  for (const auto& pose : message.ahead()) goal.ahead.push_back({pose.x(), pose.y(), pose.yaw()});
+  const auto answer = navigator_.on_goal(std::move(goal), now);
+  if (answer == GoalAnswer::renewed) return;
+  log().info("goal {} of mission {:x} to waypoint {} at ({:.2f}, {:.2f}): {}", message.id(),
+             message.mission(), message.waypoint(), message.x(), message.y(), to_string(answer));
+}
+
+void NavigatorComponent::drive(const navigation::Velocity& velocity) {
+  const bool stands = velocity.v_mps == 0 && velocity.w_radps == 0;
+  if (stands && is_standing_) return;
+  topic::CmdVelNavigation::Message message;
+  message.linear().x(velocity.v_mps);
+  message.angular().z(velocity.w_radps);
+  is_standing_ = cmd_vel_.write(std::move(message)) == Status::ok && stands;
+}
+
+void NavigatorComponent::report_location(Time now) {
+  if (!pose_ || now < next_location_) return;
+  next_location_ = now + seconds(1 / params_.location_hz);
+  topic::Location::Message message;
+  message.header().stamp(wall(now));
+  message.header().frame_id("map");
+  message.pose().pose(to_msg(*pose_));
+  if (location_.write(std::move(message)) == Status::failed) log().warn("a location was not sent");
+}
+
+void NavigatorComponent::report_status(const Navigator::Status& status, Time now) {
+  const bool has_changed = status.state != reported_.state || status.goal_id != reported_.goal_id ||
+                           status.mission != reported_.mission;
+  if (!has_changed && now < next_status_) return;
+  topic::NavigationStatus::Message message;
+  message.stamp(wall(now));
+  message.goal_id(status.goal_id);
+  message.mission(status.mission);
+  message.state(to_string(status.state));
+  message.distance_m(status.distance_m);
+  if (status_.write(std::move(message)) == Status::failed) return;
+  if (has_changed) log_change(status);
+  reported_ = status;
+  next_status_ = now + seconds(params_.status_period_s);
+}
+
+void NavigatorComponent::log_change(const Navigator::Status& status) {
+  log().info("goal {}: {} {}", status.goal_id, to_string(status.state), status.reason);
+}
+
+void NavigatorComponent::remember(Time now) {
+  if (!pose_ || now < next_save_) return;
+  next_save_ = now + std::chrono::seconds(1);
+  const bool was_saved = std::exchange(is_saved_, file_.save(localiser_.memory()));
+  if (was_saved && !is_saved_) log().warn("the pose cannot be saved for a restart");
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::NavigatorComponent)

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
+#include "navigator_rig.hpp"
+
+namespace tocsin {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST_F(NavigatorComponentTest, DrivesToAGoal) {
+  run(0.2);
+  send_goal(5, 2);
+  run(1);
+  EXPECT_EQ(status_.state(), "driving");
+  EXPECT_NEAR(status_.distance_m(), 3, 0.2);
+  run(12);
+  EXPECT_EQ(status_.state(), "reached");
+  EXPECT_EQ(status_.goal_id(), 5U);
+  EXPECT_NEAR(odom_.x, 3, 0.2);
+}
+
+TEST_F(NavigatorComponentTest, CommandsAtItsRateHoweverOftenAPoseComes) {
+  bus_.add(*sut_);
+  send_goal(5, 2);
+  for (int i = 0; i < 100; ++i) {  // two seconds
+    bus_.publish<topic::Odom>(odometry());
+    bus_.run_for(seconds(0.02));
+  }
+  EXPECT_NEAR(static_cast<double>(commands_.take().size()), 40, 2);
+}
+
+TEST_F(NavigatorComponentTest, AnswersAnEmergencyStopBetweenTwoCommands) {
+  bus_.add(*sut_);
+  send_goal(5, 2);
+  for (int i = 0; i < 30; ++i) {
+    bus_.publish<topic::Odom>(odometry());
+    bus_.run_for(seconds(0.02));
+  }
+  bus_.run_for(seconds(0.001));
+  ASSERT_GT(commands_.take().back().linear().x(), 0);
+  press_emergency_stop(true);
+  bus_.run_for(Duration{0});
+  const auto commands = commands_.take();
+  ASSERT_EQ(commands.size(), 1U);
+  EXPECT_EQ(commands[0].linear().x(), 0);
+}
+
+TEST_F(NavigatorComponentTest, TheFalseOfAnotherDoesNotReleaseTheEmergencyStop) {
+  SimWriter<topic::EmergencyStop> station(bus_, topic::EmergencyStop::station);
+  topic::EmergencyStop::Message word;
+  word.data(true);
+  ASSERT_EQ(station.write(word), Status::ok);
+  send_goal(5, 2);
+  press_emergency_stop(false);
+  run(1);
+  EXPECT_EQ(status_.state(), "held");
+  word.data(false);
+  ASSERT_EQ(station.write(word), Status::ok);
+  run(1);
+  EXPECT_EQ(status_.state(), "driving");
+}
+
+TEST_F(NavigatorComponentTest, AGoalOfANewMissionIsDrivenToWhateverTheIdBefore) {
+  goal_.mission(7);
+  send_goal(std::numeric_limits<std::uint64_t>::max(), 2);
+  run(0.5);
+  goal_.mission(8);
+  send_goal(1, 2);
+  run(0.5);
+  EXPECT_EQ(status_.goal_id(), 1U);
+  EXPECT_EQ(status_.mission(), 8U);
+}
+
+TEST_F(NavigatorComponentTest, StaysSilentToTheBaseWhileItStands) {
+  run(1);
+  commands_.take();
+  sut_->tick(bus_.now());
+  EXPECT_TRUE(commands_.take().empty());
+}
+
+TEST_F(NavigatorComponentTest, CommandsTheBaseToStandAtStart) {
+  sut_->tick(bus_.now());
+  const auto commands = commands_.take();
+  ASSERT_EQ(commands.size(), 1U);
+  EXPECT_EQ(commands[0].linear().x(), 0);
+}
+
+TEST_F(NavigatorComponentTest, ReportsItsLocationOnTheMapFiveTimesASecond) {
+  odom_ = {0.5, 0, 0};
+  run(2);
+  const auto locations = locations_.take();
+  EXPECT_NEAR(static_cast<double>(locations.size()), 10, 1);
+  EXPECT_EQ(locations.back().header().frame_id(), "map");
+  EXPECT_NEAR(locations.back().pose().pose().position().x(), -0.5, 1e-9);
+}
+
+TEST_F(NavigatorComponentTest, ReportsNoLocationBeforeOdometry) {
+  has_odometry_ = false;
+  run(1);
+  EXPECT_TRUE(locations_.take().empty());
+}
+
+TEST_F(NavigatorComponentTest, ReportsAChangeAtOnceAndElseOnceASecond) {
+  run(0.5);
+  statuses_.take();
+  send_goal(5, 2);
+  sut_->tick(bus_.now());
+  const auto statuses = statuses_.take();
+  ASSERT_EQ(statuses.size(), 1U);
+  EXPECT_EQ(statuses[0].goal_id(), 5U);
+  for (int i = 0; i < 15; ++i) {
+    bus_.publish<topic::Odom>(odometry());
+    bus_.run_for(seconds(0.06));
+    sut_->tick(bus_.now());
+  }
+  EXPECT_TRUE(statuses_.take().empty());
+  bus_.run_for(seconds(0.11));
+  sut_->tick(bus_.now());
+  EXPECT_EQ(statuses_.take().size(), 1U);
+}
+
+TEST_F(NavigatorComponentTest, StandsWhenOdometryStops) {
+  run(0.2);
+  send_goal(5, 2);
+  run(2);
+  ASSERT_GT(command_.linear().x(), 0.3);
+  has_odometry_ = false;
+  run(0.6);
+  EXPECT_EQ(command_.linear().x(), 0);
+  EXPECT_EQ(status_.state(), "held");
+}
+
+TEST_F(NavigatorComponentTest, StandsOnEmergencyStopUntilItIsReleased) {
+  run(0.2);
+  send_goal(5, 2);
+  run(2);
+  press_emergency_stop(true);
+  run(0.05);
+  EXPECT_EQ(command_.linear().x(), 0);
+  run(5);
+  EXPECT_EQ(command_.linear().x(), 0);
+  press_emergency_stop(false);
+  run(1);
+  EXPECT_GT(command_.linear().x(), 0.2);
+}
+
+TEST_F(NavigatorComponentTest, AGoalLivesFromItsArrivalWhateverTheClocksSay) {
+  for (const double age_s : {86400.0, -86400.0}) {
+    start();
+    run(0.2);
+    send_goal(5, 4.5, age_s, 2);
+    run(1.5);
+    EXPECT_EQ(status_.state(), "driving") << age_s;
+    run(1);
+    EXPECT_EQ(status_.state(), "held") << age_s;
+  }
+}
+
+TEST_F(NavigatorComponentTest, TakesTheWaypointsAheadOutOfAGoal) {
+  run(0.2);
+  goal_.ahead().resize(1);
+  goal_.ahead()[0].x(1);
+  send_goal(5, -0.9);
+  run(8);
+  EXPECT_EQ(status_.goal_id(), 6U);
+  EXPECT_EQ(status_.state(), "reached");
+  EXPECT_NEAR(odom_.x, 2, 0.2);
+}
+
+TEST_F(NavigatorComponentTest, RefusesAGoalWithNan) {
+  run(0.2);
+  send_goal(5, std::numeric_limits<double>::quiet_NaN());
+  send_goal(6, 2, 0, std::numeric_limits<double>::quiet_NaN());
+  run(1);
+  EXPECT_EQ(status_.state(), "idle");
+}
+
+TEST_F(NavigatorComponentTest, HearsOnlyTheGroundStationsHeartbeat) {
+  params_.navigator.on_link_lost = "hold";
+  params_.navigator.link_lost_after_s = 1;
+  start();
+  run(0.2);
+  send_goal(5, 4.5);
+  for (int i = 0; i < 4; ++i) {
+    run(0.5);
+    send_heartbeat("gcs");
+  }
+  run(0.5);
+  EXPECT_EQ(status_.state(), "driving");
+  for (int i = 0; i < 4; ++i) {
+    run(0.5);
+    send_heartbeat("uxv");
+  }
+  EXPECT_EQ(status_.state(), "held");
+}
+
+TEST_F(NavigatorComponentTest, KnowsWhereItIsAfterARestart) {
+  context_.run_dir = folder_.string();
+  start();
+  odom_ = {2, 0, 0};
+  run(2);
+  odom_ = {0, 0, 0};  // the driver died as well
+  start();
+  run(0.2);
+  EXPECT_NEAR(locations_.take().back().pose().pose().position().x(), 1, 1e-9);
+}
+
+TEST_F(NavigatorComponentTest, RefusesToStartWithoutAMap) {
+  params_.map_file = "";
+  EXPECT_THROW(start(), ConfigError);
+  params_.map_file = "/nowhere/m.yaml";
+  EXPECT_THROW(start(), ConfigError);
+}
+
+TEST_F(NavigatorComponentTest, ParametersPrintAsYaml) {
+  EXPECT_THAT(default_yaml<NavigatorComponent::Params>(), HasSubstr("on_link_lost: continue"));
+}
+
+}  // namespace
+}  // namespace tocsin

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigator/navigator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "foundation/error.hpp"
+#include "vehicle.hpp"
+
+namespace tocsin {
+namespace {
+
+TEST(Navigator, IsIdleWithoutAGoal) {
+  Vehicle vehicle;
+  const auto output = vehicle.run(1);
+  EXPECT_EQ(output.status.state, State::idle);
+  EXPECT_EQ(output.status.goal_id, 0U);
+  EXPECT_EQ(output.velocity.v_mps, 0);
+}
+
+TEST(Navigator, ReachesAGoalWithinItsTolerance) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(7, {3, 3, 0}), Answer::accepted);
+  const auto output = vehicle.run(15);
+  EXPECT_EQ(output.status.state, State::reached);
+  EXPECT_EQ(output.status.goal_id, 7U);
+  EXPECT_LE(vehicle.distance_to({3, 3, 0}), 0.2);
+  EXPECT_EQ(output.velocity.v_mps, 0);
+}
+
+TEST(Navigator, StopsWithinTheToleranceEvenWhenTheBaseLags) {
+  for (double direction = -3; direction < 3; direction += 0.5) {
+    Vehicle vehicle;
+    vehicle.lag = 0.8;
+    vehicle.pose = {1.5, 1.5, 0};
+    const Pose2 goal{1.5 + std::cos(direction), 1.5 + std::sin(direction), 0};
+    const Time later = vehicle.now + seconds(60);
+    ASSERT_EQ(vehicle.sut.on_goal({1, 1, goal, 0.1, later, {}}, vehicle.now), Answer::accepted);
+    EXPECT_EQ(vehicle.run(20).status.state, State::reached);
+    EXPECT_LE(vehicle.distance_to(goal), 0.1) << direction;
+  }
+}
+
+TEST(Navigator, DoesNotCountAsArrivedWhileItIsFast) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(1, {3, 1, 0}), Answer::accepted);
+  while (vehicle.distance_to({3, 1, 0}) > 0.15) (void)vehicle.step();
+  const auto output = vehicle.step();
+  ASSERT_GT(vehicle.distance_to({3, 1, 0}), 0.075);
+  EXPECT_EQ(output.status.state, State::driving);
+}
+
+TEST(Navigator, TurnsToTheGoalsHeading) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(7, {3, 1, -2.5}), Answer::accepted);
+  EXPECT_EQ(vehicle.run(15).status.state, State::reached);
+  EXPECT_NEAR(vehicle.pose.yaw, -2.5, 0.25);
+}
+
+TEST(Navigator, LeavesTheHeadingAloneWhenToldSo) {
+  Navigator::Params params;
+  params.align_yaw = false;
+  Vehicle vehicle(params);
+  ASSERT_EQ(vehicle.send(7, {3, 1, -2.5}), Answer::accepted);
+  EXPECT_EQ(vehicle.run(15).status.state, State::reached);
+  EXPECT_NEAR(vehicle.pose.yaw, 0, 0.25);
+}
+
+TEST(Navigator, DrivesRoundAWallWithoutTouchingIt) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(1, {6, 1, 0}), Answer::accepted);
+  for (int i = 0; i < 600; ++i) {
+    (void)vehicle.step();
+    ASSERT_FALSE(vehicle.map.collides(vehicle.pose.x, vehicle.pose.y, 0.18));
+  }
+  EXPECT_LE(vehicle.distance_to({6, 1, 0}), 0.2);
+}
+
+TEST(Navigator, TellsTheDistanceAlongThePath) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(1, {3, 1, 0}), Answer::accepted);
+  const auto output = vehicle.step();
+  EXPECT_EQ(output.status.state, State::driving);
+  EXPECT_NEAR(output.status.distance_m, 2, 0.05);
+}
+
+TEST(Navigator, ANewerGoalSupersedes) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(1, {3, 1, 0}), Answer::accepted);
+  (void)vehicle.run(1);
+  ASSERT_EQ(vehicle.send(2, {1, 3, 0}), Answer::accepted);
+  EXPECT_EQ(vehicle.run(20).status.goal_id, 2U);
+  EXPECT_LE(vehicle.distance_to({1, 3, 0}), 0.2);
+}
+
+TEST(Navigator, RefusesAnOlderGoal) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(2, {3, 1, 0}), Answer::accepted);
+  EXPECT_EQ(vehicle.send(1, {1, 3, 0}), Answer::superseded);
+  EXPECT_EQ(vehicle.run(15).status.goal_id, 2U);
+  EXPECT_EQ(vehicle.send(1, {1, 3, 0}), Answer::superseded);
+}
+
+TEST(Navigator, DrivesToTheGoalOfAnotherMissionThoughItHasTheSameId) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(1, {3, 1, 0}), Answer::accepted);
+  ASSERT_EQ(vehicle.run(15).status.state, State::reached);
+  vehicle.mission = 8;
+  ASSERT_EQ(vehicle.send(1, {1, 3, 0}), Answer::accepted);
+  const auto status = vehicle.run(0.1).status;
+  EXPECT_EQ(status.state, State::driving);
+  EXPECT_EQ(status.mission, 8U);
+  EXPECT_EQ(status.goal_id, 1U);
+}
+
+TEST(Navigator, RefusesAGoalThatExpiresNow) {
+  Vehicle vehicle;
+  EXPECT_EQ(vehicle.send(1, {3, 1, 0}, 0), Answer::expired);
+  EXPECT_EQ(vehicle.send(1, {3, 1, 0}, 1e-9), Answer::accepted);
+}
+
+TEST(Navigator, RefusesGoalsThatMakeNoSense) {
+  Vehicle vehicle;
+  const Time later = t0 + seconds(9);
+  EXPECT_EQ(vehicle.sut.on_goal({1, 0, {1, 1, 0}, 0.2, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, 1, {nan, 1, 0}, 0.2, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, 1, {1, 1, nan}, 0.2, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, 1, {1, 1, 0}, nan, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, 1, {1, 1, 0}, 0.049, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.sut.on_goal({1, 1, {1, 1, 0}, 5.01, later, {}}, t0), Answer::invalid);
+  EXPECT_EQ(vehicle.run(1).status.state, State::idle);
+}
+
+TEST(Navigator, HoldsWhenTheGoalExpires) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(1, {3, 1, 0}, 2), Answer::accepted);
+  EXPECT_EQ(vehicle.run(1.95).status.state, State::driving);
+  EXPECT_EQ(vehicle.step().status.state, State::held);
+  const auto output = vehicle.run(2);
+  EXPECT_EQ(output.status.reason, std::string("goal_expired"));
+  EXPECT_EQ(output.velocity.v_mps, 0);
+}
+
+TEST(Navigator, DrivesOnWhenTheGoalIsRenewed) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(1, {3, 1, 0}, 2), Answer::accepted);
+  (void)vehicle.run(5);
+  ASSERT_EQ(vehicle.send(1, {3, 1, 0}, 100), Answer::renewed);
+  EXPECT_EQ(vehicle.run(10).status.state, State::reached);
+}
+
+TEST(Navigator, ARenewalNeverShortensTheLifetime) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(1, {3, 1, 0}, 100), Answer::accepted);
+  ASSERT_EQ(vehicle.send(1, {3, 1, 0}, 1), Answer::renewed);
+  EXPECT_EQ(vehicle.run(2).status.state, State::driving);
+}
+
+TEST(Navigator, StaysReachedWhenTheGoalExpiresAfterwards) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send(1, {1.05, 1, 0}, 2), Answer::accepted);
+  EXPECT_EQ(vehicle.run(10).status.state, State::reached);
+}
+
+TEST(Navigator, GoesOnToTheNextGoalOfItsListByItself) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send_list(7, {{2, 1, 0}, {2, 3, 0}}), Answer::accepted);
+  while (vehicle.step().status.state != State::reached) ASSERT_LT(vehicle.now, t0 + seconds(20));
+  EXPECT_EQ(vehicle.step().status.goal_id, 8U);
+  const auto output = vehicle.run(15);
+  EXPECT_EQ(output.status.state, State::reached);
+  EXPECT_EQ(output.status.goal_id, 8U);
+  EXPECT_LE(vehicle.distance_to({2, 3, 0}), 0.2);
+}
+
+TEST(Navigator, StaysAtAGoalWhenTheLeaseOfTheNextOneIsOver) {
+  Vehicle vehicle;
+  ASSERT_EQ(vehicle.send_list(7, {{1.3, 1, 0}, {2, 3, 0}}, 20), Answer::accepted);
+  vehicle.sut.on_emergency_stop(true);
+  (void)vehicle.run(17);
+  vehicle.sut.on_emergency_stop(false);
+  const auto output = vehicle.run(10);
+  EXPECT_EQ(output.status.state, State::held);
+  EXPECT_EQ(output.status.goal_id, 8U);
+  EXPECT_EQ(output.velocity.v_mps, 0);
+}
+
+TEST(Navigator, DoesNotGoOnWhileTheLinkIsLostWhenItIsToHold) {
+  Vehicle vehicle(on_link_lost("hold"));
+  ASSERT_EQ(vehicle.send_list(7, {{1.3, 1, 0}, {2, 3, 0}}), Answer::accepted);
+  vehicle.sut.on_emergency_stop(true);
+  (void)vehicle.run(10.1);
+  vehicle.sut.on_emergency_stop(false);
+  EXPECT_EQ(vehicle.run(5).status.goal_id, 7U);
+  vehicle.sut.on_ground_station(vehicle.now);
+  while (vehicle.step().status.goal_id != 8U) ASSERT_LT(vehicle.now, t0 + seconds(60));
+}
+
+TEST(Navigator, RefusesContradictingParameters) {
+  Navigator::Params params;
+  params.follower.turn_done_rad = 2;
+  EXPECT_THROW(Navigator(params, floor_with_wall(1)), ConfigError);
+}
+
+}  // namespace
+}  // namespace tocsin

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "foundation/numbers.hpp"
+
+#include "navigator/navigator.hpp"
+
+namespace tocsin {
+
+using navigation::Cell;
+using navigation::Grid;
+using navigation::OccupancyMap;
+using navigation::Pose2;
+using State = Navigator::State;
+using Answer = GoalAnswer;
+
+constexpr Time t0{std::chrono::hours(1)};
+constexpr Duration period = std::chrono::milliseconds(50);
+
+/// 8 m x 4 m; a wall at x = 4 from y = 0 to `wall_m`.
+inline OccupancyMap floor_with_wall(double wall_m) {
+  const Grid grid{160, 80, 0.05, {0, 0}};
+  std::vector<Cell> cells(grid.size(), Cell::free);
+  for (int row = 0; row < static_cast<int>(wall_m / 0.05); ++row) {
+    cells[grid.offset({80, row})] = Cell::occupied;
+  }
+  return {grid, cells};
+}
+
+/// A navigator in a vehicle that does what it is told, at once unless it lags, never when jammed.
+class Vehicle {
+ public:
+  explicit Vehicle(const Navigator::Params& params = {}, double wall_m = 2.0)
+      : map(floor_with_wall(wall_m)), sut(params, map) {}
+
+  /// One control period.
+  Navigator::Output step() {
+    now += period;
+    if (has_localisation) sut.on_pose(pose, now);
+    const auto output = sut.update(now);
+    driven.v_mps += (1 - lag) * (output.velocity.v_mps - driven.v_mps);
+    driven.w_radps += (1 - lag) * (output.velocity.w_radps - driven.w_radps);
+    if (!is_jammed) pose = compose(pose, {driven.v_mps * 0.05, 0, driven.w_radps * 0.05});
+    return output;
+  }
+  Navigator::Output run(double s) {
+    Navigator::Output output;
+    for (int i = 0; i < std::lround(s / 0.05); ++i) output = step();
+    return output;
+  }
+  Answer send(std::uint64_t id, const Pose2& to, double lifetime_s = 1000) {
+    return sut.on_goal({mission, id, to, 0.15, now + seconds(lifetime_s), {}}, now);
+  }
+  Answer send_list(std::uint64_t id, const std::vector<Pose2>& poses, double lifetime_s = 1000) {
+    Goal goal{mission, id, poses.front(), 0.15, now + seconds(lifetime_s), {}};
+    goal.ahead.assign(poses.begin() + 1, poses.end());
+    return sut.on_goal(goal, now);
+  }
+  double distance_to(const Pose2& to) const { return distance(position(pose), position(to)); }
+
+  OccupancyMap map;
+  Navigator sut;
+  Time now = t0;
+  std::uint64_t mission = 7;  // of the goals it is sent
+  Pose2 pose{1, 1, 0};
+  bool has_localisation = true;
+  bool is_jammed = false;
+  double lag = 0;  // share of the old velocity that is left after a period
+  navigation::Velocity driven;
+};
+
+inline Navigator::Params on_link_lost(const char* what) {
+  Navigator::Params params;
+  params.on_link_lost = what;
+  return params;
+}
+
+}  // namespace tocsin

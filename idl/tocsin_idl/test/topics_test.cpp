@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every topic that the header states is known by its name.
+#include "tocsin_idl/topics.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "idl_support/topic_registry.hpp"
+
+namespace tocsin {
+namespace {
+
+/// The names in all `TopicInfo info{"name", ...` of the header.
+std::vector<std::string> stated_names() {
+  std::ostringstream header;
+  header << std::ifstream(TOCSIN_SOURCE_DIR "/include/tocsin_idl/topics.hpp").rdbuf();
+  const std::string text = header.str();
+  const std::regex statement(R"(TopicInfo info\{\s*"([^"]+)\")");
+  std::vector<std::string> names;
+  for (std::sregex_iterator found(text.begin(), text.end(), statement), end; found != end;
+       ++found) {
+    names.push_back((*found)[1]);
+  }
+  return names;
+}
+
+TEST(Topics, AreAllKnownByName) {
+  std::vector<std::string> known;
+  for (const KnownTopic& topic : known_topics()) known.emplace_back(topic.info.name);
+  EXPECT_GT(stated_names().size(), 20U);
+  EXPECT_THAT(known, ::testing::UnorderedElementsAreArray(stated_names()));
+}
+
+TEST(Topics, AreKnownWithTheirType) {
+  for (const KnownTopic& topic : known_topics()) {
+    if (topic.info.name == std::string(topic::Location::info.name)) {
+      EXPECT_EQ(topic.type, &type_info<topic::Location::Message>());
+      EXPECT_EQ(topic.info.scope, topic::Location::info.scope);
+      EXPECT_STREQ(topic.info.qos, topic::Location::info.qos);
+      return;
+    }
+  }
+  FAIL() << "not known";
+}
+
+}  // namespace
+}  // namespace tocsin
