@@ -12,6 +12,7 @@
 #include "idl_support/topic_info.hpp"
 #include "idl_support/type_info.hpp"
 #include "runtime/middleware/accounts.hpp"
+#include "runtime/middleware/endpoint_facts.hpp"
 
 namespace tocsin {
 
@@ -41,21 +42,12 @@ struct Receiver {
   virtual void receive_last(Sample&& sample) { receive(sample); }
 };
 
-/// Whether a reader is of use without a writer; for `tocsin check`, no bus looks at it.
-enum class Writers { needed, optional };
-
 /// One end of a topic, as the bus sees it.
 struct Endpoint {
   TopicInfo topic;
   const TypeInfo* type;
   Writers writers = Writers::needed;
   const char* user_data = "";  ///< "key=value;" of a writer, announced beside what its profile says
-};
-
-/// A writer that a subscription hears now.
-struct WriterInfo {
-  std::string name;       ///< of its participant, as discovery tools show it; not unique
-  std::string user_data;  ///< all that it announces
 };
 
 /// Subscribed as long as it lives. Destroying it waits for a running `receive`.
@@ -66,12 +58,6 @@ struct Subscription {
   [[nodiscard]] virtual std::optional<WriterInfo> writer(std::uint64_t /*source*/) const {
     return {};
   }
-};
-
-/// What a component expects to write to a topic.
-struct ExpectedLoad {
-  double rate_hz;
-  double bytes;  ///< mean size of a sample
 };
 
 /// The writing end of a topic.
