@@ -30,7 +30,7 @@ class PlantedBugTest : public ::testing::Test {
     const fs::path together = install() / "share/tocsin";
     return fs::exists(together) ? together : install() / "bringup/share/tocsin";
   }
-  static Verdict run(std::uint64_t seed, bool repeats) {
+  static SeedOutcome run(std::uint64_t seed, bool repeats) {
     const TemporaryFolder folder;
     deployment::Overrides overrides;
     overrides.run_dir = folder.path();
@@ -66,9 +66,9 @@ class PlantedBugTest : public ::testing::Test {
 TEST_F(PlantedBugTest, IsFoundByItsFirstSeedWhichReplaysIt) {
   const SearchResult& result = found_by_search();
   ASSERT_EQ(result.broken.size(), 1U) << result.runs << " seeds kept every promise";
-  const Verdict& found = result.broken.front();
+  const SeedOutcome& found = result.broken.front();
   EXPECT_THAT(to_text(found), HasSubstr("the mission was not over in time"));
-  const Verdict again = run(found.seed, false);
+  const SeedOutcome again = run(found.seed, false);
   EXPECT_EQ(to_text(again), to_text(found));
   EXPECT_EQ(again.outcome.digest, found.outcome.digest);
   EXPECT_NE(again.outcome.digest, 0U);
@@ -82,7 +82,8 @@ TEST_F(PlantedBugTest, WithoutItTheSameSeedsKeepEveryPromise) {
   ASSERT_FALSE(found_by_search().broken.empty());
   const Search same{1, found_by_search().broken.front().seed, 1, false};
   const auto result = search(same, [](std::uint64_t seed) { return run(seed, true); });
-  for (const Verdict& verdict : result.broken) ADD_FAILURE() << verdict.seed << to_text(verdict);
+  for (const SeedOutcome& checked : result.broken)
+    ADD_FAILURE() << checked.seed << to_text(checked);
 }
 
 }  // namespace

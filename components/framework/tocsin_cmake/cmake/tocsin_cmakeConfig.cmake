@@ -182,19 +182,21 @@ function(tocsin_repository variable)
   set(${variable} "${folder}" PARENT_SCOPE)
 endfunction()
 
-# A GoogleTest program. LABEL is unit, component or system; sources default to test/<name>.cpp.
+# A GoogleTest program. LABEL is unit, component or system; sources default to test/<path>.cpp, and
+# the program is called as the last part of the path.
 # With a sanitizer, system tests are built on demand only, and tests may take five times as long.
-# tocsin_test(name LABEL unit LINK target ... [SOURCES ...] [TIMEOUT seconds])
-function(tocsin_test name)
+# tocsin_test(path LABEL unit LINK target ... [SOURCES ...] [TIMEOUT seconds])
+function(tocsin_test path)
   if(NOT BUILD_TESTING)
     return()
   endif()
   cmake_parse_arguments(A "" "LABEL;TIMEOUT" "LINK;SOURCES" ${ARGN})
+  cmake_path(GET path FILENAME name)
   if(NOT A_LABEL MATCHES "^(unit|component|system)$")
     message(FATAL_ERROR "tocsin_test(${name}): LABEL '${A_LABEL}' is not unit, component or system")
   endif()
   if(NOT A_SOURCES)
-    set(A_SOURCES test/${name}.cpp)
+    set(A_SOURCES test/${path}.cpp)
   endif()
   if(NOT A_TIMEOUT)
     set(A_TIMEOUT 120)

@@ -10,13 +10,13 @@ namespace tocsin::decision {
 BeliefRule::BeliefRule(const Llr& llr, const TwoStateChannel& channel, BeliefThresholds thresholds)
     : llr_(llr), filter_(channel), threshold_(std::move(thresholds.threshold)) {}
 
-Verdict BeliefRule::while_active(double qni) {
+Decision BeliefRule::while_active(double qni) {
   const double bad = filter_.add(llr_(qni));
   const bool pause = bad >= threshold_[0];
   return {pause, pause ? Reason::belief_bad : Reason::steady, bad, threshold_[0]};
 }
 
-Verdict BeliefRule::while_passive(double qni, int age) {
+Decision BeliefRule::while_passive(double qni, int age) {
   const double bad = filter_.add(llr_(qni));
   const auto row = std::min(static_cast<std::size_t>(age), threshold_.size() - 1);
   const bool last = row + 1 == threshold_.size();  // Policy ends the silence here
@@ -56,19 +56,19 @@ void LegacyRule::step(double qni) {
   last_sum_ = stored;
 }
 
-Verdict LegacyRule::while_active(double qni) {
+Decision LegacyRule::while_active(double qni) {
   if (std::isnan(qni)) return {};  // the source took no sample at all then
   step(qni);
   return {!active_, active_ ? Reason::steady : Reason::legacy_drop, rise_, 1};
 }
 
-Verdict LegacyRule::while_passive(double qni, int) {
+Decision LegacyRule::while_passive(double qni, int) {
   if (std::isnan(qni)) return {};
   step(qni);
   return {active_, active_ ? Reason::legacy_count : Reason::steady, 1.0 * counter_, 30};
 }
 
-Verdict ReplayRule::next(State now) {
+Decision ReplayRule::next(State now) {
   ++at_;
   const bool send = at_ >= send_.size() || send_[at_];
   const bool change = send != (now == State::active);

@@ -12,8 +12,8 @@ namespace tocsin::decision {
 class BeliefRule final : public Rule {
  public:
   BeliefRule(const Llr& llr, const TwoStateChannel& channel, BeliefThresholds thresholds);
-  Verdict while_active(double qni) override;
-  Verdict while_passive(double qni, int age) override;
+  Decision while_active(double qni) override;
+  Decision while_passive(double qni, int age) override;
   void entered(State) override {}  // what is known of the network does not hang on what we do
   void forget() override { filter_.forget(); }
 
@@ -31,8 +31,8 @@ class BeliefRule final : public Rule {
 class LegacyRule final : public Rule {
  public:
   explicit LegacyRule(const Llr& llr) : llr_(llr) {}
-  Verdict while_active(double qni) override;
-  Verdict while_passive(double qni, int age) override;
+  Decision while_active(double qni) override;
+  Decision while_passive(double qni, int age) override;
   void entered(State) override {}
   void forget() override {}
 
@@ -56,13 +56,13 @@ class LegacyRule final : public Rule {
 class ReplayRule final : public Rule {
  public:
   explicit ReplayRule(std::vector<bool> send) : send_(std::move(send)) {}
-  Verdict while_active(double) override { return next(State::active); }
-  Verdict while_passive(double, int) override { return next(State::passive); }
+  Decision while_active(double) override { return next(State::active); }
+  Decision while_passive(double, int) override { return next(State::passive); }
   void entered(State) override {}
   void forget() override {}
 
  private:
-  Verdict next(State now);
+  Decision next(State now);
   std::vector<bool> send_;
   std::size_t at_ = 0;
 };

@@ -114,32 +114,32 @@ inline bool Policy::is_stale(Time stamp, bool clock_went_back) {
 
 inline bool Policy::pause_expired() const { return state_ == State::passive && silent_ >= th_max_; }
 
-inline void Policy::limit_silence(Verdict& verdict) const {
-  if (state_ == State::active || verdict.change) return;
+inline void Policy::limit_silence(Decision& decision) const {
+  if (state_ == State::active || decision.change) return;
   if (age_ >= th_max_samples_) {
-    verdict.change = true;
-    verdict.reason = Reason::forced_resume_samples;
+    decision.change = true;
+    decision.reason = Reason::forced_resume_samples;
   } else if (pause_expired()) {
-    verdict.change = true;
-    verdict.reason = Reason::forced_resume_time;
+    decision.change = true;
+    decision.reason = Reason::forced_resume_time;
   }
 }
 
-inline Evidence Policy::conclude(const Verdict& verdict, double qni) {
+inline Evidence Policy::conclude(const Decision& decision, double qni) {
   Evidence evidence;
   evidence.age = age_;
-  if (verdict.change) {
+  if (decision.change) {
     state_ = state_ == State::active ? State::passive : State::active;
     age_ = 0;
     silent_ = Duration{};
     rule_->entered(state_);
   }
   evidence.state = state_;
-  evidence.changed = verdict.change;
-  evidence.reason = verdict.reason;
+  evidence.changed = decision.change;
+  evidence.reason = decision.reason;
   evidence.sample = qni;
-  evidence.statistic = verdict.statistic;
-  evidence.threshold = verdict.threshold;
+  evidence.statistic = decision.statistic;
+  evidence.threshold = decision.threshold;
   if (state_ == State::passive) evidence.deadline = saturating_sum(*now_, th_max_ - silent_);
   return evidence;
 }
@@ -150,19 +150,19 @@ Evidence Policy::on_sample(const Sample& sample, Time now) {
   const bool stale = is_stale(sample.stamp, back);
   const double qni = stale || !std::isfinite(sample.qni) ? nan : sample.qni;
   if (!std::isnan(qni)) unheard_ = Duration{};
-  Verdict verdict =
+  Decision decision =
       state_ == State::active ? rule_->while_active(qni) : rule_->while_passive(qni, ++age_);
-  if (!verdict.change && stale) verdict.reason = Reason::stale_sample;
-  if (!verdict.change && !stale && std::isnan(qni)) verdict.reason = Reason::no_measurement;
-  limit_silence(verdict);
-  return conclude(verdict, qni);
+  if (!decision.change && stale) decision.reason = Reason::stale_sample;
+  if (!decision.change && !stale && std::isnan(qni)) decision.reason = Reason::no_measurement;
+  limit_silence(decision);
+  return conclude(decision, qni);
 }
 
 Evidence Policy::on_deadline(Time now) {
   advance(now);
-  Verdict verdict;
-  if (pause_expired()) verdict = {true, Reason::forced_resume_time, 0, 0};
-  return conclude(verdict, nan);
+  Decision decision;
+  if (pause_expired()) decision = {true, Reason::forced_resume_time, 0, 0};
+  return conclude(decision, nan);
 }
 
 }  // namespace tocsin::decision

@@ -15,19 +15,19 @@ void ThresholdRule::count(double qni) {
   high_ = qni >= resume_at_ ? std::min(high_ + 1, in_a_row_) : 0;
 }
 
-Verdict ThresholdRule::while_active(double qni) {
+Decision ThresholdRule::while_active(double qni) {
   count(qni);
   const bool pause = low_ == in_a_row_ && !std::isnan(qni);
   return {pause, pause ? Reason::threshold_low : Reason::steady, qni, pause_below_};
 }
 
-Verdict ThresholdRule::while_passive(double qni, int) {
+Decision ThresholdRule::while_passive(double qni, int) {
   count(qni);
   const bool resume = high_ == in_a_row_ && !std::isnan(qni);
   return {resume, resume ? Reason::threshold_high : Reason::steady, qni, resume_at_};
 }
 
-Verdict TocpRule::while_active(double qni) {
+Decision TocpRule::while_active(double qni) {
   const double w = cusum_.add(forward_.llr(qni));
   if (cusum_.alarm(forward_.alpha)) return {true, Reason::cusum_alarm, w, forward_.alpha};
   if (forward_.mild_alpha > 0) {
@@ -46,12 +46,12 @@ void TocpRule::forget() {
 
 void TocpRule::entered(State) { TocpRule::forget(); }
 
-Verdict FixedPause::while_passive(double, int age) {
+Decision FixedPause::while_passive(double, int age) {
   const bool over = age >= samples_;
   return {over, over ? Reason::fixed_pause_over : Reason::steady, 1.0 * age, 1.0 * samples_};
 }
 
-Verdict BestSoFar::while_passive(double qni, int age) {
+Decision BestSoFar::while_passive(double qni, int age) {
   const double bar = best_;
   const bool record = qni > best_;  // false for NaN
   if (record) best_ = qni;
@@ -64,7 +64,7 @@ void BestSoFar::entered(State state) {
   best_ = -std::numeric_limits<double>::infinity();
 }
 
-Verdict ReverseCusum::while_passive(double qni, int) {
+Decision ReverseCusum::while_passive(double qni, int) {
   const double w = reverse_.add(-llr(qni));
   const bool good = reverse_.alarm(reverse_alpha_);
   return {good, good ? Reason::reverse_alarm : Reason::steady, w, reverse_alpha_};

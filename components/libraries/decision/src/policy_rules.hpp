@@ -12,8 +12,8 @@ namespace tocsin::decision {
 /// Never pauses; the baseline.
 class AlwaysActive final : public Rule {
  public:
-  Verdict while_active(double) override { return {}; }
-  Verdict while_passive(double, int) override { return {true, Reason::steady, 0, 0}; }
+  Decision while_active(double) override { return {}; }
+  Decision while_passive(double, int) override { return {true, Reason::steady, 0, 0}; }
   void entered(State) override {}
   void forget() override {}
 };
@@ -23,8 +23,8 @@ class AlwaysActive final : public Rule {
 class ThresholdRule final : public Rule {
  public:
   ThresholdRule(double pause_below, double resume_at, int in_a_row);
-  Verdict while_active(double qni) override;
-  Verdict while_passive(double qni, int age) override;
+  Decision while_active(double qni) override;
+  Decision while_passive(double qni, int age) override;
   void entered(State) override {}
   void forget() override { low_ = high_ = 0; }
 
@@ -50,7 +50,7 @@ struct Forward {
 class TocpRule : public Rule {
  public:
   explicit TocpRule(const Forward& forward) : forward_(forward) {}
-  Verdict while_active(double qni) final;
+  Decision while_active(double qni) final;
   void entered(State state) override;
   void forget() override;
 
@@ -67,7 +67,7 @@ class TocpRule : public Rule {
 class FixedPause final : public TocpRule {
  public:
   FixedPause(const Forward& forward, int samples) : TocpRule(forward), samples_(samples) {}
-  Verdict while_passive(double qni, int age) override;
+  Decision while_passive(double qni, int age) override;
 
  private:
   int samples_;
@@ -77,7 +77,7 @@ class FixedPause final : public TocpRule {
 class BestSoFar final : public TocpRule {
  public:
   BestSoFar(const Forward& forward, int r_star) : TocpRule(forward), r_star_(r_star) {}
-  Verdict while_passive(double qni, int age) override;
+  Decision while_passive(double qni, int age) override;
   void entered(State state) override;
 
  private:
@@ -90,7 +90,7 @@ class ReverseCusum final : public TocpRule {
  public:
   ReverseCusum(const Forward& forward, double reverse_alpha)
       : TocpRule(forward), reverse_alpha_(reverse_alpha) {}
-  Verdict while_passive(double qni, int age) override;
+  Decision while_passive(double qni, int age) override;
   void entered(State state) override;
 
  private:

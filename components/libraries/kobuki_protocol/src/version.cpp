@@ -33,12 +33,12 @@ Version firmware_from_old_code(std::uint16_t code) {
   return hardware_from_old_code(code);
 }
 
-FirmwareVerdict judge_firmware(const Version& firmware) {
+FirmwareSupport judge_firmware(const Version& firmware) {
   const Version stable{1, 1, 4, {}};
   const Version newest{1, 2, 0, {}};
-  if (firmware.major != 1) return FirmwareVerdict::refused;
-  if (firmware == stable || firmware == newest) return FirmwareVerdict::recommended;
-  return newest < firmware ? FirmwareVerdict::software_behind : FirmwareVerdict::replace;
+  if (firmware.major != 1) return FirmwareSupport::refused;
+  if (firmware == stable || firmware == newest) return FirmwareSupport::recommended;
+  return newest < firmware ? FirmwareSupport::software_behind : FirmwareSupport::replace;
 }
 
 bool has_gains(const Version& firmware) { return !(firmware < Version{1, 2, 0, {}}); }

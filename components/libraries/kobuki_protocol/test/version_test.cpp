@@ -23,13 +23,13 @@ TEST(Version, ReadsOldCodes) {
 }
 
 TEST(Version, JudgesFirmware) {
-  EXPECT_EQ(judge_firmware(v(0, 9, 0)), FirmwareVerdict::refused);
-  EXPECT_EQ(judge_firmware(v(2, 0, 0)), FirmwareVerdict::refused);
-  EXPECT_EQ(judge_firmware(v(1, 1, 3)), FirmwareVerdict::replace);
-  EXPECT_EQ(judge_firmware(v(1, 1, 4)), FirmwareVerdict::recommended);
-  EXPECT_EQ(judge_firmware(v(1, 1, 5)), FirmwareVerdict::replace);
-  EXPECT_EQ(judge_firmware(v(1, 2, 0)), FirmwareVerdict::recommended);
-  EXPECT_EQ(judge_firmware(v(1, 2, 1)), FirmwareVerdict::software_behind);
+  EXPECT_EQ(judge_firmware(v(0, 9, 0)), FirmwareSupport::refused);
+  EXPECT_EQ(judge_firmware(v(2, 0, 0)), FirmwareSupport::refused);
+  EXPECT_EQ(judge_firmware(v(1, 1, 3)), FirmwareSupport::replace);
+  EXPECT_EQ(judge_firmware(v(1, 1, 4)), FirmwareSupport::recommended);
+  EXPECT_EQ(judge_firmware(v(1, 1, 5)), FirmwareSupport::replace);
+  EXPECT_EQ(judge_firmware(v(1, 2, 0)), FirmwareSupport::recommended);
+  EXPECT_EQ(judge_firmware(v(1, 2, 1)), FirmwareSupport::software_behind);
 }
 
 TEST(Version, HasGainsFrom120) {

@@ -15,7 +15,7 @@ namespace {
 /// What the threads of a search share.
 class Work {
  public:
-  Work(const Search& wanted, const std::function<Verdict(std::uint64_t)>& run)
+  Work(const Search& wanted, const std::function<SeedOutcome(std::uint64_t)>& run)
       : wanted_(wanted), run_(run), next_(wanted.first) {}
 
   void work() {
@@ -31,7 +31,7 @@ class Work {
     if (error_) std::rethrow_exception(error_);
     auto& broken = result_.broken;
     std::sort(broken.begin(), broken.end(),
-              [](const Verdict& a, const Verdict& b) { return a.seed < b.seed; });
+              [](const SeedOutcome& a, const SeedOutcome& b) { return a.seed < b.seed; });
     if (wanted_.until_failure && broken.size() > 1) broken.resize(1);
     return std::move(result_);
   }
@@ -43,12 +43,12 @@ class Work {
     if (found || error_ || next_ > wanted_.last) return std::nullopt;
     return next_++;
   }
-  void put(Verdict verdict) {
+  void put(SeedOutcome checked) {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++result_.runs;
-    result_.checks += verdict.checks;
-    result_.simulated += verdict.outcome.simulated;
-    if (!verdict.violations.empty()) result_.broken.push_back(std::move(verdict));
+    result_.checks += checked.checks;
+    result_.simulated += checked.outcome.simulated;
+    if (!checked.violations.empty()) result_.broken.push_back(std::move(checked));
   }
   void stop(std::exception_ptr error) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -56,7 +56,7 @@ class Work {
   }
 
   const Search wanted_;
-  const std::function<Verdict(std::uint64_t)>& run_;
+  const std::function<SeedOutcome(std::uint64_t)>& run_;
   std::mutex mutex_;
   std::uint64_t next_;
   SearchResult result_;
@@ -65,25 +65,25 @@ class Work {
 
 }  // namespace
 
-Verdict run_checked(deployment::Deployment deployment, WorldOptions options,
-                    const PromiseLimits& limits) {
+SeedOutcome run_checked(deployment::Deployment deployment, WorldOptions options,
+                        const InvariantLimits& limits) {
   const double last_fault_s = end_of(options.faults);
-  Promises promises(limits);
-  options.observer = &promises;
-  Verdict verdict;
-  verdict.seed = static_cast<std::uint64_t>(deployment.seed);
-  verdict.faults = options.faults;
+  Invariants invariants(limits);
+  options.observer = &invariants;
+  SeedOutcome checked;
+  checked.seed = static_cast<std::uint64_t>(deployment.seed);
+  checked.faults = options.faults;
   SimWorld world(std::move(deployment), options);
-  verdict.outcome = world.run(seconds(last_fault_s + limits.recovers_s));
-  promises.on_end(verdict.outcome);
-  verdict.violations = promises.violations();
-  verdict.checks = promises.checks();
-  return verdict;
+  checked.outcome = world.run(seconds(last_fault_s + limits.recovers_s));
+  invariants.on_end(checked.outcome);
+  checked.violations = invariants.violations();
+  checked.checks = invariants.checks();
+  return checked;
 }
 
-std::string to_text(const Verdict& verdict) {
+std::string to_text(const SeedOutcome& checked) {
   std::string text;
-  for (const Violation& violation : verdict.violations) {
+  for (const Violation& violation : checked.violations) {
     char time[40];
     std::snprintf(time, sizeof time, "%10.3f s  ", violation.at_s);
     text += time + violation.text + "\n";
@@ -91,7 +91,7 @@ std::string to_text(const Verdict& verdict) {
   return text;
 }
 
-SearchResult search(const Search& search, const std::function<Verdict(std::uint64_t)>& run) {
+SearchResult search(const Search& search, const std::function<SeedOutcome(std::uint64_t)>& run) {
   Work work(search, run);
   std::vector<std::thread> others;
   for (unsigned i = 1; i < search.jobs; ++i) others.emplace_back([&work] { work.work(); });

@@ -50,36 +50,36 @@ void tell_faults(const FaultPlan& plan, const std::string& run_dir) {
 }
 
 /// A run and whether it kept the promises, if that was asked for.
-Verdict run(const Options& options, deployment::Deployment deployment) {
+SeedOutcome run(const Options& options, deployment::Deployment deployment) {
   WorldOptions world;
   world.faults = faults_of(options, deployment);
   tell_faults(world.faults, deployment.run_dir);
   if (options.check) return run_checked(std::move(deployment), world);
-  Verdict verdict;
-  verdict.outcome = SimWorld(std::move(deployment), world).run(seconds(options.duration_s));
-  return verdict;
+  SeedOutcome checked;
+  checked.outcome = SimWorld(std::move(deployment), world).run(seconds(options.duration_s));
+  return checked;
 }
 
-Verdict simulate_into(const Options& options, const deployment::RunFolder& run_folder) {
+SeedOutcome simulate_into(const Options& options, const deployment::RunFolder& run_folder) {
   deployment::Overrides overrides = options.overrides;
   overrides.run_dir = run_folder.path().string();
   auto deployment = deployment::load_deployment(options.file, overrides);
   deployment::write_resolved(deployment, overrides.run_dir + "/deployment.yaml");
   const auto begin = std::chrono::steady_clock::now();
   const double cpu_begin_s = thread_cpu_s();
-  Verdict verdict = run(options, std::move(deployment));
+  SeedOutcome checked = run(options, std::move(deployment));
   const auto wall = std::chrono::steady_clock::now() - begin;
-  print(verdict.outcome, {to_seconds(Duration(wall)), thread_cpu_s() - cpu_begin_s},
+  print(checked.outcome, {to_seconds(Duration(wall)), thread_cpu_s() - cpu_begin_s},
         overrides.run_dir);
-  return verdict;
+  return checked;
 }
 
 /// 1 when a promise was broken.
-int judge(const Verdict& verdict) {
-  std::fputs(to_text(verdict).c_str(), stdout);
-  std::printf("%llu checks, %zu promises broken\n", static_cast<unsigned long long>(verdict.checks),
-              verdict.violations.size());
-  return verdict.violations.empty() ? 0 : 1;
+int judge(const SeedOutcome& checked) {
+  std::fputs(to_text(checked).c_str(), stdout);
+  std::printf("%llu checks, %zu promises broken\n", static_cast<unsigned long long>(checked.checks),
+              checked.violations.size());
+  return checked.violations.empty() ? 0 : 1;
 }
 
 }  // namespace
@@ -95,8 +95,8 @@ int simulate(const Options& options) {
   (void)faults_of(options, deployment::load_deployment(options.file, options.overrides));
   const deployment::RunFolder folder(options.overrides.run_dir, "runs/sim_");
   if (!options.verify) {
-    const Verdict verdict = simulate_into(options, folder);
-    return options.check ? judge(verdict) : verdict.outcome.exit_code.value_or(0);
+    const SeedOutcome checked = simulate_into(options, folder);
+    return options.check ? judge(checked) : checked.outcome.exit_code.value_or(0);
   }
   const auto run_in = [&](const char* name) {
     return simulate_into(options, deployment::RunFolder(folder.path() / name));

@@ -76,7 +76,7 @@ Search read_search(const Options& options) {
   return search;
 }
 
-Verdict run_seed(const Options& options, std::uint64_t seed) {
+SeedOutcome run_seed(const Options& options, std::uint64_t seed) {
   const ScratchFolder folder(seed);
   deployment::Overrides overrides = options.overrides;
   overrides.run_dir = folder.path();
@@ -88,11 +88,11 @@ Verdict run_seed(const Options& options, std::uint64_t seed) {
   return run_checked(std::move(deployment), world);
 }
 
-void print(const Verdict& verdict, const Options& options) {
+void print(const SeedOutcome& checked, const Options& options) {
   std::printf("seed %llu breaks %zu:\n%s%sreplay: %s --seed %llu --check\n",
-              static_cast<unsigned long long>(verdict.seed), verdict.violations.size(),
-              to_text(verdict).c_str(), to_yaml(verdict.faults).c_str(), options.replay.c_str(),
-              static_cast<unsigned long long>(verdict.seed));
+              static_cast<unsigned long long>(checked.seed), checked.violations.size(),
+              to_text(checked).c_str(), to_yaml(checked.faults).c_str(), options.replay.c_str(),
+              static_cast<unsigned long long>(checked.seed));
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ int search_seeds(const Options& options) {
     const Quiet quiet;
     result = search(wanted, [&](std::uint64_t seed) { return run_seed(options, seed); });
   }
-  for (const Verdict& verdict : result.broken) print(verdict, options);
+  for (const SeedOutcome& checked : result.broken) print(checked, options);
   const double wall_s = to_seconds(Duration(std::chrono::steady_clock::now() - begin));
   std::printf("%llu runs, %.0f s simulated in %.1f s, %llu checks: %zu runs broke a promise\n",
               static_cast<unsigned long long>(result.runs), to_seconds(result.simulated), wall_s,

@@ -11,12 +11,12 @@
 namespace tocsin::simulation {
 namespace {
 
-Verdict broken_if(bool broken, std::uint64_t seed) {
-  Verdict verdict;
-  verdict.seed = seed;
-  verdict.checks = 1;
-  if (broken) verdict.violations.push_back({1, "broken"});
-  return verdict;
+SeedOutcome broken_if(bool broken, std::uint64_t seed) {
+  SeedOutcome checked;
+  checked.seed = seed;
+  checked.checks = 1;
+  if (broken) checked.violations.push_back({1, "broken"});
+  return checked;
 }
 
 TEST(Search, RunsEverySeedOnceWhenNoneFails) {
@@ -47,24 +47,24 @@ TEST(Search, GivesAllSeedsThatFailInOrderWhenItDoesNotStop) {
 
 TEST(Search, ThrowsWhatARunThrows) {
   EXPECT_THROW((void)search({1, 9, 2, true},
-                            [](std::uint64_t) -> Verdict { throw std::runtime_error("no"); }),
+                            [](std::uint64_t) -> SeedOutcome { throw std::runtime_error("no"); }),
                std::runtime_error);
 }
 
 /// A link with a planted bug, in a world of its own with faults from the seed: its writer believes
 /// that two packets in a row never overtake each other, and numbers nothing.
-Verdict run_planted(std::uint64_t seed) {
-  Promises promises;
+SeedOutcome run_planted(std::uint64_t seed) {
+  Invariants invariants;
   Core core;
-  core.observer = &promises;
+  core.observer = &invariants;
   radio::ChannelParams params;
   params.mode = "bernoulli";
   RadioLink link(core, params, {}, seed);
   deployment::Deployment nothing;
   nothing.hosts.resize(1);
-  Verdict verdict = broken_if(false, seed);
-  verdict.faults = random_faults(seed, nothing);
-  for (const Fault& fault : verdict.faults) {
+  SeedOutcome checked = broken_if(false, seed);
+  checked.faults = random_faults(seed, nothing);
+  for (const Fault& fault : checked.faults) {
     if (fault.kind != FaultKind::delay) continue;
     core.events.at(core.now + seconds(fault.at_s), [&] { link.faults().delay_s = 0.1; });
     core.events.at(core.now + seconds(fault.at_s + fault.for_s),
@@ -76,7 +76,7 @@ Verdict run_planted(std::uint64_t seed) {
     core.events.at(core.now + i * std::chrono::milliseconds(100), [&, i] {
       for (const std::uint64_t n : {2 * i, 2 * i + 1}) {
         link.send(radio::Direction::uplink, 100, [&, n, sent = core.now] {
-          promises.on_delivered({from, to, n, n, sent, sent, core.now, 64, nullptr});
+          invariants.on_delivered({from, to, n, n, sent, sent, core.now, 64, nullptr});
         });
       }
     });
@@ -87,15 +87,15 @@ Verdict run_planted(std::uint64_t seed) {
     core.events.run(core.now);
     link.advance();
   }
-  verdict.violations = promises.violations();
-  return verdict;
+  checked.violations = invariants.violations();
+  return checked;
 }
 
 TEST(Search, FindsAPlantedBugAndItsSeedReplaysIt) {
   const auto result = search({1, 200, 2, true}, run_planted);
   ASSERT_EQ(result.broken.size(), 1U);
-  const Verdict& found = result.broken[0];
-  const Verdict again = run_planted(found.seed);
+  const SeedOutcome& found = result.broken[0];
+  const SeedOutcome again = run_planted(found.seed);
   ASSERT_FALSE(again.violations.empty());
   EXPECT_EQ(to_text(again), to_text(found));
   EXPECT_NE(to_text(found).find("out of order"), std::string::npos);

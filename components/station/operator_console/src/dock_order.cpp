@@ -25,16 +25,16 @@ const char* DockOrder::command() const {
   return wish_ == Wish::cancel ? "cancel" : nullptr;
 }
 
-std::optional<Verdict> DockOrder::verdict(Time now) const {
-  if (now >= deadline_) return Verdict{1, "the vehicle is not heard; docking may go on there"};
+std::optional<OrderResult> DockOrder::result(Time now) const {
+  if (now >= deadline_) return OrderResult{1, "the vehicle is not heard; docking may go on there"};
   if (!status_) return std::nullopt;
   const std::string ended =
       "docking " + (status_->state == "done" ? status_->result : status_->state);
-  if (wish_ == Wish::status) return Verdict{0, ended};
+  if (wish_ == Wish::status) return OrderResult{0, ended};
   if (running()) return std::nullopt;
-  if (wish_ == Wish::cancel) return Verdict{0, ended};
+  if (wish_ == Wish::cancel) return OrderResult{0, ended};
   if (!started_) return std::nullopt;
-  return Verdict{status_->result == "docked" ? 0 : 1, ended};
+  return OrderResult{status_->result == "docked" ? 0 : 1, ended};
 }
 
 }  // namespace tocsin

@@ -33,7 +33,7 @@ std::optional<bool> EmergencyStopOrder::direct(Time now) const {
   return is_taken() || now < direct_at_ ? std::nullopt : request();
 }
 
-std::optional<Verdict> EmergencyStopOrder::verdict(Time now) const {
+std::optional<OrderResult> EmergencyStopOrder::result(Time now) const {
   const bool station_heard_or_late = asked_ || now >= direct_at_;
   if (wish_ == Wish::status) {
     if ((stands_ && station_heard_or_late) || now >= deadline_) return status();
@@ -45,7 +45,7 @@ std::optional<Verdict> EmergencyStopOrder::verdict(Time now) const {
   return failure();
 }
 
-Verdict EmergencyStopOrder::obeyed() const {
+OrderResult EmergencyStopOrder::obeyed() const {
   if (wish_ == Wish::off) return {0, "emergency stop off: the vehicle may drive"};
   std::string text = "emergency stop ON: the vehicle stands";
   if (!is_taken())
@@ -53,14 +53,14 @@ Verdict EmergencyStopOrder::obeyed() const {
   return {0, text};
 }
 
-Verdict EmergencyStopOrder::failure() const {
+OrderResult EmergencyStopOrder::failure() const {
   if (!stands_) return {1, "the vehicle is not heard; it was told again and again"};
   if (wish_ == Wish::on) return {1, "the vehicle has not confirmed the emergency stop yet"};
   return {1, "the vehicle still stands by the emergency stop of: " + joined(stopped_by_) +
                  "; each must release it itself"};
 }
 
-Verdict EmergencyStopOrder::status() const {
+OrderResult EmergencyStopOrder::status() const {
   const char* asked = !asked_                     ? "kept by nobody at the station"
                       : *asked_ == Asked::nothing ? "never asked for"
                       : *asked_ == Asked::on      ? "ON"

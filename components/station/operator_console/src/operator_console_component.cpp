@@ -86,7 +86,7 @@ void OperatorConsoleComponent::say(Output<Topic>& output, bool pressed) {
 
 void OperatorConsoleComponent::give(EmergencyStopOrder& order, Time now) {
   hear(order);
-  if (const auto verdict = order.verdict(now)) return end(*verdict);
+  if (const auto result = order.result(now)) return end(*result);
   if (const auto word = direct_ ? order.direct(now) : std::nullopt) say(*direct_, *word);
   const auto request = order.request();
   if (request && due(now)) say(request_, *request);
@@ -98,7 +98,7 @@ void OperatorConsoleComponent::give(DockOrder& order, Time now) {
         {status->run(), status->state(), status->result(), status->elapsed_s()}, now);
     if (line) print_(*line);
   }
-  if (const auto verdict = order.verdict(now)) return end(*verdict);
+  if (const auto result = order.result(now)) return end(*result);
   const char* command = order.command();
   if (command == nullptr || !due(now)) return;
   topic::DockingCommand::Message message;
@@ -112,10 +112,10 @@ bool OperatorConsoleComponent::due(Time now) {
   return true;
 }
 
-void OperatorConsoleComponent::end(const Verdict& verdict) {
+void OperatorConsoleComponent::end(const OrderResult& result) {
   ended_ = true;
-  print_(verdict.text);
-  context().request_exit(verdict.code);
+  print_(result.text);
+  context().request_exit(result.code);
 }
 
 }  // namespace tocsin

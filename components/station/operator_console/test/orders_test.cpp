@@ -31,19 +31,19 @@ TEST_F(EmergencyStopOrderTest, IsObeyedWhenTheStationHasTakenItAndTheVehicleStan
   EXPECT_EQ(on_.request(), true);
   on_.on_vehicle(false, {});
   on_.on_station(Asked::on);
-  EXPECT_FALSE(on_.verdict(t0));
+  EXPECT_FALSE(on_.result(t0));
   on_.on_vehicle(true, {"station"});
-  ASSERT_TRUE(on_.verdict(t0));
-  EXPECT_EQ(on_.verdict(t0)->code, 0);
-  EXPECT_EQ(on_.verdict(t0)->text, "emergency stop ON: the vehicle stands");
+  ASSERT_TRUE(on_.result(t0));
+  EXPECT_EQ(on_.result(t0)->code, 0);
+  EXPECT_EQ(on_.result(t0)->text, "emergency stop ON: the vehicle stands");
 }
 
 TEST_F(EmergencyStopOrderTest, AnOlderStopIsNotTheAnswerBeforeTheStationHasTakenTheOrder) {
   on_.on_vehicle(true, {"button"});
   on_.on_station(Asked::nothing);
-  EXPECT_FALSE(on_.verdict(late_ - tick));
+  EXPECT_FALSE(on_.result(late_ - tick));
   on_.on_station(Asked::on);
-  EXPECT_EQ(on_.verdict(late_ - tick)->code, 0);
+  EXPECT_EQ(on_.result(late_ - tick)->code, 0);
 }
 
 TEST_F(EmergencyStopOrderTest, TellsTheVehicleDirectlyWhenTheStationDoesNotTakeIt) {
@@ -59,53 +59,53 @@ TEST_F(EmergencyStopOrderTest, TellsTheVehicleDirectlyWhenTheStationDoesNotTakeI
 
 TEST_F(EmergencyStopOrderTest, IsObeyedWithoutAStation) {
   on_.on_vehicle(true, {"station"});
-  EXPECT_FALSE(on_.verdict(late_ - tick));
-  EXPECT_EQ(on_.verdict(late_)->code, 0);
-  EXPECT_THAT(on_.verdict(late_)->text, HasSubstr("told directly"));
+  EXPECT_FALSE(on_.result(late_ - tick));
+  EXPECT_EQ(on_.result(late_)->code, 0);
+  EXPECT_THAT(on_.result(late_)->text, HasSubstr("told directly"));
 }
 
 TEST_F(EmergencyStopOrderTest, FailsWhenTheVehicleDoesNotConfirm) {
   on_.on_station(Asked::on);
   on_.on_vehicle(false, {});
-  EXPECT_FALSE(on_.verdict(deadline_ - tick));
-  EXPECT_EQ(on_.verdict(deadline_)->code, 1);
-  EXPECT_THAT(on_.verdict(deadline_)->text, HasSubstr("has not confirmed"));
+  EXPECT_FALSE(on_.result(deadline_ - tick));
+  EXPECT_EQ(on_.result(deadline_)->code, 1);
+  EXPECT_THAT(on_.result(deadline_)->text, HasSubstr("has not confirmed"));
 }
 
 TEST_F(EmergencyStopOrderTest, FailsWhenTheVehicleIsNotHeard) {
   on_.on_station(Asked::on);
-  EXPECT_EQ(on_.verdict(deadline_)->code, 1);
-  EXPECT_THAT(on_.verdict(deadline_)->text, HasSubstr("not heard"));
+  EXPECT_EQ(on_.result(deadline_)->code, 1);
+  EXPECT_THAT(on_.result(deadline_)->text, HasSubstr("not heard"));
 }
 
 TEST_F(EmergencyStopOrderTest, NamesThoseWhoseStopsStillStandAfterARelease) {
   off_.on_station(Asked::off);
   off_.on_vehicle(true, {"button (7)", "other (8)"});
-  EXPECT_EQ(off_.verdict(deadline_)->code, 1);
-  EXPECT_THAT(off_.verdict(deadline_)->text, HasSubstr("of: button (7), other (8)"));
+  EXPECT_EQ(off_.result(deadline_)->code, 1);
+  EXPECT_THAT(off_.result(deadline_)->text, HasSubstr("of: button (7), other (8)"));
   off_.on_vehicle(false, {});
-  EXPECT_EQ(off_.verdict(deadline_)->code, 0);
+  EXPECT_EQ(off_.result(deadline_)->code, 0);
 }
 
 TEST_F(EmergencyStopOrderTest, StatusAsksForNothingAndTellsBothSides) {
   EXPECT_FALSE(status_.request());
   status_.on_vehicle(true, {"station"});
-  EXPECT_FALSE(status_.verdict(t0));
+  EXPECT_FALSE(status_.result(t0));
   status_.on_station(Asked::on);
-  EXPECT_EQ(status_.verdict(t0)->text,
+  EXPECT_EQ(status_.result(t0)->text,
             "emergency stop ON; vehicle stands by emergency stop of: station");
   status_.on_station(Asked::nothing);
   status_.on_vehicle(false, {});
-  EXPECT_EQ(status_.verdict(t0)->text, "emergency stop never asked for; vehicle may drive");
+  EXPECT_EQ(status_.result(t0)->text, "emergency stop never asked for; vehicle may drive");
 }
 
 TEST_F(EmergencyStopOrderTest, StatusWithoutAStationOrAVehicleSaysSo) {
-  EXPECT_FALSE(status_.verdict(deadline_ - tick));
-  EXPECT_EQ(status_.verdict(deadline_)->code, 1);
-  EXPECT_THAT(status_.verdict(deadline_)->text, HasSubstr("vehicle not heard"));
+  EXPECT_FALSE(status_.result(deadline_ - tick));
+  EXPECT_EQ(status_.result(deadline_)->code, 1);
+  EXPECT_THAT(status_.result(deadline_)->text, HasSubstr("vehicle not heard"));
   status_.on_vehicle(false, {});
-  EXPECT_EQ(status_.verdict(late_)->code, 0);
-  EXPECT_THAT(status_.verdict(late_)->text, HasSubstr("kept by nobody at the station"));
+  EXPECT_EQ(status_.result(late_)->code, 0);
+  EXPECT_THAT(status_.result(late_)->text, HasSubstr("kept by nobody at the station"));
 }
 
 struct Docking : ::testing::Test {
@@ -124,39 +124,39 @@ TEST_F(Docking, IsOrderedUntilItRunsAndFollowedToItsEnd) {
   EXPECT_EQ(hear(1, "scan"), "3 s: scan");
   EXPECT_EQ(sut.command(), nullptr);
   EXPECT_FALSE(hear(1, "scan"));
-  EXPECT_FALSE(sut.verdict(now));
+  EXPECT_FALSE(sut.result(now));
   (void)hear(1, "done", "docked");
-  EXPECT_EQ(sut.verdict(now)->code, 0);
-  EXPECT_EQ(sut.verdict(now)->text, "docking docked");
+  EXPECT_EQ(sut.result(now)->code, 0);
+  EXPECT_EQ(sut.result(now)->text, "docking docked");
 }
 
 TEST_F(Docking, AnOlderResultIsNotTheAnswer) {
   (void)hear(4, "done", "docked");
-  EXPECT_FALSE(sut.verdict(now));
+  EXPECT_FALSE(sut.result(now));
   (void)hear(5, "done", "no_dock_found");
-  EXPECT_EQ(sut.verdict(now)->code, 1);
+  EXPECT_EQ(sut.result(now)->code, 1);
 }
 
 TEST_F(Docking, FailsWhenTheVehicleFallsSilent) {
   (void)hear(1, "scan");
-  EXPECT_FALSE(sut.verdict(t0 + seconds(9.9)));
-  EXPECT_EQ(sut.verdict(t0 + seconds(10))->code, 1);
+  EXPECT_FALSE(sut.result(t0 + seconds(9.9)));
+  EXPECT_EQ(sut.result(t0 + seconds(10))->code, 1);
 }
 
 TEST_F(Docking, IsCancelledUntilItStands) {
   sut = DockOrder(DockWish::cancel, t0, seconds(10));
   (void)hear(1, "scan");
   EXPECT_STREQ(sut.command(), "cancel");
-  EXPECT_FALSE(sut.verdict(now));
+  EXPECT_FALSE(sut.result(now));
   (void)hear(1, "done", "cancelled");
-  EXPECT_EQ(sut.verdict(now)->text, "docking cancelled");
+  EXPECT_EQ(sut.result(now)->text, "docking cancelled");
 }
 
 TEST_F(Docking, StatusTellsTheStateAtOnce) {
   sut = DockOrder(DockWish::status, t0, seconds(10));
   EXPECT_EQ(sut.command(), nullptr);
   (void)hear(1, "aligned_far");
-  EXPECT_EQ(sut.verdict(now)->text, "docking aligned_far");
+  EXPECT_EQ(sut.result(now)->text, "docking aligned_far");
 }
 
 }  // namespace

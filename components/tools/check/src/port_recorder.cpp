@@ -11,9 +11,10 @@ namespace {
 struct Silent : Subscription {};
 
 /// Nobody hears it; only what it expects to write is kept.
-class Deaf final : public Publication {
+class NullPublication final : public Publication {
  public:
-  Deaf(PortRecorder& recorder, std::string topic) : recorder_(recorder), topic_(std::move(topic)) {}
+  NullPublication(PortRecorder& recorder, std::string topic)
+      : recorder_(recorder), topic_(std::move(topic)) {}
   Status write(const std::shared_ptr<const void>& message) override {
     (void)message;
     return Status::ok;
@@ -79,7 +80,7 @@ std::unique_ptr<Subscription> PortRecorder::subscribe(const Endpoint& endpoint,
 
 std::unique_ptr<Publication> PortRecorder::advertise(const Endpoint& endpoint) {
   record(endpoint, true);
-  return std::make_unique<Deaf>(*this, endpoint.topic.name);
+  return std::make_unique<NullPublication>(*this, endpoint.topic.name);
 }
 
 std::unique_ptr<SerialDevice> SilentDevices::open_serial(const std::string& path,

@@ -6,11 +6,11 @@
 
 namespace tocsin::doctor {
 
-enum class Verdict { good, unknown, bad };
+enum class Fitness { good, unknown, bad };
 
 /// One thing that was looked at.
 struct Advice {
-  Verdict verdict;
+  Fitness fitness;
   std::string text;
   std::string remedy;  ///< a command or a sentence; empty when all is well
 };

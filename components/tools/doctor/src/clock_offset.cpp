@@ -109,15 +109,15 @@ Advice judge_clock(const std::string& peer, double ahead_ms) {
   char text[120];
   std::snprintf(text, sizeof text, "clock of %s is %.0f ms %s ours", peer.c_str(),
                 std::abs(ahead_ms), ahead_ms < 0 ? "behind" : "ahead of");
-  if (std::abs(ahead_ms) <= tolerable_ms) return {Verdict::good, text, ""};
-  return {Verdict::bad, std::string(text) + ": latencies between the hosts are wrong by that much",
+  if (std::abs(ahead_ms) <= tolerable_ms) return {Fitness::good, text, ""};
+  return {Fitness::bad, std::string(text) + ": latencies between the hosts are wrong by that much",
           "synchronise both with chrony or ptp4l"};
 }
 
 Advice compare_clock(const std::string& peer) {
   const Socket socket;
   if (socket.descriptor < 0) {
-    return {Verdict::unknown, "clock of " + peer + ": not compared, needs root", ""};
+    return {Fitness::unknown, "clock of " + peer + ": not compared, needs root", ""};
   }
   sockaddr_in to{};
   to.sin_family = AF_INET;
@@ -126,11 +126,11 @@ Advice compare_clock(const std::string& peer) {
   const IcmpTimestamp request = timestamp_request(id, now_ms());
   if (::sendto(socket.descriptor, request.data(), request.size(), 0,
                reinterpret_cast<const sockaddr*>(&to), sizeof to) < 0) {
-    return {Verdict::bad, "peer " + peer + ": " + std::strerror(errno), "is the radio up?"};
+    return {Fitness::bad, "peer " + peer + ": " + std::strerror(errno), "is the radio up?"};
   }
   const auto ahead = wait_for_reply(socket.descriptor, id);
   if (ahead) return judge_clock(peer, *ahead);
-  return {Verdict::bad, "peer " + peer + " does not answer within 1 s",
+  return {Fitness::bad, "peer " + peer + " does not answer within 1 s",
           "is it on, in reach, and free to answer ICMP timestamps?"};
 }
 

@@ -45,19 +45,19 @@ int error_of_opening(const char* device) {
 Advice judge_shared_memory(bool clean) {
   const Leftovers leftovers = find_leftovers("/dev/shm");
   if (leftovers.files.empty())
-    return {Verdict::good, "/dev/shm: nothing left by dead processes", ""};
+    return {Fitness::good, "/dev/shm: nothing left by dead processes", ""};
   const std::string found = std::to_string(leftovers.files.size()) + " files, " +
                             std::to_string(leftovers.bytes / 1024) + " KiB";
   if (clean) {
-    return {Verdict::good,
+    return {Fitness::good,
             "/dev/shm: removed " + std::to_string(remove(leftovers)) + " of " + found, ""};
   }
-  return {Verdict::bad, "/dev/shm: " + found + " left by dead processes", "tocsin doctor --clean"};
+  return {Fitness::bad, "/dev/shm: " + found + " left by dead processes", "tocsin doctor --clean"};
 }
 
 Advice judge_domain(const std::string& what, int domain, const std::set<int>& ports) {
   const int count = participants(ports, domain);
-  return {Verdict::good,
+  return {Fitness::good,
           "domain " + std::to_string(domain) + " (" + what + "): " + std::to_string(count) +
               " participants here",
           ""};
@@ -69,7 +69,7 @@ void examine(const deployment::Deployment& deployment, Advices& advices) {
   for (const deployment::Host& host : deployment.hosts) {
     advices.push_back(judge_address(host.address, here));
     advices.push_back(judge_domain(host.name, host.local_domain, ports));
-    if (advices[advices.size() - 2].verdict == Verdict::unknown) continue;
+    if (advices[advices.size() - 2].fitness == Fitness::unknown) continue;
     for (const std::string& peer : host.peers) advices.push_back(compare_clock(peer));
   }
   advices.push_back(judge_domain("link", deployment.link_domain, ports));
@@ -80,13 +80,13 @@ void examine(const deployment::Deployment& deployment, Advices& advices) {
 }
 
 int print(const Advices& advices) {
-  const std::map<Verdict, const char*> words{
-      {Verdict::good, "ok"}, {Verdict::unknown, "?"}, {Verdict::bad, "BAD"}};
+  const std::map<Fitness, const char*> words{
+      {Fitness::good, "ok"}, {Fitness::unknown, "?"}, {Fitness::bad, "BAD"}};
   int bad = 0;
   for (const Advice& advice : advices) {
-    std::printf("%-4s %s\n", words.at(advice.verdict), error_line(advice.text).c_str());
+    std::printf("%-4s %s\n", words.at(advice.fitness), error_line(advice.text).c_str());
     if (!advice.remedy.empty()) std::printf("       -> %s\n", error_line(advice.remedy).c_str());
-    bad += advice.verdict == Verdict::bad ? 1 : 0;
+    bad += advice.fitness == Fitness::bad ? 1 : 0;
   }
   std::printf("%zu looked at, %d bad\n", advices.size(), bad);
   return bad == 0 ? 0 : 1;

@@ -29,22 +29,22 @@ std::vector<Interface> interfaces() {
 Advice judge_address(const std::string& wanted, const std::vector<Interface>& interfaces) {
   const auto at = std::find_if(interfaces.begin(), interfaces.end(),
                                [&](const Interface& one) { return one.address == wanted; });
-  if (at == interfaces.end()) return {Verdict::unknown, wanted + " is not an address here", ""};
+  if (at == interfaces.end()) return {Fitness::unknown, wanted + " is not an address here", ""};
   const std::string where = wanted + " on " + at->name;
   if (!at->up) {
-    return {Verdict::bad, where + " is down", "ip link set " + at->name + " up"};
+    return {Fitness::bad, where + " is down", "ip link set " + at->name + " up"};
   }
   if (!at->carrier) {
-    return {Verdict::bad, where + " has no carrier",
+    return {Fitness::bad, where + " has no carrier",
             "join the network: until then only topics of the host itself work"};
   }
-  return {Verdict::good, where + " is up, with carrier", ""};
+  return {Fitness::good, where + " is up, with carrier", ""};
 }
 
 Advice judge_loopback(const std::vector<Interface>& interfaces) {
   const Advice advice = judge_address("127.0.0.1", interfaces);
-  if (advice.verdict != Verdict::unknown) return advice;
-  return {Verdict::bad, "loopback has no address: host topics cannot go between processes",
+  if (advice.fitness != Fitness::unknown) return advice;
+  return {Fitness::bad, "loopback has no address: host topics cannot go between processes",
           "ip link set lo up"};
 }
 

@@ -47,16 +47,16 @@ TEST(ClockOffset, RefusesOtherPackets) {
 }
 
 TEST(ClockOffset, TwentyMillisecondsAreTolerated) {
-  EXPECT_EQ(judge_clock("10.0.0.2", -20).verdict, Verdict::good);
+  EXPECT_EQ(judge_clock("10.0.0.2", -20).fitness, Fitness::good);
   const Advice advice = judge_clock("10.0.0.2", -21);
-  EXPECT_EQ(advice.verdict, Verdict::bad);
+  EXPECT_EQ(advice.fitness, Fitness::bad);
   EXPECT_THAT(advice.text, HasSubstr("clock of 10.0.0.2 is 21 ms behind ours"));
 }
 
 TEST(ClockOffset, ThisComputersOwnClockAgreesWithItself) {
   const Advice advice = compare_clock("127.0.0.1");
-  if (advice.verdict == Verdict::unknown) GTEST_SKIP() << advice.text;
-  EXPECT_EQ(advice.verdict, Verdict::good) << advice.text;
+  if (advice.fitness == Fitness::unknown) GTEST_SKIP() << advice.text;
+  EXPECT_EQ(advice.fitness, Fitness::good) << advice.text;
 }
 
 }  // namespace

@@ -10,28 +10,28 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(Interfaces, AnAddressThatIsNotHereIsNoFault) {
-  EXPECT_EQ(judge_address("10.0.0.1", {}).verdict, Verdict::unknown);
+  EXPECT_EQ(judge_address("10.0.0.1", {}).fitness, Fitness::unknown);
 }
 
 TEST(Interfaces, AnInterfaceThatIsDownIsNamedWithTheCommand) {
   const Advice advice = judge_address("10.0.0.1", {{"wlan0", "10.0.0.1", false, false}});
-  EXPECT_EQ(advice.verdict, Verdict::bad);
+  EXPECT_EQ(advice.fitness, Fitness::bad);
   EXPECT_EQ(advice.remedy, "ip link set wlan0 up");
 }
 
 TEST(Interfaces, AnInterfaceWithoutCarrierIsBad) {
   const Advice advice = judge_address("10.0.0.1", {{"wlan0", "10.0.0.1", true, false}});
-  EXPECT_EQ(advice.verdict, Verdict::bad);
+  EXPECT_EQ(advice.fitness, Fitness::bad);
   EXPECT_THAT(advice.text, HasSubstr("no carrier"));
 }
 
 TEST(Interfaces, WithCarrierAllIsWell) {
-  EXPECT_EQ(judge_address("10.0.0.1", {{"wlan0", "10.0.0.1", true, true}}).verdict, Verdict::good);
+  EXPECT_EQ(judge_address("10.0.0.1", {{"wlan0", "10.0.0.1", true, true}}).fitness, Fitness::good);
 }
 
 TEST(Interfaces, LoopbackMustBeThere) {
-  EXPECT_EQ(judge_loopback({}).verdict, Verdict::bad);
-  EXPECT_EQ(judge_loopback({{"lo", "127.0.0.1", true, true}}).verdict, Verdict::good);
+  EXPECT_EQ(judge_loopback({}).fitness, Fitness::bad);
+  EXPECT_EQ(judge_loopback({{"lo", "127.0.0.1", true, true}}).fitness, Fitness::good);
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ Listener::Listener(Context& context, const Params&) : Component(context) {
 
 template <class... Topics>
 void Listener::listen_to(topic::List<Topics...>) {
-  (heard_.push_back(bus().subscribe({Topics::info, &type_info<typename Topics::Message>()}, ear_)),
+  (heard_.push_back(
+       bus().subscribe({Topics::info, &type_info<typename Topics::Message>()}, receiver_)),
    ...);
 }
 

@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "experiment/tape.hpp"
+#include "experiment/recording_observer.hpp"
 #include "simulation/sim_world.hpp"
 
 namespace tocsin::experiment {
@@ -21,13 +21,13 @@ simulation::SimWorld make_world(const Run& run, const Timing& timing, const Plac
 }
 
 RunResult play(const Run& run, const Timing& timing, const Places& places) {
-  Tape tape;
-  simulation::SimWorld world = make_world(run, timing, places, &tape);
+  RecordingObserver observer;
+  simulation::SimWorld world = make_world(run, timing, places, &observer);
   const auto outcome = world.run(seconds(timing.duration_s));
-  report::Recording& recording = tape.recording();
+  report::Recording& recording = observer.recording();
   recording.begin_s = recording.link.empty() ? 0 : recording.link.front().time_s;
   recording.end_s = recording.begin_s + to_seconds(outcome.simulated);
-  return {tape.failure(), to_seconds(outcome.simulated), measure(recording, timing)};
+  return {observer.failure(), to_seconds(outcome.simulated), measure(recording, timing)};
 }
 
 }  // namespace

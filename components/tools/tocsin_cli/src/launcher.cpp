@@ -158,18 +158,18 @@ void Launcher::on_exit(Process& process, const Ending& ending, Time now) {
     stop(ending.code, end + ", stopping" + (ending.code == 0 ? "" : said));
     return;
   }
-  const Verdict verdict = process.judge(ending, now);
-  switch (verdict.kind) {
-    case Verdict::Kind::finished:
+  const RestartDecision decision = process.judge(ending, now);
+  switch (decision.kind) {
+    case RestartDecision::Kind::finished:
       return;
-    case Verdict::Kind::restart:
+    case RestartDecision::Kind::restart:
       journal_.say(end + ", restarting");
       return;
-    case Verdict::Kind::refused:
-      stop(verdict.exit_code, end + ", stopping" + said);
+    case RestartDecision::Kind::refused:
+      stop(decision.exit_code, end + ", stopping" + said);
       return;
-    case Verdict::Kind::too_often:
-      stop(verdict.exit_code, end + " too often, stopping" + said);
+    case RestartDecision::Kind::too_often:
+      stop(decision.exit_code, end + " too often, stopping" + said);
   }
 }
 

@@ -46,10 +46,10 @@ std::optional<Ending> Process::reap() {
   return Ending{false, WEXITSTATUS(status)};
 }
 
-Verdict Process::judge(const Ending& ending, Time now) {
-  const Verdict verdict = rule_.on_exit(ending, now);
-  if (verdict.kind == Verdict::Kind::restart) start_at_ = now + verdict.delay;
-  return verdict;
+RestartDecision Process::judge(const Ending& ending, Time now) {
+  const RestartDecision decision = rule_.on_exit(ending, now);
+  if (decision.kind == RestartDecision::Kind::restart) start_at_ = now + decision.delay;
+  return decision;
 }
 
 void Process::signal(int number) const {

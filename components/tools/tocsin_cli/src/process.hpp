@@ -24,7 +24,7 @@ class Process {
   /// How it ended, once, when it has; sweeps away what is left of its process group.
   [[nodiscard]] std::optional<Ending> reap();
   /// Asks the restart rule; a restart is due at start_at().
-  [[nodiscard]] Verdict judge(const Ending& ending, Time now);
+  [[nodiscard]] RestartDecision judge(const Ending& ending, Time now);
   /// Sends a signal to its process group, if it runs.
   void signal(int number) const;
 

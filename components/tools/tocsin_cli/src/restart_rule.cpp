@@ -17,18 +17,18 @@ bool is_refusal(const Ending& ending) {
 
 }  // namespace
 
-Verdict RestartRule::on_exit(const Ending& ending, Time now) {
+RestartDecision RestartRule::on_exit(const Ending& ending, Time now) {
   was_up_ = was_up_ || now - started_ >= up_after;
-  if (!ending.by_signal && ending.code == 0) return {Verdict::Kind::finished};
+  if (!ending.by_signal && ending.code == 0) return {RestartDecision::Kind::finished};
   if (!was_up_ && is_refusal(ending)) {
-    return {Verdict::Kind::refused, Duration{}, ending.code == 2 ? 2 : 1};
+    return {RestartDecision::Kind::refused, Duration{}, ending.code == 2 ? 2 : 1};
   }
   while (!restarts_.empty() && now - restarts_.front() >= window) restarts_.pop_front();
   const auto recent = static_cast<int>(restarts_.size());
-  if (recent >= policy_.limit) return {Verdict::Kind::too_often, Duration{}, 1};
+  if (recent >= policy_.limit) return {RestartDecision::Kind::too_often, Duration{}, 1};
   restarts_.push_back(now);
   const double delay_s = std::ldexp(policy_.backoff_s, std::min(recent, 30));
-  return {Verdict::Kind::restart, seconds(std::min(delay_s, policy_.max_backoff_s))};
+  return {RestartDecision::Kind::restart, seconds(std::min(delay_s, policy_.max_backoff_s))};
 }
 
 }  // namespace tocsin::cli

@@ -15,7 +15,7 @@ struct Ending {
 };
 
 /// What is to be done when a process has ended.
-struct Verdict {
+struct RestartDecision {
   enum class Kind {
     finished,   ///< it did its work; leave it
     restart,    ///< start it again after `delay`
@@ -36,7 +36,7 @@ class RestartRule {
  public:
   explicit RestartRule(const deployment::RestartPolicy& policy) : policy_(policy) {}
   void on_start(Time now) { started_ = now; }
-  [[nodiscard]] Verdict on_exit(const Ending& ending, Time now);
+  [[nodiscard]] RestartDecision on_exit(const Ending& ending, Time now);
 
  private:
   deployment::RestartPolicy policy_;

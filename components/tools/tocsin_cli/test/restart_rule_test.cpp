@@ -10,7 +10,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using Kind = Verdict::Kind;
+using Kind = RestartDecision::Kind;
 
 constexpr Ending killed{true, 9};
 constexpr Ending aborted{true, 6};
@@ -33,9 +33,9 @@ TEST(RestartRule, FinishesWhenTheProcessEndsWell) {
 TEST(RestartRule, RestartsWhatWasKilledAfterTheBackoff) {
   RestartRule sut(policy());
   sut.on_start(t0);
-  const Verdict verdict = sut.on_exit(killed, t0);
-  EXPECT_EQ(verdict.kind, Kind::restart);
-  EXPECT_EQ(verdict.delay, milliseconds(200));
+  const RestartDecision decision = sut.on_exit(killed, t0);
+  EXPECT_EQ(decision.kind, Kind::restart);
+  EXPECT_EQ(decision.delay, milliseconds(200));
 }
 
 TEST(RestartRule, DoublesTheBackoffUpToItsMaximum) {
@@ -59,9 +59,9 @@ TEST(RestartRule, GivesUpAfterTheLimitWithinAMinute) {
   sut.on_start(t0);
   EXPECT_EQ(sut.on_exit(killed, t0).kind, Kind::restart);
   EXPECT_EQ(sut.on_exit(killed, t0 + seconds(1)).kind, Kind::restart);
-  const Verdict verdict = sut.on_exit(killed, t0 + seconds(59));
-  EXPECT_EQ(verdict.kind, Kind::too_often);
-  EXPECT_EQ(verdict.exit_code, 1);
+  const RestartDecision decision = sut.on_exit(killed, t0 + seconds(59));
+  EXPECT_EQ(decision.kind, Kind::too_often);
+  EXPECT_EQ(decision.exit_code, 1);
 }
 
 TEST(RestartRule, DoesNotGiveUpWhenTheDeathsAreFarApart) {
@@ -81,18 +81,18 @@ TEST(RestartRule, NeverRestartsWithALimitOfZero) {
 TEST(RestartRule, StopsWithTheCodeOfAConfigurationError) {
   RestartRule sut(policy());
   sut.on_start(t0);
-  const Verdict verdict = sut.on_exit({false, 2}, t0 + milliseconds(4999));
-  EXPECT_EQ(verdict.kind, Kind::refused);
-  EXPECT_EQ(verdict.exit_code, 2);
+  const RestartDecision decision = sut.on_exit({false, 2}, t0 + milliseconds(4999));
+  EXPECT_EQ(decision.kind, Kind::refused);
+  EXPECT_EQ(decision.exit_code, 2);
 }
 
 TEST(RestartRule, StopsWithOneWhenTheEnvironmentLacksSomething) {
   for (const int code : {1, 127}) {
     RestartRule sut(policy());
     sut.on_start(t0);
-    const Verdict verdict = sut.on_exit({false, code}, t0);
-    EXPECT_EQ(verdict.kind, Kind::refused) << code;
-    EXPECT_EQ(verdict.exit_code, 1) << code;
+    const RestartDecision decision = sut.on_exit({false, code}, t0);
+    EXPECT_EQ(decision.kind, Kind::refused) << code;
+    EXPECT_EQ(decision.exit_code, 1) << code;
   }
 }
 

@@ -53,7 +53,7 @@ void KobukiDriver::come_online(Time now) {
 
 void KobukiDriver::check_firmware(const Feedback& feedback) {
   if (!feedback.firmware) return;
-  const bool refused = judge_firmware(*feedback.firmware) == FirmwareVerdict::refused;
+  const bool refused = judge_firmware(*feedback.firmware) == FirmwareSupport::refused;
   state_ = refused ? BaseState::refused : BaseState::online;
 }
 

@@ -174,11 +174,11 @@ void KobukiDriverComponent::report_versions() {
   const kobuki::Inquiry& inquiry = driver_.inquiry();
   log().info("hardware {}, firmware {}", to_text(*inquiry.hardware()),
              to_text(*inquiry.firmware()));
-  const auto verdict = judge_firmware(*inquiry.firmware());
-  if (verdict == kobuki::FirmwareVerdict::replace) {
+  const auto support = judge_firmware(*inquiry.firmware());
+  if (support == kobuki::FirmwareSupport::replace) {
     log().warn("this firmware should be replaced by 1.1.4 or 1.2.0");
   }
-  if (verdict == kobuki::FirmwareVerdict::software_behind) {
+  if (support == kobuki::FirmwareSupport::software_behind) {
     log().warn("this firmware is newer than any that this software knows");
   }
   if (!base_topics_.publish_versions(inquiry)) log().warn("the versions were not published");

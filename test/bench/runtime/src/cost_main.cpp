@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "bench_bus.hpp"
-#include "runner.hpp"
+#include "runner/runner.hpp"
 #include "runtime/middleware/gated_writer.hpp"
 #include "start_cost.hpp"
 

@@ -14,15 +14,15 @@
 
 namespace tocsin {
 
-/// What a sample that comes does: ask for a tick, or wait for the next one (of a component that
-/// acts at its own rate, and would only look at it before).
-enum class Arrival { ticks, waits };
+/// Whether a sample that comes asks for a tick (event triggered), or waits for the next one (time
+/// triggered: of a component that acts at its own rate, and would only look at it before).
+enum class WakeMode { event_triggered, time_triggered };
 
 /// The reading end of a topic, without its C++ type: a queue that drops its oldest sample when it
 /// is full. Filled by the bus from any thread, emptied by the component's tick.
 class InputPort : private Receiver {
  public:
-  InputPort(Component& owner, const Endpoint& endpoint, Arrival arrival = Arrival::ticks);
+  InputPort(Component& owner, const Endpoint& endpoint, WakeMode wake = WakeMode::event_triggered);
   ~InputPort() override;
 
   /// Whether there is one to take; costs nothing.
@@ -43,7 +43,7 @@ class InputPort : private Receiver {
   void receive_last(Sample&& sample) override;
   Component& owner_;
   const Endpoint endpoint_;
-  const Arrival arrival_;
+  const WakeMode wake_mode_;
   mutable TurnLock turn_;
   SampleQueue queue_{capacity};
   std::atomic<bool> has_sample_{false};  ///< so that to look into an empty queue takes no lock
@@ -60,9 +60,9 @@ template <class Topic>
 class Input : public InputPort {
  public:
   using Message = typename Topic::Message;
-  explicit Input(Component& owner, Arrival arrival = Arrival::ticks,
+  explicit Input(Component& owner, WakeMode wake = WakeMode::event_triggered,
                  Writers writers = Writers::needed)
-      : InputPort(owner, {Topic::info, &type_info<Message>(), writers}, arrival) {}
+      : InputPort(owner, {Topic::info, &type_info<Message>(), writers}, wake) {}
 
   /// The oldest message that was not taken yet; null when there is none.
   [[nodiscard]] std::shared_ptr<const Message> take() {
@@ -82,8 +82,8 @@ class Input : public InputPort {
 template <class Topic>
 class OptionalInput : public Input<Topic> {
  public:
-  explicit OptionalInput(Component& owner, Arrival arrival = Arrival::ticks)
-      : Input<Topic>(owner, arrival, Writers::optional) {}
+  explicit OptionalInput(Component& owner, WakeMode wake = WakeMode::event_triggered)
+      : Input<Topic>(owner, wake, Writers::optional) {}
 };
 
 /// Member of a component that writes a topic of tocsin_idl/topics.hpp. Link topics pass the gate.

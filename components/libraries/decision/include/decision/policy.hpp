@@ -60,7 +60,7 @@ struct Evidence {
 };
 
 /// What a rule says about one sample.
-struct Verdict {
+struct Decision {
   bool change = false;
   Reason reason = Reason::steady;
   double statistic = 0;
@@ -72,9 +72,9 @@ class Rule {
  public:
   virtual ~Rule() = default;
   /// One sample while active; NaN when none. `change` asks for a pause.
-  virtual Verdict while_active(double qni) = 0;
+  virtual Decision while_active(double qni) = 0;
   /// Sample `age` (1, 2, ...) of a pause; NaN when none. `change` asks to resume.
-  virtual Verdict while_passive(double qni, int age) = 0;
+  virtual Decision while_passive(double qni, int age) = 0;
   /// The state has become `state`, asked for or forced.
   virtual void entered(State state) = 0;
   /// Nothing was heard for so long while active that earlier evidence is void.
@@ -104,8 +104,8 @@ class Policy {
   bool advance(Time now);
   bool is_stale(Time stamp, bool clock_went_back);
   [[nodiscard]] bool pause_expired() const;
-  void limit_silence(Verdict& verdict) const;
-  Evidence conclude(const Verdict& verdict, double qni);
+  void limit_silence(Decision& decision) const;
+  Evidence conclude(const Decision& decision, double qni);
 
   const char* name_;
   int th_max_samples_;

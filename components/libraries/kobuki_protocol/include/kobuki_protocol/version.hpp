@@ -29,13 +29,13 @@ struct Version {
 [[nodiscard]] Version firmware_from_old_code(std::uint16_t code);
 
 /// What to think of a firmware version. Recommended are 1.1.4 and 1.2.0 (reference page 1.8).
-enum class FirmwareVerdict {
+enum class FirmwareSupport {
   recommended,
   replace,          ///< older than recommended, or between two recommended ones
   software_behind,  ///< newer than all that this software knows
   refused           ///< major is not 1: another protocol
 };
-[[nodiscard]] FirmwareVerdict judge_firmware(const Version& firmware);
+[[nodiscard]] FirmwareSupport judge_firmware(const Version& firmware);
 
 /// Whether the firmware has user gains (commands 13 and 14, feedback 21): from 1.2.0.
 [[nodiscard]] bool has_gains(const Version& firmware);

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "simulation/promises.hpp"
+#include "simulation/invariants.hpp"
 
 namespace tocsin::simulation {
 
 /// What became of one checked run.
-struct Verdict {
+struct SeedOutcome {
   std::uint64_t seed = 0;
   Outcome outcome;
   FaultPlan faults;
@@ -21,11 +21,11 @@ struct Verdict {
 
 /// Runs a world with faults until the mission is over, at most `limits.recovers_s` after the
 /// last of them, and checks the promises. Throws as SimWorld does.
-[[nodiscard]] Verdict run_checked(deployment::Deployment deployment, WorldOptions options,
-                                  const PromiseLimits& limits = {});
+[[nodiscard]] SeedOutcome run_checked(deployment::Deployment deployment, WorldOptions options,
+                                      const InvariantLimits& limits = {});
 
 /// Whether every promise was kept. A text for people, one line per violation.
-[[nodiscard]] std::string to_text(const Verdict& verdict);
+[[nodiscard]] std::string to_text(const SeedOutcome& checked);
 
 struct Search {
   std::uint64_t first = 1;
@@ -39,11 +39,11 @@ struct SearchResult {
   std::uint64_t checks = 0;
   Duration simulated{0};
   /// In the order of seeds. With `until_failure` at most one, and no seed before it breaks any.
-  std::vector<Verdict> broken;
+  std::vector<SeedOutcome> broken;
 };
 
 /// Runs seeds side by side. `run` is called from several threads; what it throws, this throws.
 [[nodiscard]] SearchResult search(const Search& search,
-                                  const std::function<Verdict(std::uint64_t seed)>& run);
+                                  const std::function<SeedOutcome(std::uint64_t seed)>& run);
 
 }  // namespace tocsin::simulation

@@ -44,7 +44,7 @@ class MissionControlComponent final : public Component {
   void report(Time now);
   void end_when_over(MissionControl::State state);
 
-  Input<topic::Location> location_{*this, Arrival::waits};
+  Input<topic::Location> location_{*this, WakeMode::time_triggered};
   Input<topic::NavigationStatus> navigation_{*this};
   Output<topic::Goal> goal_{*this};
   Output<topic::MissionStatus> status_{*this};

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "foundation/time.hpp"
-#include "operator_console/verdict.hpp"
+#include "operator_console/order_result.hpp"
 
 namespace tocsin {
 
@@ -27,7 +27,7 @@ class DockOrder {
   [[nodiscard]] std::optional<std::string> on_status(const Status& status, Time now);
   /// The command to send, now and again; null when there is none (any more).
   [[nodiscard]] const char* command() const;
-  [[nodiscard]] std::optional<Verdict> verdict(Time now) const;
+  [[nodiscard]] std::optional<OrderResult> result(Time now) const;
 
  private:
   [[nodiscard]] bool running() const;

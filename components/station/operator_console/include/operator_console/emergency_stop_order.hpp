@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "foundation/time.hpp"
-#include "operator_console/verdict.hpp"
+#include "operator_console/order_result.hpp"
 
 namespace tocsin {
 
@@ -29,17 +29,17 @@ class EmergencyStopOrder {
   /// What the vehicle says of itself, heard from it or told by the station: whether it stands by
   /// the emergency stop, and by whose.
   void on_vehicle(bool stands, std::vector<std::string> stopped_by);
-  /// What must be asked of the station, now and again until there is a verdict.
+  /// What must be asked of the station, now and again until there is a result.
   [[nodiscard]] std::optional<bool> request() const;
   /// What must be said to the vehicle itself, now and again.
   [[nodiscard]] std::optional<bool> direct(Time now) const;
-  [[nodiscard]] std::optional<Verdict> verdict(Time now) const;
+  [[nodiscard]] std::optional<OrderResult> result(Time now) const;
 
  private:
   [[nodiscard]] bool is_taken() const;
-  [[nodiscard]] Verdict obeyed() const;
-  [[nodiscard]] Verdict failure() const;
-  [[nodiscard]] Verdict status() const;
+  [[nodiscard]] OrderResult obeyed() const;
+  [[nodiscard]] OrderResult failure() const;
+  [[nodiscard]] OrderResult status() const;
   Wish wish_;
   Time direct_at_;
   Time deadline_;

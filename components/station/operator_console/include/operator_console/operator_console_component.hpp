@@ -43,7 +43,7 @@ class OperatorConsoleComponent final : public Component {
   void say(Output<Topic>& output, bool pressed);
   void give(DockOrder& order, Time now);
   [[nodiscard]] bool due(Time now);
-  void end(const Verdict& verdict);
+  void end(const OrderResult& result);
 
   Input<topic::EmergencyStopState> station_{*this};
   Input<topic::SafetyStatus> safety_{*this};

@@ -22,14 +22,14 @@ class Listener final : public Component {
 
  private:
   /// A reader that wakes nobody.
-  class Ear final : public Receiver {
+  class NullReceiver final : public Receiver {
    public:
     void receive(const Sample&) override {}
   };
   template <class... Topics>
   void listen_to(topic::List<Topics...>);
 
-  Ear ear_;
+  NullReceiver receiver_;
   std::vector<std::unique_ptr<Subscription>> heard_;
 };
 

@@ -69,7 +69,7 @@ class KobukiDriverComponent final : public Component {
   void report_gains();
   void remember(Time now);
 
-  Input<topic::CmdVel> cmd_vel_{*this, Arrival::waits};
+  Input<topic::CmdVel> cmd_vel_{*this, WakeMode::time_triggered};
   CommandTopics commands_{*this};
   BaseTopics base_topics_{*this};
 

@@ -69,34 +69,34 @@ Acceptance::Counts Acceptance::run() {
   return counts_;
 }
 
-void Acceptance::step(const std::string& name, const std::function<Verdict()>& body) {
-  const Verdict verdict = verdict_of(body);
+void Acceptance::step(const std::string& name, const std::function<StepResult()>& body) {
+  const StepResult result = result_of(body);
   static constexpr const char* texts[] = {"passed", "FAILED", "skipped", "not run"};
-  std::printf("%-32s %s\n", name.c_str(), texts[static_cast<std::size_t>(verdict)]);
+  std::printf("%-32s %s\n", name.c_str(), texts[static_cast<std::size_t>(result)]);
   std::fflush(stdout);
-  counts_.passed += verdict == Verdict::passed ? 1 : 0;
-  counts_.failed += verdict == Verdict::failed ? 1 : 0;
-  counts_.skipped += verdict == Verdict::skipped ? 1 : 0;
-  counts_.not_run += verdict == Verdict::not_run ? 1 : 0;
+  counts_.passed += result == StepResult::passed ? 1 : 0;
+  counts_.failed += result == StepResult::failed ? 1 : 0;
+  counts_.skipped += result == StepResult::skipped ? 1 : 0;
+  counts_.not_run += result == StepResult::not_run ? 1 : 0;
 }
 
 /// A base that is lost during a step has failed it.
-Verdict Acceptance::verdict_of(const std::function<Verdict()>& body) {
-  if (session_.over()) return Verdict::not_run;
-  const Verdict verdict = body();
-  if (session_.hears_base()) return verdict;
-  return session_.interrupted() ? Verdict::not_run : Verdict::failed;
+StepResult Acceptance::result_of(const std::function<StepResult()>& body) {
+  if (session_.over()) return StepResult::not_run;
+  const StepResult result = body();
+  if (session_.hears_base()) return result;
+  return session_.interrupted() ? StepResult::not_run : StepResult::failed;
 }
 
 /// Whether it comes in time, fails to, or is skipped by a key.
-Verdict Acceptance::wait_until(const std::function<bool()>& done) {
+StepResult Acceptance::wait_until(const std::function<bool()>& done) {
   const Time end = session_.now() + patience;
   while (!session_.run_until(done, end - session_.now())) {
     const auto key = session_.key();
-    if (key == 's') return Verdict::skipped;
-    if (!key) return Verdict::failed;
+    if (key == 's') return StepResult::skipped;
+    if (!key) return StepResult::failed;
   }
-  return Verdict::passed;
+  return StepResult::passed;
 }
 
 /// y, n or s; empty when nobody answered.
@@ -110,20 +110,20 @@ std::optional<char> Acceptance::ask(const std::string& question) {
   }
 }
 
-Verdict Acceptance::judge(const std::string& question) {
+StepResult Acceptance::judge(const std::string& question) {
   const auto answer = ask(question);
-  if (answer == 's') return Verdict::skipped;
-  return answer == 'y' ? Verdict::passed : Verdict::failed;
+  if (answer == 's') return StepResult::skipped;
+  return answer == 'y' ? StepResult::passed : StepResult::failed;
 }
 
-Verdict Acceptance::permit(const std::string& question) {
-  if (control_ != nullptr) return Verdict::passed;
+StepResult Acceptance::permit(const std::string& question) {
+  if (control_ != nullptr) return StepResult::passed;
   const auto answer = ask(question);
-  if (!answer) return Verdict::failed;
-  return answer == 'y' ? Verdict::passed : Verdict::skipped;
+  if (!answer) return StepResult::failed;
+  return answer == 'y' ? StepResult::passed : StepResult::skipped;
 }
 
-Verdict Acceptance::leds() {
+StepResult Acceptance::leds() {
   bool all_right = true;
   for (const int led : {1, 2}) {
     for (const unsigned colour : {1U, 2U, 3U, 0U}) {  // red, green, orange, off
@@ -134,25 +134,25 @@ Verdict Acceptance::leds() {
       if (control_ != nullptr) all_right &= control_->state("outputs") == outputs.bits;
     }
   }
-  if (control_ != nullptr) return all_right ? Verdict::passed : Verdict::failed;
+  if (control_ != nullptr) return all_right ? StepResult::passed : StepResult::failed;
   return judge("LED 1, then LED 2: red, green, orange, off?");
 }
 
-Verdict Acceptance::sounds() {
+StepResult Acceptance::sounds() {
   const double before = control_ != nullptr ? control_->state("sounds").value_or(0) : 0;
   for (int i = 0; i <= static_cast<int>(Tune::cleaning_end); ++i) {
-    if (!session_.driver().send_once(static_cast<Tune>(i))) return Verdict::failed;
+    if (!session_.driver().send_once(static_cast<Tune>(i))) return StepResult::failed;
     session_.run_for(std::chrono::milliseconds(control_ == nullptr ? 1500 : 100));
   }
   if (control_ == nullptr) return judge("seven tunes?");
-  return control_->state("sounds") == before + 7 ? Verdict::passed : Verdict::failed;
+  return control_->state("sounds") == before + 7 ? StepResult::passed : StepResult::failed;
 }
 
 unsigned Acceptance::sensors(const Touch& touch) const {
   return session_.last()->feedback.core.value().*touch.sensors;
 }
 
-Verdict Acceptance::touch(const Touch& touch) {
+StepResult Acceptance::touch(const Touch& touch) {
   const auto set = [&](unsigned bits) {
     if (control_ != nullptr)
       (void)control_->ask("set " + std::string(touch.field) + "=" + std::to_string(bits));
@@ -163,32 +163,33 @@ Verdict Acceptance::touch(const Touch& touch) {
   set(touch.bit);
   unsigned seen = 0;
   const auto pressed = [&] { return ((seen |= sensors(touch)) & touch.bit) != 0; };
-  Verdict verdict = wait_until(pressed);
+  StepResult result = wait_until(pressed);
   set(0);
   const auto released = [&] {
     seen |= sensors(touch);
     return (sensors(touch) & touch.bit) == 0;
   };
-  if (verdict == Verdict::passed) verdict = wait_until(released);
-  if (verdict != Verdict::passed) return verdict;
+  if (result == StepResult::passed) result = wait_until(released);
+  if (result != StepResult::passed) return result;
   if ((seen & touch.others) != 0) std::printf("another sensor is reported with it\n");
-  return at_rest && (seen & touch.others) == 0 ? Verdict::passed : Verdict::failed;
+  return at_rest && (seen & touch.others) == 0 ? StepResult::passed : StepResult::failed;
 }
 
-Verdict Acceptance::drive_until(const BodyVelocity& velocity, const std::function<bool()>& done) {
+StepResult Acceptance::drive_until(const BodyVelocity& velocity,
+                                   const std::function<bool()>& done) {
   const Time end = session_.now() + patience;
-  Verdict verdict = Verdict::failed;
-  while (verdict == Verdict::failed && session_.now() < end && !session_.over()) {
+  StepResult result = StepResult::failed;
+  while (result == StepResult::failed && session_.now() < end && !session_.over()) {
     session_.driver().on_velocity(velocity, session_.now());
-    if (session_.run_until(done, std::chrono::milliseconds(100))) verdict = Verdict::passed;
-    if (session_.key() == 's') verdict = Verdict::skipped;
+    if (session_.run_until(done, std::chrono::milliseconds(100))) result = StepResult::passed;
+    if (session_.key() == 's') result = StepResult::skipped;
   }
   session_.driver().on_velocity({}, session_.now());
   session_.run_for(std::chrono::milliseconds(600));
-  return verdict;
+  return result;
 }
 
-Verdict Acceptance::turn_by(double angle_rad) {
+StepResult Acceptance::turn_by(double angle_rad) {
   double turned_rad = 0;
   double last_rad = session_.last()->pose.heading_rad;
   return drive_until({0, 0.6}, [&] {
@@ -199,55 +200,56 @@ Verdict Acceptance::turn_by(double angle_rad) {
   });
 }
 
-Verdict Acceptance::forward_by(double length_m) {
+StepResult Acceptance::forward_by(double length_m) {
   const Pose from = session_.last()->pose;
   return drive_until({0.15, 0},
                      [&] { return distance_m(from, session_.last()->pose) >= length_m - 0.03; });
 }
 
-Verdict Acceptance::drive_square() {
+StepResult Acceptance::drive_square() {
   for (int i = 0; i < 4; ++i) {
-    const Verdict side = forward_by(side_m);
-    if (side != Verdict::passed) return side;
-    const Verdict corner = turn_by(pi / 2);
-    if (corner != Verdict::passed) return corner;
+    const StepResult side = forward_by(side_m);
+    if (side != StepResult::passed) return side;
+    const StepResult corner = turn_by(pi / 2);
+    if (corner != StepResult::passed) return corner;
   }
-  return Verdict::passed;
+  return StepResult::passed;
 }
 
 /// A gyro or wheels that tell of another number of turns differ by those.
-Verdict Acceptance::gyro() {
-  const Verdict may = permit("may it turn once on the spot?");
-  if (may != Verdict::passed) return may;
+StepResult Acceptance::gyro() {
+  const StepResult may = permit("may it turn once on the spot?");
+  if (may != StepResult::passed) return may;
   const auto difference_m = [&] {
     const Reading& last = *session_.last();
     return (last.right.angle_rad - last.left.angle_rad) * wheel_radius_m;
   };
   const double before_m = difference_m();
   const GyroTurn by_gyro(session_);
-  const Verdict turned = turn_by(2 * pi);
-  if (turned != Verdict::passed) return turned;
+  const StepResult turned = turn_by(2 * pi);
+  if (turned != StepResult::passed) return turned;
   const double by_wheels_rad = (difference_m() - before_m) / wheel_separation_m;
   const double apart_rad = by_wheels_rad - by_gyro.turned_rad();
   std::printf("wheels and gyro differ by %.1f deg\n", apart_rad / degree_rad);
-  return std::abs(apart_rad) < 10 * degree_rad ? Verdict::passed : Verdict::failed;
+  return std::abs(apart_rad) < 10 * degree_rad ? StepResult::passed : StepResult::failed;
 }
 
-Verdict Acceptance::square() {
-  const Verdict may = permit("is there 1 m of free floor ahead and to the left?");
-  if (may != Verdict::passed) return may;
+StepResult Acceptance::square() {
+  const StepResult may = permit("is there 1 m of free floor ahead and to the left?");
+  if (may != StepResult::passed) return may;
   const auto true_from = true_place();
   const Pose from = session_.last()->pose;
-  const Verdict driven = drive_square();
-  if (driven != Verdict::passed) return driven;
+  const StepResult driven = drive_square();
+  if (driven != StepResult::passed) return driven;
   const double gap_m = distance_m(from, session_.last()->pose);
   std::printf("back at the start within %.3f m by odometry\n", gap_m);
-  if (gap_m >= greatest_gap_m) return Verdict::failed;
+  if (gap_m >= greatest_gap_m) return StepResult::failed;
   if (control_ == nullptr) return judge("does it stand where it started, within a hand's breadth?");
   const auto true_to = true_place();
-  if (!true_from || !true_to) return Verdict::failed;
+  if (!true_from || !true_to) return StepResult::failed;
   std::printf("within %.3f m in truth\n", distance_m(*true_from, *true_to));
-  return distance_m(*true_from, *true_to) < greatest_gap_m ? Verdict::passed : Verdict::failed;
+  return distance_m(*true_from, *true_to) < greatest_gap_m ? StepResult::passed
+                                                           : StepResult::failed;
 }
 
 std::optional<Pose> Acceptance::true_place() {

@@ -11,7 +11,7 @@
 
 namespace tocsin::kobuki {
 
-enum class Verdict { passed, failed, skipped, not_run };
+enum class StepResult { passed, failed, skipped, not_run };
 
 /// The acceptance list of a base: LEDs, sounds, buttons, bumpers, cliffs, wheel drops, gyro, square
 /// drive. A person answers and presses; with `control` a simulator does. A step passes only when
@@ -43,25 +43,25 @@ class Acceptance {
   };
   static const std::vector<Touch>& touches();
 
-  void step(const std::string& name, const std::function<Verdict()>& body);
-  [[nodiscard]] Verdict verdict_of(const std::function<Verdict()>& body);
+  void step(const std::string& name, const std::function<StepResult()>& body);
+  [[nodiscard]] StepResult result_of(const std::function<StepResult()>& body);
   [[nodiscard]] std::optional<char> ask(const std::string& question);
-  [[nodiscard]] Verdict judge(const std::string& question);
-  [[nodiscard]] Verdict permit(const std::string& question);
-  [[nodiscard]] Verdict wait_until(const std::function<bool()>& done);
+  [[nodiscard]] StepResult judge(const std::string& question);
+  [[nodiscard]] StepResult permit(const std::string& question);
+  [[nodiscard]] StepResult wait_until(const std::function<bool()>& done);
   [[nodiscard]] unsigned sensors(const Touch& touch) const;
 
-  [[nodiscard]] Verdict leds();
-  [[nodiscard]] Verdict sounds();
-  [[nodiscard]] Verdict touch(const Touch& touch);
-  [[nodiscard]] Verdict gyro();
-  [[nodiscard]] Verdict square();
+  [[nodiscard]] StepResult leds();
+  [[nodiscard]] StepResult sounds();
+  [[nodiscard]] StepResult touch(const Touch& touch);
+  [[nodiscard]] StepResult gyro();
+  [[nodiscard]] StepResult square();
   [[nodiscard]] std::optional<Pose> true_place();
-  [[nodiscard]] Verdict drive_until(const BodyVelocity& velocity,
-                                    const std::function<bool()>& done);
-  [[nodiscard]] Verdict turn_by(double angle_rad);
-  [[nodiscard]] Verdict forward_by(double length_m);
-  [[nodiscard]] Verdict drive_square();
+  [[nodiscard]] StepResult drive_until(const BodyVelocity& velocity,
+                                       const std::function<bool()>& done);
+  [[nodiscard]] StepResult turn_by(double angle_rad);
+  [[nodiscard]] StepResult forward_by(double length_m);
+  [[nodiscard]] StepResult drive_square();
 
   Session& session_;
   SimulatorControl* control_;

@@ -22,10 +22,10 @@ const char* text_of(BaseState state) {
   return texts[static_cast<std::size_t>(state)];
 }
 
-const char* text_of(FirmwareVerdict verdict) {
+const char* text_of(FirmwareSupport support) {
   static constexpr const char* texts[] = {"recommended", "should be replaced by 1.1.4 or 1.2.0",
                                           "newer than this software knows", "refused"};
-  return texts[static_cast<std::size_t>(verdict)];
+  return texts[static_cast<std::size_t>(support)];
 }
 
 std::string battery_text(const Battery& battery) {

@@ -52,7 +52,7 @@ class NavigatorComponent final : public Component {
   void log_change(const Navigator::Status& status);
   void remember(Time now);
 
-  Input<topic::Odom> odom_{*this, Arrival::waits};
+  Input<topic::Odom> odom_{*this, WakeMode::time_triggered};
   OptionalInput<topic::Goal> goal_{*this};
   EmergencyStopInput emergency_stop_{*this};
   Input<topic::Heartbeat> heartbeat_{*this};

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "container/container.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "foundation/free_space.hpp"
+#include "runtime/middleware/component_library.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
+
+namespace tocsin {
+namespace {
+
+/// The larger number of containers of the hosts.
+int processes_of(const deployment::Deployment& deployment) {
+  std::size_t most = 1;
+  for (const deployment::Host& host : deployment.hosts) {
+    most = std::max(most, host.containers.size());
+  }
+  return static_cast<int>(most);
+}
+
+BusOptions bus_options(const deployment::Deployment& deployment, const deployment::Host& host,
+                       const deployment::Container& container) {
+  return {host.name + "_" + container.name,
+          host.role,
+          deployment.ros_namespace,
+          deployment.qos,
+          deployment.traffic,
+          host.local_domain,
+          deployment.link_domain,
+          host.address,
+          host.peers,
+          processes_of(deployment)};
+}
+
+}  // namespace
+
+Container::Container(const deployment::Deployment& deployment, const deployment::Host& host,
+                     const deployment::Container& container, std::function<void(int)> request_exit)
+    : bus_(make_fast_dds_bus(bus_options(deployment, host, container))),
+      gate_context_{*bus_, "gate", host.role, deployment.run_dir, std::move(request_exit)},
+      control_context_(gate_context_) {
+  control_context_.name = "control";
+  const auto notice_failure = [this] { control_->schedule().input_arrived(); };
+  threads_ = std::make_unique<RunnerThreads>(*bus_, container.shared_thread, container.name,
+                                             notice_failure);
+  instances_ = std::make_unique<Instances>(gate_context_, *threads_, load_component);
+  gate_ = std::make_unique<GateComponent>(gate_context_, GateComponent::Params{}, container.name);
+  control_ = std::make_unique<ControlComponent>(
+      control_context_, container.health,
+      ProcessName{host.name, container.name, static_cast<int>(getpid())}, *instances_,
+      ControlComponent::Computer{resident_bytes, free_bytes});
+  for (const deployment::ComponentInstance& one : container.components) {
+    instances_->add(one.component, one.name, one.parameters, deployment.sources);
+  }
+}
+
+Container::~Container() {
+  control_runner_.reset();
+  gate_runner_.reset();
+  instances_.reset();
+  threads_.reset();
+}
+
+void Container::start() {
+  instances_->activate_all();
+  const auto run = [this](Component& component, TickAccount& account) {
+    auto runner = std::make_unique<Runner>(component.name(), *bus_);
+    runner->add(component, account);
+    runner->start();
+    return runner;
+  };
+  gate_runner_ = run(*gate_, gate_account_);
+  control_runner_ = run(*control_, control_account_);
+}
+
+}  // namespace tocsin

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "container/control_component.hpp"
+#include "deployment/deployment.hpp"
+#include "runner/runner_threads.hpp"
+#include "runtime/middleware/gate_component.hpp"
+
+namespace tocsin {
+
+/// The components of one process, with a gate and a control on threads of their own.
+class Container {
+ public:
+  /// Builds every component. Throws ConfigError or EnvironmentError; nothing runs then.
+  /// `request_exit` is called from a component's thread.
+  Container(const deployment::Deployment& deployment, const deployment::Host& host,
+            const deployment::Container& container, std::function<void(int)> request_exit);
+  /// Stops all threads, then destroys the components in reverse order.
+  ~Container();
+
+  void start();
+
+ private:
+  const std::unique_ptr<Bus> bus_;
+  Context gate_context_;
+  Context control_context_;
+  std::unique_ptr<RunnerThreads> threads_;
+  std::unique_ptr<Instances> instances_;
+  std::unique_ptr<GateComponent> gate_;
+  std::unique_ptr<ControlComponent> control_;
+  TickAccount gate_account_;
+  TickAccount control_account_;
+  std::unique_ptr<Runner> gate_runner_;
+  std::unique_ptr<Runner> control_runner_;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "container/health_report.hpp"
+#include "container/instances.hpp"
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// Who a container process is, on its host.
+struct ProcessName {
+  std::string host;
+  std::string container;
+  int pid;
+};
+
+/// Runs in every container, on a thread of its own: carries out commands on the instances, and
+/// tells their states and health. A command that waits for a blocked component delays only this.
+class ControlComponent final : public Component {
+ public:
+  /// What it asks its computer, once per report.
+  struct Computer {
+    std::function<std::uint64_t()> resident_bytes;
+    std::function<std::optional<std::uint64_t>(const std::string& folder)> free_bytes;
+  };
+  /// `instances` must outlive it.
+  ControlComponent(Context& context, const HealthLimits& limits, ProcessName process,
+                   Instances& instances, Computer computer);
+  void tick(Time now) override;
+
+ private:
+  using Other = std::pair<std::string, int>;  // container and process id
+  struct Heard {
+    Time at;
+    std::vector<std::string> names;
+  };
+  void obey(const tocsin_msgs::msg::ContainerCommand& command);
+  Outcome carry_out(const tocsin_msgs::msg::ContainerCommand& command);
+  void note_neighbour(const tocsin_msgs::msg::ContainerState& state, Time now);
+  /// The other container that has an instance of this name; empty when there is none.
+  [[nodiscard]] std::string twin_of(const std::string& name) const;
+  void publish_state(Time now);
+  void publish_health(Time now);
+  [[nodiscard]] InstanceHealth health_of(const Instance& instance, Time now);
+  void add_endpoints(diagnostic_msgs::msg::DiagnosticArray& array);
+  void add_process(Time now, diagnostic_msgs::msg::DiagnosticArray& array);
+
+  Input<topic::ContainerCommand> command_{*this};
+  Input<topic::ContainerState> neighbours_{*this};
+  Output<topic::ContainerState> state_{*this};
+  Output<topic::Diagnostics> diagnostics_{*this};
+  const HealthLimits limits_;
+  const ProcessName process_;
+  Instances& instances_;
+  const Computer computer_;
+  std::map<Other, Heard> heard_;
+  std::map<std::uint32_t, InstanceSums> before_;
+  std::map<std::string, EndpointHealth> endpoints_before_;
+  std::deque<tocsin_msgs::msg::ContainerAnswer> answers_;
+  std::uint64_t first_bytes_ = 0;
+  Time started_{};
+  Time next_report_{};
+};
+
+/// Resident memory of this process [byte]; 0 when /proc does not tell.
+[[nodiscard]] std::uint64_t resident_bytes();
+
+}  // namespace tocsin

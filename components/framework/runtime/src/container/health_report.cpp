@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "container/health_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "foundation/free_space.hpp"
+#include "foundation/printable.hpp"
+
+namespace tocsin {
+namespace {
+
+using namespace diagnostic_msgs::msg::DiagnosticStatus_Constants;
+
+constexpr double mib = 1024.0 * 1024.0;
+
+/// Keeps the gravest finding as the message.
+class Finding {
+ public:
+  Finding(const std::string& name, const std::string& fine) {
+    status_.name(name);
+    status_.level(OK);
+    status_.message(fine);
+  }
+  void grade(std::uint8_t level, const std::string& message) {
+    if (level <= status_.level()) return;
+    status_.level(level);
+    status_.message(message);
+  }
+  template <class Value>
+  void value(const std::string& key, const Value& value) {
+    diagnostic_msgs::msg::KeyValue pair;
+    pair.key(key);
+    pair.value(fmt::format("{}", value));
+    status_.values().push_back(std::move(pair));
+  }
+  [[nodiscard]] const Diagnostic& status() const { return status_; }
+
+ private:
+  Diagnostic status_;
+};
+
+std::string seconds_text(Duration d) { return fmt::format("{:.6f}", to_seconds(d)); }
+
+/// Samples that `port` dropped since `before`.
+std::uint64_t drops_since(const PortHealth& port, const std::vector<PortHealth>& before) {
+  for (const PortHealth& one : before) {
+    if (one.topic == port.topic) return port.dropped - std::min(one.dropped, port.dropped);
+  }
+  return port.dropped;
+}
+
+void judge_ticks(const InstanceHealth& instance, const HealthLimits& limits, Finding& finding) {
+  const TickFigures& ticks = instance.now.ticks;
+  const Duration running =
+      ticks.running_since ? instance.now.at - *ticks.running_since : Duration::zero();
+  const double longest_s = to_seconds(std::max(running, ticks.longest));
+  if (to_seconds(running) > limits.blocked_tick_s) {
+    finding.grade(ERROR,
+                  fmt::format("blocks: a tick has been running for {:.1f} s", to_seconds(running)));
+  }
+  if (longest_s > limits.slow_tick_s) {
+    finding.grade(WARN, fmt::format("slow: a tick took {:.3f} s", longest_s));
+  }
+  const std::uint64_t overruns = instance.now.overruns - instance.before.overruns;
+  const std::uint64_t count = ticks.ticks - instance.before.ticks.ticks;
+  if (static_cast<double>(overruns) >
+      limits.overrun_share * static_cast<double>(count + overruns)) {
+    finding.grade(WARN, fmt::format("late: {} periods skipped", overruns));
+  }
+}
+
+void add_ticks(const InstanceHealth& instance, Finding& finding) {
+  const TickFigures& ticks = instance.now.ticks;
+  const TickFigures& before = instance.before.ticks;
+  const std::uint64_t count = ticks.ticks - before.ticks;
+  const double window_s = to_seconds(instance.now.at - instance.before.at);
+  const double rate = window_s > 0 ? static_cast<double>(count) / window_s : 0.0;
+  finding.value("rate_hz", fmt::format("{:.2f}", rate));
+  finding.value("ticks", ticks.ticks);
+  finding.value("overruns", instance.now.overruns);
+  const auto divisor = static_cast<Duration::rep>(std::max<std::uint64_t>(count, 1));
+  finding.value("tick_mean_s", seconds_text((ticks.total - before.total) / divisor));
+  finding.value("tick_p99_s", seconds_text(ticks.quantile(0.99, before)));
+  finding.value("tick_max_s", seconds_text(ticks.longest));
+}
+
+void add_ports(const InstanceHealth& instance, Finding& finding) {
+  for (const PortHealth& port : instance.now.ports) {
+    const std::uint64_t dropped = drops_since(port, instance.before.ports);
+    if (dropped > 0) {
+      finding.grade(WARN, fmt::format("flooded: {} samples of {} dropped", dropped, port.topic));
+    }
+    finding.value(port.topic + ".received", port.received);
+    finding.value(port.topic + ".dropped", port.dropped);
+    finding.value(port.topic + ".depth", port.depth);
+    finding.value(port.topic + ".age_s",
+                  port.last == Time{}
+                      ? "never"
+                      : fmt::format("{:.3f}", to_seconds(instance.now.at - port.last)));
+  }
+}
+
+void judge_disk(const ProcessFigures& process, const HealthLimits& limits, Finding& finding) {
+  const double room = static_cast<double>(*process.free_bytes) / mib;
+  const std::string disk = "disk of " + printable(process.run_dir, 100);
+  if (*process.free_bytes < full_below_bytes) {
+    finding.grade(ERROR, disk + " is full: recordings and logs are lost");
+  }
+  if (room < limits.disk_low_mib) {
+    finding.grade(WARN, fmt::format("{} has {:.0f} MiB left", disk, room));
+  }
+  finding.value("disk_free_mib", fmt::format("{:.1f}", room));
+}
+
+}  // namespace
+
+Diagnostic diagnose(const std::string& container, const InstanceHealth& instance,
+                    const HealthLimits& limits) {
+  Finding finding(container + "/" + instance.name, instance.state);
+  if (instance.state == "error") finding.grade(ERROR, "threw: " + instance.error);
+  if (!instance.twin.empty()) {
+    finding.grade(ERROR, "two nodes of one name: also in container " + instance.twin);
+  }
+  finding.value("state", instance.state);
+  if (instance.state == "active") judge_ticks(instance, limits, finding);
+  add_ticks(instance, finding);
+  add_ports(instance, finding);
+  return finding.status();
+}
+
+Diagnostic diagnose(const std::string& container, const ProcessFigures& process,
+                    const HealthLimits& limits) {
+  const double resident = static_cast<double>(process.bytes) / mib;
+  const double growth = resident - static_cast<double>(process.first_bytes) / mib;
+  Finding finding(container, "running");
+  if (process.free_bytes) judge_disk(process, limits, finding);
+  if (resident > limits.resident_mib) {
+    finding.grade(
+        WARN, fmt::format("{:.0f} MiB resident, more than {:.0f}", resident, limits.resident_mib));
+  }
+  if (growth > limits.growth_mib) {
+    finding.grade(WARN, fmt::format("leaks: resident memory grew by {:.0f} MiB", growth));
+  }
+  finding.value("resident_mib", fmt::format("{:.1f}", resident));
+  finding.value("growth_mib", fmt::format("{:.1f}", growth));
+  return finding.status();
+}
+
+bool is_eventful(const EndpointHealth& endpoint) {
+  // A misfit or another type is a state, the counts are a history.
+  return endpoint.lost + endpoint.rejected + endpoint.incompatible_qos + endpoint.deadlines_missed +
+                 endpoint.liveliness_lost >
+             0 ||
+         !endpoint.other_type.empty() || !endpoint.misfit.empty() || endpoint.waits;
+}
+
+Diagnostic diagnose(const std::string& container, const EndpointHealth& endpoint,
+                    const EndpointHealth& before) {
+  Finding finding(container + "/" + endpoint.topic + (endpoint.writer ? " writer" : " reader") +
+                      (endpoint.link ? " (link)" : ""),
+                  endpoint.matched > 0 ? "matched, with past events" : "past events");
+  if (endpoint.waits) finding.grade(WARN, "waits for the interface of the link to come up");
+  if (!endpoint.other_type.empty()) {
+    finding.grade(ERROR, "another end has the type " + endpoint.other_type);
+  }
+  if (!endpoint.misfit.empty()) finding.grade(ERROR, "incompatible QoS: " + endpoint.misfit);
+  const auto grew = [&](std::uint64_t now, std::uint64_t then, const char* what) {
+    if (now > then) finding.grade(WARN, fmt::format("{} {}", now - then, what));
+  };
+  grew(endpoint.rejected, before.rejected, "samples were not of the topic's type");
+  grew(endpoint.lost, before.lost, "samples lost");
+  grew(endpoint.deadlines_missed, before.deadlines_missed, "deadlines missed");
+  grew(endpoint.liveliness_lost, before.liveliness_lost, "times a writer fell silent");
+  finding.value("samples", endpoint.samples);
+  finding.value("matched", endpoint.matched);
+  finding.value("lost", endpoint.lost);
+  finding.value("rejected", endpoint.rejected);
+  finding.value("incompatible_qos", endpoint.incompatible_qos);
+  finding.value("deadlines_missed", endpoint.deadlines_missed);
+  finding.value("liveliness_lost", endpoint.liveliness_lost);
+  return finding.status();
+}
+
+}  // namespace tocsin

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/dds/topic/TopicDataType.hpp>
+#include <memory>
+
+#include "exchange/message_pool.hpp"
+#include "idl_support/type_info.hpp"
+
+namespace tocsin {
+
+/// What take_next_sample fills.
+struct IncomingSample {
+  MessagePool* pool = nullptr;  ///< set before: where to take the message from
+  std::shared_ptr<void> message;
+  std::uint32_t bytes = 0;
+  bool valid = false;
+  bool skip = false;  ///< set before: take the sample off the reader without decoding it
+};
+
+/// What `write` is given; it fills in the size.
+struct OutgoingSample {
+  const void* message;
+  std::size_t bytes = 0;
+};
+
+/// Tells Fast DDS about a type by its TypeInfo. Writers pass an OutgoingSample, readers an
+/// IncomingSample. Unkeyed; no type object, so that every vendor matches by name.
+class CdrTopicType : public eprosima::fastdds::dds::TopicDataType {
+ public:
+  using Payload = eprosima::fastrtps::rtps::SerializedPayload_t;
+  explicit CdrTopicType(const TypeInfo& type);
+  bool serialize(void* data, Payload* payload) override;
+  bool deserialize(Payload* payload, void* data) override;
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override;
+  void* createData() override { return new IncomingSample; }
+  void deleteData(void* data) override { delete static_cast<IncomingSample*>(data); }
+  bool getKey(void*, eprosima::fastrtps::rtps::InstanceHandle_t*, bool) override { return false; }
+
+ private:
+  const TypeInfo& type_;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fast_dds/dds_endpoints.hpp"
+
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+
+#include "fast_dds/cdr_topic_type.hpp"
+#include "foundation/error.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
+
+/// FNV-1a over the GUID of the writer.
+std::uint64_t source_of(const rtps::GUID_t& guid) {
+  std::uint64_t hash = 1469598103934665603ULL;
+  const auto add = [&hash](const auto& bytes, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 1099511628211ULL;
+  };
+  add(guid.guidPrefix.value, guid.guidPrefix.size);
+  add(guid.entityId.value, guid.entityId.size);
+  return hash;
+}
+
+Sample sample_of(IncomingSample& incoming, const dds::SampleInfo& info) {
+  Sample sample;
+  sample.message = std::move(incoming.message);
+  sample.received = std::chrono::steady_clock::now();
+  sample.sent_wall_ns = info.source_timestamp.to_ns();
+  sample.received_wall_ns = info.reception_timestamp.to_ns();
+  sample.sequence = info.sample_identity.sequence_number().to64long();
+  sample.source = source_of(info.sample_identity.writer_guid());
+  sample.bytes = incoming.bytes;
+  return sample;
+}
+
+}  // namespace
+
+DdsReader::DdsReader(FastDdsParticipant& participant, const std::string& topic,
+                     const TypeInfo& type, const QosProfile& qos, TopicExchange& exchange)
+    : participant_(participant),
+      exchange_(exchange),
+      skips_own_(!qos.exclusive()),
+      own_{topic, type.name, layout_in(qos.user_data), false, qos},
+      account_(topic, false, participant.radio()),
+      pool_(type),
+      reader_(participant.create_reader(topic, type, qos, *this)) {
+  if (reader_ == nullptr) throw EnvironmentError("DDS reader of " + topic + " cannot be created");
+}
+
+DdsReader::~DdsReader() {
+  participant_.remove(reader_);  // waits for the listener
+  for (const auto& one : sources_) exchange_.forget(one.first);
+}
+
+bool DdsReader::next_is_own(Reader* reader) const {
+  if (!skips_own_ || !own_matched_) return false;
+  dds::SampleInfo info;
+  return reader->get_first_untaken_info(&info) == ReturnCode::RETCODE_OK &&
+         participant_.owns(info.sample_identity.writer_guid());
+}
+
+// Fast DDS has a receiving thread for each transport, and writers of this process call, too. One
+// of them takes for all, so that samples stay in order; waiting for it with a lock could deadlock
+// with the locks of Fast DDS.
+void DdsReader::on_data_available(Reader* reader) {
+  unsigned seen = calls_.fetch_add(1) + 1;
+  if (seen != 1) return;
+  do {
+    drain(reader);
+  } while (!calls_.compare_exchange_weak(seen, 0));
+}
+
+/// Bytes of another layout may decode by chance; its writer is not believed then.
+bool DdsReader::has_other_layout(const RemoteEnds::Guid& writer) {
+  if (writer != last_writer_) {
+    last_writer_ = writer;
+    last_has_other_layout_ = participant_.remote_ends().has_other_layout(writer, own_);
+  }
+  return last_has_other_layout_;
+}
+
+void DdsReader::drain(Reader* reader) {
+  IncomingSample incoming;
+  incoming.pool = &pool_;
+  dds::SampleInfo info;
+  for (;;) {
+    incoming.skip = next_is_own(reader);  // spares the decoding
+    if (reader->take_next_sample(&incoming, &info) != ReturnCode::RETCODE_OK) return;
+    if (!info.valid_data || incoming.skip) continue;
+    if (skips_own_ && participant_.owns(info.sample_identity.writer_guid())) continue;
+    if (incoming.valid && !has_other_layout(info.sample_identity.writer_guid())) {
+      exchange_.deliver(sample_of(incoming, info));
+    } else {
+      account_.on_undecodable(incoming.bytes);
+    }
+  }
+}
+
+std::optional<WriterInfo> DdsReader::writer(std::uint64_t source) const {
+  RemoteEnds::Guid guid;
+  {
+    const std::lock_guard<std::mutex> lock(sources_mutex_);
+    const auto found = sources_.find(source);
+    if (found == sources_.end()) return std::nullopt;
+    guid = found->second;
+  }
+  return participant_.remote_ends().writer(guid);
+}
+
+EndpointHealth DdsReader::health() const {
+  EndpointHealth health = account_.health();
+  health.other_type = participant_.remote_ends().other_type(own_);
+  health.misfit = participant_.remote_ends().misfit(own_);
+  return health;
+}
+
+void DdsReader::on_subscription_matched(Reader*, const dds::SubscriptionMatchedStatus& status) {
+  const rtps::GUID_t writer = rtps::iHandle2GUID(status.last_publication_handle);
+  if (participant_.owns(writer)) {
+    own_matched_ = status.current_count_change > 0;
+    return;
+  }
+  account_.on_matched(status.current_count_change);
+  const std::uint64_t source = source_of(writer);
+  const std::lock_guard<std::mutex> lock(sources_mutex_);
+  if (status.current_count_change > 0) {
+    sources_[source] = writer;
+  } else if (sources_.erase(source) > 0) {
+    exchange_.forget(source);
+  }
+}
+
+void DdsReader::on_requested_incompatible_qos(Reader*,
+                                              const dds::RequestedIncompatibleQosStatus& status) {
+  account_.on_incompatible(status.last_policy_id, static_cast<int>(status.total_count_change));
+}
+
+void DdsReader::on_sample_lost(Reader*, const dds::SampleLostStatus& status) {
+  account_.on_lost(status.total_count_change);
+}
+
+void DdsReader::on_sample_rejected(Reader*, const dds::SampleRejectedStatus& status) {
+  account_.on_lost(static_cast<int>(status.total_count_change));
+}
+
+void DdsReader::on_liveliness_changed(Reader*, const dds::LivelinessChangedStatus& status) {
+  account_.on_liveliness_lost(status.not_alive_count_change);
+}
+
+DdsWriter::DdsWriter(FastDdsParticipant& participant, const std::string& topic,
+                     const TypeInfo& type, const QosProfile& qos)
+    : participant_(participant),
+      own_{topic, type.name, layout_in(qos.user_data), true, qos},
+      account_(topic, true, participant.radio()),
+      writer_(participant.create_writer(topic, type, qos, *this)) {
+  if (writer_ == nullptr) throw EnvironmentError("DDS writer of " + topic + " cannot be created");
+}
+
+DdsWriter::~DdsWriter() { participant_.remove(writer_); }
+
+std::size_t DdsWriter::send(const void* message) {
+  OutgoingSample outgoing{message};  // the overload of write that returns a bool hides the reason
+  const bool ok = writer_->write(&outgoing, dds::HANDLE_NIL) == ReturnCode::RETCODE_OK;
+  (ok ? sent_ : refused_).fetch_add(1, std::memory_order_relaxed);
+  return ok ? outgoing.bytes : 0;
+}
+
+void DdsWriter::silence() {
+  std::size_t removed = 0;
+  (void)writer_->clear_history(&removed);
+}
+
+EndpointHealth DdsWriter::health() const {
+  EndpointHealth health = account_.health();
+  health.samples = sent_;
+  health.lost = refused_;
+  health.other_type = participant_.remote_ends().other_type(own_);
+  health.misfit = participant_.remote_ends().misfit(own_);
+  return health;
+}
+
+void DdsWriter::on_publication_matched(Writer*, const dds::PublicationMatchedStatus& status) {
+  if (participant_.owns(rtps::iHandle2GUID(status.last_subscription_handle))) return;
+  matched_ += status.current_count_change;
+  account_.on_matched(status.current_count_change);
+}
+
+void DdsWriter::on_offered_incompatible_qos(Writer*,
+                                            const dds::OfferedIncompatibleQosStatus& status) {
+  account_.on_incompatible(status.last_policy_id, static_cast<int>(status.total_count_change));
+}
+
+void DdsWriter::on_liveliness_lost(Writer*, const dds::LivelinessLostStatus& status) {
+  account_.on_liveliness_lost(status.total_count_change);
+}
+
+}  // namespace tocsin

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <fastdds/dds/publisher/DataWriterListener.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "exchange/message_pool.hpp"
+#include "fast_dds/endpoint_account.hpp"
+#include "fast_dds/fast_dds_participant.hpp"
+#include "runtime/middleware/gated_writer.hpp"
+#include "runtime/middleware/topic_exchange.hpp"
+
+namespace tocsin {
+
+/// A DataReader that puts what it takes into an exchange. The listener only queues, it never
+/// writes: Fast DDS deadlocks when a callback writes. What this process wrote itself is skipped,
+/// because the exchange has delivered it already; with exclusive ownership, where Fast DDS must
+/// choose among the writers, everything comes this way.
+class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
+ public:
+  DdsReader(FastDdsParticipant& participant, const std::string& topic, const TypeInfo& type,
+            const QosProfile& qos, TopicExchange& exchange);
+  /// What the writers wrote that it was matched with is not kept for late receivers any more.
+  ~DdsReader() override;
+  [[nodiscard]] EndpointHealth health() const;
+  /// Empty when it is not matched with that writer.
+  [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const;
+
+ private:
+  using Reader = eprosima::fastdds::dds::DataReader;
+  void on_data_available(Reader* reader) override;
+  void drain(Reader* reader);
+  void on_subscription_matched(
+      Reader* reader, const eprosima::fastdds::dds::SubscriptionMatchedStatus& status) override;
+  void on_requested_incompatible_qos(
+      Reader* reader,
+      const eprosima::fastdds::dds::RequestedIncompatibleQosStatus& status) override;
+  void on_sample_lost(Reader* reader,
+                      const eprosima::fastdds::dds::SampleLostStatus& status) override;
+  void on_sample_rejected(Reader* reader,
+                          const eprosima::fastdds::dds::SampleRejectedStatus& status) override;
+  void on_liveliness_changed(
+      Reader* reader, const eprosima::fastdds::dds::LivelinessChangedStatus& status) override;
+  [[nodiscard]] bool next_is_own(Reader* reader) const;
+  [[nodiscard]] bool has_other_layout(const RemoteEnds::Guid& writer);
+
+  FastDdsParticipant& participant_;
+  TopicExchange& exchange_;
+  const bool skips_own_;
+  const AnnouncedEnd own_;
+  EndpointAccount account_;
+  std::atomic<bool> own_matched_{false};
+  std::atomic<unsigned> calls_{0};  // of on_data_available that wait for the one that drains
+  RemoteEnds::Guid last_writer_;    // touched by the one that drains
+  bool last_has_other_layout_ = false;
+  mutable std::mutex sources_mutex_;
+  std::map<std::uint64_t, RemoteEnds::Guid> sources_;  // the writers that it is matched with
+  MessagePool pool_;
+  Reader* reader_;
+};
+
+/// A DataWriter that knows how many readers it has outside this process.
+class DdsWriter : public LinkWriter, private eprosima::fastdds::dds::DataWriterListener {
+ public:
+  DdsWriter(FastDdsParticipant& participant, const std::string& topic, const TypeInfo& type,
+            const QosProfile& qos);
+  ~DdsWriter() override;
+
+  std::size_t send(const void* message) override;
+  void silence() override;
+  /// Readers in other processes.
+  [[nodiscard]] int matched_readers() const { return matched_.load(std::memory_order_relaxed); }
+  [[nodiscard]] EndpointHealth health() const;
+
+ private:
+  using Writer = eprosima::fastdds::dds::DataWriter;
+  void on_publication_matched(
+      Writer* writer, const eprosima::fastdds::dds::PublicationMatchedStatus& status) override;
+  void on_offered_incompatible_qos(
+      Writer* writer, const eprosima::fastdds::dds::OfferedIncompatibleQosStatus& status) override;
+  void on_liveliness_lost(Writer* writer,
+                          const eprosima::fastdds::dds::LivelinessLostStatus& status) override;
+  FastDdsParticipant& participant_;
+  const AnnouncedEnd own_;
+  EndpointAccount account_;
+  std::atomic<int> matched_{0};
+  std::atomic<std::uint64_t> sent_{0};
+  std::atomic<std::uint64_t> refused_{0};
+  Writer* writer_;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fast_dds/deferred_reception.hpp"
+
+#include <fastdds/rtps/transport/ChainingTransport.h>
+
+#include <chrono>
+#include <utility>
+
+namespace tocsin {
+namespace {
+
+namespace rtps = eprosima::fastrtps::rtps;
+using namespace eprosima::fastdds::rtps;
+
+struct HoldingDescriptor : ChainingTransportDescriptor {
+  HoldingDescriptor(std::shared_ptr<TransportDescriptorInterface> low,
+                    std::shared_ptr<DeferredReception> held)
+      : ChainingTransportDescriptor(std::move(low)), reception(std::move(held)) {}
+  [[nodiscard]] TransportInterface* create_transport() const override;
+  std::shared_ptr<DeferredReception> reception;
+};
+
+/// Receives through the chain, and sends without it.
+class HoldingTransport : public ChainingTransport {
+ public:
+  explicit HoldingTransport(HoldingDescriptor descriptor)
+      : ChainingTransport(descriptor), descriptor_(std::move(descriptor)) {}
+
+  [[nodiscard]] TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
+  void receive(TransportReceiverInterface* next, const rtps::octet* bytes, std::uint32_t size,
+               const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
+    descriptor_.reception->wait();
+    next->OnDataReceived(bytes, size, local, remote);
+  }
+  /// Not chained: the lower transport would not know its own channel again, and open another for
+  /// each peer.
+  bool OpenOutputChannel(SendResourceList& channels, const rtps::Locator_t& to) override {
+    return low_level_transport_->OpenOutputChannel(channels, to);
+  }
+  // NOLINTNEXTLINE(readability-function-size): the signature is that of Fast DDS
+  bool send(rtps::SenderResource* channel, const rtps::octet* bytes, std::uint32_t size,
+            rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
+            const std::chrono::steady_clock::time_point& timeout) override {
+    return channel->send(bytes, size, first, last, timeout);
+  }
+  bool CloseInputChannel(const rtps::Locator_t& at) override {
+    descriptor_.reception->release();
+    return ChainingTransport::CloseInputChannel(at);
+  }
+
+ private:
+  HoldingDescriptor descriptor_;
+};
+
+TransportInterface* HoldingDescriptor::create_transport() const {
+  return new HoldingTransport(*this);
+}
+
+}  // namespace
+
+void DeferredReception::release() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    released_ = true;
+  }
+  changed_.notify_all();
+}
+
+void DeferredReception::wait() {
+  if (released_.load(std::memory_order_acquire)) return;
+  std::unique_lock<std::mutex> lock(mutex_);
+  (void)changed_.wait_for(lock, std::chrono::seconds(1), [this] { return released_.load(); });
+}
+
+std::shared_ptr<TransportDescriptorInterface> hold(
+    std::shared_ptr<TransportDescriptorInterface> low,
+    std::shared_ptr<DeferredReception> reception) {
+  return std::make_shared<HoldingDescriptor>(std::move(low), std::move(reception));
+}
+
+}  // namespace tocsin

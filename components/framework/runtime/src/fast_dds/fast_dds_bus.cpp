@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/middleware/fast_dds_bus.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <random>
+#include <utility>
+
+#include "fast_dds/late_interface.hpp"
+#include "fast_dds/topic_channel.hpp"
+#include "foundation/error.hpp"
+#include "runner/tick_time.hpp"
+#include "runtime/logger.hpp"
+
+namespace tocsin {
+namespace {
+
+const char* const loopback = "127.0.0.1";
+
+std::int64_t wall_now_ns() {
+  return std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+/// Wall time of an instant close to now, at the price of one clock reading in 10 ms. Any thread.
+class WallClock {
+ public:
+  [[nodiscard]] std::int64_t at(Time now) {
+    const std::int64_t ns = now.time_since_epoch().count();
+    if (ns - read_ns_.load(std::memory_order_relaxed) > 10'000'000) {
+      offset_ns_.store(wall_now_ns() - ns, std::memory_order_relaxed);
+      read_ns_.store(ns, std::memory_order_relaxed);
+    }
+    return ns + offset_ns_.load(std::memory_order_relaxed);
+  }
+
+ private:
+  std::atomic<std::int64_t> read_ns_{std::numeric_limits<std::int64_t>::min() / 2};
+  std::atomic<std::int64_t> offset_ns_{0};
+};
+
+class FastDdsBus : public Bus {
+ public:
+  explicit FastDdsBus(const BusOptions& options)
+      : options_(options),
+        profiles_(options.qos_file.empty() ? QosProfiles() : QosProfiles(options.qos_file)),
+        rules_(options.traffic_file.empty() ? TrafficRules()
+                                            : TrafficRules(options.traffic_file, options.role)),
+        host_({options.name,
+               options.host_domain,
+               loopback,
+               {loopback},
+               options.processes + 2,
+               false,
+               options.shared_memory,
+               profiles_.flow_controllers()}) {
+    if (options.link_address.empty()) return;
+    if (interface_is_running(options.link_address)) {
+      link_ = make_link();
+      return;
+    }
+    log_.warn("no interface with {} is up; link topics wait for it", options.link_address);
+    late_ = std::make_unique<LateInterface>(options.link_address, [this] { return join_link(); });
+  }
+
+  std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
+  std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
+  /// The publication with this source is gone.
+  void withdraw(TopicChannel& topic, std::uint64_t source);
+  [[nodiscard]] Time now() const override { return std::chrono::steady_clock::now(); }
+  [[nodiscard]] std::int64_t wall_ns(Time t) const override;
+  void set_gate(bool open) override;
+  [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override;
+  [[nodiscard]] std::vector<EndpointHealth> health() const override;
+
+ private:
+  [[nodiscard]] std::unique_ptr<FastDdsParticipant> make_link() const;
+  [[nodiscard]] bool join_link();
+  TopicChannel& channel(const Endpoint& endpoint);
+  [[nodiscard]] std::unique_ptr<TopicChannel> make_channel(const Endpoint& endpoint);
+
+  const BusOptions options_;
+  Logger log_{"bus"};
+  const QosProfiles profiles_;
+  const TrafficRules rules_;
+  FastDdsParticipant host_;
+  std::unique_ptr<FastDdsParticipant> link_;
+  mutable std::mutex mutex_;
+  bool gate_open_ = true;
+  std::map<std::string, std::unique_ptr<TopicChannel>> channels_;
+  std::unique_ptr<LateInterface> late_;  // last: destroyed first, as it calls join_link
+};
+
+/// Removes the receiver when it is destroyed.
+class ChannelSubscription : public Subscription {
+ public:
+  ChannelSubscription(TopicChannel& channel, Receiver& receiver, Time now)
+      : channel_(channel), receiver_(receiver) {
+    channel_.attach(receiver_, now);
+  }
+  ~ChannelSubscription() override { channel_.detach(receiver_); }
+  [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const override {
+    return channel_.writer(source);
+  }
+
+ private:
+  TopicChannel& channel_;
+  Receiver& receiver_;
+};
+
+/// A number that no other writer has, here or in another life of this process.
+std::uint64_t fresh_source() {
+  static std::atomic<std::uint64_t> next{
+      (static_cast<std::uint64_t>(std::random_device{}()) << 32U) + std::random_device{}()};
+  return next++;
+}
+
+class ChannelPublication : public Publication {
+ public:
+  ChannelPublication(FastDdsBus& bus, TopicChannel& channel, std::uint64_t source)
+      : bus_(bus), channel_(channel), source_(source) {}
+  ~ChannelPublication() override { bus_.withdraw(channel_, source_); }
+
+  Status write(const std::shared_ptr<const void>& message) override {
+    Sample head;
+    head.received = TickTime::now() != never ? TickTime::now() : bus_.now();
+    head.sent_wall_ns = head.received_wall_ns = wall_.at(head.received);
+    head.source = source_;
+    return channel_.write(message, std::move(head), delivered_);
+  }
+  [[nodiscard]] bool has_readers() const override { return channel_.has_readers(); }
+
+ private:
+  FastDdsBus& bus_;
+  TopicChannel& channel_;
+  const std::uint64_t source_;
+  std::uint64_t delivered_ = 0;  // guarded by the channel
+  WallClock wall_;
+};
+
+std::unique_ptr<FastDdsParticipant> FastDdsBus::make_link() const {
+  return std::make_unique<FastDdsParticipant>(ParticipantOptions{
+      options_.name + "_link", options_.link_domain, options_.link_address, options_.link_peers,
+      options_.processes + 2, true, false, profiles_.flow_controllers()});
+}
+
+bool FastDdsBus::join_link() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  try {
+    link_ = make_link();
+  } catch (const EnvironmentError& error) {
+    log_.error("{}; tried again", error.what());
+    return false;
+  }
+  for (const auto& entry : channels_) entry.second->join(*link_);
+  log_.info("the interface with {} is up; link topics cross it", options_.link_address);
+  return true;
+}
+
+std::unique_ptr<TopicChannel> FastDdsBus::make_channel(const Endpoint& endpoint) {
+  const std::string name = endpoint.topic.name;
+  const bool crosses = endpoint.topic.scope == Scope::link && !options_.link_address.empty();
+  const std::string prefix =
+      options_.ros_namespace.empty() ? "rt/" : "rt/" + options_.ros_namespace + "/";
+  ChannelOptions options{endpoint, prefix + name, profiles_.of(endpoint.topic.qos, name), crosses};
+  return std::make_unique<TopicChannel>(std::move(options), host_, crosses ? link_.get() : nullptr);
+}
+
+TopicChannel& FastDdsBus::channel(const Endpoint& endpoint) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  auto& found = channels_[endpoint.topic.name];
+  if (!found) found = make_channel(endpoint);
+  if (found->type() != endpoint.type) {
+    throw ConfigError(std::string("topic ") + endpoint.topic.name + ": type " +
+                      endpoint.type->name + " clashes with " + found->type()->name);
+  }
+  return *found;
+}
+
+std::unique_ptr<Subscription> FastDdsBus::subscribe(const Endpoint& endpoint, Receiver& receiver) {
+  return std::make_unique<ChannelSubscription>(channel(endpoint), receiver, now());
+}
+
+std::unique_ptr<Publication> FastDdsBus::advertise(const Endpoint& endpoint) {
+  TopicChannel& topic = channel(endpoint);
+  const bool crosses = endpoint.topic.scope == Scope::link;
+  const TrafficRule rule = crosses ? rules_.of(endpoint.topic.name) : TrafficRule{};
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::uint64_t source = fresh_source();
+  topic.advertise({source, rule, gate_open_, endpoint.user_data});
+  return std::make_unique<ChannelPublication>(*this, topic, source);
+}
+
+void FastDdsBus::withdraw(TopicChannel& topic, std::uint64_t source) {
+  const std::lock_guard<std::mutex> lock(mutex_);  // the gate and the accounts look at its writers
+  topic.withdraw(source);
+}
+
+std::int64_t FastDdsBus::wall_ns(Time t) const { return wall_now_ns() - (now() - t).count(); }
+
+void FastDdsBus::set_gate(bool open) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  gate_open_ = open;
+  for (const auto& entry : channels_) {
+    if (GatedWriter* writer = entry.second->gated_writer()) writer->set_open(open);
+  }
+}
+
+std::vector<TopicTraffic> FastDdsBus::link_traffic() const {
+  std::vector<TopicTraffic> all;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& entry : channels_) {
+    if (const GatedWriter* writer = entry.second->gated_writer()) all.push_back(writer->traffic());
+  }
+  return all;
+}
+
+std::vector<EndpointHealth> FastDdsBus::health() const {
+  std::vector<EndpointHealth> all;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& entry : channels_) {
+    for (EndpointHealth& one : entry.second->health(now())) all.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::unique_ptr<Bus> make_fast_dds_bus(const BusOptions& options) {
+  return std::make_unique<FastDdsBus>(options);
+}
+
+}  // namespace tocsin

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "fast_dds/discovery_listener.hpp"
+#include "fast_dds/fast_dds_transport.hpp"
+#include "idl_support/type_info.hpp"
+#include "runtime/middleware/qos_policies.hpp"
+
+namespace tocsin {
+
+/// A Fast DDS participant with a publisher and a subscriber for each list of partitions. Deletes
+/// all that it made. Thread-safe.
+class FastDdsParticipant {
+ public:
+  /// Throws EnvironmentError when Fast DDS cannot create it.
+  explicit FastDdsParticipant(ParticipantOptions options);
+  ~FastDdsParticipant();
+  FastDdsParticipant(const FastDdsParticipant&) = delete;
+  FastDdsParticipant& operator=(const FastDdsParticipant&) = delete;
+
+  /// `topic` is the DDS name, with `rt/`. The listener and the profile must outlive the endpoint.
+  eprosima::fastdds::dds::DataWriter* create_writer(
+      const std::string& topic, const TypeInfo& type, const QosProfile& qos,
+      eprosima::fastdds::dds::DataWriterListener& listener);
+  eprosima::fastdds::dds::DataReader* create_reader(
+      const std::string& topic, const TypeInfo& type, const QosProfile& qos,
+      eprosima::fastdds::dds::DataReaderListener& listener);
+  void remove(eprosima::fastdds::dds::DataWriter* writer);
+  void remove(eprosima::fastdds::dds::DataReader* reader);
+  /// Whether a writer is one of this participant's own.
+  [[nodiscard]] bool owns(const eprosima::fastrtps::rtps::GUID_t& writer) const {
+    return writer.guidPrefix == prefix_;
+  }
+  [[nodiscard]] bool radio() const { return options_.radio; }
+  [[nodiscard]] const RemoteEnds& remote_ends() const { return remote_ends_; }
+
+ private:
+  using Partition = std::vector<std::string>;
+  eprosima::fastdds::dds::Topic* topic(const std::string& name, const TypeInfo& type);
+  eprosima::fastdds::dds::Publisher* publisher(const Partition& partition);
+  eprosima::fastdds::dds::Subscriber* subscriber(const Partition& partition);
+
+  const ParticipantOptions options_;
+  RemoteEnds remote_ends_;
+  DiscoveryListener discovery_listener_{remote_ends_};
+  eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
+  eprosima::fastrtps::rtps::GuidPrefix_t prefix_;
+  std::mutex mutex_;
+  std::map<Partition, eprosima::fastdds::dds::Publisher*> publishers_;
+  std::map<Partition, eprosima::fastdds::dds::Subscriber*> subscribers_;
+};
+
+}  // namespace tocsin

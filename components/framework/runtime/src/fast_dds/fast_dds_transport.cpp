@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fast_dds/fast_dds_transport.hpp"
+
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
+
+#include <random>
+
+#include "fast_dds/fast_dds_qos.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+using eprosima::fastdds::rtps::SharedMemTransportDescriptor;
+using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
+
+/// RTPS messages that fit one 1500-byte IP packet: IP never fragments on the radio.
+constexpr std::uint32_t radio_message_bytes = 1400;
+/// Fast DDS's own 512 KiB make a message of 1 MiB take 10 ms.
+constexpr std::uint32_t segment_bytes = 32U << 20U;
+/// A picture of a few MB in one burst must fit; the kernel caps it at net.core.rmem_max.
+constexpr std::uint32_t host_socket_bytes = 4U << 20U;
+
+std::shared_ptr<UDPv4TransportDescriptor> udp_of(const ParticipantOptions& options) {
+  auto transport = std::make_shared<UDPv4TransportDescriptor>();
+  transport->interfaceWhiteList = {options.address};
+  transport->maxInitialPeersRange = static_cast<std::uint32_t>(options.peer_participants);
+  if (options.radio) {
+    transport->maxMessageSize = radio_message_bytes;
+  } else {
+    transport->sendBufferSize = host_socket_bytes;
+    transport->receiveBufferSize = host_socket_bytes;
+  }
+  return transport;
+}
+
+std::shared_ptr<SharedMemTransportDescriptor> shared_memory_transport() {
+  auto transport = std::make_shared<SharedMemTransportDescriptor>();
+  transport->segment_size(segment_bytes);
+  transport->max_message_size(segment_bytes / 2);
+  return transport;
+}
+
+rtps::Locator_t udp_locator(const std::string& address) {
+  rtps::Locator_t locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  rtps::IPLocator::setIPv4(locator, address);
+  locator.port = 0;
+  return locator;
+}
+
+/// A shared-memory port that no other process has, nor had: when a process was killed, its peers
+/// go on writing to the port they know, and Fast DDS 2.9.1 does not notice that a successor took
+/// the number and made a new one. Discovery stays on UDP, so peers learn the number at once.
+rtps::Locator_t fresh_shared_memory_port() {
+  std::random_device random;
+  rtps::Locator_t locator;
+  locator.kind = LOCATOR_KIND_SHM;
+  locator.address[0] = 'U';
+  locator.port = (1U << 20U) + random() % (1U << 30U);
+  return locator;
+}
+
+}  // namespace
+
+dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
+  dds::DomainParticipantQos qos;
+  qos.name(options.name);
+  qos.transport().use_builtin_transports = false;
+  qos.transport().user_transports = {hold(udp_of(options), options.reception)};
+  if (options.shared_memory) {
+    qos.transport().user_transports.push_back(shared_memory_transport());
+    auto& own = qos.wire_protocol().default_unicast_locator_list;
+    own.push_back(udp_locator(options.address));
+    own.push_back(fresh_shared_memory_port());
+  }
+  rtps::BuiltinAttributes& builtin = qos.wire_protocol().builtin;
+  builtin.avoid_builtin_multicast = true;
+  builtin.metatrafficUnicastLocatorList.push_back(udp_locator(options.address));
+  for (const std::string& peer : options.peers) {
+    builtin.initialPeersList.push_back(udp_locator(peer));
+  }
+  builtin.discovery_config.leaseDuration = dds_duration(options.radio ? 60 : 5);
+  builtin.discovery_config.leaseDuration_announcementperiod = dds_duration(options.radio ? 5 : 1);
+  builtin.discovery_config.initial_announcements.count = 10;
+  builtin.discovery_config.initial_announcements.period = dds_duration(0.1);
+  for (const auto& [name, controller] : options.flow_controllers) {
+    qos.flow_controllers().push_back(descriptor_of(name.c_str(), controller));
+  }
+  return qos;
+}
+
+}  // namespace tocsin

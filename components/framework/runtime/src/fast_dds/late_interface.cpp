@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fast_dds/late_interface.hpp"
+
+#include <arpa/inet.h>
+#include <ifaddrs.h>
+#include <linux/netlink.h>
+#include <linux/rtnetlink.h>
+#include <net/if.h>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <memory>
+#include <utility>
+
+namespace tocsin {
+namespace {
+
+bool is_running(const ifaddrs& entry, in_addr_t address) {
+  if (entry.ifa_addr == nullptr || entry.ifa_addr->sa_family != AF_INET) return false;
+  const auto* inet = reinterpret_cast<const sockaddr_in*>(entry.ifa_addr);
+  return inet->sin_addr.s_addr == address && (entry.ifa_flags & IFF_RUNNING) != 0;
+}
+
+/// Readable whenever an interface or an address changes.
+int open_changes() {
+  const int socket = ::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_ROUTE);
+  if (socket < 0) return -1;
+  sockaddr_nl own{};
+  own.nl_family = AF_NETLINK;
+  own.nl_groups = RTMGRP_LINK | RTMGRP_IPV4_IFADDR;
+  if (bind(socket, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0) return socket;
+  close(socket);
+  return -1;
+}
+
+/// What the messages say does not matter: all is looked at anew.
+void forget_waiting(int socket) {
+  std::array<char, 8192> text{};
+  while (recv(socket, text.data(), text.size(), 0) > 0) continue;
+}
+
+}  // namespace
+
+bool interface_is_running(const std::string& address) {
+  ifaddrs* list = nullptr;
+  if (getifaddrs(&list) != 0) return false;
+  const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> owner(list, freeifaddrs);
+  const in_addr_t wanted = inet_addr(address.c_str());
+  for (const ifaddrs* entry = list; entry != nullptr; entry = entry->ifa_next) {
+    if (is_running(*entry, wanted)) return true;
+  }
+  return false;
+}
+
+LateInterface::LateInterface(std::string address, std::function<bool()> on_running)
+    : address_(std::move(address)),
+      on_running_(std::move(on_running)),
+      stop_(eventfd(0, EFD_CLOEXEC)),
+      changes_(open_changes()),
+      thread_([this] { watch(); }) {
+  pthread_setname_np(thread_.native_handle(), "late_interface");
+}
+
+LateInterface::~LateInterface() {
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const auto written = write(stop_, &one, sizeof one);
+  thread_.join();
+  close(stop_);
+  if (changes_ >= 0) close(changes_);
+}
+
+void LateInterface::watch() {
+  constexpr int longest_ms = 1000;
+  std::array<pollfd, 2> polled{{{stop_, POLLIN, 0}, {changes_, POLLIN, 0}}};
+  while (!interface_is_running(address_) || !on_running_()) {
+    (void)poll(polled.data(), polled.size(), longest_ms);  // skips a negative descriptor
+    if (polled[0].revents != 0) return;
+    if (changes_ >= 0) forget_waiting(changes_);
+  }
+}
+
+}  // namespace tocsin

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fast_dds/remote_ends.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tocsin {
+namespace {
+
+const std::string key = "tocsin_layout=";
+
+bool layouts_differ(const AnnouncedEnd& one, const AnnouncedEnd& other) {
+  return !one.layout.empty() && !other.layout.empty() && one.layout != other.layout;
+}
+
+/// Durations as they come back from the wire, where they are binary fractions of a second.
+QosContract rounded(QosContract qos) {
+  for (double* s : {&qos.deadline_s, &qos.liveliness_lease_s}) *s = std::round(*s * 1e6) / 1e6;
+  return qos;
+}
+
+/// The policies by which the two will not match; none when their partitions keep them apart.
+std::vector<std::string> policies_between(const AnnouncedEnd& own, const AnnouncedEnd& other) {
+  const AnnouncedEnd& writer = own.writer ? own : other;
+  const AnnouncedEnd& reader = own.writer ? other : own;
+  auto found = incompatibilities(rounded(writer.qos), rounded(reader.qos));
+  const bool apart = std::find(found.begin(), found.end(), "partition") != found.end();
+  return apart ? std::vector<std::string>() : found;
+}
+
+bool clash(const AnnouncedEnd& own, const AnnouncedEnd& other) {
+  if (own.topic != other.topic || own.writer == other.writer) return false;
+  return own.type != other.type || layouts_differ(own, other);
+}
+
+}  // namespace
+
+std::string joined(const std::string& user_data, const std::string& more) {
+  const bool open_end = !user_data.empty() && !more.empty() && user_data.back() != ';';
+  return user_data + (open_end ? ";" : "") + more;
+}
+
+std::string with_layout(const std::string& user_data, const std::string& layout) {
+  return layout.empty() ? user_data : joined(user_data, key + layout + ";");
+}
+
+std::string layout_in(const std::string& user_data) {
+  const std::size_t at = user_data.find(key);
+  if (at == std::string::npos) return "";
+  const std::size_t from = at + key.size();
+  return user_data.substr(from, user_data.find(';', from) - from);
+}
+
+void RemoteEnds::add(const Participant& participant, const std::string& name) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  names_[participant] = name;
+}
+
+void RemoteEnds::add(const Guid& guid, AnnouncedEnd end) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ends_[guid] = std::move(end);
+}
+
+void RemoteEnds::remove(const Participant& participant) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  names_.erase(participant);
+  for (auto it = ends_.begin(); it != ends_.end();) {
+    it = it->first.guidPrefix == participant ? ends_.erase(it) : std::next(it);
+  }
+}
+
+void RemoteEnds::remove(const Guid& guid) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ends_.erase(guid);
+}
+
+std::string RemoteEnds::other_type(const AnnouncedEnd& own) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& [guid, end] : ends_) {
+    if (!clash(own, end)) continue;
+    return end.type + (end.type == own.type ? " with another layout" : "") + owner_of(guid);
+  }
+  return "";
+}
+
+WriterInfo RemoteEnds::writer(const Guid& guid) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto name = names_.find(guid.guidPrefix);
+  const auto end = ends_.find(guid);
+  return {name != names_.end() ? name->second : "",
+          end != ends_.end() ? end->second.user_data : ""};
+}
+
+std::string RemoteEnds::misfit(const AnnouncedEnd& own) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& [guid, end] : ends_) {
+    if (own.topic != end.topic || own.writer == end.writer || own.type != end.type) continue;
+    const std::vector<std::string> policies = policies_between(own, end);
+    if (policies.empty()) continue;
+    std::string text;
+    for (const std::string& policy : policies) text += (text.empty() ? "" : ", ") + policy;
+    return text + owner_of(guid);
+  }
+  return "";
+}
+
+std::string RemoteEnds::owner_of(const Guid& guid) const {
+  const auto name = names_.find(guid.guidPrefix);
+  return " (" + (name != names_.end() ? name->second : "unnamed participant") + ")";
+}
+
+bool RemoteEnds::has_other_layout(const Guid& guid, const AnnouncedEnd& own) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = ends_.find(guid);
+  return found != ends_.end() && layouts_differ(own, found->second);
+}
+
+}  // namespace tocsin

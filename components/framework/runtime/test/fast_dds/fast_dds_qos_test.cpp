@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fast_dds/fast_dds_qos.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tocsin {
+namespace {
+
+TEST(FastDdsQos, OnlyTheWriterJudgesALifespanBecauseClocksDiffer) {
+  QosProfile profile;
+  profile.lifespan_s = 5;
+  EXPECT_EQ(writer_qos(profile, true).lifespan().duration, dds_duration(5));
+  EXPECT_EQ(reader_qos(profile, true).lifespan().duration, eprosima::fastrtps::c_TimeInfinite);
+}
+
+}  // namespace
+}  // namespace tocsin

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fast_dds/remote_ends.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tocsin {
+namespace {
+
+RemoteEnds::Guid guid(std::uint8_t process, std::uint8_t entity) {
+  RemoteEnds::Guid guid;
+  guid.guidPrefix.value[0] = process;
+  guid.entityId.value[0] = entity;
+  return guid;
+}
+
+const AnnouncedEnd own_reader{"rt/odom", "Odom", "0a", false};
+const AnnouncedEnd own_writer{"rt/odom", "Odom", "0a", true};
+
+class RemoteEndsTest : public ::testing::Test {
+ protected:
+  RemoteEndsTest() { sut.add(guid(7, 0).guidPrefix, "gcs_main"); }
+  RemoteEnds sut;
+};
+
+TEST_F(RemoteEndsTest, AWriterOfTheSameLayoutFits) {
+  sut.add(guid(7, 1), {"rt/odom", "Odom", "0a", true});
+  EXPECT_EQ(sut.other_type(own_reader), "");
+  EXPECT_FALSE(sut.has_other_layout(guid(7, 1), own_reader));
+}
+
+TEST_F(RemoteEndsTest, AWriterOfAnotherLayoutIsNamedWithItsParticipant) {
+  sut.add(guid(7, 1), {"rt/odom", "Odom", "0b", true});
+  EXPECT_EQ(sut.other_type(own_reader), "Odom with another layout (gcs_main)");
+  EXPECT_TRUE(sut.has_other_layout(guid(7, 1), own_reader));
+}
+
+TEST_F(RemoteEndsTest, AReaderOfAnotherTypeIsNamedToTheWriter) {
+  sut.add(guid(7, 1), {"rt/odom", "Twist", "", false});
+  EXPECT_EQ(sut.other_type(own_writer), "Twist (gcs_main)");
+}
+
+TEST_F(RemoteEndsTest, AnEndThatDoesNotTellItsLayoutFitsByItsTypeName) {
+  sut.add(guid(7, 1), {"rt/odom", "Odom", "", true});
+  EXPECT_EQ(sut.other_type(own_reader), "");
+  EXPECT_FALSE(sut.has_other_layout(guid(7, 1), own_reader));
+}
+
+TEST_F(RemoteEndsTest, OtherTopicsAndEndsOfTheSameKindDoNotMatter) {
+  sut.add(guid(7, 1), {"rt/goal", "Goal", "0b", true});
+  sut.add(guid(7, 2), {"rt/odom", "Twist", "0b", false});
+  EXPECT_EQ(sut.other_type(own_reader), "");
+}
+
+TEST_F(RemoteEndsTest, AnEndThatIsGoneIsForgotten) {
+  sut.add(guid(7, 1), {"rt/odom", "Odom", "0b", true});
+  sut.remove(guid(7, 1));
+  EXPECT_EQ(sut.other_type(own_reader), "");
+  EXPECT_FALSE(sut.has_other_layout(guid(7, 1), own_reader));
+}
+
+TEST_F(RemoteEndsTest, TheEndsOfAParticipantThatIsGoneAreForgottenAndNoOthers) {
+  sut.add(guid(7, 1), {"rt/odom", "Odom", "0b", true});
+  sut.add(guid(8, 1), {"rt/odom", "Odom", "0c", true});
+  sut.remove(guid(7, 0).guidPrefix);
+  EXPECT_EQ(sut.other_type(own_reader), "Odom with another layout (unnamed participant)");
+}
+
+AnnouncedEnd with_reliability(AnnouncedEnd end, const char* reliability) {
+  end.qos.reliability = reliability;
+  return end;
+}
+
+TEST_F(RemoteEndsTest, AReaderThatRequestsMoreIsNamedToTheWriter) {
+  const AnnouncedEnd best_effort = with_reliability(own_writer, "best_effort");
+  sut.add(guid(7, 1), with_reliability(own_reader, "best_effort"));
+  EXPECT_EQ(sut.misfit(best_effort), "");
+  sut.add(guid(7, 2), own_reader);
+  EXPECT_EQ(sut.misfit(best_effort), "reliability (gcs_main)");
+  EXPECT_EQ(sut.misfit(own_writer), "");
+}
+
+TEST_F(RemoteEndsTest, AWriterThatOffersLessIsNamedToTheReader) {
+  AnnouncedEnd weak = with_reliability(own_writer, "best_effort");
+  AnnouncedEnd strict = own_reader;
+  strict.qos.durability = "transient_local";
+  sut.add(guid(7, 1), weak);
+  EXPECT_EQ(sut.misfit(strict), "reliability, durability (gcs_main)");
+}
+
+TEST_F(RemoteEndsTest, AMisfitThatIsGoneIsForgotten) {
+  const AnnouncedEnd best_effort = with_reliability(own_writer, "best_effort");
+  sut.add(guid(7, 1), own_reader);
+  sut.remove(guid(7, 1));
+  EXPECT_EQ(sut.misfit(best_effort), "");
+  sut.add(guid(7, 1), own_reader);
+  sut.remove(guid(7, 0).guidPrefix);
+  EXPECT_EQ(sut.misfit(best_effort), "");
+}
+
+TEST_F(RemoteEndsTest, EndsThatAreNotMeantToMatchAreNoMisfit) {
+  const AnnouncedEnd best_effort = with_reliability(own_writer, "best_effort");
+  AnnouncedEnd elsewhere = own_reader;
+  elsewhere.qos.partition = {"left"};
+  sut.add(guid(7, 1), elsewhere);
+  sut.add(guid(7, 2), {"rt/goal", "Odom", "0a", false});
+  sut.add(guid(7, 3), own_writer);
+  sut.add(guid(7, 4), {"rt/odom", "Twist", "", false});  // another type is another complaint
+  EXPECT_EQ(sut.misfit(best_effort), "");
+}
+
+TEST_F(RemoteEndsTest, ADurationThatWentOverTheWireIsTheSame) {
+  AnnouncedEnd writer = own_writer;
+  AnnouncedEnd reader = own_reader;
+  writer.qos.deadline_s = 0.3;
+  reader.qos.deadline_s = 0.3 - 1e-9;
+  sut.add(guid(7, 1), reader);
+  EXPECT_EQ(sut.misfit(writer), "");
+  reader.qos.deadline_s = 0.3 - 1e-5;
+  sut.add(guid(7, 1), reader);
+  EXPECT_EQ(sut.misfit(writer), "deadline (gcs_main)");
+}
+
+TEST_F(RemoteEndsTest, AWriterIsKnownByItsParticipantAndWhatItAnnounces) {
+  sut.add(guid(7, 1), {"rt/odom", "Odom", "0a", true, {}, "mine;tocsin_layout=0a;"});
+  EXPECT_EQ(sut.writer(guid(7, 1)).name, "gcs_main");
+  EXPECT_EQ(sut.writer(guid(7, 1)).user_data, "mine;tocsin_layout=0a;");
+  EXPECT_EQ(sut.writer(guid(8, 1)).name, "");
+  EXPECT_EQ(sut.writer(guid(8, 1)).user_data, "");
+}
+
+TEST(UserData, IsJoinedWithOneSemicolonBetween) {
+  EXPECT_EQ(joined("a=1", "b=2;"), "a=1;b=2;");
+  EXPECT_EQ(joined("a=1;", "b=2;"), "a=1;b=2;");
+  EXPECT_EQ(joined("", "b=2;"), "b=2;");
+  EXPECT_EQ(joined("a=1", ""), "a=1");
+}
+
+TEST(LayoutInUserData, IsFoundAgainBesideWhatTheProfileAskedFor) {
+  EXPECT_EQ(with_layout("", "0a"), "tocsin_layout=0a;");
+  EXPECT_EQ(with_layout("typehash=x", "0a"), "typehash=x;tocsin_layout=0a;");
+  EXPECT_EQ(with_layout("typehash=x;", "0a"), "typehash=x;tocsin_layout=0a;");
+  EXPECT_EQ(with_layout("mine", ""), "mine");
+  EXPECT_EQ(layout_in("typehash=x;tocsin_layout=0a;more=1;"), "0a");
+  EXPECT_EQ(layout_in("tocsin_layout=0a"), "0a");
+  EXPECT_EQ(layout_in("typehash=x;"), "");
+}
+
+}  // namespace
+}  // namespace tocsin

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "qos/config_file.hpp"
+#include "runtime/middleware/traffic_rules.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string config = std::string(TOCSIN_REPOSITORY) + "/config";
+
+TEST(TrafficRules, ShippedFilePausesTheCameraAndNoGoal) {
+  const TrafficRules uxv(config + "/traffic.yaml", "uxv");
+  EXPECT_EQ(uxv.of(topic::CameraImage::info.name).while_poor, WhilePoor::drop);
+  EXPECT_EQ(uxv.of(topic::Location::info.name).while_poor, WhilePoor::send);
+  const TrafficRules gcs(config + "/traffic.yaml", "gcs");
+  EXPECT_EQ(gcs.of(topic::Goal::info.name).while_poor, WhilePoor::send);
+  EXPECT_EQ(gcs.of(topic::EmergencyStop::info.name).while_poor, WhilePoor::send);
+}
+
+TEST(TrafficRules, ShippedFileOfTheThesisKeepsTheNewestGoal) {
+  const TrafficRules gcs(config + "/traffic_thesis.yaml", "gcs");
+  EXPECT_EQ(gcs.of(topic::Goal::info.name).while_poor, WhilePoor::latest);
+}
+
+TEST(TrafficRules, ShippedFileOfTheThesisIsTheOtherButForGoals) {
+  for (const char* role : {"uxv", "gcs"}) {
+    const TrafficRules shipped(config + "/traffic.yaml", role);
+    const TrafficRules thesis(config + "/traffic_thesis.yaml", role);
+    EXPECT_EQ(thesis.all().size(), shipped.all().size());
+    for (const auto& [topic, rule] : shipped.all()) {
+      EXPECT_EQ(thesis.of(topic).traffic_class, rule.traffic_class) << topic;
+      if (topic == topic::Goal::info.name) continue;
+      EXPECT_EQ(thesis.of(topic).while_poor, rule.while_poor) << topic;
+    }
+  }
+}
+
+TEST(TrafficRules, AFileMayExtendAnotherAndMoveATopic) {
+  const ConfigFile file("extends: base.yaml\nuxv: {high: {topics: [b]}}\n");
+  file.write("base.yaml",
+             "uxv:\n  high: {while_poor: send, topics: [a]}\n"
+             "  low: {while_poor: drop, topics: [b, c]}\n");
+  const TrafficRules sut(file.path(), "uxv");
+  EXPECT_EQ(sut.of("b").traffic_class, "high");
+  EXPECT_EQ(sut.of("b").while_poor, WhilePoor::send);
+  EXPECT_EQ(sut.of("a").while_poor, WhilePoor::send);
+  EXPECT_EQ(sut.of("c").while_poor, WhilePoor::drop);
+}
+
+TEST(TrafficRules, AMistakeInAFileThatIsExtendedHasItsFileAndLine) {
+  const ConfigFile file("extends: base.yaml\nuxv: {high: {topics: [b]}}\n");
+  file.write("base.yaml", "uxv:\n  high: {topics: [a]}\n  low: {while_poor: delete}\n");
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }), HasSubstr("base.yaml:3)"));
+}
+
+TEST(TrafficRules, ATopicWithoutClassIsAnError) {
+  const ConfigFile file("uxv:\n  low: {while_poor: drop, topics: [a]}\n");
+  const TrafficRules sut(file.path(), "uxv");
+  EXPECT_THAT(error_of([&] { (void)sut.of("b"); }),
+              HasSubstr("topic b: crosses the link, but has no traffic class for role uxv"));
+}
+
+TEST(TrafficRules, WithoutAFileNothingIsPaused) {
+  const TrafficRules sut;
+  EXPECT_EQ(sut.of("b").while_poor, WhilePoor::send);
+  EXPECT_EQ(sut.of("b").traffic_class, "none");
+  EXPECT_TRUE(sut.all().empty());
+}
+
+TEST(TrafficRules, ATopicInTwoClassesIsAnError) {
+  const ConfigFile file("uxv:\n  low: {topics: [a]}\n  high: {topics: [a]}\n");
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+              HasSubstr("a is in two classes"));
+}
+
+TEST(TrafficRules, AnUnknownRoleIsAnError) {
+  const ConfigFile file("uxv: {}\n");
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "boat"); }),
+              HasSubstr("has no map for the role 'boat'"));
+}
+
+TEST(TrafficRules, AnUnknownActionIsAnError) {
+  const ConfigFile file("uxv:\n  low: {while_poor: delete}\n");
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+              HasSubstr("'delete' is not one of: send, latest, drop"));
+}
+
+}  // namespace
+}  // namespace tocsin

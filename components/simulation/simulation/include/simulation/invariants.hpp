@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "simulation/observer.hpp"
+#include "simulation/sim_world.hpp"
+
+namespace tocsin::simulation {
+
+/// A promise that was not kept.
+struct Violation {
+  double at_s = 0;  ///< [s] since the start of the run
+  std::string text;
+};
+
+/// How much time the promises leave.
+struct InvariantLimits {
+  /// [s] the base stands this long after the last byte from the computer: its own timeout of 0.5 s
+  /// (config/base.yaml), 0.1 s of dead time, 0.47 s from full speed at 1.5 m/s2, position period.
+  double base_stops_s = 1.2;
+  /// [s] and this long after the last velocity that anybody wanted: the driver's hold besides.
+  double vehicle_stops_s = 2.0;
+  /// [s] the mission is over so long after the last fault: a whole Mission A takes 90.
+  double recovers_s = 150;
+};
+
+/// Checks what the stack promises while a world runs:
+/// the gate keeps no sample of a class that is always active off the air, and lets none of a paused
+/// one on it; what it kept it sends when it opens, within its lifespan; the base stops whatever
+/// dies; nothing comes later than its lifespan after it left the gate; the samples of a writer come
+/// in order and once; network quality is in its range; no component throws; the mission is over in
+/// time.
+class Invariants : public Observer {
+ public:
+  explicit Invariants(const InvariantLimits& limits = {}) : limits_(limits) {}
+
+  void on_written(const Written& written) override;
+  void on_sent(const Sent& sent) override;
+  void on_delivered(const Delivered& delivered) override;
+  void on_position(const BasePosition& base) override;
+  void on_gate(const GateChange& change) override;
+  void on_process(const ProcessChange& change) override;
+  void on_failure(const std::string& component, const std::string& what, Time now) override;
+  void on_step(Time now) override;
+  /// After the run, which lasted long enough for the mission to be over.
+  void on_end(const Outcome& outcome);
+
+  /// The first 20.
+  [[nodiscard]] const std::vector<Violation>& violations() const { return violations_; }
+  [[nodiscard]] std::uint64_t checks() const { return checks_; }
+
+ private:
+  void expect(bool kept, Time now, const char* promise, const std::string& detail);
+  void check_message(const Written& written);
+  InvariantLimits limits_;
+  double x_m_ = 0;
+  double y_m_ = 0;
+  std::vector<Violation> violations_;
+  std::uint64_t checks_ = 0;
+  std::set<std::string> closed_;  ///< host/process whose gate is closed
+  /// The last sample that a gate holds.
+  struct Kept {
+    std::uint64_t sequence;
+    Time since;
+  };
+  std::map<const TopicEnd*, Kept> kept_;
+  std::set<const TopicEnd*> owed_;  ///< whose gate has opened at this instant
+  std::map<std::pair<const TopicEnd*, const TopicEnd*>, std::uint64_t> last_;
+  Time wanted_ = Time::min();  ///< when a velocity was last wanted
+};
+
+}  // namespace tocsin::simulation

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/invariants.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "core.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin::simulation {
+namespace {
+
+constexpr std::size_t most_violations = 20;
+constexpr double stands_mps = 0.02;
+constexpr double stands_radps = 0.1;
+
+std::string process_of(const TopicEnd& end) { return end.host + "/" + end.process; }
+std::string text_of(const TopicEnd& end) { return process_of(end) + " " + end.topic; }
+
+/// NaN is allowed where the IDL says so.
+bool is_percent(double value) { return std::isnan(value) || (value >= 0 && value <= 100); }
+
+bool is(const TopicEnd& end, const TopicInfo& topic) { return end.topic == topic.name; }
+
+}  // namespace
+
+void Invariants::expect(bool kept, Time now, const char* promise, const std::string& detail) {
+  ++checks_;
+  if (kept || violations_.size() == most_violations) return;
+  violations_.push_back({to_seconds(now - start_time), std::string(promise) + ": " + detail});
+}
+
+void Invariants::on_written(const Written& written) {
+  const TopicEnd& end = written.from;
+  check_message(written);
+  if (end.scope != Scope::link) return;
+  const bool paused = written.status == Status::paused;
+  if (end.traffic_class == "critical" || !end.pausable) {
+    expect(!paused, written.time, "an active class was kept off the air", text_of(end));
+  }
+  if (paused && !end.drops) kept_[&end] = {written.sequence, written.time};
+}
+
+void Invariants::check_message(const Written& written) {
+  const TopicEnd& end = written.from;
+  if (is(end, topic::CmdVel::info)) {
+    const auto& twist = *static_cast<const topic::CmdVel::Message*>(written.message);
+    if (twist.linear().x() != 0 || twist.angular().z() != 0) wanted_ = written.time;
+  } else if (is(end, topic::NetworkQuality::info)) {
+    const auto& quality = *static_cast<const topic::NetworkQuality::Message*>(written.message);
+    const bool in_range = quality.per_percent() >= 0 && quality.per_percent() <= 100 &&
+                          is_percent(quality.quality_percent()) &&
+                          is_percent(quality.retry_percent()) && is_percent(quality.busy_percent());
+    expect(in_range, written.time, "network quality out of its range", text_of(end));
+  } else if (is(end, topic::TransmissionState::info)) {
+    const auto& state = *static_cast<const topic::TransmissionState::Message*>(written.message);
+    expect(is_percent(state.qni()), written.time, "QNI out of its range",
+           std::to_string(state.qni()));
+  }
+}
+
+void Invariants::on_sent(const Sent& sent) {
+  const TopicEnd& end = sent.from;
+  if (end.pausable) {
+    expect(closed_.count(process_of(end)) == 0, sent.time, "sent through a closed gate",
+           text_of(end));
+  }
+  const auto kept = kept_.find(&end);
+  if (kept != kept_.end() && sent.written >= kept->second.sequence) kept_.erase(kept);
+  owed_.erase(&end);
+}
+
+void Invariants::on_delivered(const Delivered& delivered) {
+  std::uint64_t& last = last_[{&delivered.from, &delivered.to}];
+  expect(delivered.sequence > last, delivered.received, "a sample came again or out of order",
+         text_of(delivered.from) + " to " + process_of(delivered.to));
+  last = delivered.sequence;
+  const double age_s = to_seconds(delivered.received - delivered.sent_at);
+  expect(age_s <= delivered.from.lifespan_s, delivered.received, "delivered after its lifespan",
+         text_of(delivered.from) + ", " + std::to_string(age_s) + " s old");
+}
+
+void Invariants::on_position(const BasePosition& base) {
+  x_m_ = base.x_m;
+  y_m_ = base.y_m;
+  const bool stands =
+      std::abs(base.speed_mps) < stands_mps && std::abs(base.turn_rate_radps) < stands_radps;
+  const auto since = [&](Time then) {
+    return then == Time::min() ? 1e9 : to_seconds(base.time - then);
+  };
+  expect(stands || since(base.commanded) <= limits_.base_stops_s, base.time,
+         "the base moves without commands", base.host);
+  expect(stands || since(wanted_) <= limits_.vehicle_stops_s, base.time,
+         "the vehicle moves though nobody wants it", base.host);
+}
+
+void Invariants::on_gate(const GateChange& change) {
+  const std::string process = change.host + "/" + change.process;
+  if (!change.open) {
+    closed_.insert(process);
+    return;
+  }
+  closed_.erase(process);
+  for (const auto& [end, kept] : kept_) {
+    const bool fresh = to_seconds(change.time - kept.since) <= end->lifespan_s;
+    if (fresh && process_of(*end) == process) owed_.insert(end);
+  }
+}
+
+void Invariants::on_process(const ProcessChange& change) {
+  if (change.event == ProcessEvent::started) return;
+  closed_.erase(change.process);
+  for (auto kept = kept_.begin(); kept != kept_.end();) {
+    kept = process_of(*kept->first) == change.process ? kept_.erase(kept) : std::next(kept);
+  }
+}
+
+void Invariants::on_failure(const std::string& component, const std::string& what, Time now) {
+  expect(false, now, "a component threw", component + ": " + what);
+}
+
+void Invariants::on_step(Time now) {
+  for (const TopicEnd* end : owed_) {
+    expect(false, now, "what the gate kept was not sent when it opened", text_of(*end));
+  }
+  owed_.clear();
+}
+
+void Invariants::on_end(const Outcome& outcome) {
+  const Time now = start_time + outcome.simulated;
+  char place[60];
+  std::snprintf(place, sizeof place, "at (%.2f, %.2f)", x_m_, y_m_);
+  expect(outcome.exit_code.has_value(), now, "the mission was not over in time", place);
+  if (outcome.exit_code) {
+    expect(*outcome.exit_code == 0, now, "the mission failed",
+           "exit code " + std::to_string(*outcome.exit_code));
+  }
+}
+
+}  // namespace tocsin::simulation
