@@ -13,7 +13,8 @@ NAMES = {"JPEG": "libjpeg-dev", "libevdev": "libevdev-dev", "libnl-genl-3.0": "l
 NUMBERS = r"(?:unsigned )?(?:short|long long|long)|octet|float|double|u?int(?:8|16|32|64)"
 FIELD = re.compile(rf"^\s*(?:sequence<)?\s*(?:{NUMBERS})\b[^;]*;(.*)$")
 # Rooms of packages, the lowest first: a package may depend on its own and on lower ones.
-ROOMS = [["idl"], ["framework"], ["libraries"], ["vehicle", "station", "both"], ["simulation"], ["tools"]]
+ROOMS = [["idl"], ["framework"], ["libraries"], ["vehicle", "station", "both"], ["simulation"], ["tools"],
+         ["examples"]]
 ANYWHERE = {"tocsin_cmake"}  # builds all of them
 broken = []
 
@@ -78,7 +79,7 @@ def check_rooms():
 
 
 def check_units():
-    for file in tracked("idl/tocsin_idl/*.idl"):
+    for file in tracked("idl/tocsin_idl/*.idl", "components/examples/*.idl"):
         for number, line in enumerate(file.read_text().split("\n"), 1):
             field = FIELD.match(line)
             if field and not re.search(r"//.*\[[^\]]+\]", field.group(1)):

@@ -46,6 +46,11 @@ void OperatorProcess::kill_all() const {
   if (pid_ > 0) kill(-pid_, SIGKILL);
 }
 
+void OperatorProcess::end_all() {
+  if (pid_ > 0) kill(-pid_, SIGTERM);
+  (void)exit_code(std::chrono::seconds(10));
+}
+
 int OperatorProcess::exit_code(std::chrono::seconds limit) {
   (void)Stack::eventually(limit, [this] {
     int status = 0;

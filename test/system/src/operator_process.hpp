@@ -20,6 +20,8 @@ class OperatorProcess {
   OperatorProcess& operator=(const OperatorProcess&) = delete;
 
   void type(const std::string& keys) const;
+  /// Asks it and its children to end, and waits up to 10 s for it.
+  void end_all();
   /// Kills it with all its children at once, without a chance to say anything.
   void kill_all() const;
   /// The exit code; -1 when it did not end within `limit`.

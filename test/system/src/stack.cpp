@@ -114,6 +114,14 @@ Stack::~Stack() {
   if (!keep_) fs::remove_all(top_);
 }
 
+std::string Stack::setup() {
+  const fs::path own = TOCSIN_INSTALL;
+  for (const fs::path& folder : {own, own.parent_path()}) {
+    if (fs::exists(folder / "setup.bash")) return folder / "setup.bash";
+  }
+  throw std::runtime_error("no setup.bash at " + own.string());
+}
+
 std::string Stack::program(const std::string& package, const std::string& name) {
   return installed(package, "bin/" + name);
 }

@@ -32,6 +32,8 @@ class Stack {
 
   /// Path of an installed program.
   [[nodiscard]] static std::string program(const std::string& package, const std::string& name);
+  /// Path of the installation's setup.bash.
+  [[nodiscard]] static std::string setup();
   /// Path of an installed file below share/tocsin.
   [[nodiscard]] static std::string share(const std::string& name);
   /// True as soon as `condition` holds; false when `limit` passes before.

@@ -126,20 +126,11 @@ class OutOfTreeTest : public ::testing::Test {
     workspace_->write("src/lamps/src/lamp_topic.hpp", topic_header);
     workspace_->write("src/lamps/src/lamp_switch.cpp", lamp_switch_source);
     workspace_->write("src/lamps/src/lamp.cpp", lamp_source);
-    built_ = shell("cd " + workspace_->path() + " && source " + setup() +
+    built_ = shell("cd " + workspace_->path() + " && source " + Stack::setup() +
                    " && colcon build --cmake-args -DCMAKE_CXX_FLAGS='-Wall -Wextra -Wconversion'");
   }
   static void TearDownTestSuite() { delete workspace_; }
 
-  /// Of our own install folder, which has a folder for each package or is one for all.
-  static std::string setup() {
-    const std::filesystem::path bin =
-        std::filesystem::path(Stack::program("tocsin_cli", "tocsin")).parent_path();
-    for (const auto& folder : {bin.parent_path(), bin.parent_path().parent_path()}) {
-      if (exists(folder / "setup.bash")) return folder / "setup.bash";
-    }
-    return "/nowhere/setup.bash";
-  }
   /// A command in a shell that has sourced nothing; its exit code. Prints into `shell.out`.
   static int shell(const std::string& command) {
     return process(command, "shell.out")->exit_code(seconds(200));
@@ -152,7 +143,8 @@ class OutOfTreeTest : public ::testing::Test {
         workspace_->path(output));
   }
   static std::string both() {
-    return "source " + setup() + " && source " + workspace_->path("install/setup.bash") + " && ";
+    return "source " + Stack::setup() + " && source " + workspace_->path("install/setup.bash") +
+           " && ";
   }
   static TemporaryFolder* workspace_;
   static int built_;
@@ -174,7 +166,7 @@ TEST_F(OutOfTreeTest, TheirComponentsAreListedWithTheirPackageOnceTheirWorkspace
   EXPECT_THAT(sourced, HasSubstr("lamp_switch              lamps\n"));
   EXPECT_THAT(sourced, HasSubstr("navigator                navigator\n"));
   workspace_->write("shell.out", "");
-  ASSERT_EQ(shell("source " + setup() + " && tocsin component types"), 0);
+  ASSERT_EQ(shell("source " + Stack::setup() + " && tocsin component types"), 0);
   EXPECT_THAT(workspace_->read("shell.out"), Not(HasSubstr("lamp")));
 }
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page of the examples says what is so: each file that it shows is the file of that name, and
+// each command prints what stands there.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "foundation/temporary_folder.hpp"
+#include "operator_process.hpp"
+#include "readme.hpp"
+#include "stack.hpp"
+
+namespace tocsin {
+namespace {
+
+using std::chrono::seconds;
+
+const std::string examples = std::string(TOCSIN_REPOSITORY) + "/components/examples";
+
+std::vector<ReadmeBlock> blocks(bool console) {
+  std::vector<ReadmeBlock> found = readme_blocks(examples + "/README.md");
+  const auto other = [console](const ReadmeBlock& b) {
+    return (b.language == "console") != console;
+  };
+  found.erase(std::remove_if(found.begin(), found.end(), other), found.end());
+  return found;
+}
+
+std::string text_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+TEST(Examples, EveryFileThatThePageShowsIsTheFileOfThatName) {
+  const auto shown = blocks(false);
+  EXPECT_GT(shown.size(), 10U);
+  for (const ReadmeBlock& block : shown) {
+    EXPECT_NE(text_of(examples + "/" + block.file).find(block.text), std::string::npos)
+        << "README.md:" << block.line << " is not in '" << block.file << "'";
+  }
+}
+
+TEST(Examples, NoneWritesWhatMovesOrStopsAVehicle) {
+  for (const char* source :
+       {"greetings/src/talker.hpp", "greetings/src/listener.hpp", "example_idl/src/topics.cpp",
+        "example_idl/include/example_idl/topics.hpp",
+        "odometer/include/odometer/odometer_component.hpp"}) {
+    const std::string text = text_of(examples + "/" + source);
+    EXPECT_FALSE(text.empty()) << source;
+    for (const char* dangerous : {"cmd_vel", "CmdVel", "emergency_stop", "EmergencyStop", "Goal"}) {
+      EXPECT_EQ(text.find(dangerous), std::string::npos) << source << ": " << dangerous;
+    }
+  }
+}
+
+/// The sessions of the page, one after the other.
+class ExamplesSession : public ::testing::TestWithParam<int> {};
+
+TEST_P(ExamplesSession, PrintsWhatThePageSays) {
+  const ReadmeBlock block = blocks(true).at(static_cast<std::size_t>(GetParam()));
+  const ConsoleSession session = console_session(block);
+  ASSERT_FALSE(session.prints.empty());
+  TemporaryFolder folder;
+  const std::string script = folder.write(
+      "session.sh", "set -e\nexport ROS_DOMAIN_ID=46 RUN=" + folder.path("run") + "\nsource " +
+                        Stack::setup() + "\nset -x\ncp -r " + examples + "/bringup " +
+                        folder.path() + "\ncd " + folder.path() + "\n" + session.script);
+  OperatorProcess shell({"/bin/bash", script}, folder.path("out"));
+  EXPECT_TRUE(Stack::eventually(
+      seconds(30), [&] { return missing_line(session.prints, folder.read("out")).empty(); }))
+      << "README.md:" << block.line << ": '" << missing_line(session.prints, folder.read("out"))
+      << "' was not printed, but\n"
+      << folder.read("out");
+  shell.end_all();
+}
+
+INSTANTIATE_TEST_SUITE_P(Page, ExamplesSession,
+                         ::testing::Range(0, static_cast<int>(blocks(true).size())));
+
+}  // namespace
+}  // namespace tocsin
