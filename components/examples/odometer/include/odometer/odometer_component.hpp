@@ -28,7 +28,7 @@ class OdometerComponent final : public tocsin::Component {
 
  private:
   // Poses come 50 times a second; they wait for the next report.
-  tocsin::Input<tocsin::topic::Odom> odom_{*this, tocsin::Arrival::waits};
+  tocsin::Input<tocsin::topic::Odom> odom_{*this, tocsin::WakeMode::time_triggered};
   tocsin::Output<DistanceDriven> distance_{*this};
   DistanceMeter meter_;
 };
