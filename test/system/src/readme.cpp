@@ -5,6 +5,9 @@
 #include <regex>
 #include <sstream>
 
+#include "operator_process.hpp"
+#include "stack.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -31,9 +34,8 @@ std::string regex_of(const std::string& wanted) {
   return std::regex_replace(text, time_of_day, R"(\d\d:\d\d:\d\d\.\d{3})");
 }
 
-}  // namespace
-
-std::vector<ReadmeBlock> readme_blocks(const std::string& page) {
+/// All fenced blocks.
+std::vector<ReadmeBlock> blocks_of(const std::string& page) {
   std::vector<ReadmeBlock> blocks;
   std::ifstream file(page);
   std::string before;
@@ -54,8 +56,8 @@ std::vector<ReadmeBlock> readme_blocks(const std::string& page) {
   return blocks;
 }
 
-ConsoleSession console_session(const ReadmeBlock& block) {
-  ConsoleSession session;
+ConsoleSession session_of(const ReadmeBlock& block) {
+  ConsoleSession session{"", {}, block.line};
   std::istringstream lines(block.text);
   for (std::string line; std::getline(lines, line);) {
     if (starts_with(line, "$ ")) {
@@ -67,6 +69,24 @@ ConsoleSession console_session(const ReadmeBlock& block) {
   return session;
 }
 
+}  // namespace
+
+std::vector<ReadmeBlock> readme_files(const std::string& page) {
+  std::vector<ReadmeBlock> files;
+  for (ReadmeBlock& block : blocks_of(page)) {
+    if (block.language != "console") files.push_back(std::move(block));
+  }
+  return files;
+}
+
+std::vector<ConsoleSession> readme_sessions(const std::string& page) {
+  std::vector<ConsoleSession> sessions;
+  for (const ReadmeBlock& block : blocks_of(page)) {
+    if (block.language == "console") sessions.push_back(session_of(block));
+  }
+  return sessions;
+}
+
 std::string missing_line(const std::vector<std::string>& wanted, const std::string& output) {
   std::istringstream lines(output);
   for (const std::string& text : wanted) {
@@ -76,6 +96,23 @@ std::string missing_line(const std::vector<std::string>& wanted, const std::stri
     if (!lines) return text;
   }
   return "";
+}
+
+std::string play(const ConsoleSession& session, const TemporaryFolder& folder,
+                 const std::string& prelude, std::chrono::seconds limit) {
+  const std::string number = std::to_string(session.line);
+  const std::string output = "session" + number + ".out";
+  const std::string script =
+      folder.write("session" + number + ".sh",
+                   "set -e\ncd " + folder.path() + "\n" + prelude + "\nset -x\n" + session.script);
+  OperatorProcess shell(
+      {"/usr/bin/env", "-u", "COLCON_PREFIX_PATH", "-u", "CMAKE_PREFIX_PATH", "/bin/bash", script},
+      folder.path(output));
+  const auto missing = [&] { return missing_line(session.prints, folder.read(output)); };
+  const bool all = Stack::eventually(limit, [&] { return missing().empty(); });
+  shell.end_all();
+  if (all) return "";
+  return "line " + number + ": '" + missing() + "' was not printed, but\n" + folder.read(output);
 }
 
 }  // namespace tocsin

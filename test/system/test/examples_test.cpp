@@ -3,13 +3,11 @@
 // each command prints what stands there.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
 
 #include "foundation/temporary_folder.hpp"
-#include "operator_process.hpp"
 #include "readme.hpp"
 #include "stack.hpp"
 
@@ -19,15 +17,7 @@ namespace {
 using std::chrono::seconds;
 
 const std::string examples = std::string(TOCSIN_REPOSITORY) + "/components/examples";
-
-std::vector<ReadmeBlock> blocks(bool console) {
-  std::vector<ReadmeBlock> found = readme_blocks(examples + "/README.md");
-  const auto other = [console](const ReadmeBlock& b) {
-    return (b.language == "console") != console;
-  };
-  found.erase(std::remove_if(found.begin(), found.end(), other), found.end());
-  return found;
-}
+const std::string page = examples + "/README.md";
 
 std::string text_of(const std::string& path) {
   std::ostringstream text;
@@ -36,7 +26,7 @@ std::string text_of(const std::string& path) {
 }
 
 TEST(Examples, EveryFileThatThePageShowsIsTheFileOfThatName) {
-  const auto shown = blocks(false);
+  const auto shown = readme_files(page);
   EXPECT_GT(shown.size(), 10U);
   for (const ReadmeBlock& block : shown) {
     EXPECT_NE(text_of(examples + "/" + block.file).find(block.text), std::string::npos)
@@ -61,25 +51,16 @@ TEST(Examples, NoneWritesWhatMovesOrStopsAVehicle) {
 class ExamplesSession : public ::testing::TestWithParam<int> {};
 
 TEST_P(ExamplesSession, PrintsWhatThePageSays) {
-  const ReadmeBlock block = blocks(true).at(static_cast<std::size_t>(GetParam()));
-  const ConsoleSession session = console_session(block);
+  const ConsoleSession session = readme_sessions(page).at(static_cast<std::size_t>(GetParam()));
   ASSERT_FALSE(session.prints.empty());
-  TemporaryFolder folder;
-  const std::string script = folder.write(
-      "session.sh", "set -e\nexport ROS_DOMAIN_ID=46 RUN=" + folder.path("run") + "\nsource " +
-                        Stack::setup() + "\nset -x\ncp -r " + examples + "/bringup " +
-                        folder.path() + "\ncd " + folder.path() + "\n" + session.script);
-  OperatorProcess shell({"/bin/bash", script}, folder.path("out"));
-  EXPECT_TRUE(Stack::eventually(
-      seconds(30), [&] { return missing_line(session.prints, folder.read("out")).empty(); }))
-      << "README.md:" << block.line << ": '" << missing_line(session.prints, folder.read("out"))
-      << "' was not printed, but\n"
-      << folder.read("out");
-  shell.end_all();
+  const TemporaryFolder folder;
+  const std::string prelude = "export ROS_DOMAIN_ID=46 RUN=" + folder.path("run") + "\nsource " +
+                              Stack::setup() + "\ncp -r " + examples + "/bringup .";
+  EXPECT_EQ(play(session, folder, prelude, seconds(30)), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Page, ExamplesSession,
-                         ::testing::Range(0, static_cast<int>(blocks(true).size())));
+                         ::testing::Range(0, static_cast<int>(readme_sessions(page).size())));
 
 }  // namespace
 }  // namespace tocsin

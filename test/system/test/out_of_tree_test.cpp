@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A user's own workspace over ours: a message type and two components in one package, built by
-// colcon after `source install/setup.bash`, run by their names.
+// A user's own workspace over ours, made of nothing but what the page of tocsin_cmake shows:
+// message type, topic, QoS profile, traffic class and components of their own, built by colcon
+// after `source install/setup.bash`, run by their names and by a bringup file of their own.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
-#include <filesystem>
-#include <memory>
 #include <string>
 
 #include "foundation/temporary_folder.hpp"
-#include "operator_process.hpp"
+#include "readme.hpp"
 #include "stack.hpp"
 
 namespace tocsin {
@@ -20,82 +18,11 @@ using std::chrono::seconds;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr const char* package_xml = R"(<?xml version="1.0"?>
-<package format="3">
-  <name>NAME</name>
-  <version>0.0.1</version>
-  <description>Of a user.</description>
-  <maintainer email="user@example.org">A user</maintainer>
-  <license>Proprietary</license>
-  DEPENDS
-  <export><build_type>cmake</build_type></export>
-</package>
-)";
+const std::string page =
+    std::string(TOCSIN_REPOSITORY) + "/components/framework/tocsin_cmake/README.md";
 
-constexpr const char* topic_header = R"(#pragma once
-#include <lamp_idl/lamp_msgs.hpp>
-
-#include "idl_support/topic_info.hpp"
-
-struct Lamp {
-  using Message = lamp_idl::msg::Lamp;
-  static constexpr tocsin::TopicInfo info{"lamp", "state", tocsin::Scope::host};
-};
-)";
-
-// Not free of what our own warnings would find.
-constexpr const char* lamp_switch_source = R"(
-#include "lamp_topic.hpp"
-#include "runtime/component_entry.hpp"
-#include "runtime/port.hpp"
-
-class LampSwitch final : public tocsin::Component {
- public:
-  struct Params {
-    int brightness = 1;
-    template <class Visitor>
-    void visit(Visitor& v) {
-      v("brightness", brightness, {0, 100}, "[%] of the lamp");
-    }
-  };
-  LampSwitch(tocsin::Context& context, const Params& params) : Component(context), params_(params) {}
-  void tick(tocsin::Time now) override {
-    int unused = 3.5;
-    Lamp::Message lamp;
-    lamp.x(params_.brightness);
-    lamp.z(7);
-    (void)lamp_.write(lamp);
-  }
-
- private:
-  tocsin::Output<Lamp> lamp_{*this};
-  Params params_;
-};
-TOCSIN_COMPONENT(LampSwitch)
-)";
-
-constexpr const char* lamp_source = R"(
-#include "lamp_topic.hpp"
-#include "runtime/component_entry.hpp"
-#include "runtime/logger.hpp"
-#include "runtime/port.hpp"
-
-class LampItself final : public tocsin::Component {
- public:
-  struct Params {
-    template <class Visitor>
-    void visit(Visitor&) {}
-  };
-  LampItself(tocsin::Context& context, const Params&) : Component(context) {}
-  void tick(tocsin::Time) override {
-    while (const auto lamp = lamp_.take()) log().info("the lamp has {} and {}", lamp->x(), lamp->z());
-  }
-
- private:
-  tocsin::Input<Lamp> lamp_{*this};
-};
-TOCSIN_COMPONENT(LampItself)
-)";
+// Compilers warn of it.
+constexpr const char* careless = "\nstatic int careless(double x) { int unused = x; return 0; }\n";
 
 std::string with(std::string text, const std::string& word, const std::string& other) {
   return text.replace(text.find(word), word.size(), other);
@@ -105,82 +32,71 @@ class OutOfTreeTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     workspace_ = new TemporaryFolder;
-    workspace_->write("src/lamp_idl/package.xml", with(with(package_xml, "NAME", "lamp_idl"),
-                                                       "DEPENDS", "<depend>tocsin_cmake</depend>"));
-    workspace_->write("src/lamp_idl/CMakeLists.txt",
-                      "cmake_minimum_required(VERSION 3.25)\nproject(lamp_idl LANGUAGES CXX)\n"
-                      "find_package(tocsin_cmake REQUIRED)\nfind_package(idl_support REQUIRED)\n"
-                      "tocsin_idl_library(lamp_idl IDL idl/lamp_msgs.idl)\n");
-    workspace_->write("src/lamp_idl/idl/lamp_msgs.idl",
-                      "module lamp_idl { module msg { @final struct Lamp { long x, z; }; }; };\n");
-    workspace_->write("src/lamps/package.xml",
-                      with(with(package_xml, "NAME", "lamps"), "DEPENDS",
-                           "<depend>runtime</depend><depend>lamp_idl</depend>"));
-    workspace_->write("src/lamps/CMakeLists.txt",
-                      "cmake_minimum_required(VERSION 3.25)\nproject(lamps LANGUAGES CXX)\n"
-                      "find_package(tocsin_cmake REQUIRED)\nfind_package(runtime REQUIRED)\n"
-                      "find_package(lamp_idl REQUIRED)\n"
-                      "foreach(name lamp_switch lamp)\n"
-                      "  tocsin_component(${name} COMPONENT src/${name}.cpp LINK "
-                      "lamp_idl::lamp_idl)\nendforeach()\n");
-    workspace_->write("src/lamps/src/lamp_topic.hpp", topic_header);
-    workspace_->write("src/lamps/src/lamp_switch.cpp", lamp_switch_source);
-    workspace_->write("src/lamps/src/lamp.cpp", lamp_source);
-    built_ = shell("cd " + workspace_->path() + " && source " + Stack::setup() +
-                   " && colcon build --cmake-args -DCMAKE_CXX_FLAGS='-Wall -Wextra -Wconversion'");
+    for (const ReadmeBlock& block : readme_files(page)) {
+      const bool source = block.file == "src/lamps/src/lamp.cpp";
+      if (!block.file.empty()) workspace_->write(block.file, block.text + (source ? careless : ""));
+    }
+    build_ = readme_sessions(page).at(0);
+    build_.script = with(build_.script, "~/tocsin/install/setup.bash", Stack::setup());
+    failure_ =
+        play(build_, *workspace_, "export CXXFLAGS='-Wall -Wextra -Wconversion'", seconds(200));
   }
   static void TearDownTestSuite() { delete workspace_; }
+  void SetUp() override { ASSERT_EQ(failure_, ""); }
 
-  /// A command in a shell that has sourced nothing; its exit code. Prints into `shell.out`.
-  static int shell(const std::string& command) {
-    return process(command, "shell.out")->exit_code(seconds(200));
-  }
-  static std::unique_ptr<OperatorProcess> process(const std::string& command,
-                                                  const std::string& output) {
-    return std::make_unique<OperatorProcess>(
-        std::vector<std::string>{"/usr/bin/env", "-u", "COLCON_PREFIX_PATH", "-u",
-                                 "CMAKE_PREFIX_PATH", "bash", "-c", command},
-        workspace_->path(output));
-  }
-  static std::string both() {
-    return "source " + Stack::setup() + " && source " + workspace_->path("install/setup.bash") +
-           " && ";
+  /// What went wrong in a session of a person who has sourced both.
+  static std::string play_sourced(const ConsoleSession& session) {
+    return play(session, *workspace_,
+                "source " + Stack::setup() + "\nsource install/setup.bash\nexport ROS_DOMAIN_ID=73",
+                seconds(30));
   }
   static TemporaryFolder* workspace_;
-  static int built_;
+  static ConsoleSession build_;
+  static std::string failure_;
 };
 
 TemporaryFolder* OutOfTreeTest::workspace_ = nullptr;
-int OutOfTreeTest::built_ = -1;
+ConsoleSession OutOfTreeTest::build_;
+std::string OutOfTreeTest::failure_;
 
 TEST_F(OutOfTreeTest, WarningsOfUsersAreNoErrors) {
-  ASSERT_EQ(built_, 0) << workspace_->read("shell.out");
   EXPECT_THAT(workspace_->read("log/latest_build/lamps/stderr.log"), HasSubstr("warning"));
 }
 
-TEST_F(OutOfTreeTest, TheirComponentsAreListedWithTheirPackageOnceTheirWorkspaceIsSourced) {
-  ASSERT_EQ(built_, 0);
-  workspace_->write("shell.out", "");
-  ASSERT_EQ(shell(both() + "tocsin component types"), 0);
-  const std::string sourced = workspace_->read("shell.out");
-  EXPECT_THAT(sourced, HasSubstr("lamp_switch              lamps\n"));
-  EXPECT_THAT(sourced, HasSubstr("navigator                navigator\n"));
-  workspace_->write("shell.out", "");
-  ASSERT_EQ(shell("source " + Stack::setup() + " && tocsin component types"), 0);
-  EXPECT_THAT(workspace_->read("shell.out"), Not(HasSubstr("lamp")));
+TEST_F(OutOfTreeTest, TheirComponentsAreListedWithOursOnceTheirWorkspaceIsSourced) {
+  EXPECT_EQ(play_sourced({"tocsin component types",
+                          {"lamp                     lamps", "navigator                navigator"},
+                          1001}),
+            "");
+  EXPECT_EQ(play({"tocsin component types; echo end", {"end"}, 1002}, *workspace_,
+                 "source " + Stack::setup(), seconds(30)),
+            "");
+  EXPECT_THAT(workspace_->read("session1002.out"), Not(HasSubstr("lamp")));
 }
 
-TEST_F(OutOfTreeTest, TheirComponentsRunByNameAndHearEachOther) {
-  ASSERT_EQ(built_, 0);
-  const auto lamp = process(both() + "tocsin run lamp --domain 73", "lamp.out");
-  const auto lamp_switch =
-      process(both() + "tocsin run lamp_switch --domain 73 --set brightness=40", "switch.out");
-  EXPECT_TRUE(Stack::eventually(
-      seconds(30),
-      [] {
-        return workspace_->read("lamp.out").find("the lamp has 40 and 7") != std::string::npos;
-      }))
-      << workspace_->read("lamp.out") << workspace_->read("switch.out");
+TEST_F(OutOfTreeTest, EverySessionOfThePagePrintsWhatThePageSays) {
+  const auto sessions = readme_sessions(page);
+  EXPECT_GE(sessions.size(), 3U);
+  for (std::size_t i = 1; i < sessions.size(); ++i) EXPECT_EQ(play_sourced(sessions[i]), "");
+}
+
+TEST_F(OutOfTreeTest, TheirTopicIsRecordedAndTheirFileRunsInVirtualTimeToo) {
+  EXPECT_EQ(play_sourced({"tocsin sim lamps.yaml --duration 10 --run-dir first\n"
+                          "cat first/uxv/lamp.csv\necho end",
+                          {"10.000 s simulated ...", "...,brightness", "...,40", "...,40", "end"},
+                          1003}),
+            "");
+}
+
+TEST_F(OutOfTreeTest, WithoutTheirQosProfileOrTrafficClassTheCheckNamesTopicAndFile) {
+  workspace_->write("plain.yaml",
+                    with(workspace_->read("lamps.yaml"), "qos: qos.yaml", "qos: shipped/qos.yaml"));
+  workspace_->write("shipped/qos.yaml", "extends: qos.yaml\n");
+  EXPECT_EQ(play_sourced({"! tocsin check plain.yaml", {"...lamp...lamp_order..."}, 1004}), "");
+  workspace_->write("mute.yaml", with(workspace_->read("lamps.yaml"), "traffic: traffic.yaml",
+                                      "traffic: shipped/traffic.yaml"));
+  workspace_->write("shipped/traffic.yaml", "extends: traffic.yaml\n");
+  EXPECT_EQ(play_sourced({"! tocsin check mute.yaml", {"...lamp...traffic.yaml..."}, 1005}), "");
 }
 
 }  // namespace
