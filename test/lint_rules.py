@@ -16,6 +16,12 @@ FIELD = re.compile(rf"^\s*(?:sequence<)?\s*(?:{NUMBERS})\b[^;]*;(.*)$")
 ROOMS = [["idl"], ["framework"], ["libraries"], ["vehicle", "station", "both"], ["simulation"], ["tools"],
          ["examples"]]
 ANYWHERE = {"tocsin_cmake"}  # builds all of them
+# Lines of test code per line of source code that each package has at least. Those below are named
+# with what they have; a floor only rises, and goes when the package has what all have.
+TEST_RATIO = 0.8
+TEST_RATIO_FLOORS = {"check": 0.55, "decision": 0.64, "decision_tools": 0.45, "doctor": 0.45, "idl_support": 0.45,
+                     "kobuki_idl": 0.30, "kobuki_simulator": 0.58, "report": 0.53, "simulation": 0.58, "tocsin_idl": 0.19,
+                     "top": 0.53}
 broken = []
 
 
@@ -78,6 +84,31 @@ def check_rooms():
                 report(xml, 1, f"{own} may not depend on {name} of {room_of[name]}")
 
 
+def code_lines(files):
+    """Lines that hold code: neither blank nor all comment."""
+    lines = (line.strip() for file in files for line in file.read_text().split("\n"))
+    return sum(bool(line) and not line.startswith(("//", "#include", "#pragma once", "# ")) for line in lines)
+
+
+def check_test_ratio():
+    for xml in tracked("idl/*package.xml", "components/*package.xml"):
+        folder = xml.parent
+        source = code_lines(tracked(*(f"{folder}/{part}/*.{end}" for part in ("include", "src")
+                                      for end in ("cpp", "hpp"))))
+        if source == 0:
+            continue
+        test = code_lines(tracked(*(f"{folder}/test/*.{end}" for end in ("cpp", "hpp", "py"))))
+        ratio = test / source
+        floor = TEST_RATIO_FLOORS.get(folder.name)
+        if ratio < (floor or TEST_RATIO):
+            report(xml, 1, f"has {ratio:.2f} lines of test code a line of source, at least "
+                           f"{floor or TEST_RATIO} are wanted ({test} of {source})")
+        elif floor and ratio >= TEST_RATIO:
+            report(xml, 1, f"has {ratio:.2f} lines of test code a line of source: its floor in lint_rules.py goes")
+        elif floor and ratio > floor + 0.05:
+            report(xml, 1, f"has {ratio:.2f} lines of test code a line of source: raise its floor of {floor}")
+
+
 def check_units():
     for file in tracked("idl/tocsin_idl/*.idl", "components/examples/*.idl"):
         for number, line in enumerate(file.read_text().split("\n"), 1):
@@ -108,6 +139,7 @@ check_versions()
 check_length()
 check_dependencies()
 check_rooms()
+check_test_ratio()
 check_units()
 check_yaml()
 print("\n".join(broken) or "house rules: kept")

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
 #include "listener.hpp"
 #include "runtime/sim_bus.hpp"
 #include "talker.hpp"
@@ -41,6 +43,29 @@ TEST_F(GreetingsTest, TheListenerLogsWhatItHears) {
   ::testing::internal::CaptureStderr();
   bus_.run_for(tocsin::Duration::zero());
   EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("heard hello, number 7"));
+}
+
+TEST_F(GreetingsTest, AListenerThatComesLateHearsNothingOld) {
+  Talker talker(talker_context_, {"hello", 1});
+  bus_.add(talker);
+  bus_.run_for(tocsin::seconds(3.5));
+  Listener listener(listener_context_, {});
+  bus_.add(listener);
+  ::testing::internal::CaptureStderr();
+  bus_.run_for(tocsin::Duration::zero());
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+TEST_F(GreetingsTest, APeriodIsFromAHundredthOfASecondToAMinute) {
+  const auto load = [](const char* text) {
+    tocsin::YamlSources sources;
+    return tocsin::load_parameters<Talker::Params>(sources.parse(text, "test"), "talker", sources);
+  };
+  EXPECT_EQ(load("{period_s: 0.01}").period_s, 0.01);
+  EXPECT_EQ(load("{period_s: 60, text: \"\"}").text, "");
+  EXPECT_THROW(load("{period_s: 0.009}"), tocsin::ConfigError);
+  EXPECT_THROW(load("{period_s: 60.1}"), tocsin::ConfigError);
+  EXPECT_THROW(load("{text: [a]}"), tocsin::ConfigError);
 }
 
 }  // namespace

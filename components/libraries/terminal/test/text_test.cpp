@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <clocale>
+#include <random>
 
 namespace tocsin::terminal {
 namespace {
@@ -53,6 +55,49 @@ TEST(Padded, FillsUpToTheWidth) {
   EXPECT_EQ(padded("地", 4, Align::right), "  地");
   EXPECT_EQ(padded("abcdef", 4, Align::left), "abc>");
   EXPECT_EQ(padded("地図地", 4, Align::left), "地> ");
+}
+
+/// Texts of letters, wide and combining characters and bytes that are no UTF-8.
+class RandomTexts {
+ public:
+  std::string next() {
+    constexpr std::array pieces{"a", "ö", "地", "🚗", "e\xcc\x81", "\xff", "\xe5\x9c", ">"};
+    std::string text;
+    const std::size_t length = random_() % 12;
+    for (std::size_t i = 0; i < length; ++i) text += pieces[random_() % pieces.size()];
+    return text;
+  }
+
+ private:
+  std::minstd_rand random_{1};
+};
+
+TEST(Cut, NeverTakesMoreRoomThanThereIsAndKeepsABeginning) {
+  RandomTexts texts;
+  for (int i = 0; i < 2000; ++i) {
+    const std::string text = texts.next();
+    for (std::size_t width = 0; width < 14; ++width) {
+      const std::string shown = cut(text, width);
+      ASSERT_LE(width_of(shown), width) << text;
+      if (width_of(text) <= width) {
+        ASSERT_EQ(shown, text);
+      } else if (width > 0) {
+        ASSERT_EQ(shown.back(), '>') << text;
+        ASSERT_EQ(text.compare(0, shown.size() - 1, shown, 0, shown.size() - 1), 0) << text;
+      }
+    }
+  }
+}
+
+TEST(Padded, TakesExactlyTheRoomThatThereIs) {
+  RandomTexts texts;
+  for (int i = 0; i < 2000; ++i) {
+    const std::string text = texts.next();
+    for (std::size_t width = 0; width < 14; ++width) {
+      ASSERT_EQ(width_of(padded(text, width, Align::left)), width) << text;
+      ASSERT_EQ(width_of(padded(text, width, Align::right)), width) << text;
+    }
+  }
 }
 
 }  // namespace

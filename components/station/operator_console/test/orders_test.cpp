@@ -159,5 +159,21 @@ TEST_F(Docking, StatusTellsTheStateAtOnce) {
   EXPECT_EQ(sut.result(now)->text, "docking aligned_far");
 }
 
+TEST_F(Docking, OneThatRunsAlreadyIsFollowedAndNotOrderedAgain) {
+  EXPECT_EQ(hear(4, "scan"), "3 s: scan");
+  EXPECT_EQ(sut.command(), nullptr);
+  EXPECT_FALSE(sut.result(now));
+  (void)hear(4, "done", "docked");
+  EXPECT_EQ(sut.result(now)->code, 0);
+}
+
+TEST_F(Docking, ToCancelWhatDoesNotRunIsDoneAtOnce) {
+  sut = DockOrder(DockWish::cancel, t0, seconds(10));
+  EXPECT_FALSE(sut.result(now)) << "nothing is known of it yet";
+  (void)hear(0, "idle");
+  EXPECT_EQ(sut.result(now)->code, 0);
+  EXPECT_EQ(sut.result(now)->text, "docking idle");
+}
+
 }  // namespace
 }  // namespace tocsin
