@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "link_router/link_receipt.hpp"
+#include "link_router/transmission.hpp"
+
+namespace tocsin::router {
+
+/// One life of a peer, as the sender counts them.
+using PeerIndex = std::uint32_t;
+
+/// A sample that was put on the wire, until its fate is known.
+struct SentSample {
+  enum class Fate : std::uint8_t { open, delivered, lost, unwanted };
+  StreamId stream = 0;
+  Priority priority = Priority::low;
+  Sample sample;
+  Time offered{};
+  Time expires = never;            ///< not repaired after it
+  std::vector<PeerIndex> missing;  ///< peers that want it and have not acknowledged it
+  unsigned transmissions = 0;
+  unsigned under_way = 0;  ///< transmissions times peers of which nothing is known
+  Time first_sent{};
+  Time repair_at = never;
+  bool superseded = false;  ///< as many newer ones as its stream keeps were sent
+  bool late = false;
+  bool repaired = false;
+  bool came = false;    ///< to a peer at least
+  bool counted = true;  ///< false: sent before already, this is for a peer that came later
+  Fate fate = Fate::open;
+};
+using SentSamplePtr = std::shared_ptr<SentSample>;
+
+/// What a transmission became for one peer.
+struct Settlement {
+  PeerIndex peer = 0;
+  bool came = false;
+  bool was_settled = false;  ///< it had been given up
+  WireCost cost;
+  Time sent{};
+  Time expected{};
+  Time arrived{};         ///< by the peer's clock; when it came
+  bool is_exact = false;  ///< else it arrived then or before
+  SentSamplePtr sample;
+};
+
+/// The transmissions of all streams, and which peers have them.
+///
+/// A transmission is given up for a peer when a later one of its class has come to it (the radio's
+/// queues are first in, first out) or when no receipt has told of it for long. A receipt that tells
+/// of it later still counts. Pure; `now` never decreases.
+class DeliveryLog {
+ public:
+  /// `patience` beyond the expected arrival a transmission is given up.
+  explicit DeliveryLog(Duration patience) : patience_(patience) {}
+
+  struct Copy {
+    PeerIndex peer = 0;
+    Time expected{};  ///< when it should have left the radio
+    bool settled = false;
+    bool came = false;
+  };
+  struct Record {
+    TransmissionNumber number = 0;
+    Time sent{};
+    WireCost cost;
+    SentSamplePtr sample;
+    std::vector<Copy> copies;
+  };
+  /// Numbers of a stream rise.
+  void add(const Record& record);
+  /// The last one of its stream was not written.
+  void take_back(StreamId stream, TransmissionNumber number);
+  void forget_stream(StreamId stream);
+  /// Nothing is expected of it any more.
+  [[nodiscard]] std::vector<Settlement> forget_peer(PeerIndex peer);
+
+  [[nodiscard]] std::vector<Settlement> on_receipt(PeerIndex peer, const LinkReceipt& receipt);
+  [[nodiscard]] std::vector<Settlement> give_up_overdue(Time now);
+  /// When give_up_overdue() has something; `never` when nothing is under way.
+  [[nodiscard]] Time next_overdue() const;
+  /// Samples of at least so many packets of which the peer has told nothing yet.
+  [[nodiscard]] std::size_t under_way(PeerIndex peer, std::size_t packets) const;
+
+ private:
+  using Records = std::deque<Record>;
+  void take_stream(PeerIndex peer, const StreamReceipt& receipt, Time made,
+                   std::vector<Settlement>& settled);
+  void give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& came,
+                         std::vector<Settlement>& settled);
+  static Settlement settle(Record& record, Copy& copy, bool came);
+  void trim(Records& records);
+
+  Duration patience_;
+  std::map<StreamId, Records> streams_;
+};
+
+}  // namespace tocsin::router

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+
+#include "link_router/link_router_params.hpp"
+#include "link_router/transmission.hpp"
+
+namespace tocsin::router {
+
+/// What an adaptive stream's source may send.
+struct StreamBudget {
+  StreamId stream = 0;
+  double bytes_per_s = 0;  ///< serialised
+  double scale = 1;        ///< [0.25, 1] of what it would like to send
+  bool hold = false;       ///< skip: what was sent before still waits
+};
+
+/// Bytes per second: mean with exponential weights, memory 2 s.
+class RateMeter {
+ public:
+  void add(std::size_t bytes, Time now);
+  [[nodiscard]] double bytes_per_s(Time now) const;
+
+ private:
+  static constexpr Duration memory = std::chrono::seconds(2);
+  double sum_ = 0;
+  Time at_{};
+};
+
+/// How much the adaptive streams may send: smooth, fast to fall, slow to rise, and told in steps,
+/// so that a source is not bothered by noise. Pure; `now` never decreases.
+class AdaptiveScale {
+ public:
+  explicit AdaptiveScale(const LinkRouterParams& params) : params_(params) {}
+
+  struct Input {
+    double capacity_bytes_per_s = 0;
+    double others_bytes_per_s = 0;   ///< what streams that do not adapt take
+    double nominal_bytes_per_s = 0;  ///< what adaptive streams would take at scale 1
+    bool silent = false;             ///< no peer acknowledges anything
+  };
+  void update(const Input& input, Time now);
+  /// [scale_min, 1]
+  [[nodiscard]] double scale() const { return told_; }
+
+ private:
+  [[nodiscard]] double target(const Input& input) const;
+  LinkRouterParams params_;
+  double smooth_ = 1;
+  double told_ = 1;
+  std::optional<Time> updated_;
+};
+
+}  // namespace tocsin::router

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "link_router/link_router_params.hpp"
+#include "link_router/transmission.hpp"
+
+namespace tocsin::router {
+
+/// The least value of the last window, kept in two halves: it forgets after one to two halves.
+class WindowedMinimum {
+ public:
+  explicit WindowedMinimum(Duration window) : half_(window / 2) {}
+  void add(Duration value, Time now);
+  /// Empty before the first value.
+  [[nodiscard]] std::optional<Duration> value() const;
+  void clear() { *this = WindowedMinimum(2 * half_); }
+
+ private:
+  Duration half_;
+  Time begin_{};
+  std::optional<Duration> current_;
+  std::optional<Duration> previous_;
+};
+
+/// What one peer's receipts say of the way to it: capacity, queueing delay, loss, silence.
+///
+/// Model: the radio's queue is a line that drains at the capacity. What is sent adds to it; what
+/// comes corrects it. Capacity is learned from bulk alone (a sample of many packets, which the
+/// radio sends one after the other): its bytes over the time from its turn to its arrival, where
+/// its turn is its sending or the arrival of the bulk before it, whichever is later. A shrinking
+/// capacity is believed faster than a growing one. Delays are over the least one in the clock
+/// window, so that the clocks need not agree, and a step of a clock is forgotten with the window.
+/// Pure; `now` never decreases.
+class LinkEstimator {
+ public:
+  explicit LinkEstimator(const LinkRouterParams& params);
+
+  /// Something goes to the radio. Returns when the model has it leave.
+  Time on_sent(const WireCost& cost, Time now);
+
+  /// A transmission that came.
+  struct Received {
+    WireCost cost;
+    Time sent{};
+    Time expected{};       ///< what on_sent() returned
+    Time arrived{};        ///< by the peer's clock
+    bool is_exact = true;  ///< else it arrived then or before: nothing is learned of times
+  };
+  /// Returns its delay over the least one, at least zero.
+  Duration on_received(const Received& received, Time now);
+  /// A transmission that did not come, and will not.
+  void on_lost();
+
+  /// [B/s]
+  [[nodiscard]] double capacity_bytes_per_s() const { return capacity_bytes_per_s_; }
+  /// How long what is sent at `now` would wait in the radio.
+  [[nodiscard]] Duration backlog(Time now) const;
+  /// The wait that a small sample must reckon with before a receipt can tell of it: recent delays
+  /// with their spread.
+  [[nodiscard]] Duration expected_delay() const;
+  /// [0, 1] recent share that did not come.
+  [[nodiscard]] double loss() const { return loss_; }
+  /// Nothing has been acknowledged for so long that the link counts as dead.
+  [[nodiscard]] bool is_silent(Time now) const;
+  /// Nothing that was sent waits for a receipt.
+  void on_all_settled() { waiting_since_.reset(); }
+  /// The link is back: what was learned of its queue is void, what is known of its capacity halved.
+  void start_over(Time now);
+
+ private:
+  void learn_capacity(const Received& received, Time arrived);
+
+  LinkRouterParams params_;
+  WindowedMinimum least_;
+  double capacity_bytes_per_s_;
+  double loss_ = 0;
+  double delay_s_ = 0;                 ///< smoothed, RFC 6298
+  double deviation_s_ = 0;             ///< smoothed
+  Time drained_{};                     ///< when the model's queue is empty
+  Time bulk_arrived_{};                ///< by our clock, as if the least delay were zero
+  std::optional<Time> waiting_since_;  ///< something sent since then, nothing acknowledged
+  int unanswered_ = 0;                 ///< transmissions since the last that was acknowledged
+};
+
+}  // namespace tocsin::router

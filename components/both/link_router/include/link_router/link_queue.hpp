@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <list>
+#include <optional>
+#include <vector>
+
+#include "link_router/transmission.hpp"
+
+namespace tocsin::router {
+
+/// A sample that waits in the router.
+struct Waiting {
+  StreamId stream = 0;
+  Sample sample;
+  Time offered{};
+  Time expires = never;  ///< not sent after it
+  Time not_before{};     ///< held to the rate of its stream until then
+};
+
+/// A sample that was not sent.
+struct Dropped {
+  Waiting waiting;
+  DropReason reason;
+};
+
+/// The samples that wait, by class: within a class in the order of their turns.
+///
+/// A source has at most `depth` samples of a stream waiting; a newer one takes the turn of the one
+/// it replaces. A class holds at most so many bytes: then its oldest go, other classes are not
+/// touched; a single sample that is longer is kept. Pure; `now` never decreases.
+class LinkQueue {
+ public:
+  explicit LinkQueue(std::size_t class_bytes) : class_bytes_(class_bytes) {}
+
+  /// What it puts in the place of others is in the result.
+  [[nodiscard]] std::vector<Dropped> add(Priority priority, std::size_t depth,
+                                         const Waiting& waiting);
+  /// Takes out what is older than its lifespan.
+  [[nodiscard]] std::vector<Dropped> take_expired(Time now);
+  /// Takes out the first of the class that may go at `now` and makes less than `packets` packets.
+  [[nodiscard]] std::optional<Waiting> take_first(Priority priority, std::size_t packets, Time now);
+  /// Whether take_first() would give something.
+  [[nodiscard]] bool has_first(Priority priority, std::size_t packets, Time now) const;
+  /// Takes out all of a stream.
+  [[nodiscard]] std::vector<Waiting> take_stream(StreamId stream);
+  [[nodiscard]] bool has(StreamId stream) const;
+
+  /// When take_expired() or take_first() have something new; `never` when nothing waits for time.
+  [[nodiscard]] Time next_event(Time now) const;
+  [[nodiscard]] std::size_t bytes(Priority priority) const {
+    return classes_[index_of(priority)].bytes;
+  }
+  [[nodiscard]] std::size_t samples(Priority priority) const {
+    return classes_[index_of(priority)].waiting.size();
+  }
+
+ private:
+  struct Class {
+    std::list<Waiting> waiting;
+    std::size_t bytes = 0;
+  };
+  using Place = std::list<Waiting>::const_iterator;
+  [[nodiscard]] static std::optional<Dropped> replace(Class& in, std::size_t depth,
+                                                      const Waiting& waiting);
+  [[nodiscard]] static Place find_first(const Class& in, std::size_t packets, Time now);
+  [[nodiscard]] static Waiting take(Class& from, Place place);
+  std::size_t class_bytes_;
+  std::array<Class, priority_count> classes_;
+};
+
+}  // namespace tocsin::router

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "link_router/link_estimator.hpp"
+#include "link_router/link_receipt.hpp"
+#include "link_router/link_router_params.hpp"
+#include "link_router/transmission.hpp"
+
+namespace tocsin::router {
+
+/// What came from the link.
+struct Arrived {
+  StreamId stream = 0;
+  TransmissionNumber number = 0;  ///< of the link writer
+  Origin origin;
+  std::size_t bytes = 0;  ///< serialised
+};
+
+/// What to do with it.
+enum class Verdict : std::uint8_t {
+  deliver,         ///< give it to the host
+  duplicate,       ///< the host has it
+  superseded,      ///< the host has newer ones of its source, as many as the stream keeps
+  expired,         ///< older than its lifespan
+  unknown_stream,  ///< of a peer or stream that was not told of
+};
+
+/// Which transmissions are given to the host, and the receipts for them.
+///
+/// Each sample is given once; of a stream of depth 1, in the order of its source. A stream of
+/// another depth gives a repaired sample when it comes, behind newer ones. What was given is
+/// remembered by the peer's and the stream's name over the lives of the peer's router, so that a
+/// restart repeats nothing. Ages are over the least one seen lately from the peer's host, since
+/// clocks differ. Pure; `now` never decreases.
+class LinkReceiver {
+ public:
+  /// `self` is this life of the router.
+  LinkReceiver(const LinkRouterParams& params, Incarnation self);
+
+  /// A peer, or its next life: numbers start afresh. The same life again changes nothing.
+  void on_peer(const std::string& peer, Incarnation incarnation);
+  void forget_peer(const std::string& peer);
+  /// A link writer of a known peer. Of the rule, name, depth, lifespan and priority count.
+  void on_stream(const std::string& peer, StreamId stream, const StreamRule& rule);
+  void forget_stream(const std::string& peer, StreamId stream);
+
+  [[nodiscard]] Verdict on_arrived(const std::string& peer, const Arrived& arrived, Time now);
+
+  /// A receipt that is due at `now`, and the peer that it is for.
+  struct Addressed {
+    std::string peer;
+    LinkReceipt receipt;
+  };
+  [[nodiscard]] std::optional<Addressed> take_receipt(Time now);
+  /// When to call take_receipt(); `never` without a peer.
+  [[nodiscard]] Time deadline() const;
+
+ private:
+  /// What the host was given of one source.
+  struct Given {
+    std::vector<std::uint64_t> newest;  ///< sequences, rising, `depth` at most
+    Time last{};                        ///< when something of the source came
+  };
+  struct Stream {
+    StreamRule rule;
+    TransmissionNumber highest = 0;  ///< 0: nothing came yet
+    std::uint64_t before = 0;        ///< as in StreamReceipt
+    Time last{};                     ///< arrival of the highest
+    Time noted{};                    ///< arrival of any
+  };
+  struct Peer {
+    explicit Peer(Duration clock_window) : age(clock_window) {}
+    Incarnation incarnation = 0;
+    std::map<StreamId, Stream> streams;
+    std::map<std::pair<std::string, SourceId>, Given> given;  ///< by name of the stream
+    WindowedMinimum age;                                      ///< of samples that came
+    int aged_in_row = 0;
+    std::uint64_t bytes = 0;
+    std::uint32_t receipts = 0;
+    std::optional<Time> receipt_sent;
+    Time receipt_due = Time::min();
+  };
+  static void note(Stream& stream, TransmissionNumber number, Time now);
+  [[nodiscard]] static bool is_expired(Peer& peer, const Origin& origin, Duration lifespan,
+                                       Time now);
+  [[nodiscard]] static Verdict judge(Peer& peer, const StreamRule& rule, const Origin& origin,
+                                     Time now);
+  [[nodiscard]] static Given& given_of(Peer& peer, const std::string& stream, SourceId source);
+  void ask_for_receipt(Peer& peer, Time now) const;
+  [[nodiscard]] LinkReceipt make_receipt(Peer& peer, Time now) const;
+
+  LinkRouterParams params_;
+  Incarnation self_;
+  std::map<std::string, Peer> peers_;
+};
+
+}  // namespace tocsin::router

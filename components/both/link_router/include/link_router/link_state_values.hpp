@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "link_router/transmission.hpp"
+
+namespace tocsin::router {
+
+/// Of one traffic class, counted since the start. Samples, unless it says transmissions. At rest
+/// offered = sent + dropped + waiting, and sent = delivered + lost +
+/// unwanted.
+struct ClassCounts {
+  std::uint64_t offered = 0;
+  std::uint64_t sent = 0;       ///< put on the wire at least once
+  std::uint64_t delivered = 0;  ///< every peer that wanted it has it, as the receipts say
+  std::uint64_t late = 0;       ///< of delivered: more than 250 ms after it was offered
+  std::uint64_t lost = 0;       ///< sent, not delivered to every peer, and given up
+  std::uint64_t unwanted = 0;   ///< sent, and no peer wanted it
+  std::uint64_t repaired = 0;   ///< of delivered: only by a repair
+  std::uint64_t repairs = 0;    ///< transmissions of samples that were sent before
+  std::array<std::uint64_t, drop_reason_count> dropped{};  ///< by DropReason
+  std::uint64_t bytes = 0;                                 ///< on the wire, repairs included
+  std::size_t waiting_samples = 0;                         ///< now, in the router
+  std::size_t waiting_bytes = 0;                           ///< now, serialised
+  /// Of the last delivered one: one-way delay over the least that was seen lately.
+  std::optional<Duration> delay;
+};
+
+/// What the router knows of the link and does about it.
+struct LinkStateValues {
+  std::array<ClassCounts, priority_count> classes;
+  double capacity_bytes_per_s = 0;  ///< [B/s] estimate, headers included; of the slowest live peer
+  Duration backlog{0};              ///< what is in the radio's queue, by the estimate
+  double loss = 0;                  ///< [0, 1] recent share of transmissions that did not come
+  double scale = 1;                 ///< [0.25, 1] of the adaptive streams
+  double repair_share = 0;          ///< [0, 1] of the capacity, recently spent on repairs
+  bool paused = false;
+  std::size_t live_peers = 0;    ///< that acknowledge what they get
+  std::size_t silent_peers = 0;  ///< known, but they do not
+};
+
+/// Share of a class's ended samples that were late or are lost.
+[[nodiscard]] inline double late_or_lost(const ClassCounts& counts) {
+  const std::uint64_t ended = counts.delivered + counts.lost;
+  if (ended == 0) return 0;
+  return static_cast<double>(counts.late + counts.lost) / static_cast<double>(ended);
+}
+
+}  // namespace tocsin::router

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The words of the link: streams, samples, transmissions, and what may become of them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "foundation/time.hpp"
+
+namespace tocsin::router {
+
+/// A traffic class: strict priority, the first one first.
+enum class Priority : std::uint8_t { critical, high, normal, low };
+inline constexpr std::size_t priority_count = 4;
+inline constexpr std::array<Priority, priority_count> all_priorities{
+    Priority::critical, Priority::high, Priority::normal, Priority::low};
+[[nodiscard]] constexpr std::size_t index_of(Priority priority) {
+  return static_cast<std::size_t>(priority);
+}
+
+/// What becomes of new samples of a stream while the link is paused.
+enum class WhilePaused : std::uint8_t {
+  send,    ///< the pause does not concern it
+  latest,  ///< the newest of each source waits, and goes on resume
+  drop,    ///< counted
+};
+
+/// A link writer as both sides know it, unique within one life of the router that owns it: its RTPS
+/// entity id.
+using StreamId = std::uint32_t;
+/// RTPS sequence number of a stream's link writer: 1, 2, 3, ... One for each transmission, repairs
+/// included.
+using TransmissionNumber = std::uint64_t;
+/// One life of a router. A restart has another one.
+using Incarnation = std::uint64_t;
+/// The writer on the host that made a sample; of a topic with keys, the writer and the instance.
+using SourceId = std::uint64_t;
+
+/// Where a sample comes from. Crosses the link with it.
+struct Origin {
+  SourceId source = 0;
+  std::uint64_t sequence = 0;  ///< of the source, rising, not necessarily by 1
+  Time sent{};                 ///< by the clock of the source's host
+};
+
+/// A sample on its way.
+struct Sample {
+  Origin origin;
+  std::size_t bytes = 0;                ///< serialised
+  std::shared_ptr<const void> content;  ///< the caller's; kept as long as it may be sent again
+};
+
+/// What the configuration says of a stream.
+struct StreamRule {
+  /// Topic, and user data of the writers if the topic has several kinds: the stream's name over all
+  /// lives of a router.
+  std::string name;
+  Priority priority = Priority::low;
+  WhilePaused while_paused = WhilePaused::send;
+  std::size_t depth = 1;  ///< newest samples of each source that are kept (KEEP_LAST); at least 1
+  Duration lifespan = Duration::max();  ///< an older sample is neither sent nor delivered
+  bool repaired = false;                ///< what is missing is sent again; see repairs_by_default
+  bool durable = false;    ///< the newest sample of each source is sent to peers that come later
+  bool adaptive = false;   ///< its source follows the budget
+  double min_rate_hz = 0;  ///< [1/s] may be thinned down to this while the budget is short; 0: not
+};
+
+/// Critical and high.
+[[nodiscard]] constexpr bool repairs_by_default(Priority priority) {
+  return priority <= Priority::high;
+}
+
+/// Why a sample was not sent, or not sent again.
+enum class DropReason : std::uint8_t {
+  paused,      ///< while_paused is `drop`, or a newer one came during the pause
+  superseded,  ///< a newer one of its source came while it waited
+  thinned,     ///< the same, while its stream was held to its min_rate_hz
+  expired,     ///< older than its lifespan before it was sent
+  overflow,    ///< its class has more waiting than its bound of bytes
+};
+inline constexpr std::size_t drop_reason_count = 5;
+
+/// What to put on the wire now, by the stream's link writer.
+struct Transmission {
+  StreamId stream = 0;
+  TransmissionNumber number = 0;  ///< that the writer gives it
+  Sample sample;
+  bool repair = false;  ///< it was sent before
+};
+
+/// What a sample costs on the radio.
+struct WireCost {
+  std::size_t packets = 0;
+  std::size_t bytes = 0;  ///< with all headers from IP on
+};
+/// Of a sample of `bytes` to one peer, in RTPS messages of at most 1400 bytes; the writer adds the
+/// origin to each.
+[[nodiscard]] WireCost wire_cost(std::size_t bytes);
+
+}  // namespace tocsin::router

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link_router/link_estimator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tocsin::router {
+namespace {
+
+/// Weights of a new delay in mean and deviation (RFC 6298, 2.3).
+constexpr double delay_weight = 1.0 / 8;
+constexpr double deviation_weight = 1.0 / 4;
+constexpr double loss_weight = 1.0 / 16;
+constexpr double capacity_falls = 0.5;  ///< weight of a smaller measurement
+constexpr double capacity_rises = 0.2;
+/// A measured capacity is believed within these limits: one sample tells no more.
+constexpr double least_capacity_bytes_per_s = 4000;
+constexpr double most_capacity_bytes_per_s = 1e9;
+/// So many unanswered transmissions at least are a silence: one or two may be bad luck.
+constexpr int silence_means = 3;
+/// A service time below this is the clock's grain.
+constexpr Duration shortest_service = std::chrono::microseconds(200);
+
+void blend(double& value, double target, double weight) { value += weight * (target - value); }
+
+}  // namespace
+
+void WindowedMinimum::add(Duration value, Time now) {
+  if (!current_ || now - begin_ >= half_) {
+    if (current_) previous_ = now - begin_ < 2 * half_ ? current_ : std::nullopt;
+    begin_ = now;
+    current_ = value;
+    return;
+  }
+  current_ = std::min(*current_, value);
+}
+
+std::optional<Duration> WindowedMinimum::value() const {
+  if (current_ && previous_) return std::min(*current_, *previous_);
+  return current_;
+}
+
+LinkEstimator::LinkEstimator(const LinkRouterParams& params)
+    : params_(params),
+      least_(seconds(params.clock_window_s)),
+      capacity_bytes_per_s_(params.capacity_start_bytes_per_s) {}
+
+Time LinkEstimator::on_sent(const WireCost& cost, Time now) {
+  drained_ =
+      std::max(drained_, now) + seconds(static_cast<double>(cost.bytes) / capacity_bytes_per_s_);
+  if (!waiting_since_) waiting_since_ = now;
+  ++unanswered_;
+  return drained_;
+}
+
+Duration LinkEstimator::on_received(const Received& received, Time now) {
+  waiting_since_ = now;
+  unanswered_ = 0;
+  blend(loss_, 0, loss_weight);
+  const Duration crossing = received.arrived.time_since_epoch() - received.sent.time_since_epoch();
+  if (!received.is_exact) {
+    return std::max(crossing - least_.value().value_or(crossing), Duration::zero());
+  }
+  least_.add(crossing, now);
+  const Duration delay = crossing - *least_.value();
+  const Time arrived = received.sent + delay;
+  if (received.cost.packets >= static_cast<std::size_t>(params_.bulk_packets)) {
+    learn_capacity(received, arrived);
+    return delay;
+  }
+  const double delay_s = to_seconds(delay);
+  blend(deviation_s_, std::abs(delay_s - delay_s_), deviation_weight);
+  blend(delay_s_, delay_s, delay_weight);
+  return delay;
+}
+
+void LinkEstimator::learn_capacity(const Received& received, Time arrived) {
+  const Time turn = std::max(received.sent, bulk_arrived_);
+  bulk_arrived_ = std::max(bulk_arrived_, arrived);
+  drained_ += arrived - received.expected;
+  const Duration service = std::max(arrived - turn, shortest_service);
+  const double measured = std::clamp(static_cast<double>(received.cost.bytes) / to_seconds(service),
+                                     least_capacity_bytes_per_s, most_capacity_bytes_per_s);
+  blend(capacity_bytes_per_s_, measured,
+        measured < capacity_bytes_per_s_ ? capacity_falls : capacity_rises);
+}
+
+void LinkEstimator::on_lost() { blend(loss_, 1, loss_weight); }
+
+Duration LinkEstimator::backlog(Time now) const {
+  return std::max(drained_ - now, Duration::zero());
+}
+
+Duration LinkEstimator::expected_delay() const { return seconds(delay_s_ + 4 * deviation_s_); }
+
+bool LinkEstimator::is_silent(Time now) const {
+  return unanswered_ >= silence_means && waiting_since_ &&
+         now - *waiting_since_ > seconds(params_.silence_s);
+}
+
+void LinkEstimator::start_over(Time now) {
+  capacity_bytes_per_s_ = std::max(capacity_bytes_per_s_ / 2, least_capacity_bytes_per_s);
+  drained_ = now;
+  delay_s_ = 0;
+  deviation_s_ = 0;
+  waiting_since_.reset();
+  unanswered_ = 0;
+}
+
+}  // namespace tocsin::router

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link_router/link_receiver.hpp"
+
+#include <algorithm>
+
+namespace tocsin::router {
+namespace {
+
+/// Sources of all streams of a peer that are remembered; then the one unheard for longest goes.
+constexpr std::size_t most_sources = 256;
+/// A stream is in the receipts of this time after something of it came, so that one of them comes
+/// through.
+constexpr Duration told_for = std::chrono::milliseconds(500);
+/// So many arrivals in a row that seem this old mean that the peer's clock was set.
+constexpr int aged_means_step = 8;
+constexpr Duration aged = std::chrono::seconds(2);
+
+}  // namespace
+
+LinkReceiver::LinkReceiver(const LinkRouterParams& params, Incarnation self)
+    : params_(params), self_(self) {}
+
+void LinkReceiver::on_peer(const std::string& peer, Incarnation incarnation) {
+  const auto [place, is_new] = peers_.try_emplace(peer, seconds(params_.clock_window_s));
+  Peer& known = place->second;
+  if (!is_new && known.incarnation == incarnation) return;
+  known.incarnation = incarnation;
+  known.streams.clear();
+  known.bytes = 0;
+  known.receipts = 0;
+  known.receipt_due = Time::min();
+}
+
+void LinkReceiver::forget_peer(const std::string& peer) { peers_.erase(peer); }
+
+void LinkReceiver::on_stream(const std::string& peer, StreamId stream, const StreamRule& rule) {
+  const auto known = peers_.find(peer);
+  if (known != peers_.end()) known->second.streams[stream] = Stream{rule, 0, 0, {}};
+}
+
+void LinkReceiver::forget_stream(const std::string& peer, StreamId stream) {
+  const auto known = peers_.find(peer);
+  if (known != peers_.end()) known->second.streams.erase(stream);
+}
+
+Verdict LinkReceiver::on_arrived(const std::string& peer, const Arrived& arrived, Time now) {
+  const auto known = peers_.find(peer);
+  if (known == peers_.end()) return Verdict::unknown_stream;
+  Peer& from = known->second;
+  const auto found = from.streams.find(arrived.stream);
+  if (found == from.streams.end()) return Verdict::unknown_stream;
+  note(found->second, arrived.number, now);
+  from.bytes += arrived.bytes;
+  ask_for_receipt(from, now);
+  return judge(from, found->second.rule, arrived.origin, now);
+}
+
+void LinkReceiver::note(Stream& stream, TransmissionNumber number, Time now) {
+  if (number > stream.highest) {
+    const TransmissionNumber ahead = number - stream.highest;
+    const bool had_one = stream.highest > 0;
+    stream.before = ahead < StreamReceipt::window ? stream.before << ahead : 0;
+    if (had_one && ahead <= StreamReceipt::window) stream.before |= 1ULL << (ahead - 1);
+    stream.highest = number;
+    stream.last = now;
+  } else if (number < stream.highest && stream.highest - number <= StreamReceipt::window) {
+    stream.before |= 1ULL << (stream.highest - number - 1);
+  }
+  stream.noted = now;
+}
+
+bool LinkReceiver::is_expired(Peer& peer, const Origin& origin, Duration lifespan, Time now) {
+  const Duration seen = now.time_since_epoch() - origin.sent.time_since_epoch();
+  peer.age.add(seen, now);
+  const Duration age = seen - *peer.age.value();
+  peer.aged_in_row = age > aged ? peer.aged_in_row + 1 : 0;
+  if (peer.aged_in_row >= aged_means_step) {
+    peer.age.clear();
+    peer.aged_in_row = 0;
+  }
+  return age > lifespan;
+}
+
+Verdict LinkReceiver::judge(Peer& peer, const StreamRule& rule, const Origin& origin, Time now) {
+  const bool expired = is_expired(peer, origin, rule.lifespan, now);
+  Given& given = given_of(peer, rule.name, origin.source);
+  given.last = now;
+  const auto place = std::lower_bound(given.newest.begin(), given.newest.end(), origin.sequence);
+  if (place != given.newest.end() && *place == origin.sequence) return Verdict::duplicate;
+  const bool full = given.newest.size() >= rule.depth;
+  if (full && place == given.newest.begin()) return Verdict::superseded;
+  if (expired) return Verdict::expired;
+  given.newest.insert(place, origin.sequence);
+  if (full) given.newest.erase(given.newest.begin());
+  return Verdict::deliver;
+}
+
+LinkReceiver::Given& LinkReceiver::given_of(Peer& peer, const std::string& stream,
+                                            SourceId source) {
+  const auto [place, is_new] = peer.given.try_emplace({stream, source});
+  if (is_new && peer.given.size() > most_sources) {
+    auto oldest = peer.given.end();
+    for (auto it = peer.given.begin(); it != peer.given.end(); ++it) {
+      if (it == place) continue;
+      if (oldest == peer.given.end() || it->second.last < oldest->second.last) oldest = it;
+    }
+    peer.given.erase(oldest);
+  }
+  return place->second;
+}
+
+void LinkReceiver::ask_for_receipt(Peer& peer, Time now) const {
+  Time due = now + seconds(params_.receipt_delay_s);
+  if (peer.receipt_sent)
+    due = std::max(due, *peer.receipt_sent + seconds(params_.receipt_period_s));
+  peer.receipt_due = std::min(peer.receipt_due, due);
+}
+
+std::optional<LinkReceiver::Addressed> LinkReceiver::take_receipt(Time now) {
+  for (auto& [name, peer] : peers_) {
+    if (peer.receipt_due <= now) return Addressed{name, make_receipt(peer, now)};
+  }
+  return std::nullopt;
+}
+
+LinkReceipt LinkReceiver::make_receipt(Peer& peer, Time now) const {
+  LinkReceipt receipt{self_, peer.incarnation, ++peer.receipts, now, peer.bytes, {}};
+  // After a silence everything is told once more.
+  const bool idle = !peer.receipt_sent || now - *peer.receipt_sent >= told_for;
+  for (const auto& [id, stream] : peer.streams) {
+    if (stream.highest == 0 || (!idle && now - stream.noted > told_for)) continue;
+    receipt.streams.push_back({id, stream.highest, now - stream.last, stream.before});
+  }
+  peer.receipt_sent = now;
+  peer.receipt_due = now + seconds(params_.receipt_idle_s);
+  return receipt;
+}
+
+Time LinkReceiver::deadline() const {
+  Time next = never;
+  for (const auto& entry : peers_) next = std::min(next, entry.second.receipt_due);
+  return next;
+}
+
+}  // namespace tocsin::router
