@@ -55,9 +55,9 @@ TEST_F(TrafficFileTest, AClassMayChangeWhatItsGateDoes) {
 }
 
 TEST_F(TrafficFileTest, ANewClassTakesItsTopicsFromTheOthers) {
-  read("extends: traffic.yaml\nuxv: {bulk: {while_poor: drop, topics: [battery, picture]}}");
+  read("extends: traffic.yaml\nuxv: {normal: {while_poor: drop, topics: [battery, picture]}}");
   EXPECT_THAT(topics("uxv", "low"), IsEmpty());
-  EXPECT_THAT(topics("uxv", "bulk"), ElementsAre("battery", "picture"));
+  EXPECT_THAT(topics("uxv", "normal"), ElementsAre("battery", "picture"));
 }
 
 TEST_F(TrafficFileTest, ListsThatTheBaseSharesAreChangedForOneRoleOnly) {

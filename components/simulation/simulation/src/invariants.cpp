@@ -35,7 +35,7 @@ void Invariants::on_written(const Written& written) {
   check_message(written);
   if (end.scope != Scope::link) return;
   const bool paused = written.status == Status::paused;
-  if (end.traffic_class == "critical" || !end.pausable) {
+  if (end.traffic_class == TrafficClass::critical || !end.pausable) {
     expect(!paused, written.time, "an active class was kept off the air", text_of(end));
   }
   if (paused && !end.drops) kept_[&end] = {written.sequence, written.time};

@@ -72,18 +72,14 @@ std::unique_ptr<SimProcess::Topic> SimProcess::make_topic(const Endpoint& endpoi
   auto made = std::make_unique<Topic>(endpoint, network_.qos.of(endpoint.topic.qos, name));
   made->label = host_.name() + "/" + name_ + "/" + name;
   made->source = hash_of(life_ == 0 ? made->label : made->label + "#" + std::to_string(life_));
-  made->end = {host_.name(),
-               host_.role(),
-               name_,
-               name,
-               "",
-               endpoint.topic.scope,
-               endpoint.type,
-               made->qos.lifespan_s,
-               made->qos.reliable(),
-               false,
-               false,
-               ""};
+  made->end.host = host_.name();
+  made->end.role = host_.role();
+  made->end.process = name_;
+  made->end.topic = name;
+  made->end.scope = endpoint.topic.scope;
+  made->end.type = endpoint.type;
+  made->end.lifespan_s = made->qos.lifespan_s;
+  made->end.reliable = made->qos.reliable();
   return made;
 }
 

@@ -15,7 +15,7 @@ const Time t0 = start_time + seconds(10);
 const std::string uxv = "uxv";
 const std::string link = "link";
 
-TopicEnd end_of_class(const char* traffic_class, bool pausable, bool drops) {
+TopicEnd end_of_class(TrafficClass traffic_class, bool pausable, bool drops) {
   TopicEnd end;
   end.host = uxv;
   end.process = link;
@@ -52,9 +52,9 @@ class InvariantsTest : public ::testing::Test {
   Invariants sut_;
   TopicEnd reader_;
   std::uint64_t sequence_ = 0;
-  TopicEnd critical_ = end_of_class("critical", false, false);
-  TopicEnd low_ = end_of_class("low", true, true);
-  TopicEnd goal_ = end_of_class("high", true, false);
+  TopicEnd critical_ = end_of_class(TrafficClass::critical, false, false);
+  TopicEnd low_ = end_of_class(TrafficClass::low, true, true);
+  TopicEnd goal_ = end_of_class(TrafficClass::high, true, false);
 };
 
 TEST_F(InvariantsTest, CriticalSamplesAreNeverPaused) {

@@ -2,16 +2,16 @@
 #include "live_view/traffic_table.hpp"
 
 #include <algorithm>
-#include <array>
+
+#include "foundation/traffic_class.hpp"
 
 namespace tocsin {
 namespace {
 
 /// Rank of a class in the table; unknown ones come last.
 std::size_t rank(const std::string& traffic_class) {
-  constexpr std::array<const char*, 3> order{"critical", "high", "low"};
-  const auto* found = std::find(order.begin(), order.end(), traffic_class);
-  return static_cast<std::size_t>(found - order.begin());
+  const auto known = traffic_class_of(traffic_class);
+  return known ? static_cast<std::size_t>(*known) : traffic_classes.size();
 }
 
 }  // namespace

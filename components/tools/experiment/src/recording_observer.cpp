@@ -40,7 +40,9 @@ void set_mission(const simulation::Written& written, report::Recording& recordin
 }
 
 /// Who sends, and class.
-std::string class_of(const simulation::TopicEnd& end) { return end.role + " " + end.traffic_class; }
+std::string class_of(const simulation::TopicEnd& end) {
+  return end.role + " " + to_string(*end.traffic_class);
+}
 
 /// Airtime and bytes of both directions.
 report::LinkState state_of(const radio::LinkReport& report, Time now) {
@@ -58,7 +60,7 @@ report::LinkState state_of(const radio::LinkReport& report, Time now) {
 
 RecordingObserver::Writer RecordingObserver::writer_of(const simulation::TopicEnd& end) {
   Writer writer;
-  writer.classified = !end.traffic_class.empty() && end.traffic_class != "none";
+  writer.classified = end.traffic_class.has_value();
   const auto is = [&](const char* role, const char* topic) {
     return end.role == role && end.topic == topic;
   };
@@ -91,7 +93,7 @@ void RecordingObserver::keep(Kept kept, const simulation::Written& written) {
 }
 
 void RecordingObserver::on_written(const simulation::Written& written) {
-  if (written.from.traffic_class.empty()) return;
+  if (!written.from.traffic_class) return;
   Writer& from = writer(written.from);
   if (!from.classified) return;
   if (from.written == nullptr) from.written = &recording_.written[class_of(written.from)];

@@ -11,7 +11,7 @@ namespace {
 const Time t0{std::chrono::seconds(100)};
 
 simulation::TopicEnd end_of(const char* role, const char* process, const char* topic,
-                            const char* traffic_class) {
+                            std::optional<TrafficClass> traffic_class) {
   simulation::TopicEnd end;
   end.host = end.role = role;
   end.process = process;
@@ -27,8 +27,8 @@ TEST(RecordingObserver, KeepsTheVehiclesDecisions) {
   message.policy("tocp");
   message.reason("cusum_alarm");
   message.qni(30);
-  const auto vehicle = end_of("uxv", "link", "transmission_state", "critical");
-  const auto ground = end_of("gcs", "link", "transmission_state", "critical");
+  const auto vehicle = end_of("uxv", "link", "transmission_state", TrafficClass::critical);
+  const auto ground = end_of("gcs", "link", "transmission_state", TrafficClass::critical);
   RecordingObserver sut;
   sut.on_written({vehicle, t0, 1, 50, &message, Status::ok});
   sut.on_written({ground, t0, 1, 50, &message, Status::ok});
@@ -40,7 +40,7 @@ TEST(RecordingObserver, KeepsTheVehiclesDecisions) {
 
 TEST(RecordingObserver, CountsWhatWasWrittenPausedOrNot) {
   topic::BatteryState::Message message;
-  const auto from = end_of("uxv", "drive", "battery_state", "low");
+  const auto from = end_of("uxv", "drive", "battery_state", TrafficClass::low);
   RecordingObserver sut;
   sut.on_written({from, t0, 1, 50, &message, Status::ok});
   sut.on_written({from, t0, 2, 50, &message, Status::paused});
@@ -48,9 +48,9 @@ TEST(RecordingObserver, CountsWhatWasWrittenPausedOrNot) {
 }
 
 TEST(RecordingObserver, TakesArrivalsAtTheRecorderOnly) {
-  const auto from = end_of("uxv", "drive", "location", "high");
-  const auto recorder = end_of("gcs", "recorder", "location", "");
-  const auto other = end_of("gcs", "mission", "location", "");
+  const auto from = end_of("uxv", "drive", "location", TrafficClass::high);
+  const auto recorder = end_of("gcs", "recorder", "location", std::nullopt);
+  const auto other = end_of("gcs", "mission", "location", std::nullopt);
   RecordingObserver sut;
   sut.on_delivered({from, recorder, 7, 7, t0, t0, t0 + seconds(0.5), 300, nullptr});
   sut.on_delivered({from, other, 7, 7, t0, t0, t0 + seconds(0.5), 300, nullptr});
@@ -63,7 +63,7 @@ TEST(RecordingObserver, TakesArrivalsAtTheRecorderOnly) {
 
 TEST(RecordingObserver, IgnoresTopicsThatStayOnTheirHost) {
   topic::Odom::Message message;
-  const auto from = end_of("uxv", "drive", "odom", "");
+  const auto from = end_of("uxv", "drive", "odom", std::nullopt);
   RecordingObserver sut;
   sut.on_written({from, t0, 1, 0, &message, Status::ok});
   EXPECT_TRUE(sut.recording().written.empty());
@@ -96,7 +96,7 @@ TEST(RecordingObserver, KeepsMeasurementsOfTheLinkInTheirUnits) {
   message.per_percent(12.5);
   message.signal_dbm(-70);
   message.rtt_mean_ms(8);
-  const auto from = end_of("uxv", "link", "network_quality", "high");
+  const auto from = end_of("uxv", "link", "network_quality", TrafficClass::high);
   RecordingObserver sut;
   sut.on_written({from, t0 + seconds(1.5), 1, 50, &message, Status::ok});
   ASSERT_EQ(sut.recording().qualities.size(), 1U);
@@ -110,7 +110,7 @@ TEST(RecordingObserver, FollowsThePath) {
   topic::Location::Message message;
   message.pose().pose().position().x(3);
   message.pose().pose().position().y(-4);
-  const auto from = end_of("uxv", "drive", "location", "high");
+  const auto from = end_of("uxv", "drive", "location", TrafficClass::high);
   RecordingObserver sut;
   sut.on_written({from, t0, 1, 50, &message, Status::ok});
   ASSERT_EQ(sut.recording().path.size(), 1U);
@@ -121,7 +121,7 @@ TEST(RecordingObserver, FollowsThePath) {
 TEST(RecordingObserver, KeepsTheLastStateOfTheMission) {
   topic::MissionStatus::Message message;
   message.mission("square");
-  const auto from = end_of("gcs", "mission", "mission_status", "critical");
+  const auto from = end_of("gcs", "mission", "mission_status", TrafficClass::critical);
   RecordingObserver sut;
   for (const char* state : {"running", "done"}) {
     message.state(state);
@@ -136,7 +136,7 @@ TEST(RecordingObserver, KeepsTheLastStateOfTheMission) {
 TEST(RecordingObserver, IgnoresAMissionThatTheVehicleTells) {
   topic::MissionStatus::Message message;
   message.state("done");
-  const auto from = end_of("uxv", "mission", "mission_status", "critical");
+  const auto from = end_of("uxv", "mission", "mission_status", TrafficClass::critical);
   RecordingObserver sut;
   sut.on_written({from, t0, 1, 50, &message, Status::ok});
   EXPECT_EQ(sut.recording().mission.state, "");
@@ -144,10 +144,10 @@ TEST(RecordingObserver, IgnoresAMissionThatTheVehicleTells) {
 
 TEST(RecordingObserver, CountsEachClassOfEachSideByItself) {
   topic::BatteryState::Message message;
-  const auto low = end_of("uxv", "drive", "battery_state", "low");
-  const auto more = end_of("uxv", "drive", "cpu_load", "low");
-  const auto high = end_of("uxv", "drive", "docking/status", "high");
-  const auto ground = end_of("gcs", "mission", "goal", "low");
+  const auto low = end_of("uxv", "drive", "battery_state", TrafficClass::low);
+  const auto more = end_of("uxv", "drive", "cpu_load", TrafficClass::low);
+  const auto high = end_of("uxv", "drive", "docking/status", TrafficClass::high);
+  const auto ground = end_of("gcs", "mission", "goal", TrafficClass::low);
   RecordingObserver sut;
   for (const auto* from : {&low, &more, &high, &ground}) {
     sut.on_written({*from, t0, 1, 50, &message, Status::ok});
@@ -159,8 +159,8 @@ TEST(RecordingObserver, CountsEachClassOfEachSideByItself) {
 
 TEST(RecordingObserver, IgnoresLinkTopicsWithoutAClass) {
   topic::BatteryState::Message message;
-  const auto from = end_of("uxv", "drive", "battery_state", "none");
-  const auto recorder = end_of("gcs", "recorder", "battery_state", "");
+  const auto from = end_of("uxv", "drive", "battery_state", std::nullopt);
+  const auto recorder = end_of("gcs", "recorder", "battery_state", std::nullopt);
   RecordingObserver sut;
   sut.on_written({from, t0, 1, 50, &message, Status::ok});
   sut.on_delivered({from, recorder, 1, 1, t0, t0, t0, 300, nullptr});
@@ -169,9 +169,9 @@ TEST(RecordingObserver, IgnoresLinkTopicsWithoutAClass) {
 }
 
 TEST(RecordingObserver, KeepsArrivalsOfAClassTogetherInTheOrderOfTheirComing) {
-  const auto one = end_of("uxv", "drive", "location", "high");
-  const auto other = end_of("uxv", "link", "network_quality", "high");
-  const auto recorder = end_of("gcs", "recorder", "", "");
+  const auto one = end_of("uxv", "drive", "location", TrafficClass::high);
+  const auto other = end_of("uxv", "link", "network_quality", TrafficClass::high);
+  const auto recorder = end_of("gcs", "recorder", "", std::nullopt);
   RecordingObserver sut;
   sut.on_delivered({one, recorder, 1, 1, t0, t0, t0 + seconds(1), 300, nullptr});
   sut.on_delivered({other, recorder, 5, 5, t0, t0, t0 + seconds(2), 80, nullptr});
@@ -185,8 +185,8 @@ TEST(RecordingObserver, KeepsArrivalsOfAClassTogetherInTheOrderOfTheirComing) {
 
 TEST(RecordingObserver, CountsFromTheTimeOfSendingNotOfWriting) {
   // The gate held it back for 10 s.
-  const auto from = end_of("uxv", "drive", "location", "high");
-  const auto recorder = end_of("gcs", "recorder", "location", "");
+  const auto from = end_of("uxv", "drive", "location", TrafficClass::high);
+  const auto recorder = end_of("gcs", "recorder", "location", std::nullopt);
   RecordingObserver sut;
   sut.on_delivered({from, recorder, 1, 1, t0, t0 + seconds(10), t0 + seconds(11), 300, nullptr});
   EXPECT_EQ(sut.recording().arrivals.at("uxv high")[0].sent_s, 110);

@@ -36,7 +36,8 @@ void print_gate(int rounds) {
   const auto message = std::static_pointer_cast<const void>(blob(1024));
   NullWriter plain;
   LinkWriter* volatile ungated = &plain;  // keeps the call virtual, as in the gate
-  GatedWriter gated("ping", {"low", WhilePoor::drop}, std::make_unique<NullWriter>(), {});
+  GatedWriter gated("ping", {TrafficClass::low, WhilePoor::drop}, std::make_unique<NullWriter>(),
+                    {});
   Series with;
   Series without;
   for (int i = 0; i < rounds; ++i) {

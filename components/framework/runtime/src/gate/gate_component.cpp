@@ -33,7 +33,7 @@ void GateComponent::report(Time now) {
   for (const TopicTraffic& traffic : all) {
     tocsin_msgs::msg::TopicTraffic one;
     one.topic(traffic.topic);
-    one.traffic_class(traffic.traffic_class);
+    one.traffic_class(to_string(traffic.traffic_class));
     one.paused(traffic.paused);
     one.written(traffic.written);
     one.sent(traffic.sent);

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/middleware/traffic_rules.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "command_line/programs.hpp"
 #include "deployment/traffic_file.hpp"
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
+#include "foundation/spelling.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin {
 namespace {
 
-/// One class of the file.
-struct TrafficClass {
+/// One class of a role.
+struct ClassEntry {
   std::string while_poor = "send";
   std::vector<std::string> topics;
   template <class Visitor>
@@ -22,6 +24,49 @@ struct TrafficClass {
     v("topics", topics, "ROS names of the topics of this class");
   }
 };
+
+/// The file's map `dscp`.
+struct DscpEntry {
+  int critical = tocsin::dscp(TrafficClass::critical);
+  int high = tocsin::dscp(TrafficClass::high);
+  int normal = tocsin::dscp(TrafficClass::normal);
+  int low = tocsin::dscp(TrafficClass::low);
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("critical", critical, {0, 63}, "[1] DSCP of the packets of class critical");
+    v("high", high, {0, 63}, "[1] DSCP of the packets of class high");
+    v("normal", normal, {0, 63}, "[1] DSCP of the packets of class normal");
+    v("low", low, {0, 63}, "[1] DSCP of the packets of class low");
+  }
+};
+
+DscpOfClass to_dscp(const DscpEntry& entry) {
+  DscpOfClass dscp;
+  dscp.set(TrafficClass::critical, static_cast<std::uint8_t>(entry.critical));
+  dscp.set(TrafficClass::high, static_cast<std::uint8_t>(entry.high));
+  dscp.set(TrafficClass::normal, static_cast<std::uint8_t>(entry.normal));
+  dscp.set(TrafficClass::low, static_cast<std::uint8_t>(entry.low));
+  return dscp;
+}
+
+void refuse_unknown_maps(const YAML::Node& file, const YamlSources& sources) {
+  const std::vector<std::string> known{"uxv", "gcs", "dscp"};
+  for (const auto& entry : file) {
+    const std::string key = entry.first.Scalar();
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    throw ConfigError("traffic classes: '" + key + "' is neither a role nor dscp" +
+                      did_you_mean(known, key, "allowed") + yaml_place(sources, entry.first));
+  }
+}
+
+TrafficClass class_named(const YAML::Node& name, const std::string& role,
+                         const YamlSources& sources) {
+  if (const auto found = traffic_class_of(name.Scalar())) return *found;
+  std::vector<std::string> words;
+  for (const TrafficClass one : traffic_classes) words.emplace_back(to_string(one));
+  throw ConfigError(role + "." + name.Scalar() + ": is no traffic class" +
+                    did_you_mean(words, name.Scalar(), "they are") + yaml_place(sources, name));
+}
 
 WhilePoor to_while_poor(const std::string& word) {
   if (word == "latest") return WhilePoor::latest;
@@ -39,11 +84,15 @@ TrafficRules::TrafficRules(const std::string& path, const std::string& role)
   if (!classes.IsDefined() || !classes.IsMap()) {
     throw ConfigError(path + ": has no map for the role '" + role + "'");
   }
+  refuse_unknown_maps(file, sources);
+  dscp_ = to_dscp(load_parameters<DscpEntry>(file["dscp"], "dscp", sources));
   for (const auto& entry : classes) {
-    const std::string name = entry.first.Scalar();
-    const auto loaded = load_parameters<TrafficClass>(entry.second, role + "." + name, sources);
+    const TrafficClass traffic_class = class_named(entry.first, role, sources);
+    const std::string name = to_string(traffic_class);
+    const auto loaded = load_parameters<ClassEntry>(entry.second, role + "." + name, sources);
     for (const std::string& topic : loaded.topics) {
-      const bool added = rules_.insert({topic, {name, to_while_poor(loaded.while_poor)}}).second;
+      const bool added =
+          rules_.insert({topic, {traffic_class, to_while_poor(loaded.while_poor)}}).second;
       if (!added) {
         throw ConfigError(role + "." + name + ".topics: " + topic + " is in two classes" +
                           yaml_place(sources, entry.first));
@@ -55,7 +104,7 @@ TrafficRules::TrafficRules(const std::string& path, const std::string& role)
 const TrafficRule& TrafficRules::of(const std::string& topic) const {
   const auto found = rules_.find(topic);
   if (found != rules_.end()) return found->second;
-  static const TrafficRule never_paused{"none", WhilePoor::send};
+  static const TrafficRule never_paused;
   if (path_.empty()) return never_paused;
   throw ConfigError("topic " + topic + ": crosses the link, but has no traffic class for role " +
                     role_ + " in " + path_);

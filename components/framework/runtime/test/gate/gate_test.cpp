@@ -38,7 +38,10 @@ class GateTest : public ::testing::Test {
   GatedWriter make(WhilePoor while_poor) {
     auto writer = std::make_unique<Recorder>(log_);
     recorder_ = writer.get();
-    return {"topic", {"low", while_poor}, std::move(writer), {[this] { return now_; }, lifespan}};
+    return {"topic",
+            {TrafficClass::low, while_poor},
+            std::move(writer),
+            {[this] { return now_; }, lifespan}};
   }
   static constexpr Duration lifespan = std::chrono::seconds(5);
   static std::shared_ptr<const String> text(const std::string& data) {
@@ -60,7 +63,7 @@ TEST_F(GateTest, OpenGateSendsAndCounts) {
 }
 
 TEST_F(GateTest, WithoutALinkEvenAnAlwaysActiveTopicKeepsItsNewestAndSendsItOnceConnected) {
-  GatedWriter sut("topic", {"critical", WhilePoor::send}, nullptr, {});
+  GatedWriter sut("topic", {TrafficClass::critical, WhilePoor::send}, nullptr, {});
   EXPECT_EQ(sut.write(text("old")), Status::paused);
   EXPECT_EQ(sut.write(text("new")), Status::paused);
   EXPECT_TRUE(sut.traffic().paused);
@@ -71,7 +74,7 @@ TEST_F(GateTest, WithoutALinkEvenAnAlwaysActiveTopicKeepsItsNewestAndSendsItOnce
 }
 
 TEST_F(GateTest, ConnectedWhileItIsClosedItStaysSilentUntilItOpens) {
-  GatedWriter sut("topic", {"low", WhilePoor::latest}, nullptr, {});
+  GatedWriter sut("topic", {TrafficClass::low, WhilePoor::latest}, nullptr, {});
   sut.set_open(false);
   EXPECT_EQ(sut.write(text("kept")), Status::paused);
   sut.connect(std::make_unique<Recorder>(log_));
@@ -93,7 +96,8 @@ class Counter : public LinkWriter {
 
 TEST_F(GateTest, AClosedGateIsSilentHoweverManyThreadsFloodIt) {
   std::uint64_t sent = 0;
-  GatedWriter sut("topic", {"low", WhilePoor::drop}, std::make_unique<Counter>(sent), {});
+  GatedWriter sut("topic", {TrafficClass::low, WhilePoor::drop}, std::make_unique<Counter>(sent),
+                  {});
   std::atomic<bool> stop{false};
   std::vector<std::thread> floods;
   for (int i = 0; i < 3; ++i) {

@@ -11,6 +11,7 @@
 namespace tocsin {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 const std::string config = std::string(TOCSIN_REPOSITORY) + "/config";
@@ -48,7 +49,7 @@ TEST(TrafficRules, AFileMayExtendAnotherAndMoveATopic) {
              "uxv:\n  high: {while_poor: send, topics: [a]}\n"
              "  low: {while_poor: drop, topics: [b, c]}\n");
   const TrafficRules sut(file.path(), "uxv");
-  EXPECT_EQ(sut.of("b").traffic_class, "high");
+  EXPECT_EQ(sut.of("b").traffic_class, TrafficClass::high);
   EXPECT_EQ(sut.of("b").while_poor, WhilePoor::send);
   EXPECT_EQ(sut.of("a").while_poor, WhilePoor::send);
   EXPECT_EQ(sut.of("c").while_poor, WhilePoor::drop);
@@ -70,7 +71,7 @@ TEST(TrafficRules, ATopicWithoutClassIsAnError) {
 TEST(TrafficRules, WithoutAFileNothingIsPaused) {
   const TrafficRules sut;
   EXPECT_EQ(sut.of("b").while_poor, WhilePoor::send);
-  EXPECT_EQ(sut.of("b").traffic_class, "none");
+  EXPECT_EQ(sut.of("b").traffic_class, TrafficClass::normal);
   EXPECT_TRUE(sut.all().empty());
 }
 
@@ -84,6 +85,54 @@ TEST(TrafficRules, AnUnknownRoleIsAnError) {
   const ConfigFile file("uxv: {}\n");
   EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "boat"); }),
               HasSubstr("has no map for the role 'boat'"));
+}
+
+TEST(TrafficRules, AnUnknownClassIsAnErrorWithItsPlace) {
+  const ConfigFile file("uxv:\n  hihg: {topics: [a]}\n");
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+              AllOf(HasSubstr("uxv.hihg: is no traffic class; did you mean 'high'?"),
+                    HasSubstr(file.path() + ":2)")));
+}
+
+TEST(TrafficRules, AKeyThatIsNoRoleIsAnErrorWithItsPlace) {
+  const ConfigFile file("uxv: {}\ndcsp: {high: 34}\n");
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+              AllOf(HasSubstr("'dcsp' is neither a role nor dscp; did you mean"),
+                    HasSubstr(file.path() + ":2)")));
+}
+
+TEST(TrafficRules, ClassesHaveTheDefaultDscpUnlessTheFileSaysAnother) {
+  const ConfigFile file("uxv: {}\ndscp: {high: 34, low: 0}\n");
+  const TrafficRules sut(file.path(), "uxv");
+  EXPECT_EQ(sut.dscp(TrafficClass::critical), 48);
+  EXPECT_EQ(sut.dscp(TrafficClass::high), 34);
+  EXPECT_EQ(sut.dscp(TrafficClass::normal), 0);
+  EXPECT_EQ(sut.dscp(TrafficClass::low), 0);
+}
+
+TEST(TrafficRules, AFileThatExtendsAnotherHasItsDscp) {
+  const ConfigFile file("extends: base.yaml\ndscp: {high: 40}\n");
+  file.write("base.yaml", "uxv: {}\ndscp: {high: 34, low: 0}\n");
+  const TrafficRules sut(file.path(), "uxv");
+  EXPECT_EQ(sut.dscp(TrafficClass::high), 40);
+  EXPECT_EQ(sut.dscp(TrafficClass::low), 0);
+}
+
+TEST(TrafficRules, ADscpAbove63IsAnErrorWithItsPlace) {
+  const ConfigFile file("uxv: {}\ndscp: {high: 64}\n");
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+              AllOf(HasSubstr("dscp.high: 64 is outside [0, 63]"), HasSubstr(":2)")));
+}
+
+TEST(TrafficRules, ADscpOfAnUnknownClassIsAnError) {
+  const ConfigFile file("uxv: {}\ndscp: {urgent: 46}\n");
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+              HasSubstr("dscp.urgent: unknown key; allowed: "));
+}
+
+TEST(TrafficRules, WithoutAFileClassesHaveTheDefaultDscp) {
+  EXPECT_EQ(TrafficRules().dscp(TrafficClass::critical), 48);
+  EXPECT_EQ(TrafficRules().dscp(TrafficClass::normal), 0);
 }
 
 TEST(TrafficRules, AnUnknownActionIsAnError) {

@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "foundation/time.hpp"
+#include "foundation/traffic_class.hpp"
 #include "idl_support/topic_info.hpp"
 #include "idl_support/type_info.hpp"
 #include "radio_channel/radio_channel.hpp"
@@ -19,14 +21,14 @@ struct TopicEnd {
   std::string role;  ///< of the host: uxv or gcs
   std::string process;
   std::string topic;
-  std::string traffic_class;  ///< of a link topic that the process writes, else empty
+  std::optional<TrafficClass> traffic_class;  ///< of a link topic that it writes
   Scope scope = Scope::host;
   const TypeInfo* type = nullptr;
   double lifespan_s = 0;  ///< infinity: none
   bool reliable = false;
-  bool pausable = false;       ///< its gate can close
-  bool drops = false;          ///< and then its samples are dropped
-  std::string user_data = "";  ///< that its writers announce
+  bool pausable = false;  ///< its gate can close
+  bool drops = false;     ///< and then its samples are dropped
+  std::string user_data;  ///< that its writers announce
 };
 
 /// A sample that a component wrote. Its readers on the same host have it already. A component need

@@ -5,13 +5,14 @@
 #include <string>
 
 #include "foundation/time.hpp"
+#include "foundation/traffic_class.hpp"
 
 namespace tocsin {
 
 /// Account of one gated writer since start.
 struct TopicTraffic {
   std::string topic;
-  std::string traffic_class;
+  TrafficClass traffic_class = TrafficClass::normal;
   bool paused = false;
   std::uint64_t written = 0;
   std::uint64_t sent = 0;

@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "foundation/traffic_class.hpp"
+
 namespace tocsin {
 
 /// What the gate does with new samples while the link is poor.
@@ -14,29 +16,34 @@ enum class WhilePoor {
 };
 
 struct TrafficRule {
-  std::string traffic_class;
+  TrafficClass traffic_class = TrafficClass::normal;
   WhilePoor while_poor = WhilePoor::send;
 };
 
-/// A file such as config/traffic.yaml for one role: which class each link topic is in. It may
-/// `extends` others; a topic that it names leaves the class that it has there. A bare name that is
-/// not beside it is a file of share/config.
+/// A file such as config/traffic.yaml for one role: which class each link topic is in, and the DSCP
+/// of each class. It may `extends` others; a topic that it names leaves the class that it has
+/// there. A bare name that is not beside it is a file of share/config.
 class TrafficRules {
  public:
-  /// Without a file: everything is in no class and never paused.
+  /// Without a file: everything is of class normal and never paused.
   TrafficRules() = default;
-  /// Throws ConfigError with file and line: unreadable file, unknown role or key, a topic named
-  /// twice.
+  /// Throws ConfigError with file and line: unreadable file, unknown role, class or key, a DSCP
+  /// above 63, a topic named twice.
   TrafficRules(const std::string& path, const std::string& role);
   /// Throws ConfigError when the role's rules do not name the topic.
   [[nodiscard]] const TrafficRule& of(const std::string& topic) const;
   /// By topic.
   [[nodiscard]] const std::map<std::string, TrafficRule>& all() const { return rules_; }
+  /// Of the packets of a class, 0 to 63: the same for all roles of the file.
+  [[nodiscard]] std::uint8_t dscp(TrafficClass traffic_class) const {
+    return dscp_.of(traffic_class);
+  }
 
  private:
   std::string path_;  ///< empty: without a file
   std::string role_;
   std::map<std::string, TrafficRule> rules_;
+  DscpOfClass dscp_;
 };
 
 }  // namespace tocsin
