@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -65,20 +66,43 @@ bool may_judge(const struct stat& status) {
   return ::geteuid() == 0 || status.st_uid == ::geteuid();
 }
 
+struct File {
+  fs::path path;
+  FileId id;
+  std::uintmax_t bytes;
+};
+
+/// Empty when it is not there.
+std::optional<File> look_at(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || !may_judge(status)) return std::nullopt;
+  return File{path, {status.st_dev, status.st_ino}, static_cast<std::uintmax_t>(status.st_size)};
+}
+
+std::vector<File> files_of_fast_dds(const fs::path& folder) {
+  std::vector<File> files;
+  std::error_code absent;
+  for (const auto& entry : fs::directory_iterator(folder, absent)) {
+    const auto file =
+        is_of_fast_dds(entry.path().filename()) ? look_at(entry.path()) : std::nullopt;
+    if (file) files.push_back(*file);
+  }
+  return files;
+}
+
 }  // namespace
 
 Leftovers find_leftovers(const fs::path& folder) {
+  // First which files there are, then who uses them: one that is made meanwhile is nobody's
+  // leftover, and one that goes meanwhile neither.
+  const std::vector<File> files = files_of_fast_dds(folder);
   const std::set<FileId> used = files_in_use();
   Leftovers leftovers;
-  std::error_code absent;
-  for (const auto& entry : fs::directory_iterator(folder, absent)) {
-    struct stat status {};
-    if (!is_of_fast_dds(entry.path().filename()) || ::stat(entry.path().c_str(), &status) != 0 ||
-        !may_judge(status) || used.count({status.st_dev, status.st_ino}) != 0) {
-      continue;
-    }
-    leftovers.files.push_back(entry.path());
-    leftovers.bytes += static_cast<std::uintmax_t>(status.st_size);
+  for (const File& file : files) {
+    const auto now = look_at(file.path);
+    if (!now || now->id != file.id || used.count(file.id) != 0) continue;
+    leftovers.files.push_back(file.path);
+    leftovers.bytes += file.bytes;
   }
   std::sort(leftovers.files.begin(), leftovers.files.end());
   return leftovers;

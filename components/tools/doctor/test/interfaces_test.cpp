@@ -34,5 +34,29 @@ TEST(Interfaces, LoopbackMustBeThere) {
   EXPECT_EQ(judge_loopback({{"lo", "127.0.0.1", true, true}}).fitness, Fitness::good);
 }
 
+TEST(Interfaces, LoopbackThatIsDownIsBadWithTheCommand) {
+  const Advice advice = judge_loopback({{"lo", "127.0.0.1", false, false}});
+  EXPECT_EQ(advice.fitness, Fitness::bad);
+  EXPECT_EQ(advice.remedy, "ip link set lo up");
+}
+
+TEST(Interfaces, OneOfSeveralIsJudgedByItsAddress) {
+  const std::vector<Interface> all{{"eth0", "10.0.0.2", true, true},
+                                   {"wlan0", "10.0.0.1", true, false},
+                                   {"wlan0", "10.0.0.3", true, true}};
+  EXPECT_EQ(judge_address("10.0.0.2", all).text, "10.0.0.2 on eth0 is up, with carrier");
+  EXPECT_EQ(judge_address("10.0.0.1", all).fitness, Fitness::bad);
+  EXPECT_EQ(judge_address("10.0.0.3", all).fitness, Fitness::good);
+  EXPECT_EQ(judge_address("10.0.0", all).fitness, Fitness::unknown);
+}
+
+TEST(Interfaces, OnesOfThisComputerHaveNameAndAddress) {
+  for (const Interface& one : interfaces()) {
+    EXPECT_FALSE(one.name.empty());
+    EXPECT_THAT(one.address, ::testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\\.[0-9]+"));
+    EXPECT_TRUE(one.up || !one.carrier) << one.name << ": no carrier without being up";
+  }
+}
+
 }  // namespace
 }  // namespace tocsin::doctor

@@ -7,6 +7,10 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
 #include "foundation/temporary_folder.hpp"
 
 namespace tocsin::doctor {
@@ -48,6 +52,52 @@ TEST(Leftovers, LeavesAFileAloneThatAProcessHasMapped) {
   EXPECT_THAT(find_leftovers(folder.path("")).files, IsEmpty());
   ::munmap(memory, 5);
   EXPECT_EQ(find_leftovers(folder.path("")).files.size(), 1U);
+}
+
+/// Makes files of Fast DDS, each of which is open as long as it is there.
+class Participants {
+ public:
+  explicit Participants(const std::string& folder)
+      : thread_([this, folder] {
+          for (int i = 0; !ended_; ++i) {
+            const std::string file = folder + "/fastrtps_" + std::to_string(i);
+            const int open_file = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+            ::unlink(file.c_str());
+            ::close(open_file);
+          }
+        }) {}
+  ~Participants() {
+    ended_ = true;
+    thread_.join();
+  }
+  Participants(const Participants&) = delete;
+  Participants& operator=(const Participants&) = delete;
+
+ private:
+  std::atomic<bool> ended_{false};
+  std::thread thread_;
+};
+
+TEST(Leftovers, AProcessThatStartsOrEndsMeanwhileHasNone) {
+  const TemporaryFolder folder;
+  const Participants participants(folder.path());
+  for (int i = 0; i < 200; ++i) ASSERT_THAT(find_leftovers(folder.path()).files, IsEmpty());
+}
+
+TEST(Leftovers, AFileThatHasGoneIsNotCountedAsRemoved) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("fastrtps_1234", "12345");
+  const Leftovers found = find_leftovers(folder.path());
+  ASSERT_EQ(::unlink(file.c_str()), 0);
+  EXPECT_EQ(remove(found), 0U);
+}
+
+TEST(Leftovers, ThoseOfOthersAreLeftToRoot) {
+  if (::geteuid() != 0) GTEST_SKIP() << "needs root to give a file away";
+  const TemporaryFolder folder;
+  const std::string file = folder.write("fastrtps_1234", "12345");
+  if (::chown(file.c_str(), 12345, 12345) != 0) GTEST_SKIP() << "cannot give a file away here";
+  EXPECT_EQ(find_leftovers(folder.path()).files.size(), 1U);
 }
 
 TEST(Leftovers, AreRemovedAndCounted) {
