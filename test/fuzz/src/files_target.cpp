@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "deployment/deployment.hpp"
+#include "geometry/wall_file.hpp"
 #include "navigation/map_loader.hpp"
 #include "navigation/mission.hpp"
 #include "radio_channel/channel_files.hpp"
@@ -44,7 +45,7 @@ const std::vector<FileKind>& file_kinds() {
       {"config/maps/classroom.yaml",
        [](const std::string& path) { (void)navigation::load_map(path); }},
       {"config/maps/classroom.walls.yaml",
-       [](const std::string& path) { (void)radio::load_walls(path); }},
+       [](const std::string& path) { (void)geometry::load_walls(path); }},
       {"config/radio/classroom.yaml",
        [](const std::string& path) { (void)radio::load_channel(path); }},
       {"config/faults.yaml", [](const std::string& path) { (void)simulation::load_faults(path); }},

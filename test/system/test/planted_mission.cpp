@@ -42,9 +42,9 @@ class PlantedMission final : public Component {
     sent_ = now;
     topic::Goal::Message goal;
     goal.id(waypoint_ + 1);
-    goal.x(mission_.waypoints[waypoint_].x);
-    goal.y(mission_.waypoints[waypoint_].y);
-    goal.yaw(mission_.waypoints[waypoint_].yaw);
+    goal.x(mission_.waypoints[waypoint_].x_m);
+    goal.y(mission_.waypoints[waypoint_].y_m);
+    goal.yaw(mission_.waypoints[waypoint_].heading_rad);
     goal.tolerance_m(0.15);
     goal.lifetime_s(60);
     (void)goal_.write(std::move(goal));

@@ -118,13 +118,17 @@ function(tocsin_register_component name)
 endfunction()
 
 # A component package: <name>_core holds the decision and links no runtime; lib<name>.so holds the
-# ports and is loaded by name into a container process. A package may have several.
+# ports and is loaded by name into a container process. A package may have several. Components do not
+# link each other; for tests of several decisions together a package exports its own:
+# tocsin_export(TARGETS <name>_core LINK ...).
 # tocsin_component(name [CORE a.cpp ...] [CORE_LINK ...] COMPONENT b.cpp ... [LINK ...])
 function(tocsin_component name)
   cmake_parse_arguments(A "" "" "CORE;CORE_LINK;COMPONENT;LINK" ${ARGN})
   if(A_CORE)
     add_library(${name}_core STATIC ${A_CORE})
-    target_include_directories(${name}_core PUBLIC include src)
+    target_include_directories(${name}_core PUBLIC
+      "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>" "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>"
+      "$<INSTALL_INTERFACE:include>")
     target_link_libraries(${name}_core PUBLIC ${A_CORE_LINK})
     tocsin_target_options(${name}_core)
   endif()

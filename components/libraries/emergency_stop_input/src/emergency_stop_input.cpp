@@ -9,7 +9,7 @@
 
 namespace tocsin {
 
-motion::EmergencyStopLatch::Writer EmergencyStopInput::writer(std::uint64_t source) const {
+EmergencyStopLatch::Writer EmergencyStopInput::writer(std::uint64_t source) const {
   const auto known = input_.writer(source);
   const std::string user_data = known ? known->user_data : "";
   const bool station = user_data.find(topic::EmergencyStop::station) != std::string::npos;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "geometry/pose.hpp"
 #include "noise.hpp"
 
 namespace tocsin::kobuki {
@@ -38,8 +39,8 @@ Version parse_firmware(const std::string& text, bool old_form) {
 
 }  // namespace
 
-BaseModel::BaseModel(const ModelParams& params, Surroundings surroundings, const Pose& start,
-                     std::uint64_t seed, Time now)
+BaseModel::BaseModel(const ModelParams& params, Surroundings surroundings,
+                     const geometry::Pose& start, std::uint64_t seed, Time now)
     : params_(params),
       hardware_(parse_version("hardware", params.hardware, params.old_versions)),
       firmware_(parse_firmware(params.firmware, params.old_versions)),
@@ -122,7 +123,7 @@ void BaseModel::step(Time now, const FrameSink& sink) {
   }
 }
 
-BodyVelocity BaseModel::true_velocity(const WheelSpeeds& rolling) const {
+geometry::Twist BaseModel::true_velocity(const WheelSpeeds& rolling) const {
   return body_velocity({rolling.left_mps * params_.left_wheel_scale * (1.0 - left_slip_),
                         rolling.right_mps * params_.right_wheel_scale * (1.0 - right_slip_)});
 }
@@ -131,7 +132,7 @@ void BaseModel::physics(Time now) {
   const double dt_s = to_seconds(now - last_);
   WheelSpeeds rolling = drive_.step(last_, dt_s);
   last_ = now;
-  const BodyVelocity mean = body_.move(true_velocity(rolling), dt_s);
+  const geometry::Twist mean = body_.move(true_velocity(rolling), dt_s);
   if (body_.blocked()) {
     drive_.force(wheel_speeds({0, body_velocity(rolling).angular_rad_s}));
     rolling = drive_.speeds();
@@ -140,7 +141,8 @@ void BaseModel::physics(Time now) {
   left_ticks_ += rolling.left_mps * dt_s / tick_m;
   right_ticks_ += rolling.right_mps * dt_s / tick_m;
   const double bias_rad = params_.gyro_bias_dps * dt_s * degree_rad;
-  gyro_rad_ = wrap_angle(gyro_rad_ + params_.gyro_scale * mean.angular_rad_s * dt_s + bias_rad);
+  gyro_rad_ =
+      geometry::wrap_angle(gyro_rad_ + params_.gyro_scale * mean.angular_rad_s * dt_s + bias_rad);
   touch_dock();
   const WheelSpeeds& target = drive_.target();
   power_.step(dt_s, motor_current_a(rolling.left_mps, target.left_mps) +
@@ -155,7 +157,7 @@ void BaseModel::draw_slip() {
 void BaseModel::drift_gyro() {
   const double root_of_period = std::sqrt(to_seconds(frame_period));
   const double drift_deg = noise(params_.gyro_drift_deg_per_sqrt_s) * root_of_period;
-  gyro_rad_ = wrap_angle(gyro_rad_ + drift_deg * degree_rad);
+  gyro_rad_ = geometry::wrap_angle(gyro_rad_ + drift_deg * degree_rad);
 }
 
 void BaseModel::touch_dock() {

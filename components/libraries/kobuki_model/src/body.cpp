@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/pose.hpp"
+
 namespace tocsin::kobuki {
 namespace {
 
@@ -23,7 +25,7 @@ double chord_per_arc(double turn_rad) { return 1.0 - turn_rad * turn_rad / 24.0;
 
 }  // namespace
 
-Body::Body(Surroundings surroundings, const Pose& start)
+Body::Body(Surroundings surroundings, const geometry::Pose& start)
     : surroundings_(std::move(surroundings)), pose_(start) {}
 
 bool Body::Look::is_over(double now_x_m, double now_y_m) const {
@@ -54,8 +56,8 @@ bool Body::goes_into(double x_m, double y_m, double direction_rad) const {
   });
 }
 
-BodyVelocity Body::move(const BodyVelocity& wanted, double dt_s) {
-  BodyVelocity real = wanted;
+geometry::Twist Body::move(const geometry::Twist& wanted, double dt_s) {
+  geometry::Twist real = wanted;
   const double heading = pose_.heading_rad + wanted.angular_rad_s * dt_s / 2.0;
   const double way_m = wanted.linear_mps * dt_s * chord_per_arc(wanted.angular_rad_s * dt_s);
   const double x_m = pose_.x_m + way_m * std::cos(heading);
@@ -68,7 +70,7 @@ BodyVelocity Body::move(const BodyVelocity& wanted, double dt_s) {
     pose_.x_m = x_m;
     pose_.y_m = y_m;
   }
-  pose_.heading_rad = wrap_angle(pose_.heading_rad + wanted.angular_rad_s * dt_s);
+  pose_.heading_rad = geometry::wrap_angle(pose_.heading_rad + wanted.angular_rad_s * dt_s);
   return real;
 }
 
@@ -76,7 +78,7 @@ std::uint8_t Body::bumper() const {
   if (is_clear(pose_.x_m, pose_.y_m)) return 0;
   unsigned bits = 0;
   for (const double bearing : surroundings_(pose_.x_m, pose_.y_m, longest_reach_m)) {
-    bits |= bumper_bit(wrap_angle(bearing - pose_.heading_rad));
+    bits |= bumper_bit(geometry::wrap_angle(bearing - pose_.heading_rad));
   }
   return static_cast<std::uint8_t>(bits);
 }

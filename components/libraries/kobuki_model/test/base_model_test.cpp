@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "foundation/error.hpp"
+#include "geometry/pose.hpp"
 
 namespace tocsin::kobuki {
 namespace {
@@ -88,7 +89,8 @@ TEST(BaseModel, IsFollowedByOdometryAcrossEncoderWraps) {
     odometry.update(*sut.last.core, sut.last.inertia);
     EXPECT_NEAR(odometry.pose().x_m, sut.model.pose().x_m, 0.02) << gyro;
     EXPECT_NEAR(odometry.pose().y_m, sut.model.pose().y_m, 0.02) << gyro;
-    EXPECT_NEAR(wrap_angle(odometry.pose().heading_rad - sut.model.pose().heading_rad), 0, 0.01);
+    EXPECT_NEAR(geometry::wrap_angle(odometry.pose().heading_rad - sut.model.pose().heading_rad), 0,
+                0.01);
   }
 }
 

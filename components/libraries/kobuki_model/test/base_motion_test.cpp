@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "geometry/pose.hpp"
 #include "kobuki_model/base_model.hpp"
 
 namespace tocsin::kobuki {
@@ -29,11 +30,11 @@ TEST(BaseModel, MovesTheSameHoweverItsCallerCutsTheTime) {
     model.step(t0 + seconds(6), [](Time, ByteView) {});
     return model.pose();
   };
-  const Pose expected = drive(std::chrono::milliseconds(20));
+  const geometry::Pose expected = drive(std::chrono::milliseconds(20));
   for (const Duration cut : {Duration(std::chrono::milliseconds(1)), Duration(7'000'001)}) {
     EXPECT_NEAR(drive(cut).x_m, expected.x_m, 1e-3);
     EXPECT_NEAR(drive(cut).y_m, expected.y_m, 1e-3);
-    EXPECT_NEAR(wrap_angle(drive(cut).heading_rad - expected.heading_rad), 0, 1e-3);
+    EXPECT_NEAR(geometry::wrap_angle(drive(cut).heading_rad - expected.heading_rad), 0, 1e-3);
   }
 }
 

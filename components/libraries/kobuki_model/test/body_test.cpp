@@ -9,8 +9,8 @@ namespace tocsin::kobuki {
 namespace {
 
 /// Drives for `duration_s` in steps of 5 ms; the velocity of the last step.
-BodyVelocity drive(Body& sut, const BodyVelocity& velocity, double duration_s) {
-  BodyVelocity real;
+geometry::Twist drive(Body& sut, const geometry::Twist& velocity, double duration_s) {
+  geometry::Twist real;
   for (int i = 0; i < std::lround(duration_s / 0.005); ++i) real = sut.move(velocity, 0.005);
   return real;
 }
@@ -65,7 +65,7 @@ TEST(Body, IsNeverStoppedByTheEndOfALongMove) {
 
 TEST(Body, StopsAtAWallAndPressesItsBumper) {
   Body sut = facing_wall(1);
-  const BodyVelocity real = drive(sut, {0.5, 0}, 4);
+  const geometry::Twist real = drive(sut, {0.5, 0}, 4);
   EXPECT_EQ(real.linear_mps, 0);
   EXPECT_TRUE(sut.blocked());
   EXPECT_LE(sut.pose().x_m, 1 - body_radius_m + 1e-9);
@@ -102,7 +102,7 @@ TEST(Body, LeavesAWallBackwards) {
 TEST(Body, TurnsWhileBlocked) {
   Body sut = facing_wall(1);
   drive(sut, {0.5, 0}, 4);
-  const BodyVelocity real = drive(sut, {0.5, 0.2}, 1);
+  const geometry::Twist real = drive(sut, {0.5, 0.2}, 1);
   EXPECT_EQ(real.linear_mps, 0);
   EXPECT_NEAR(sut.pose().heading_rad, 0.2, 1e-9);
 }

@@ -15,8 +15,8 @@ const Dock sut{{0, 0, 0}};  // at the origin, facing +x
 /// What the middle receiver sees when it is at a place and the base faces the dock.
 int seen_at(double x_m, double y_m) {
   const double facing_rad = std::atan2(-y_m, -x_m);
-  const Pose base{x_m - DockLight{}.rim_m * std::cos(facing_rad),
-                  y_m - DockLight{}.rim_m * std::sin(facing_rad), facing_rad};
+  const geometry::Pose base{x_m - DockLight{}.rim_m * std::cos(facing_rad),
+                            y_m - DockLight{}.rim_m * std::sin(facing_rad), facing_rad};
   return sut.infrared(base).centre;
 }
 

@@ -89,10 +89,10 @@ TEST(Drive, EndsAtTheTurnRateOfTheSpecification) {
 }
 
 TEST(Drive, KeepsTheRadiusAtItsLimits) {
-  const BodyVelocity fast = body_velocity(end_of(1400, 500));
+  const geometry::Twist fast = body_velocity(end_of(1400, 500));
   EXPECT_NEAR(fast.linear_mps / fast.angular_rad_s, 0.5, 1e-9);
   EXPECT_DOUBLE_EQ(end_of(1400, 500).right_mps, 0.7);
-  const BodyVelocity tight = body_velocity(end_of(690, 50));
+  const geometry::Twist tight = body_velocity(end_of(690, 50));
   EXPECT_NEAR(tight.linear_mps / tight.angular_rad_s, 0.05, 1e-9);
   EXPECT_NEAR(tight.angular_rad_s, pi, 1e-9);
 }

@@ -21,16 +21,10 @@ double tick_difference(std::uint16_t now, std::uint16_t last) {
 }
 
 double gyro_turn(const Inertia& from, const Inertia& to) {
-  return wrap_angle((to.angle_cdeg - from.angle_cdeg) * centidegree_rad);
+  return geometry::wrap_angle((to.angle_cdeg - from.angle_cdeg) * centidegree_rad);
 }
 
 }  // namespace
-
-double wrap_angle(double angle_rad) {
-  if (-pi < angle_rad && angle_rad <= pi) return angle_rad;
-  const double wrapped = std::remainder(angle_rad, 2.0 * pi);
-  return wrapped <= -pi ? wrapped + 2.0 * pi : wrapped;
-}
 
 Odometry::Odometry(const OdometryParams& params) : params_(params) {}
 
@@ -152,8 +146,8 @@ void Odometry::apply(const Step& step) {
   }
   pose_.x_m += forward_m * std::cos(direction_rad);
   pose_.y_m += forward_m * std::sin(direction_rad);
-  pose_.heading_rad = wrap_angle(pose_.heading_rad + turn_rad);
-  gyro_heading_rad_ = wrap_angle(gyro_heading_rad_ + step.gyro_turn_rad.value_or(0));
+  pose_.heading_rad = geometry::wrap_angle(pose_.heading_rad + turn_rad);
+  gyro_heading_rad_ = geometry::wrap_angle(gyro_heading_rad_ + step.gyro_turn_rad.value_or(0));
   left_.angle_rad += step.left_m / wheel_radius_m;
   right_.angle_rad += step.right_m / wheel_radius_m;
 }
@@ -173,7 +167,7 @@ void Odometry::apply_rates(const Step& step, const std::optional<Inertia>& inert
 
 void Odometry::reset() {
   before_last_.reset();
-  pose_ = Pose{};
+  pose_ = geometry::Pose{};
   gyro_heading_rad_ = 0;
   left_ = right_ = WheelState{};
 }

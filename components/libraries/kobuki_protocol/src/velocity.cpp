@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kobuki_protocol/geometry.hpp"
+#include "kobuki_protocol/dimensions.hpp"
 
 namespace tocsin::kobuki {
 namespace {
@@ -18,7 +18,7 @@ std::int16_t to_i16(double value) {
 
 }  // namespace
 
-BaseControl encode_velocity(const BodyVelocity& velocity) {
+BaseControl encode_velocity(const geometry::Twist& velocity) {
   const double v = velocity.linear_mps;
   const double w = velocity.angular_rad_s;
   if (!std::isfinite(v) || !std::isfinite(w)) return {};
@@ -41,12 +41,12 @@ WheelSpeeds decode_velocity(const BaseControl& command) {
   return radius > 0 ? WheelSpeeds{inner, speed} : WheelSpeeds{speed, inner};
 }
 
-BodyVelocity body_velocity(const WheelSpeeds& wheels) {
+geometry::Twist body_velocity(const WheelSpeeds& wheels) {
   return {(wheels.left_mps + wheels.right_mps) / 2.0,
           (wheels.right_mps - wheels.left_mps) / wheel_separation_m};
 }
 
-WheelSpeeds wheel_speeds(const BodyVelocity& velocity) {
+WheelSpeeds wheel_speeds(const geometry::Twist& velocity) {
   const double half = velocity.angular_rad_s * wheel_separation_m / 2.0;
   return {velocity.linear_mps - half, velocity.linear_mps + half};
 }

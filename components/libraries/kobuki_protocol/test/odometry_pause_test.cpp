@@ -72,7 +72,7 @@ TEST(Odometry, TakesGapsOfUpToThreeAndAHalfSeconds) {
 
 /// What odometry adds for a silence of `silence_s` after which the base's stamp has gone on by
 /// `stamp_s` and both wheels by `ticks`, and the gyro by a degree.
-Pose bridged(double silence_s, double stamp_s, int ticks) {
+geometry::Pose bridged(double silence_s, double stamp_s, int ticks) {
   Odometry sut{OdometryParams{}};
   sut.update(core(100, 0, 0), inertia(0));
   const int stamp_ms = 100 + static_cast<int>(std::lround(stamp_s * 1000));

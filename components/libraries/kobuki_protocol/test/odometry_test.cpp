@@ -187,11 +187,5 @@ TEST(Odometry, ContinuesFromASnapshotWithTheMotionInBetween) {
   EXPECT_EQ(after.right().angle_rad, before.right().angle_rad);
 }
 
-TEST(WrapAngle, KeepsTheHalfOpenRange) {
-  EXPECT_NEAR(wrap_angle(3 * pi), pi, 1e-12);
-  EXPECT_GT(wrap_angle(-pi), 0);
-  EXPECT_NEAR(wrap_angle(-3.5), 2 * pi - 3.5, 1e-12);
-}
-
 }  // namespace
 }  // namespace tocsin::kobuki

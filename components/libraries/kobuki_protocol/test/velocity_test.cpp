@@ -44,7 +44,7 @@ TEST(Velocity, NeverSendsRadiusMinusOne) {
 TEST(Velocity, KeepsTheDirectionOfTurn) {
   for (double v = -0.5; v <= 0.5; v += 0.013) {
     for (double w = -3; w <= 3; w += 0.031) {
-      const BodyVelocity got = body_velocity(decode_velocity(encode_velocity({v, w})));
+      const geometry::Twist got = body_velocity(decode_velocity(encode_velocity({v, w})));
       ASSERT_NEAR(got.linear_mps, v, 0.0025) << v << " " << w;
       ASSERT_NEAR(got.angular_rad_s, w, 0.011 + 0.08 * std::abs(w)) << v << " " << w;
     }

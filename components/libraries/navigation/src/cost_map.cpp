@@ -96,7 +96,7 @@ void CostMap::raise(CellIndex wall, const DiscRow& disc) {
   }
 }
 
-bool CostMap::blocked(const Point2& p) const {
+bool CostMap::blocked(const geometry::Point& p) const {
   const auto cell = grid_.cell_of(p);
   return !cell || blocked(*cell);
 }

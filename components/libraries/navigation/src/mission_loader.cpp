@@ -29,14 +29,15 @@ struct Waypoint {
   }
 };
 
-Pose2 read_waypoint(const YAML::Node& node, const std::string& owner, const std::string& path) {
+geometry::Pose read_waypoint(const YAML::Node& node, const std::string& owner,
+                             const std::string& path) {
   const auto point = load_parameters<Waypoint>(node, owner, path);
   for (const char* key : {"x", "y"}) {
     if (!node.IsMap() || !node[key]) {
       throw ConfigError(owner + "." + key + ": missing" + yaml_place(path, node));
     }
   }
-  return {point.x, point.y, wrap_angle(point.yaw)};
+  return {point.x, point.y, geometry::wrap_angle(point.yaw)};
 }
 
 void check_keys(const YAML::Node& node, const std::string& path) {
@@ -74,13 +75,14 @@ double number(const nlohmann::json& line, const char* key, const std::string& pl
   return found->get<double>();
 }
 
-Pose2 read_json_waypoint(const std::string& text, const std::string& place) {
+geometry::Pose read_json_waypoint(const std::string& text, const std::string& place) {
   const auto line = nlohmann::json::parse(text, nullptr, false);
   if (!line.is_object()) throw ConfigError(place + ": not a JSON object");
   const auto value = [&](const char* key) { return number(line, key, place); };
-  const Pose2 pose{value("posx"), value("posy"),
-                   yaw_of({value("orx"), value("ory"), value("orz"), value("orw")})};
-  if (std::abs(pose.x) > far_m || std::abs(pose.y) > far_m) {
+  const geometry::Pose pose{
+      value("posx"), value("posy"),
+      geometry::heading_of({value("orx"), value("ory"), value("orz"), value("orw")})};
+  if (std::abs(pose.x_m) > far_m || std::abs(pose.y_m) > far_m) {
     throw ConfigError(place + ": the position is not within 100 km");
   }
   return pose;
@@ -111,9 +113,9 @@ Mission read_mission(const std::string& path) {
 }
 
 std::string place_of(const Mission& mission, std::size_t i) {
-  const Pose2& p = mission.waypoints[i];
+  const geometry::Pose& p = mission.waypoints[i];
   const auto metres = [](double value) { return YAML::Dump(YAML::Node(value)); };
-  return "waypoint " + std::to_string(i + 1) + " at (" + metres(p.x) + ", " + metres(p.y) + ")";
+  return "waypoint " + std::to_string(i + 1) + " at (" + metres(p.x_m) + ", " + metres(p.y_m) + ")";
 }
 
 }  // namespace
@@ -125,14 +127,14 @@ Mission load_mission(const std::string& path) {
 
 void require_free(const Mission& mission, const OccupancyMap& map, double radius_m) {
   for (std::size_t i = 0; i < mission.waypoints.size(); ++i) {
-    const Pose2& p = mission.waypoints[i];
+    const geometry::Pose& p = mission.waypoints[i];
     const auto fail = [&](const std::string& what) {
       throw ConfigError(place_of(mission, i) + " " + what + " (" + mission.file + ")");
     };
     const Cell cell = map.at(position(p));
     if (cell == Cell::occupied) fail("is inside a wall");
     if (cell == Cell::unknown) fail("is off the known floor of the map");
-    if (map.collides(p.x, p.y, radius_m)) {
+    if (map.collides(p.x_m, p.y_m, radius_m)) {
       fail("is nearer to a wall than the robot's radius of " + std::to_string(radius_m) + " m");
     }
   }

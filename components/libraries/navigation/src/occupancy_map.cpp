@@ -33,15 +33,15 @@ double distance_to_interval(double value, double low, double high) {
 
 }  // namespace
 
-std::optional<CellIndex> Grid::cell_of(const Point2& p) const {
-  const double column = std::floor((p.x - origin.x) / resolution_m);
-  const double row = std::floor((p.y - origin.y) / resolution_m);
+std::optional<CellIndex> Grid::cell_of(const geometry::Point& p) const {
+  const double column = std::floor((p.x_m - origin.x_m) / resolution_m);
+  const double row = std::floor((p.y_m - origin.y_m) / resolution_m);
   if (!(column >= 0 && row >= 0 && column < width && row < height)) return std::nullopt;
   return CellIndex{static_cast<int>(column), static_cast<int>(row)};
 }
 
-Point2 Grid::centre(CellIndex c) const {
-  return {origin.x + (c.column + 0.5) * resolution_m, origin.y + (c.row + 0.5) * resolution_m};
+geometry::Point Grid::centre(CellIndex c) const {
+  return {origin.x_m + (c.column + 0.5) * resolution_m, origin.y_m + (c.row + 0.5) * resolution_m};
 }
 
 OccupancyMap::OccupancyMap(const Grid& grid, std::vector<Cell> cells) : grid_(grid) {
@@ -69,19 +69,19 @@ std::vector<std::uint16_t> OccupancyMap::count_occupied(const Grid& grid,
   return counts;
 }
 
-Cell OccupancyMap::at(const Point2& p) const {
+Cell OccupancyMap::at(const geometry::Point& p) const {
   const auto cell = grid_.cell_of(p);
   return cell ? at(*cell) : Cell::unknown;
 }
 
-std::optional<double> OccupancyMap::raycast(const Point2& from, double bearing_rad,
+std::optional<double> OccupancyMap::raycast(const geometry::Point& from, double bearing_rad,
                                             double range_m) const {
   auto start = grid_.cell_of(from);
   if (!start || !std::isfinite(bearing_rad)) return std::nullopt;
   CellIndex cell = *start;
-  Axis x = axis_of((from.x - grid_.origin.x) / grid_.resolution_m, std::cos(bearing_rad),
+  Axis x = axis_of((from.x_m - grid_.origin.x_m) / grid_.resolution_m, std::cos(bearing_rad),
                    grid_.resolution_m);
-  Axis y = axis_of((from.y - grid_.origin.y) / grid_.resolution_m, std::sin(bearing_rad),
+  Axis y = axis_of((from.y_m - grid_.origin.y_m) / grid_.resolution_m, std::sin(bearing_rad),
                    grid_.resolution_m);
   double length_m = 0;
   while (grid_.contains(cell) && length_m <= range_m) {
@@ -111,10 +111,10 @@ bool OccupancyMap::may_have_occupied(const Window& window) const {
 }
 
 OccupancyMap::Window OccupancyMap::window_around(double x, double y, double radius_m) const {
-  if (!is_finite(Point2{x, y})) return {{0, 0}, {-1, -1}};
+  if (!is_finite(geometry::Point{x, y})) return {{0, 0}, {-1, -1}};
   const double r = grid_.resolution_m;
-  const double column = std::floor((x - grid_.origin.x) / r);
-  const double row = std::floor((y - grid_.origin.y) / r);
+  const double column = std::floor((x - grid_.origin.x_m) / r);
+  const double row = std::floor((y - grid_.origin.y_m) / r);
   const double reach = std::ceil(radius_m / r);
   const auto clamp = [](double cell, int size) {
     return static_cast<int>(std::clamp(cell, -1.0, static_cast<double>(size)));
@@ -134,10 +134,10 @@ bool OccupancyMap::collides(double x, double y, double radius_m) const {
   if (!may_have_occupied(window)) return false;
   const double r = grid_.resolution_m;
   for (int i = window.low.row; i <= window.high.row; ++i) {
-    const double dy = distance_to_interval(y - grid_.origin.y, i * r, (i + 1) * r);
+    const double dy = distance_to_interval(y - grid_.origin.y_m, i * r, (i + 1) * r);
     for (int j = window.low.column; j <= window.high.column; ++j) {
       if (at(CellIndex{j, i}) != Cell::occupied) continue;
-      const double dx = distance_to_interval(x - grid_.origin.x, j * r, (j + 1) * r);
+      const double dx = distance_to_interval(x - grid_.origin.x_m, j * r, (j + 1) * r);
       if (dx * dx + dy * dy <= radius_m * radius_m) return true;
     }
   }

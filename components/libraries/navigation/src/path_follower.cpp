@@ -17,12 +17,12 @@ namespace {
 constexpr double search_m = 1.0;
 constexpr double turn_gain_per_s = 2.0;
 
-double nearest_share(const Point2& a, const Point2& b, const Point2& p) {
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
+double nearest_share(const geometry::Point& a, const geometry::Point& b, const geometry::Point& p) {
+  const double dx = b.x_m - a.x_m;
+  const double dy = b.y_m - a.y_m;
   const double square = dx * dx + dy * dy;
   if (square == 0) return 1;
-  return std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
+  return std::clamp(((p.x_m - a.x_m) * dx + (p.y_m - a.y_m) * dy) / square, 0.0, 1.0);
 }
 
 double step_towards(double from, double to, double most) {
@@ -39,7 +39,7 @@ PathFollower::PathFollower(const FollowerParams& params) : params_(params) {
   }
 }
 
-void PathFollower::start(Path path) {
+void PathFollower::start(geometry::Path path) {
   assert(!path.empty());
   path_ = std::move(path);
   if (path_.size() == 1) path_.push_back(path_.front());
@@ -52,23 +52,23 @@ void PathFollower::start(Path path) {
   turning_ = false;
 }
 
-Velocity PathFollower::follow(const Pose2& pose, Duration dt) {
+geometry::Twist PathFollower::follow(const geometry::Pose& pose, Duration dt) {
   assert(!path_.empty());
   advance(position(pose));
   return limited(pursue(pose), dt);
 }
 
-Velocity PathFollower::turn_to(const Pose2& pose, double yaw_rad, Duration dt) {
-  return limited(turn(wrap_angle(yaw_rad - pose.yaw)), dt);
+geometry::Twist PathFollower::turn_to(const geometry::Pose& pose, double yaw_rad, Duration dt) {
+  return limited(turn(geometry::wrap_angle(yaw_rad - pose.heading_rad)), dt);
 }
 
-Velocity PathFollower::brake(Duration dt) { return limited({0, 0}, dt); }
+geometry::Twist PathFollower::brake(Duration dt) { return limited({0, 0}, dt); }
 
-Velocity PathFollower::back_up(Duration dt) { return limited({-0.1, 0}, dt); }
+geometry::Twist PathFollower::back_up(Duration dt) { return limited({-0.1, 0}, dt); }
 
-Velocity PathFollower::halt() { return velocity_ = {0, 0}; }
+geometry::Twist PathFollower::halt() { return velocity_ = {0, 0}; }
 
-void PathFollower::advance(const Point2& p) {
+void PathFollower::advance(const geometry::Point& p) {
   deviation_m_ = std::numeric_limits<double>::infinity();
   double ahead_m = -share_ * length_m(segment_);
   for (std::size_t i = segment_; i + 1 < path_.size() && ahead_m < search_m; ++i) {
@@ -84,7 +84,7 @@ void PathFollower::advance(const Point2& p) {
   remaining_m_ = to_end_m_[segment_] - share_ * length_m(segment_);
 }
 
-Point2 PathFollower::point_ahead(double ahead_m) const {
+geometry::Point PathFollower::point_ahead(double ahead_m) const {
   double share = share_;
   for (std::size_t i = segment_; i + 1 < path_.size(); ++i) {
     const double length = length_m(i);
@@ -97,9 +97,9 @@ Point2 PathFollower::point_ahead(double ahead_m) const {
   return path_.back();
 }
 
-Velocity PathFollower::pursue(const Pose2& pose) {
-  const Point2 target = point_ahead(params_.lookahead_m);
-  const double error = wrap_angle(bearing(position(pose), target) - pose.yaw);
+geometry::Twist PathFollower::pursue(const geometry::Pose& pose) {
+  const geometry::Point target = point_ahead(params_.lookahead_m);
+  const double error = geometry::wrap_angle(bearing(position(pose), target) - pose.heading_rad);
   turning_ = std::abs(error) > (turning_ ? params_.turn_done_rad : params_.turn_in_place_rad);
   if (turning_) return turn(error);
   const double target_m = std::max(distance(position(pose), target), 0.05);
@@ -110,18 +110,19 @@ Velocity PathFollower::pursue(const Pose2& pose) {
   return {v, v * curvature};
 }
 
-Velocity PathFollower::turn(double error_rad) const {
+geometry::Twist PathFollower::turn(double error_rad) const {
   // Braking from the turn rate within the error keeps the heading from overshooting.
   const double rate = std::min({params_.turn_rate_radps, turn_gain_per_s * std::abs(error_rad),
                                 std::sqrt(params_.turn_acceleration_radps2 * std::abs(error_rad))});
   return {0, std::copysign(rate, error_rad)};
 }
 
-Velocity PathFollower::limited(const Velocity& wanted, Duration dt) {
+geometry::Twist PathFollower::limited(const geometry::Twist& wanted, Duration dt) {
   const double dt_s = std::clamp(to_seconds(dt), 0.0, 0.2);
-  velocity_.v_mps = step_towards(velocity_.v_mps, wanted.v_mps, params_.acceleration_mps2 * dt_s);
-  velocity_.w_radps =
-      step_towards(velocity_.w_radps, wanted.w_radps, params_.turn_acceleration_radps2 * dt_s);
+  velocity_.linear_mps =
+      step_towards(velocity_.linear_mps, wanted.linear_mps, params_.acceleration_mps2 * dt_s);
+  velocity_.angular_rad_s = step_towards(velocity_.angular_rad_s, wanted.angular_rad_s,
+                                         params_.turn_acceleration_radps2 * dt_s);
   return velocity_;
 }
 

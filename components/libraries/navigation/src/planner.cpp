@@ -158,7 +158,8 @@ class Planner::Search {
 
 namespace {
 
-std::optional<CellIndex> nearest_free(const CostMap& map, const Point2& p, double reach_m) {
+std::optional<CellIndex> nearest_free(const CostMap& map, const geometry::Point& p,
+                                      double reach_m) {
   const Grid& grid = map.grid();
   const auto middle = grid.cell_of(p);
   if (!middle || !map.blocked(*middle)) return middle;
@@ -178,7 +179,7 @@ std::optional<CellIndex> nearest_free(const CostMap& map, const Point2& p, doubl
 }
 
 /// Cost of the straight line, infinite when it crosses a blocked cell.
-double line_cost(const CostMap& map, const Point2& a, const Point2& b) {
+double line_cost(const CostMap& map, const geometry::Point& a, const geometry::Point& b) {
   const double length = distance(a, b);
   const int samples = std::max(1, static_cast<int>(length / (0.5 * map.grid().resolution_m)));
   double sum = 0;
@@ -191,7 +192,7 @@ double line_cost(const CostMap& map, const Point2& a, const Point2& b) {
 }
 
 /// Cost from the first point up to each.
-std::vector<double> running_costs(const CostMap& map, const Path& path) {
+std::vector<double> running_costs(const CostMap& map, const geometry::Path& path) {
   std::vector<double> sums{0};
   for (std::size_t i = 1; i < path.size(); ++i) {
     sums.push_back(sums.back() + line_cost(map, path[i - 1], path[i]));
@@ -201,8 +202,8 @@ std::vector<double> running_costs(const CostMap& map, const Path& path) {
 
 /// A far point that a straight line from `from` reaches at no more than 1 % extra cost. Looks ahead
 /// in strides that double after a success and halve after a failure.
-std::size_t farthest(const CostMap& map, const Path& path, const std::vector<double>& sums,
-                     std::size_t from) {
+std::size_t farthest(const CostMap& map, const geometry::Path& path,
+                     const std::vector<double>& sums, std::size_t from) {
   std::size_t best = from + 1;
   for (std::size_t stride = 32; stride > 0 && best + 1 < path.size();) {
     const std::size_t to = std::min(best + stride, path.size() - 1);
@@ -213,9 +214,9 @@ std::size_t farthest(const CostMap& map, const Path& path, const std::vector<dou
   return best;
 }
 
-Path straightened(const CostMap& map, const Path& path) {
+geometry::Path straightened(const CostMap& map, const geometry::Path& path) {
   const auto sums = running_costs(map, path);
-  Path result{path.front()};
+  geometry::Path result{path.front()};
   for (std::size_t i = 0; i + 1 < path.size();) {
     i = farthest(map, path, sums, i);
     result.push_back(path[i]);
@@ -224,7 +225,7 @@ Path straightened(const CostMap& map, const Path& path) {
 }
 
 /// Replaces an end by the exact point when that is not blocked itself.
-void pin(const CostMap& map, Point2& end, const Point2& exact) {
+void pin(const CostMap& map, geometry::Point& end, const geometry::Point& exact) {
   if (!map.blocked(exact)) end = exact;
 }
 
@@ -235,24 +236,25 @@ Planner::Planner(std::shared_ptr<const CostMap> map)
 
 Planner::~Planner() = default;
 
-std::optional<Path> Planner::plan(const Point2& start, const Point2& goal) {
+std::optional<geometry::Path> Planner::plan(const geometry::Point& start,
+                                            const geometry::Point& goal) {
   const CostMap& map = *map_;
   const auto from = nearest_free(map, start, start_reach_m);
   const auto to = nearest_free(map, goal, goal_reach_m);
   if (!from || !to) return std::nullopt;
   const auto cells = search_->run(*from, *to);
   if (cells.empty()) return std::nullopt;
-  Path path;
+  geometry::Path path;
   for (const CellIndex c : cells) path.push_back(map.grid().centre(c));
   if (path.size() == 1) path.push_back(path.front());
   pin(map, path.front(), start);
   pin(map, path.back(), goal);
-  Path result = straightened(map, path);
+  geometry::Path result = straightened(map, path);
   if (map.blocked(start)) result.insert(result.begin(), start);
   return result;
 }
 
-double length_m(const Path& path) {
+double length_m(const geometry::Path& path) {
   double sum = 0;
   for (std::size_t i = 1; i < path.size(); ++i) sum += distance(path[i - 1], path[i]);
   return sum;

@@ -33,13 +33,13 @@ Mission shipped(const std::string& name) {
 double plan_all(const OccupancyMap& map, const Mission& mission) {
   Planner sut(std::make_shared<const CostMap>(map, InflationParams{}));
   double worst_ms = 0;
-  Point2 from{0, 0};
-  for (const Pose2& waypoint : mission.waypoints) {
+  geometry::Point from{0, 0};
+  for (const geometry::Pose& waypoint : mission.waypoints) {
     const auto before = std::chrono::steady_clock::now();
     const auto path = sut.plan(from, position(waypoint));
     const std::chrono::duration<double, std::milli> took =
         std::chrono::steady_clock::now() - before;
-    EXPECT_TRUE(path) << waypoint.x << ", " << waypoint.y;
+    EXPECT_TRUE(path) << waypoint.x_m << ", " << waypoint.y_m;
     worst_ms = std::max(worst_ms, took.count());
     from = position(waypoint);
   }
@@ -65,15 +65,15 @@ TEST(Classroom, IsDrivenThroughWithoutTouchingAWall) {
   const auto map = classroom();
   Planner planner(std::make_shared<const CostMap>(map, InflationParams{}));
   PathFollower sut{{}};
-  Pose2 pose{0, 0, 0};
-  for (const Pose2& waypoint : shipped("mission_a").waypoints) {
+  geometry::Pose pose{0, 0, 0};
+  for (const geometry::Pose& waypoint : shipped("mission_a").waypoints) {
     const auto path = planner.plan(position(pose), position(waypoint));
     ASSERT_TRUE(path);
     sut.start(*path);
     for (int i = 0; i < 4000 && distance(position(pose), position(waypoint)) > 0.2; ++i) {
-      const Velocity v = sut.follow(pose, std::chrono::milliseconds(50));
-      pose = compose(pose, {v.v_mps * 0.05, 0, v.w_radps * 0.05});
-      ASSERT_FALSE(map.collides(pose.x, pose.y, 0.18)) << pose.x << ", " << pose.y;
+      const geometry::Twist v = sut.follow(pose, std::chrono::milliseconds(50));
+      pose = compose(pose, {v.linear_mps * 0.05, 0, v.angular_rad_s * 0.05});
+      ASSERT_FALSE(map.collides(pose.x_m, pose.y_m, 0.18)) << pose.x_m << ", " << pose.y_m;
     }
     EXPECT_LE(distance(position(pose), position(waypoint)), 0.2);
   }
@@ -133,7 +133,9 @@ TEST(ThesisMap, HasTheWaypointsThatWeRestated) {
     ASSERT_EQ(ours.waypoints.size(), theirs.waypoints.size());
     for (std::size_t i = 0; i < ours.waypoints.size(); ++i) {
       EXPECT_LT(distance(position(ours.waypoints[i]), position(theirs.waypoints[i])), 1e-3);
-      EXPECT_NEAR(wrap_angle(ours.waypoints[i].yaw - theirs.waypoints[i].yaw), 0, 1e-3);
+      EXPECT_NEAR(
+          geometry::wrap_angle(ours.waypoints[i].heading_rad - theirs.waypoints[i].heading_rad), 0,
+          1e-3);
     }
   }
 }

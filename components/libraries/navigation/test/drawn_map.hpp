@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/pose.hpp"
 #include "navigation/occupancy_map.hpp"
 #include "navigation/planner.hpp"
 
@@ -25,7 +26,8 @@ inline OccupancyMap drawn_map(const std::vector<std::string>& rows, double resol
 }
 
 /// A plan of a planner that made none before.
-inline std::optional<Path> plan(const CostMap& map, const Point2& start, const Point2& goal) {
+inline std::optional<geometry::Path> plan(const CostMap& map, const geometry::Point& start,
+                                          const geometry::Point& goal) {
   return Planner(std::make_shared<const CostMap>(map)).plan(start, goal);
 }
 

@@ -91,8 +91,8 @@ TEST(MapFromImage, TurnsTheGreysRoundWhenNegated) {
 
 TEST(MapFromImage, PutsTheLastImageRowAtTheOrigin) {
   const auto sut = map_from_image({1, 2, 255, {0, 254}}, {1.0, {10, 20}});
-  EXPECT_EQ(sut.at(Point2{10.5, 20.5}), Cell::free);
-  EXPECT_EQ(sut.at(Point2{10.5, 21.5}), Cell::occupied);
+  EXPECT_EQ(sut.at(geometry::Point{10.5, 20.5}), Cell::free);
+  EXPECT_EQ(sut.at(geometry::Point{10.5, 21.5}), Cell::occupied);
 }
 
 class LoadMap : public ::testing::Test {
@@ -121,8 +121,8 @@ TEST_F(LoadMap, ReadsYamlAndImage) {
   write("m.yaml", good_ + "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
   const auto sut = load_map(path());
   EXPECT_DOUBLE_EQ(sut.grid().resolution_m, 0.1);
-  EXPECT_EQ(sut.at(Point2{-0.95, 2.05}), Cell::free);
-  EXPECT_EQ(sut.at(Point2{-0.85, 2.05}), Cell::occupied);
+  EXPECT_EQ(sut.at(geometry::Point{-0.95, 2.05}), Cell::free);
+  EXPECT_EQ(sut.at(geometry::Point{-0.85, 2.05}), Cell::occupied);
 }
 
 TEST_F(LoadMap, CostsAreThoseOfTheMapWithTheParametersAskedFor) {

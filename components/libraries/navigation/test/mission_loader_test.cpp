@@ -53,11 +53,11 @@ TEST_F(LoadMission, ReadsAgainWhatHasChanged) {
   using std::filesystem::last_write_time;
   const std::string path = write("m.yaml", "waypoints: [{x: 1, y: 2}]");
   last_write_time(path, last_write_time(path) - std::chrono::hours(2));
-  EXPECT_EQ(load_mission(path).waypoints.at(0).x, 1);
-  EXPECT_EQ(load_mission(path).waypoints.at(0).x, 1);
+  EXPECT_EQ(load_mission(path).waypoints.at(0).x_m, 1);
+  EXPECT_EQ(load_mission(path).waypoints.at(0).x_m, 1);
   write("m.yaml", "waypoints: [{x: 3, y: 2}]");
   last_write_time(path, last_write_time(path) - std::chrono::hours(1));
-  EXPECT_EQ(load_mission(path).waypoints.at(0).x, 3);
+  EXPECT_EQ(load_mission(path).waypoints.at(0).x_m, 3);
 }
 
 TEST_F(LoadMission, ReadsOurYaml) {
@@ -66,9 +66,9 @@ TEST_F(LoadMission, ReadsOurYaml) {
                            "  - {x: 1.5, y: -2, yaw: 0.3}\n  - {x: 0, y: 4}\n");
   EXPECT_EQ(sut.name, "patrol");
   ASSERT_EQ(sut.waypoints.size(), 2u);
-  EXPECT_DOUBLE_EQ(sut.waypoints[0].y, -2);
-  EXPECT_DOUBLE_EQ(sut.waypoints[0].yaw, 0.3);
-  EXPECT_DOUBLE_EQ(sut.waypoints[1].yaw, 0);
+  EXPECT_DOUBLE_EQ(sut.waypoints[0].y_m, -2);
+  EXPECT_DOUBLE_EQ(sut.waypoints[0].heading_rad, 0.3);
+  EXPECT_DOUBLE_EQ(sut.waypoints[1].heading_rad, 0);
 }
 
 TEST_F(LoadMission, IsNamedAfterItsFileWhenItHasNoName) {
@@ -79,9 +79,9 @@ TEST_F(LoadMission, ReadsTheThesisJsonLines) {
   const Mission sut = load("mission_a.jsonl", line_ + "\n\n" + line_ + "\r\n");
   EXPECT_EQ(sut.name, "mission_a");
   ASSERT_EQ(sut.waypoints.size(), 2u);
-  EXPECT_DOUBLE_EQ(sut.waypoints[1].x, -0.5);
-  EXPECT_DOUBLE_EQ(sut.waypoints[1].y, 1.25);
-  EXPECT_NEAR(sut.waypoints[1].yaw, pi / 3, 1e-5);
+  EXPECT_DOUBLE_EQ(sut.waypoints[1].x_m, -0.5);
+  EXPECT_DOUBLE_EQ(sut.waypoints[1].y_m, 1.25);
+  EXPECT_NEAR(sut.waypoints[1].heading_rad, pi / 3, 1e-5);
 }
 
 TEST_F(LoadMission, NamesLineAndKeyOfABadJsonLine) {

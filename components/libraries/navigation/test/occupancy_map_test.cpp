@@ -46,12 +46,12 @@ TEST(Grid, CentreLiesInItsOwnCell) {
 }
 
 TEST(OccupancyMap, TellsWhatIsAtAPlace) {
-  EXPECT_EQ(room.at(Point2{1.5, 1.5}), Cell::free);
-  EXPECT_EQ(room.at(Point2{0.5, 1.5}), Cell::occupied);
-  EXPECT_EQ(room.at(Point2{3.5, 2.5}), Cell::unknown);
+  EXPECT_EQ(room.at(geometry::Point{1.5, 1.5}), Cell::free);
+  EXPECT_EQ(room.at(geometry::Point{0.5, 1.5}), Cell::occupied);
+  EXPECT_EQ(room.at(geometry::Point{3.5, 2.5}), Cell::unknown);
 }
 
-TEST(OccupancyMap, IsUnknownOutside) { EXPECT_EQ(room.at(Point2{-1, 1}), Cell::unknown); }
+TEST(OccupancyMap, IsUnknownOutside) { EXPECT_EQ(room.at(geometry::Point{-1, 1}), Cell::unknown); }
 
 TEST(Raycast, MeasuresTheDistanceToTheWallAlongEachAxis) {
   EXPECT_NEAR(room.raycast({2.5, 1.5}, 0, 10).value(), 2.5, 1e-9);
@@ -68,7 +68,8 @@ TEST(Raycast, AgreesWithAFineWalkInAllDirections) {
   for (double bearing_rad = -3.1; bearing_rad < 3.1; bearing_rad += 0.1) {
     double walked_m = 0;
     const auto at = [&] {
-      return Point2{1.3 + walked_m * std::cos(bearing_rad), 2.2 + walked_m * std::sin(bearing_rad)};
+      return geometry::Point{1.3 + walked_m * std::cos(bearing_rad),
+                             2.2 + walked_m * std::sin(bearing_rad)};
     };
     while (room.at(at()) != Cell::occupied) walked_m += 1e-4;
     EXPECT_NEAR(room.raycast({1.3, 2.2}, bearing_rad, 10).value(), walked_m, 2e-4) << bearing_rad;

@@ -15,24 +15,24 @@ using namespace std::chrono_literals;
 constexpr Duration tick = 50ms;
 
 /// A robot that does at once what it is told.
-Pose2 moved(const Pose2& pose, const Velocity& velocity) {
+geometry::Pose moved(const geometry::Pose& pose, const geometry::Twist& velocity) {
   const double dt_s = to_seconds(tick);
-  const double yaw = pose.yaw + velocity.w_radps * dt_s / 2;
-  return {pose.x + velocity.v_mps * dt_s * std::cos(yaw),
-          pose.y + velocity.v_mps * dt_s * std::sin(yaw),
-          wrap_angle(pose.yaw + velocity.w_radps * dt_s)};
+  const double yaw = pose.heading_rad + velocity.angular_rad_s * dt_s / 2;
+  return {pose.x_m + velocity.linear_mps * dt_s * std::cos(yaw),
+          pose.y_m + velocity.linear_mps * dt_s * std::sin(yaw),
+          geometry::wrap_angle(pose.heading_rad + velocity.angular_rad_s * dt_s)};
 }
 
 struct Drive {
-  std::vector<Pose2> poses;
-  std::vector<Velocity> velocities;
+  std::vector<geometry::Pose> poses;
+  std::vector<geometry::Twist> velocities;
   double worst_deviation_m = 0;
 };
 
-Drive drive(PathFollower& sut, Pose2 pose, double until_m, int most_ticks = 2000) {
+Drive drive(PathFollower& sut, geometry::Pose pose, double until_m, int most_ticks = 2000) {
   Drive result;
   for (int i = 0; i < most_ticks; ++i) {
-    const Velocity velocity = sut.follow(pose, tick);
+    const geometry::Twist velocity = sut.follow(pose, tick);
     result.worst_deviation_m = std::max(result.worst_deviation_m, sut.deviation_m());
     pose = moved(pose, velocity);
     result.poses.push_back(pose);
@@ -53,8 +53,8 @@ TEST(PathFollower, ReachesTheEndOfAStraightPath) {
 TEST(PathFollower, ReachesTheEndOfPathsInEveryDirection) {
   for (double direction = -3.1; direction <= 3.1; direction += 0.2) {
     PathFollower sut{{}};
-    const Point2 corner{2 * std::cos(direction), 2 * std::sin(direction)};
-    sut.start({{0, 0}, corner, {corner.x + 1, corner.y + 1}});
+    const geometry::Point corner{2 * std::cos(direction), 2 * std::sin(direction)};
+    sut.start({{0, 0}, corner, {corner.x_m + 1, corner.y_m + 1}});
     const Drive run = drive(sut, {0, 0, 0.4}, 0.1);
     EXPECT_LE(distance(position(run.poses.back()), sut.path().back()), 0.1) << direction;
     EXPECT_LE(run.worst_deviation_m, 0.25) << direction;
@@ -82,19 +82,19 @@ TEST(PathFollower, KeepsItsSpeedAndTurnLimits) {
   params.turn_rate_radps = 0.8;
   PathFollower sut{params};
   sut.start({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 4}});
-  for (const Velocity& velocity : drive(sut, {0, 0, 2}, 0.1).velocities) {
-    EXPECT_LE(std::abs(velocity.v_mps), 0.4 + 1e-9);
-    EXPECT_LE(std::abs(velocity.w_radps), 0.8 + 1e-9);
+  for (const geometry::Twist& velocity : drive(sut, {0, 0, 2}, 0.1).velocities) {
+    EXPECT_LE(std::abs(velocity.linear_mps), 0.4 + 1e-9);
+    EXPECT_LE(std::abs(velocity.angular_rad_s), 0.8 + 1e-9);
   }
 }
 
 TEST(PathFollower, KeepsItsAccelerationLimits) {
   PathFollower sut{{}};
   sut.start({{0, 0}, {2, 0}, {2, 2}});
-  Velocity last;
-  for (const Velocity& velocity : drive(sut, {0, 0, 2}, 0.1).velocities) {
-    EXPECT_LE(std::abs(velocity.v_mps - last.v_mps), 0.5 * 0.05 + 1e-9);
-    EXPECT_LE(std::abs(velocity.w_radps - last.w_radps), 3.0 * 0.05 + 1e-9);
+  geometry::Twist last;
+  for (const geometry::Twist& velocity : drive(sut, {0, 0, 2}, 0.1).velocities) {
+    EXPECT_LE(std::abs(velocity.linear_mps - last.linear_mps), 0.5 * 0.05 + 1e-9);
+    EXPECT_LE(std::abs(velocity.angular_rad_s - last.angular_rad_s), 3.0 * 0.05 + 1e-9);
     last = velocity;
   }
 }
@@ -103,13 +103,13 @@ TEST(PathFollower, ReachesItsTopSpeedOnALongStraight) {
   PathFollower sut{{}};
   sut.start({{0, 0}, {5, 0}});
   const Drive run = drive(sut, {0, 0, 0}, 0.05);
-  EXPECT_NEAR(run.velocities[run.velocities.size() / 2].v_mps, 0.5, 1e-9);
+  EXPECT_NEAR(run.velocities[run.velocities.size() / 2].linear_mps, 0.5, 1e-9);
 }
 
 TEST(PathFollower, SlowsBeforeTheEnd) {
   PathFollower sut{{}};
   sut.start({{0, 0}, {5, 0}});
-  EXPECT_LT(drive(sut, {0, 0, 0}, 0.05).velocities.back().v_mps, 0.25);
+  EXPECT_LT(drive(sut, {0, 0, 0}, 0.05).velocities.back().linear_mps, 0.25);
 }
 
 TEST(PathFollower, SlowsInTurns) {
@@ -118,7 +118,7 @@ TEST(PathFollower, SlowsInTurns) {
   double slowest = 1;
   const Drive run = drive(sut, {0, 0, 0}, 1.5);
   for (std::size_t i = 40; i < run.velocities.size(); ++i) {
-    slowest = std::min(slowest, run.velocities[i].v_mps);
+    slowest = std::min(slowest, run.velocities[i].linear_mps);
   }
   EXPECT_LT(slowest, 0.4);
 }
@@ -126,32 +126,32 @@ TEST(PathFollower, SlowsInTurns) {
 TEST(PathFollower, TurnsInPlaceWhenTheHeadingIsFarOff) {
   PathFollower sut{{}};
   sut.start({{0, 0}, {5, 0}});
-  const Velocity beyond = sut.follow({0, 0, 0.91}, tick);
-  EXPECT_DOUBLE_EQ(beyond.v_mps, 0);
-  EXPECT_LT(beyond.w_radps, 0);
+  const geometry::Twist beyond = sut.follow({0, 0, 0.91}, tick);
+  EXPECT_DOUBLE_EQ(beyond.linear_mps, 0);
+  EXPECT_LT(beyond.angular_rad_s, 0);
 }
 
 TEST(PathFollower, DrivesWhenTheHeadingIsLessOff) {
   PathFollower sut{{}};
   sut.start({{0, 0}, {5, 0}});
-  EXPECT_GT(sut.follow({0, 0, 0.89}, tick).v_mps, 0);
+  EXPECT_GT(sut.follow({0, 0, 0.89}, tick).linear_mps, 0);
 }
 
 TEST(PathFollower, GoesOnTurningUntilTheHeadingIsGood) {
   PathFollower sut{{}};
   sut.start({{0, 0}, {5, 0}});
   (void)sut.follow({0, 0, 1.0}, tick);
-  EXPECT_DOUBLE_EQ(sut.follow({0, 0, 0.26}, tick).v_mps, 0);
-  EXPECT_GT(sut.follow({0, 0, 0.24}, tick).v_mps, 0);
+  EXPECT_DOUBLE_EQ(sut.follow({0, 0, 0.26}, tick).linear_mps, 0);
+  EXPECT_GT(sut.follow({0, 0, 0.24}, tick).linear_mps, 0);
 }
 
 TEST(PathFollower, TurnsTheShorterWayRound) {
   PathFollower left{{}};
   left.start({{0, 0}, {-5, 0}});
-  EXPECT_GT(left.follow({0, 0, 2.0}, tick).w_radps, 0);
+  EXPECT_GT(left.follow({0, 0, 2.0}, tick).angular_rad_s, 0);
   PathFollower right{{}};
   right.start({{0, 0}, {-5, 0}});
-  EXPECT_LT(right.follow({0, 0, -2.0}, tick).w_radps, 0);
+  EXPECT_LT(right.follow({0, 0, -2.0}, tick).angular_rad_s, 0);
 }
 
 TEST(PathFollower, TellsWhatRemainsAndHowFarItIsBeside) {
@@ -180,39 +180,39 @@ TEST(PathFollower, BrakesWithinTheLimit) {
   PathFollower sut{{}};
   sut.start({{0, 0}, {5, 0}});
   for (int i = 0; i < 20; ++i) (void)sut.follow({1, 0, 0}, tick);
-  ASSERT_NEAR(sut.velocity().v_mps, 0.5, 1e-9);
-  EXPECT_NEAR(sut.brake(tick).v_mps, 0.475, 1e-9);
+  ASSERT_NEAR(sut.velocity().linear_mps, 0.5, 1e-9);
+  EXPECT_NEAR(sut.brake(tick).linear_mps, 0.475, 1e-9);
 }
 
 TEST(PathFollower, HaltsAtOnce) {
   PathFollower sut{{}};
   sut.start({{0, 0}, {5, 0}});
   for (int i = 0; i < 20; ++i) (void)sut.follow({1, 0, 0}, tick);
-  EXPECT_EQ(sut.halt().v_mps, 0);
-  EXPECT_EQ(sut.velocity().v_mps, 0);
+  EXPECT_EQ(sut.halt().linear_mps, 0);
+  EXPECT_EQ(sut.velocity().linear_mps, 0);
 }
 
 TEST(PathFollower, BacksUpStraight) {
   PathFollower sut{{}};
-  Velocity velocity;
+  geometry::Twist velocity;
   for (int i = 0; i < 10; ++i) velocity = sut.back_up(tick);
-  EXPECT_NEAR(velocity.v_mps, -0.1, 1e-9);
-  EXPECT_EQ(velocity.w_radps, 0);
+  EXPECT_NEAR(velocity.linear_mps, -0.1, 1e-9);
+  EXPECT_EQ(velocity.angular_rad_s, 0);
 }
 
 TEST(PathFollower, TreatsALongPauseLikeAShortOne) {
   PathFollower sut{{}};
   sut.start({{0, 0}, {5, 0}});
-  EXPECT_NEAR(sut.follow({0, 0, 0}, 10s).v_mps, 0.5 * 0.2, 1e-9);
-  EXPECT_NEAR(sut.follow({0, 0, 0}, -1s).v_mps, 0.5 * 0.2, 1e-9);
+  EXPECT_NEAR(sut.follow({0, 0, 0}, 10s).linear_mps, 0.5 * 0.2, 1e-9);
+  EXPECT_NEAR(sut.follow({0, 0, 0}, -1s).linear_mps, 0.5 * 0.2, 1e-9);
 }
 
 TEST(PathFollower, TurnsToAHeadingOnTheSpot) {
   PathFollower sut{{}};
-  Pose2 pose{0, 0, 0};
+  geometry::Pose pose{0, 0, 0};
   for (int i = 0; i < 100; ++i) pose = moved(pose, sut.turn_to(pose, 2.0, tick));
-  EXPECT_NEAR(pose.yaw, 2.0, 0.02);
-  EXPECT_EQ(pose.x, 0);
+  EXPECT_NEAR(pose.heading_rad, 2.0, 0.02);
+  EXPECT_EQ(pose.x_m, 0);
 }
 
 TEST(PathFollower, AcceptsAPathOfOnePoint) {

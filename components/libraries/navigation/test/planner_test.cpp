@@ -22,32 +22,33 @@ OccupancyMap floor_with_wall(double gap_m) {
   return {grid, cells};
 }
 
-double clearance_m(const OccupancyMap& map, const Path& path) {
+double clearance_m(const OccupancyMap& map, const geometry::Path& path) {
   double least_m = 10;
   for (std::size_t i = 1; i < path.size(); ++i) {
     for (double t = 0; t <= 1; t += 0.01) {
-      const Point2 p = between(path[i - 1], path[i], t);
-      while (map.collides(p.x, p.y, least_m)) least_m -= 0.005;
+      const geometry::Point p = between(path[i - 1], path[i], t);
+      while (map.collides(p.x_m, p.y_m, least_m)) least_m -= 0.005;
     }
   }
   return least_m;
 }
 
-void expect_equal(const std::optional<Path>& path, const std::optional<Path>& other) {
+void expect_equal(const std::optional<geometry::Path>& path,
+                  const std::optional<geometry::Path>& other) {
   ASSERT_EQ(path.has_value(), other.has_value());
   if (!path) return;
   ASSERT_EQ(path->size(), other->size());
   for (std::size_t i = 0; i < path->size(); ++i) {
-    EXPECT_EQ((*path)[i].x, (*other)[i].x);
-    EXPECT_EQ((*path)[i].y, (*other)[i].y);
+    EXPECT_EQ((*path)[i].x_m, (*other)[i].x_m);
+    EXPECT_EQ((*path)[i].y_m, (*other)[i].y_m);
   }
 }
 
 TEST(CostMap, BlocksRadiusAndMarginAroundAWall) {
   const CostMap sut(floor_with_wall(1), {0.18, 0.07, 0.6, 3});
-  EXPECT_TRUE(sut.blocked(Point2{4.025, 1}));
-  EXPECT_TRUE(sut.blocked(Point2{4.275, 1}));
-  EXPECT_FALSE(sut.blocked(Point2{4.325, 1}));
+  EXPECT_TRUE(sut.blocked(geometry::Point{4.025, 1}));
+  EXPECT_TRUE(sut.blocked(geometry::Point{4.275, 1}));
+  EXPECT_FALSE(sut.blocked(geometry::Point{4.325, 1}));
 }
 
 TEST(CostMap, FallsToThePlainCostAtTheSoftRadius) {
@@ -62,10 +63,10 @@ TEST(CostMap, FallsToThePlainCostAtTheSoftRadius) {
 
 TEST(CostMap, BlocksUnknownCellsAndTheOutside) {
   const CostMap sut(drawn_map({"....", ".?..", "...."}), no_inflation);
-  EXPECT_FALSE(sut.blocked(Point2{2.5, 1.5}));
-  EXPECT_TRUE(sut.blocked(Point2{1.5, 1.5}));
-  EXPECT_TRUE(sut.blocked(Point2{3.5, 1.5}));
-  EXPECT_TRUE(sut.blocked(Point2{4.5, 1.5}));
+  EXPECT_FALSE(sut.blocked(geometry::Point{2.5, 1.5}));
+  EXPECT_TRUE(sut.blocked(geometry::Point{1.5, 1.5}));
+  EXPECT_TRUE(sut.blocked(geometry::Point{3.5, 1.5}));
+  EXPECT_TRUE(sut.blocked(geometry::Point{4.5, 1.5}));
   EXPECT_TRUE(sut.blocked(CellIndex{-1, 0}));
 }
 
@@ -73,9 +74,9 @@ TEST(CostMap, InflatesASolidBlockLikeItsRim) {
   const auto map =
       drawn_map({"........", "........", "...###..", "...###..", "...###..", "........"});
   const CostMap sut(map, {1.0, 0.0, 0.0, 0.0});
-  EXPECT_TRUE(sut.blocked(Point2{4.5, 2.5}));
-  EXPECT_TRUE(sut.blocked(Point2{2.5, 2.5}));
-  EXPECT_FALSE(sut.blocked(Point2{1.5, 2.5}));
+  EXPECT_TRUE(sut.blocked(geometry::Point{4.5, 2.5}));
+  EXPECT_TRUE(sut.blocked(geometry::Point{2.5, 2.5}));
+  EXPECT_FALSE(sut.blocked(geometry::Point{1.5, 2.5}));
 }
 
 TEST(Plan, IsAStraightLineInTheOpen) {
@@ -83,15 +84,15 @@ TEST(Plan, IsAStraightLineInTheOpen) {
   const auto path = plan(map, {1, 1}, {8.03, 3.33});
   ASSERT_TRUE(path);
   ASSERT_EQ(path->size(), 2u);
-  EXPECT_NEAR(length_m(*path), distance({1, 1}, {8.03, 3.33}), 1e-9);
+  EXPECT_NEAR(length_m(*path), geometry::distance({1, 1}, {8.03, 3.33}), 1e-9);
 }
 
 TEST(Plan, BeginsAndEndsAtTheExactPoints) {
   const CostMap map(open_floor(200, 100), {});
   const auto path = plan(map, {1.013, 1.027}, {2.041, 1.999});
   ASSERT_TRUE(path);
-  EXPECT_DOUBLE_EQ(path->front().x, 1.013);
-  EXPECT_DOUBLE_EQ(path->back().y, 1.999);
+  EXPECT_DOUBLE_EQ(path->front().x_m, 1.013);
+  EXPECT_DOUBLE_EQ(path->back().y_m, 1.999);
 }
 
 TEST(Plan, GoesRoundAWallWithClearance) {
@@ -122,16 +123,16 @@ TEST(Plan, FindsNoWayThroughAGapThatIsTooNarrow) {
 TEST(Plan, DoesNotSqueezeBetweenDiagonalWalls) {
   const CostMap map(drawn_map({".......", "...#...", "...#...", ".##....", ".......", "......."}),
                     no_inflation);
-  ASSERT_FALSE(map.blocked(Point2{1.5, 3.5}) || map.blocked(Point2{4.5, 1.5}));
+  ASSERT_FALSE(map.blocked(geometry::Point{1.5, 3.5}) || map.blocked(geometry::Point{4.5, 1.5}));
   EXPECT_FALSE(plan(map, {1.5, 3.5}, {4.5, 1.5}));
 }
 
 TEST(Plan, LeavesAStartThatIsTooNearToAWall) {
   const CostMap map(floor_with_wall(1.2), {});
-  ASSERT_TRUE(map.blocked(Point2{4.15, 1}));
+  ASSERT_TRUE(map.blocked(geometry::Point{4.15, 1}));
   const auto path = plan(map, {4.15, 1}, {6, 1});
   ASSERT_TRUE(path);
-  EXPECT_DOUBLE_EQ(path->front().x, 4.15);
+  EXPECT_DOUBLE_EQ(path->front().x_m, 4.15);
   EXPECT_GE(path->size(), 3u);
 }
 
@@ -172,9 +173,10 @@ TEST(Planner, PlansAsIfItHadPlannedNothingBefore) {
   for (int row = 0; row < 80; ++row) cells[floor.grid().offset({130, row})] = Cell::occupied;
   const CostMap map({floor.grid(), cells}, {});
   Planner sut(std::make_shared<const CostMap>(map));
-  const std::vector<Point2> places{{3, 0.5}, {5, 0.5}, {1, 3}, {7.5, 2}, {5.5, 3}, {0.5, 0.5}};
-  for (const Point2& start : places) {
-    for (const Point2& goal : places) {
+  const std::vector<geometry::Point> places{{3, 0.5}, {5, 0.5}, {1, 3},
+                                            {7.5, 2}, {5.5, 3}, {0.5, 0.5}};
+  for (const geometry::Point& start : places) {
+    for (const geometry::Point& goal : places) {
       expect_equal(sut.plan(start, goal), plan(map, start, goal));  // none over the second wall
     }
   }
@@ -183,7 +185,8 @@ TEST(Planner, PlansAsIfItHadPlannedNothingBefore) {
 TEST(Plan, IsNotLongerThanTheShortestPathRoundTheCorner) {
   const auto path = plan(CostMap(floor_with_wall(1.0), {0.18, 0.07, 0.0, 0.0}), {3, 2}, {5, 2});
   ASSERT_TRUE(path);
-  const double shortest_m = distance({3, 2}, {3.8, 3.2}) + 0.45 + distance({4.25, 3.2}, {5, 2});
+  const double shortest_m =
+      geometry::distance({3, 2}, {3.8, 3.2}) + 0.45 + geometry::distance({4.25, 3.2}, {5, 2});
   EXPECT_LT(length_m(*path), shortest_m * 1.05);
 }
 

@@ -17,26 +17,6 @@
 namespace tocsin::radio {
 namespace {
 
-double number(const YAML::Node& node, const std::string& path) {
-  double value = 0;
-  if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value)) {
-    throw ConfigError("walls: not a finite number" + yaml_place(path, node));
-  }
-  return value;
-}
-
-Wall wall_from(const YAML::Node& node, const std::string& path) {
-  if (!node.IsSequence() || node.size() != 5) {
-    throw ConfigError("walls: a wall is [x1, y1, x2, y2, loss_db]" + yaml_place(path, node));
-  }
-  const Wall wall{number(node[0], path), number(node[1], path), number(node[2], path),
-                  number(node[3], path), number(node[4], path)};
-  if (wall.loss_db < 0 || wall.loss_db > 100) {
-    throw ConfigError("walls: loss_db is outside [0, 100]" + yaml_place(path, node));
-  }
-  return wall;
-}
-
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   std::istringstream text(line.substr(0, line.find('\r')));
@@ -60,16 +40,6 @@ std::size_t column_of(const std::vector<std::string>& head, const char* name,
                       ":1)");
   }
   return static_cast<std::size_t>(found - head.begin());
-}
-
-std::vector<Wall> read_walls(const std::string& path) {
-  const YAML::Node file = read_yaml_file(path);
-  if (!file.IsMap() || !file["walls"] || !file["walls"].IsSequence()) {
-    throw ConfigError("walls: the file has no list of that name" + yaml_place(path, file));
-  }
-  std::vector<Wall> walls;
-  for (const YAML::Node& node : file["walls"]) walls.push_back(wall_from(node, path));
-  return walls;
 }
 
 ChannelParams read_channel(const std::string& path) {
@@ -116,11 +86,6 @@ ChannelParams load_channel(const std::string& path) {
         known_traces.get(trace, [&] { return std::make_shared<const Trace>(load_trace(trace)); });
   }
   return params;
-}
-
-std::vector<Wall> load_walls(const std::string& path) {
-  static FileCache<std::vector<Wall>> known;
-  return known.get(path, [&] { return read_walls(path); });
 }
 
 }  // namespace tocsin::radio

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/wall.hpp"
 #include "radio_channel/random.hpp"
 
 namespace tocsin::radio {
@@ -20,28 +21,10 @@ double log_distance_db(const ChannelParams& p, double distance_m) {
          10 * p.exponent_far * std::log10(d / near);
 }
 
-struct Point {
-  double x;
-  double y;
-};
-
-/// Twice the signed area of the triangle: which side of a-b the point c lies on.
-double side(Point a, Point b, Point c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 }  // namespace
 
-bool crosses(const Wall& wall, double ax_m, double ay_m, double bx_m, double by_m) {
-  const Point a{ax_m, ay_m};
-  const Point b{bx_m, by_m};
-  const Point from{wall.x1_m, wall.y1_m};
-  const Point to{wall.x2_m, wall.y2_m};
-  return side(from, to, a) * side(from, to, b) < 0 && side(a, b, from) * side(a, b, to) < 0;
-}
-
-Propagation::Propagation(const ChannelParams& params, std::vector<Wall> walls, std::uint64_t seed,
-                         Time start)
+Propagation::Propagation(const ChannelParams& params, std::vector<geometry::Wall> walls,
+                         std::uint64_t seed, Time start)
     : params_(params),
       walls_(std::move(walls)),
       shadowing_(params.shadowing_sigma_db, params.shadowing_distance_m, seed),
@@ -63,10 +46,9 @@ void Propagation::follow(Time now) {
 
 double Propagation::wall_loss_db() const {
   double sum = 0;
-  for (const Wall& wall : walls_) {
-    if (crosses(wall, params_.access_point_x_m, params_.access_point_y_m, x_m_, y_m_)) {
-      sum += wall.loss_db;
-    }
+  const geometry::Point access_point{params_.access_point_x_m, params_.access_point_y_m};
+  for (const geometry::Wall& wall : walls_) {
+    if (crosses(wall, access_point, {x_m_, y_m_})) sum += wall.loss_db;
   }
   return sum;
 }

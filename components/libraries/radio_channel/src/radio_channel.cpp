@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/wall.hpp"
+
 namespace tocsin::radio {
 namespace {
 
@@ -20,8 +22,8 @@ int link_quality(double rssi_dbm) {
   return static_cast<int>(std::lround(std::clamp(rssi_dbm, -110.0, -40.0))) + 110;
 }
 
-RadioChannel::RadioChannel(const ChannelParams& params, std::vector<Wall> walls, std::uint64_t seed,
-                           Time start)
+RadioChannel::RadioChannel(const ChannelParams& params, std::vector<geometry::Wall> walls,
+                           std::uint64_t seed, Time start)
     : params_(params),
       has_mac_(params.mode == "radio"),
       wire_delay_(seconds(params.wire_delay_s)),

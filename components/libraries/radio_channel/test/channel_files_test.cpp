@@ -11,6 +11,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
+#include "geometry/wall_file.hpp"
 
 namespace tocsin::radio {
 namespace {
@@ -103,23 +104,6 @@ TEST(ChannelFile, NamesKeyValueAndRange) {
   EXPECT_THROW((void)load_channel("/does/not/exist.yaml"), ConfigError);
 }
 
-TEST(WallsFile, ReadsSegments) {
-  const auto sut = load_walls(written("# c\nwalls:\n  - [1, 2, 3, 4, 6.9]\n  - [0, 0, 1, 0, 0]"));
-  ASSERT_EQ(sut.size(), 2u);
-  EXPECT_EQ(sut[0].x1_m, 1);
-  EXPECT_EQ(sut[0].y2_m, 4);
-  EXPECT_EQ(sut[0].loss_db, 6.9);
-}
-
-TEST(WallsFile, RejectsWhatIsNoWall) {
-  EXPECT_THAT(error_of(load_walls, "walls:\n  - [1, 2, 3, 4]"), HasSubstr("a wall is [x1"));
-  EXPECT_THAT(error_of(load_walls, "walls: [[1, 2, 3, x, 5]]"), HasSubstr("finite number"));
-  EXPECT_THAT(error_of(load_walls, "walls: [[1, 2, 3, .nan, 5]]"), HasSubstr("finite number"));
-  EXPECT_THAT(error_of(load_walls, "walls: [[1, 2, 3, 4, -1]]"), HasSubstr("[0, 100]"));
-  EXPECT_THAT(error_of(load_walls, "walls: 3"), HasSubstr("no list"));
-  EXPECT_THAT(error_of(load_walls, "[1]"), HasSubstr("no list"));
-}
-
 TEST(Readme, ShowsTheParametersAsTheyAre) {
   std::ostringstream readme;
   readme << std::ifstream(TOCSIN_SOURCE_DIR "/README.md").rdbuf();
@@ -132,7 +116,7 @@ TEST(ShippedFiles, AllLoad) {
                            "thesis_b", "weak_a", "weak_b", "replay"}) {
     EXPECT_NO_THROW((void)load_channel(config + "radio/" + name + ".yaml")) << name;
   }
-  EXPECT_GT(load_walls(config + "maps/classroom.walls.yaml").size(), 5u);
+  EXPECT_GT(geometry::load_walls(config + "maps/classroom.walls.yaml").size(), 5u);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "geometry/wall_file.hpp"
 #include "link_simulation.hpp"
 #include "radio_channel/channel_files.hpp"
 
@@ -53,7 +54,7 @@ class MissionRun {
   MissionRun(unsigned seed, bool camera)
       : camera_(camera),
         channel_(load_channel(file("radio/classroom.yaml")),
-                 load_walls(file("maps/classroom.walls.yaml")), seed, Time{}) {}
+                 geometry::load_walls(file("maps/classroom.walls.yaml")), seed, Time{}) {}
 
   std::vector<Sample> play() {
     const auto path = walk();

@@ -5,11 +5,13 @@
 
 #include <cmath>
 
+#include "geometry/wall.hpp"
+
 namespace tocsin::radio {
 namespace {
 
 constexpr Time t0{};
-const Wall wall{2, -1, 2, 1, 6.9};  // between x < 2 and x > 2, for |y| < 1
+const geometry::Wall wall{2, -1, 2, 1, 6.9};  // between x < 2 and x > 2, for |y| < 1
 
 ChannelParams plain() {
   ChannelParams params;
@@ -19,18 +21,11 @@ ChannelParams plain() {
   return params;
 }
 
-double loss_at(const ChannelParams& params, const std::vector<Wall>& walls, double x, double y) {
+double loss_at(const ChannelParams& params, const std::vector<geometry::Wall>& walls, double x,
+               double y) {
   Propagation sut(params, walls, 1, t0);
   sut.set_position(x, y);
   return sut.path_loss_db();
-}
-
-TEST(Crossing, NeedsBothSegmentsToBeCut) {
-  EXPECT_TRUE(crosses(wall, 0, 0, 4, 0));
-  EXPECT_FALSE(crosses(wall, 0, 0, 1.9, 0));
-  EXPECT_FALSE(crosses(wall, 0, 1.1, 4, 1.1));
-  EXPECT_TRUE(crosses(wall, 0, 0.99, 4, 0.99));
-  EXPECT_FALSE(crosses(wall, 0, 0, 2, 0));  // ends on the wall
 }
 
 TEST(PathLoss, FollowsTwoExponents) {
@@ -45,7 +40,7 @@ TEST(PathLoss, DoesNotFallBelowOneMetre) {
 }
 
 TEST(PathLoss, AddsEveryWallThatIsCrossed) {
-  const Wall second{3, -1, 3, 1, 3.4};
+  const geometry::Wall second{3, -1, 3, 1, 3.4};
   const double clear = loss_at(plain(), {}, 4, 0);
   EXPECT_NEAR(loss_at(plain(), {wall, second}, 4, 0), clear + 10.3, 1e-9);
   EXPECT_NEAR(loss_at(plain(), {wall, second}, 2.5, 0), loss_at(plain(), {}, 2.5, 0) + 6.9, 1e-9);

@@ -106,7 +106,7 @@ std::string set(SimulatedBase& base, std::istringstream& words) {
 }
 
 std::string place(SimulatedBase& base, std::istringstream& words) {
-  Pose pose;
+  geometry::Pose pose;
   if (!(words >> pose.x_m >> pose.y_m >> pose.heading_rad)) return "error: place X Y YAW";
   base.model().place(pose);
   return "ok";

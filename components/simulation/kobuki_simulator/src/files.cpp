@@ -13,35 +13,6 @@
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::kobuki {
-namespace {
-
-Wall parse_wall(const YAML::Node& node, const std::string& path) {
-  std::vector<double> numbers;
-  if (node.IsSequence()) {
-    for (const YAML::Node& item : node) {
-      double number = NAN;
-      if (item.IsScalar() && YAML::convert<double>::decode(item, number) && std::isfinite(number)) {
-        numbers.push_back(number);
-      }
-    }
-  }
-  if (numbers.size() != 5 || node.size() != 5) {
-    throw ConfigError("walls: an entry must be [x1, y1, x2, y2, loss_db]" + yaml_place(path, node));
-  }
-  return {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
-}
-
-}  // namespace
-
-std::vector<Wall> load_walls(const std::string& path) {
-  const YAML::Node file = read_yaml_file(path);
-  const YAML::Node list = file.IsMap() ? file["walls"] : YAML::Node();
-  if (!list.IsSequence()) throw ConfigError("walls: must be a list (" + path + ")");
-  std::vector<Wall> walls;
-  for (const YAML::Node& entry : list) walls.push_back(parse_wall(entry, path));
-  return walls;
-}
-
 Settings load_settings(const std::string& path) {
   const YAML::Node file = read_yaml_file(path);
   if (!file.IsMap()) throw ConfigError("kobuki_simulator: must be a map (" + path + ")");
@@ -62,8 +33,8 @@ std::string load_text(const std::string& path) {
   return text;
 }
 
-Pose parse_pose(const std::string& name, const std::string& text) {
-  Pose pose;
+geometry::Pose parse_pose(const std::string& name, const std::string& text) {
+  geometry::Pose pose;
   char rest = 0;
   const int read =
       std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &pose.x_m, &pose.y_m, &pose.heading_rad, &rest);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/pose.hpp"
 #include "kobuki_model/base_model.hpp"
 #include "kobuki_model/serial_line.hpp"
 
@@ -15,9 +16,6 @@ struct Settings {
   LineParams line;
 };
 
-/// Reads `walls: [[x1, y1, x2, y2, loss_db], ...]`. Throws ConfigError.
-[[nodiscard]] std::vector<Wall> load_walls(const std::string& path);
-
 /// Reads `model:` and `line:`, both optional. Throws ConfigError.
 [[nodiscard]] Settings load_settings(const std::string& path);
 
@@ -25,7 +23,7 @@ struct Settings {
 [[nodiscard]] std::string load_text(const std::string& path);
 
 /// "X,Y,YAW" of the option `name`. Throws ConfigError.
-[[nodiscard]] Pose parse_pose(const std::string& name, const std::string& text);
+[[nodiscard]] geometry::Pose parse_pose(const std::string& name, const std::string& text);
 
 /// What an earlier run wrote; empty when there is no file. Throws ConfigError when it is no state.
 [[nodiscard]] std::optional<BaseMemory> load_memory(const std::string& path);

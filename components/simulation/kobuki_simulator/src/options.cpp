@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "foundation/error.hpp"
+#include "geometry/wall_file.hpp"
 
 namespace tocsin::kobuki {
 
@@ -39,8 +40,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
 }
 
 BaseModel make_model(const Options& options, Time now) {
-  std::vector<Wall> walls;
-  if (!options.walls.empty()) walls = load_walls(options.walls);
+  std::vector<geometry::Wall> walls;
+  if (!options.walls.empty()) walls = geometry::load_walls(options.walls);
   if (options.dock) walls.push_back(Dock(*options.dock).front());
   Surroundings around = walled(std::move(walls));
   if (!around(options.start.x_m, options.start.y_m, body_radius_m).empty()) {

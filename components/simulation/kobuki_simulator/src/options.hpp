@@ -6,6 +6,7 @@
 #include <string>
 
 #include "files.hpp"
+#include "geometry/pose.hpp"
 
 namespace tocsin::kobuki {
 
@@ -13,8 +14,8 @@ namespace tocsin::kobuki {
 struct Options {
   std::string link;
   std::string walls;
-  Pose start;
-  std::optional<Pose> dock;
+  geometry::Pose start;
+  std::optional<geometry::Pose> dock;
   std::uint64_t seed = 1;
   Settings settings;
   std::string position;

@@ -140,7 +140,7 @@ void Simulator::read_control(Time now) {
 void Simulator::report(Time now) {
   next_report_ = now + report_period;
   if (options_.position.empty()) return;
-  const Pose& pose = base_.model().pose();
+  const geometry::Pose& pose = base_.model().pose();
   char text[64] = {};
   std::snprintf(text, sizeof text, "pos %.3f %.3f", pose.x_m, pose.y_m);
   position_.send(options_.position, text);

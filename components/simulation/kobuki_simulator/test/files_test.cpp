@@ -28,23 +28,6 @@ std::string error_of(Function&& function) {
   return "no error";
 }
 
-TEST(Walls, AreReadFromYaml) {
-  const auto walls = load_walls(write("walls:\n  - [0, 1, 2, 3, 6.9]\n  - [4, 5, 6, 7, 0]\n"));
-  ASSERT_EQ(walls.size(), 2U);
-  EXPECT_EQ(walls[0].y2_m, 3);
-  EXPECT_EQ(walls[0].loss_db, 6.9);
-}
-
-TEST(Walls, AreRefusedWithTheirLine) {
-  const auto error = [](const std::string& text) {
-    return error_of([&] { (void)load_walls(write(text)); });
-  };
-  EXPECT_NE(error("walls:\n  - [0, 1, 2, 3]\n").find("yaml:2)"), std::string::npos);
-  EXPECT_NE(error("walls:\n  - [0, 1, 2, x, 1]\n").find("must be [x1"), std::string::npos);
-  EXPECT_NE(error("walls: 3").find("must be a list"), std::string::npos);
-  EXPECT_NE(error("[]").find("must be a list"), std::string::npos);
-}
-
 TEST(Settings, AreReadFromYaml) {
   const Settings got =
       load_settings(write("model: {slip_sigma: 0.2}\nline: {usb_latency_ms: 16}\n"));
@@ -62,7 +45,7 @@ TEST(Settings, AreRefusedWithKeyAndRange) {
 }
 
 TEST(ParsePose, TakesThreeNumbers) {
-  const Pose pose = parse_pose("--start", "1.5,-2,0.1");
+  const geometry::Pose pose = parse_pose("--start", "1.5,-2,0.1");
   EXPECT_EQ(pose.x_m, 1.5);
   EXPECT_EQ(pose.y_m, -2);
   EXPECT_EQ(pose.heading_rad, 0.1);

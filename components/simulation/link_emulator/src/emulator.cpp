@@ -11,6 +11,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/replace_file.hpp"
+#include "geometry/wall_file.hpp"
 #include "radio_channel/channel_files.hpp"
 
 namespace tocsin::link {
@@ -39,8 +40,8 @@ timespec timespec_of(Time t) {
 }  // namespace
 
 radio::RadioChannel make_channel(const Options& options, Time start) {
-  std::vector<radio::Wall> walls;
-  if (!options.walls_file.empty()) walls = radio::load_walls(options.walls_file);
+  std::vector<geometry::Wall> walls;
+  if (!options.walls_file.empty()) walls = geometry::load_walls(options.walls_file);
   return {radio::load_channel(options.channel_file), std::move(walls), options.seed, start};
 }
 

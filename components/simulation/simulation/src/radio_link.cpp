@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "geometry/wall.hpp"
+
 namespace tocsin::simulation {
 namespace {
 
@@ -39,8 +41,8 @@ std::string proc_text(const radio::LinkReport& report) {
 
 }  // namespace
 
-RadioLink::RadioLink(Core& core, const radio::ChannelParams& params, std::vector<radio::Wall> walls,
-                     std::uint64_t seed)
+RadioLink::RadioLink(Core& core, const radio::ChannelParams& params,
+                     std::vector<geometry::Wall> walls, std::uint64_t seed)
     : core_(core), channel_(params, std::move(walls), seed, core.now), random_(seed) {
   report();
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core.hpp"
+#include "geometry/wall.hpp"
 #include "radio_channel/radio_channel.hpp"
 
 namespace tocsin::simulation {
@@ -42,7 +43,7 @@ class Cargo {
 /// Carries packets between the vehicle and the ground station: one radio_channel for all.
 class RadioLink {
  public:
-  RadioLink(Core& core, const radio::ChannelParams& params, std::vector<radio::Wall> walls,
+  RadioLink(Core& core, const radio::ChannelParams& params, std::vector<geometry::Wall> walls,
             std::uint64_t seed);
 
   /// Sends an IP packet of `cargo`, which is told when and if it comes to the other side.

@@ -12,6 +12,7 @@
 #include "foundation/file_cache.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/yaml_file.hpp"
+#include "geometry/wall_file.hpp"
 #include "radio_channel/channel_files.hpp"
 
 namespace tocsin::simulation {
@@ -27,8 +28,8 @@ Arguments arguments_of(const deployment::Program& program) {
   return arguments;
 }
 
-kobuki::Pose pose_of(const char* option, const std::string& text) {
-  kobuki::Pose pose;
+geometry::Pose pose_of(const char* option, const std::string& text) {
+  geometry::Pose pose;
   const int read =
       std::sscanf(text.c_str(), "%lf,%lf,%lf", &pose.x_m, &pose.y_m, &pose.heading_rad);
   if (read == 3 && std::isfinite(pose.x_m + pose.y_m + pose.heading_rad)) return pose;
@@ -69,13 +70,9 @@ void set_config(const std::string& path, BaseOptions& options) {
 }
 
 kobuki::Surroundings surroundings(const BaseOptions& options) {
-  std::vector<kobuki::Wall> walls;
+  std::vector<geometry::Wall> walls;
+  if (!options.walls.empty()) walls = geometry::load_walls(options.walls);
   if (options.dock) walls.push_back(kobuki::Dock(*options.dock).front());
-  if (!options.walls.empty()) {
-    for (const radio::Wall& wall : radio::load_walls(options.walls)) {
-      walls.push_back({wall.x1_m, wall.y1_m, wall.x2_m, wall.y2_m, wall.loss_db});
-    }
-  }
   if (walls.empty()) return kobuki::open_floor();
   return kobuki::walled(std::move(walls));
 }

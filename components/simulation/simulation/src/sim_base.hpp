@@ -9,6 +9,7 @@
 
 #include "core.hpp"
 #include "deployment/deployment.hpp"
+#include "geometry/pose.hpp"
 #include "kobuki_model/base_model.hpp"
 #include "kobuki_model/serial_line.hpp"
 #include "runtime/devices.hpp"
@@ -19,8 +20,8 @@ namespace tocsin::simulation {
 struct BaseOptions {
   std::string link;  ///< path of the serial port
   std::string walls;
-  kobuki::Pose start;
-  std::optional<kobuki::Pose> dock;  ///< middle of its front, facing the room
+  geometry::Pose start;
+  std::optional<geometry::Pose> dock;  ///< middle of its front, facing the room
   std::uint64_t seed = 1;
   kobuki::ModelParams model;
   kobuki::LineParams line;

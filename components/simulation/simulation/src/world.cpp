@@ -7,6 +7,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/file_cache.hpp"
+#include "geometry/wall_file.hpp"
 #include "radio_channel/channel_files.hpp"
 #include "runtime/middleware/component_library.hpp"
 #include "runtime/middleware/gate_component.hpp"
@@ -26,9 +27,9 @@ radio::ChannelParams channel_of(const deployment::Deployment& deployment) {
   return wire;
 }
 
-std::vector<radio::Wall> walls_of(const deployment::Deployment& deployment) {
+std::vector<geometry::Wall> walls_of(const deployment::Deployment& deployment) {
   if (!deployment.radio || deployment.radio->walls.empty()) return {};
-  return radio::load_walls(deployment.radio->walls);
+  return geometry::load_walls(deployment.radio->walls);
 }
 
 QosProfiles qos_of(const deployment::Deployment& deployment) {
@@ -173,10 +174,10 @@ void World::tell(const Process& process, ProcessEvent event) const {
 }
 
 void World::feed_position(const std::string& host, const SimBase& base) {
-  const kobuki::Pose& pose = base.model().pose();
+  const geometry::Pose& pose = base.model().pose();
   link_.set_position(pose.x_m, pose.y_m);
   if (core.observer != nullptr) {
-    const kobuki::BodyVelocity& velocity = base.model().velocity();
+    const geometry::Twist& velocity = base.model().velocity();
     core.observer->on_position({host, core.now, pose.x_m, pose.y_m, pose.heading_rad,
                                 velocity.linear_mps, velocity.angular_rad_s, base.commanded()});
   }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "geometry/wall.hpp"
 #include "pacer.hpp"
 #include "rtps.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -42,7 +43,7 @@ class RtpsTest : public ::testing::Test {
     params.mode = "bernoulli";
     params.delay_s = delay_s;
     params.outages_s = {10, 5};
-    link_ = std::make_unique<RadioLink>(core_, params, std::vector<radio::Wall>{}, 1);
+    link_ = std::make_unique<RadioLink>(core_, params, std::vector<geometry::Wall>{}, 1);
   }
   void use(const QosProfile& qos) {
     end_.type = &type_info<Message>();

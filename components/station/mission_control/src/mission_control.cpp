@@ -10,8 +10,6 @@
 
 namespace tocsin {
 
-using navigation::Pose2;
-
 namespace {
 
 constexpr std::size_t remembered_identities = 16;
@@ -25,9 +23,9 @@ std::uint32_t checksum_of(const navigation::Mission& mission) {
       hash = (hash ^ static_cast<std::uint32_t>(millimetres >> shift & 0xffU)) * 16777619U;
     }
   };
-  for (const Pose2& waypoint : mission.waypoints) {
-    add(waypoint.x);
-    add(waypoint.y);
+  for (const geometry::Pose& waypoint : mission.waypoints) {
+    add(waypoint.x_m);
+    add(waypoint.y_m);
   }
   return hash;
 }
@@ -61,7 +59,7 @@ void MissionControl::draw_identity() {
   identity_ = (next_random(seed_) & 0xFFFFFFFF00000000ULL) | checksum_;
 }
 
-void MissionControl::on_location(const Pose2& location, Time now) {
+void MissionControl::on_location(const geometry::Pose& location, Time now) {
   if (!is_finite(location)) return;
   location_ = location;
   if (!first_heard_) first_heard_ = now;
@@ -183,7 +181,7 @@ MissionControl::Goal MissionControl::issue(Time now) {
           waypoints_ahead()};
 }
 
-std::vector<Pose2> MissionControl::waypoints_ahead() const {
+std::vector<geometry::Pose> MissionControl::waypoints_ahead() const {
   const auto next = mission_.waypoints.begin() + waypoint_ + 1;
   const auto left = mission_.waypoints.end() - next;
   return {next, next + std::min<std::ptrdiff_t>(params_.goals_ahead, left)};

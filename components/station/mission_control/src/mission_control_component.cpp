@@ -20,11 +20,11 @@ navigation::Mission load_checked_mission(const std::string& name,
   return mission;
 }
 
-navigation::Pose2 pose_of(const topic::Location::Message& message) {
+geometry::Pose pose_of(const topic::Location::Message& message) {
   const auto& pose = message.pose().pose();
   const auto& q = pose.orientation();
   return {pose.position().x(), pose.position().y(),
-          navigation::yaw_of({q.x(), q.y(), q.z(), q.w()})};
+          geometry::heading_of({q.x(), q.y(), q.z(), q.w()})};
 }
 
 /// Two starts never begin in the same nanosecond, and a simulated one begins always in the same.
@@ -63,16 +63,16 @@ void MissionControlComponent::send(const MissionControl::Goal& goal, Time now) {
   message.mission(goal.name.mission);
   message.id(goal.name.id);
   message.waypoint(goal.waypoint);
-  message.x(goal.pose.x);
-  message.y(goal.pose.y);
-  message.yaw(goal.pose.yaw);
+  message.x(goal.pose.x_m);
+  message.y(goal.pose.y_m);
+  message.yaw(goal.pose.heading_rad);
   message.tolerance_m(goal.tolerance_m);
   message.lifetime_s(goal.lifetime_s);
-  for (const navigation::Pose2& pose : goal.ahead) {
+  for (const geometry::Pose& pose : goal.ahead) {
     message.ahead().emplace_back();
-    message.ahead().back().x(pose.x);
-    message.ahead().back().y(pose.y);
-    message.ahead().back().yaw(pose.yaw);
+    message.ahead().back().x(pose.x_m);
+    message.ahead().back().y(pose.y_m);
+    message.ahead().back().yaw(pose.heading_rad);
   }
   if (goal_.write(std::move(message)) == Status::failed) log().warn("a goal was not sent");
 }

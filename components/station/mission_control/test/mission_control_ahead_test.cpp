@@ -17,7 +17,7 @@ using navigation::Mission;
 TEST_F(MissionControlTest, TellsTheWaypointsAheadAndTheirIds) {
   const auto first = first_goal();
   ASSERT_EQ(first.ahead.size(), 1U);
-  EXPECT_EQ(first.ahead[0].x, 5);
+  EXPECT_EQ(first.ahead[0].x_m, 5);
   EXPECT_EQ(first.name.id, 1U);
   hear(1);
   const auto second = at(3).value();

@@ -31,7 +31,7 @@ TEST_F(MissionControlTest, StartsWhenTheVehicleWasHeardForTheResumeWait) {
   const auto goal = at(2);
   ASSERT_TRUE(goal);
   EXPECT_EQ(goal->waypoint, 0U);
-  EXPECT_EQ(goal->pose.x, 1);
+  EXPECT_EQ(goal->pose.x_m, 1);
   EXPECT_EQ(goal->tolerance_m, 0.15);
   EXPECT_EQ(goal->lifetime_s, 60);
   EXPECT_EQ(progress().state, MissionControl::State::running);

@@ -53,7 +53,7 @@ double GamepadTeleop::deflection(std::uint16_t axis) const {
   return beyond <= 0 ? 0 : std::copysign(beyond / (1 - params_.dead_zone), way);
 }
 
-kobuki::BodyVelocity GamepadTeleop::velocity() const {
+geometry::Twist GamepadTeleop::velocity() const {
   const bool held = std::any_of(buttons_.begin(), buttons_.end(),
                                 [](const auto& button) { return button.second; });
   if (!held) return {};

@@ -77,7 +77,7 @@ void TeleopGamepadComponent::lose_pad() {
   port_.reset();
 }
 
-void TeleopGamepadComponent::send(const kobuki::BodyVelocity& velocity, Time now) {
+void TeleopGamepadComponent::send(const geometry::Twist& velocity, Time now) {
   topic::TeleopCmdVel::Message message;
   message.header().stamp(wall(now));
   message.header().frame_id("gamepad");

@@ -108,7 +108,7 @@ bool KeyboardTeleop::change_speed(char key) {
   return true;
 }
 
-kobuki::BodyVelocity KeyboardTeleop::velocity(Time now) const {
+geometry::Twist KeyboardTeleop::velocity(Time now) const {
   if (!held_ || now >= held_->until) return {};
   return {held_->direction.linear * params_.linear_mps,
           held_->direction.angular * params_.angular_rad_s};

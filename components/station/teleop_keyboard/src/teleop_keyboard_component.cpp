@@ -43,7 +43,7 @@ void TeleopKeyboardComponent::tick(Time now) {
   if (terminal_) read_keys(now);
   if (auto safety = safety_.take_latest()) safety_seen_ = std::move(safety);
   if (auto location = location_.take_latest()) location_seen_ = std::move(location);
-  const kobuki::BodyVelocity velocity = teleop_.velocity(now);
+  const geometry::Twist velocity = teleop_.velocity(now);
   sender_.hold(velocity);
   if (const auto command = sender_.update(now)) send(*command, now);
   if (terminal_) show(velocity);
@@ -59,7 +59,7 @@ void TeleopKeyboardComponent::read_keys(Time now) {
   terminal_.reset();
 }
 
-void TeleopKeyboardComponent::send(const kobuki::BodyVelocity& velocity, Time now) {
+void TeleopKeyboardComponent::send(const geometry::Twist& velocity, Time now) {
   topic::TeleopCmdVel::Message message;
   message.header().stamp(wall(now));
   message.header().frame_id("keyboard");
@@ -68,7 +68,7 @@ void TeleopKeyboardComponent::send(const kobuki::BodyVelocity& velocity, Time no
   if (command_.write(std::move(message)) == Status::failed) log().warn("a velocity was not sent");
 }
 
-void TeleopKeyboardComponent::show(const kobuki::BodyVelocity& velocity) {
+void TeleopKeyboardComponent::show(const geometry::Twist& velocity) {
   std::string line =
       fmt::format("{:+.2f} m/s {:+.2f} rad/s   speeds {:.2f} m/s {:.2f} rad/s", velocity.linear_mps,
                   velocity.angular_rad_s, teleop_.linear_mps(), teleop_.angular_rad_s());

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/wall_file.hpp"
 #include "radio_channel/channel_files.hpp"
 #include "radio_channel/radio_channel.hpp"
 
@@ -16,7 +17,7 @@ constexpr std::uint64_t seed = 1;
 const Time start{std::chrono::hours(1)};
 
 /// The mean SNR that a tenth of the places on a grid over the walls do not reach.
-double poor_snr_db(const radio::ChannelParams& params, const std::vector<radio::Wall>& walls) {
+double poor_snr_db(const radio::ChannelParams& params, const std::vector<geometry::Wall>& walls) {
   constexpr int steps = 20;
   auto [left, right] = std::pair{params.access_point_x_m - 10, params.access_point_x_m + 10};
   auto [bottom, top] = std::pair{params.access_point_y_m - 10, params.access_point_y_m + 10};
@@ -24,7 +25,7 @@ double poor_snr_db(const radio::ChannelParams& params, const std::vector<radio::
     left = bottom = 1e9;
     right = top = -1e9;
   }
-  for (const radio::Wall& wall : walls) {
+  for (const geometry::Wall& wall : walls) {
     left = std::min({left, wall.x1_m, wall.x2_m});
     right = std::max({right, wall.x1_m, wall.x2_m});
     bottom = std::min({bottom, wall.y1_m, wall.y2_m});
@@ -55,7 +56,7 @@ radio::ChannelParams with_snr(radio::ChannelParams params, double snr_db) {
 
 }  // namespace
 
-PoorPlace poor_place(radio::ChannelParams params, const std::vector<radio::Wall>& walls) {
+PoorPlace poor_place(radio::ChannelParams params, const std::vector<geometry::Wall>& walls) {
   constexpr int packet_bytes = 1400;
   constexpr int full = 20;  // packets in the queue
   const Duration length = std::chrono::seconds(20);
@@ -83,8 +84,8 @@ std::optional<PoorPlace> poor_place_of(const deployment::Deployment& deployment)
   const radio::ChannelParams params = radio::load_channel(deployment.radio->channel);
   if (params.mode != "radio" || !params.trace_file.empty()) return std::nullopt;
   const bool walled = !deployment.radio->walls.empty();
-  PoorPlace place = poor_place(
-      params, walled ? radio::load_walls(deployment.radio->walls) : std::vector<radio::Wall>{});
+  PoorPlace place = poor_place(params, walled ? geometry::load_walls(deployment.radio->walls)
+                                              : std::vector<geometry::Wall>{});
   place.channel = deployment.radio->channel;
   return place;
 }

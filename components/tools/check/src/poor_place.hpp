@@ -5,6 +5,7 @@
 #include <string>
 
 #include "deployment/deployment.hpp"
+#include "geometry/wall.hpp"
 #include "radio_channel/channel_params.hpp"
 #include "radio_channel/propagation.hpp"
 
@@ -21,7 +22,7 @@ struct PoorPlace {
 /// At the place within the walls that a tenth of all places are worse than, though no place below
 /// 8 dB, where little comes through however little is sent. Deterministic; takes milliseconds.
 [[nodiscard]] PoorPlace poor_place(radio::ChannelParams params,
-                                   const std::vector<radio::Wall>& walls);
+                                   const std::vector<geometry::Wall>& walls);
 
 /// The same for the radio of a deployment; empty without one, and for one that is no model of a
 /// place (modes without MAC, a recorded trace). Throws ConfigError for a bad file.

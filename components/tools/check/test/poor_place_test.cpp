@@ -5,6 +5,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "geometry/wall.hpp"
 #include "radio_channel/channel_files.hpp"
 
 namespace tocsin::check {
@@ -13,7 +14,7 @@ namespace {
 const std::string config = TOCSIN_REPOSITORY "/config/";
 
 /// A room of 20 m by 20 m around the access point.
-std::vector<radio::Wall> room() {
+std::vector<geometry::Wall> room() {
   return {
       {-10, -10, 10, -10, 0}, {10, -10, 10, 10, 0}, {10, 10, -10, 10, 0}, {-10, 10, -10, -10, 0}};
 }

@@ -4,18 +4,17 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/pose.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
-
-using motion::DockingState;
 
 namespace {
 
 constexpr Duration report_period = std::chrono::seconds(1);
 
-double yaw_of(const geometry_msgs::msg::Quaternion& q) {
-  return std::atan2(2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
+double heading_of(const geometry_msgs::msg::Quaternion& q) {
+  return geometry::heading_of({q.x(), q.y(), q.z(), q.w()});
 }
 
 }  // namespace
@@ -58,7 +57,7 @@ void AutoDockingComponent::start(Time now) {
 /// and then counts for the next one.
 void AutoDockingComponent::take_sensors(Time now) {
   if (const auto odom = sensors_->odom.take_latest()) {
-    seen_.heading_rad = yaw_of(odom->pose().pose().orientation());
+    seen_.heading_rad = heading_of(odom->pose().pose().orientation());
   }
   while (const auto infrared = sensors_->infrared.take()) {
     if (infrared->data().size() < 3) continue;
@@ -67,12 +66,12 @@ void AutoDockingComponent::take_sensors(Time now) {
   while (const auto core = sensors_->core.take()) {
     seen_.bumper = core->bumper();
     seen_.charger = core->charger();
-    const motion::BodyVelocity velocity = docking_.update(seen_, now);
+    const geometry::Twist velocity = docking_.update(seen_, now);
     if (docking_.running()) send(velocity);
   }
 }
 
-void AutoDockingComponent::send(const motion::BodyVelocity& velocity) {
+void AutoDockingComponent::send(const geometry::Twist& velocity) {
   topic::CmdVelDocking::Message message;
   message.linear().x(velocity.linear_mps);
   message.angular().z(velocity.angular_rad_s);
@@ -85,12 +84,11 @@ void AutoDockingComponent::report(Time now) {
   topic::DockingStatus::Message message;
   message.stamp(wall(now));
   message.run(run_);
-  message.state(motion::to_string(docking_.state()));
-  message.result(motion::to_string(docking_.result()));
+  message.state(to_string(docking_.state()));
+  message.result(to_string(docking_.result()));
   message.elapsed_s(run_ == 0 ? 0.0F : static_cast<float>(to_seconds(now - started_)));
   if (status_.write(std::move(message)) == Status::failed) return;
-  if (docking_.state() == DockingState::done)
-    log().info("{}", motion::to_string(docking_.result()));
+  if (docking_.state() == DockingState::done) log().info("{}", to_string(docking_.result()));
   reported_ = docking_.state();
   next_report_ = now + report_period;
 }

@@ -6,20 +6,19 @@
 #include <utility>
 
 #include "camera/jpeg.hpp"
+#include "geometry/wall_file.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
 namespace {
 
 /// The view of a pose on the floor; empty when a part of it is not finite.
-std::optional<camera::View> to_view(const topic::Location::Message& message) {
+std::optional<geometry::Pose> to_view(const topic::Location::Message& message) {
   const auto& position = message.pose().pose().position();
   const auto& q = message.pose().pose().orientation();
-  const double yaw =
-      std::atan2(2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
-  const camera::View view{position.x(), position.y(), yaw};
-  const bool finite = std::isfinite(view.x_m) && std::isfinite(view.y_m) && std::isfinite(yaw);
-  return finite ? std::optional(view) : std::nullopt;
+  const double heading_rad = geometry::heading_of({q.x(), q.y(), q.z(), q.w()});
+  const geometry::Pose pose{position.x(), position.y(), heading_rad};
+  return is_finite(pose) ? std::optional(pose) : std::nullopt;
 }
 
 /// Whether the law of picture sizes was fitted to these parameters.
@@ -37,7 +36,7 @@ bool is_fitted(const CameraComponent::Params& params) {
 CameraComponent::CameraComponent(Context& context, const Params& params)
     : Component(context),
       params_(params),
-      walls_(camera::load_walls(params.walls_file)),
+      walls_(geometry::load_walls(params.walls_file)),
       period_(seconds(1 / params.rate_hz)),
       pose_timeout_(seconds(params.pose_timeout_s)) {
   const bool draws = context.devices == nullptr || params.in_simulated_time == "drawn";

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "foundation/numbers.hpp"
+#include "geometry/wall.hpp"
 
 namespace tocsin::camera {
 namespace {
@@ -29,10 +30,10 @@ Fan fan_of(double field_of_view_deg) {
 
 }  // namespace
 
-PictureSize::PictureSize(double field_of_view_deg, std::vector<Wall> walls)
+PictureSize::PictureSize(double field_of_view_deg, std::vector<geometry::Wall> walls)
     : sideways_(fan_of(field_of_view_deg)), walls_(std::move(walls)) {}
 
-double PictureSize::law(const View& view) const {
+double PictureSize::law(const geometry::Pose& view) const {
   double sum_per_m = 0;
   for (const double wall_per_m : inverse_depths_per_m(view, sideways_, walls_)) {
     sum_per_m += wall_per_m > 0 ? std::min(wall_per_m, 1 / nearest_wall_m) : 1 / farthest_m;
@@ -40,11 +41,11 @@ double PictureSize::law(const View& view) const {
   return open_bytes - near_bytes_m * sum_per_m / static_cast<double>(sideways_.size());
 }
 
-void PictureSize::calibrate(const View& view, std::size_t bytes) {
+void PictureSize::calibrate(const geometry::Pose& view, std::size_t bytes) {
   factor_ = static_cast<double>(bytes) / law(view);
 }
 
-std::size_t PictureSize::bytes(const View& view) const {
+std::size_t PictureSize::bytes(const geometry::Pose& view) const {
   return static_cast<std::size_t>(std::max(least_bytes, factor_ * law(view)));
 }
 

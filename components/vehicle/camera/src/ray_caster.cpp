@@ -6,13 +6,15 @@
 #include <cstddef>
 #include <optional>
 
+#include "geometry/wall.hpp"
+
 namespace tocsin::camera {
 namespace {
 
 constexpr double nearest_m = 0.05;
 
 /// Solves start + depth * d = first end + share * e.
-std::optional<Hit> meet(const Ray& ray, const Wall& wall) {
+std::optional<Hit> meet(const Ray& ray, const geometry::Wall& wall) {
   const double ex = wall.x2_m - wall.x1_m, ey = wall.y2_m - wall.y1_m;
   const double cross = ray.dx * ey - ray.dy * ex;
   const double length_m = std::sqrt(ex * ex + ey * ey);
@@ -22,7 +24,7 @@ std::optional<Hit> meet(const Ray& ray, const Wall& wall) {
   const double share = (fx * ray.dy - fy * ray.dx) / cross;
   if (depth_m < nearest_m || share < 0 || share > 1) return std::nullopt;
   const double facing = std::abs(cross) / length_m / std::sqrt(ray.dx * ray.dx + ray.dy * ray.dy);
-  return Hit{depth_m, share * length_m, facing, wall.is_furniture};
+  return Hit{depth_m, share * length_m, facing, wall.is_furniture()};
 }
 
 /// A place as seen from the camera.
@@ -46,14 +48,14 @@ void bring_nearer(const Seen& a, const Seen& b, const Fan& sideways, Fan& neares
 
 }  // namespace
 
-Ray ray_through(const View& view, double sideways) {
-  const double c = std::cos(view.yaw_rad), s = std::sin(view.yaw_rad);
+Ray ray_through(const geometry::Pose& view, double sideways) {
+  const double c = std::cos(view.heading_rad), s = std::sin(view.heading_rad);
   return {view.x_m, view.y_m, c + sideways * s, s - sideways * c};
 }
 
-void cast(const Ray& ray, const std::vector<Wall>& walls, std::vector<Hit>& hits) {
+void cast(const Ray& ray, const std::vector<geometry::Wall>& walls, std::vector<Hit>& hits) {
   hits.clear();
-  for (const Wall& wall : walls) {
+  for (const geometry::Wall& wall : walls) {
     if (const auto hit = meet(ray, wall)) hits.push_back(*hit);
   }
   std::sort(hits.begin(), hits.end(),
@@ -64,15 +66,16 @@ void cast(const Ray& ray, const std::vector<Wall>& walls, std::vector<Hit>& hits
   std::reverse(hits.begin(), hits.end());
 }
 
-Fan inverse_depths_per_m(const View& view, const Fan& sideways, const std::vector<Wall>& walls) {
-  const double c = std::cos(view.yaw_rad), s = std::sin(view.yaw_rad);
+Fan inverse_depths_per_m(const geometry::Pose& view, const Fan& sideways,
+                         const std::vector<geometry::Wall>& walls) {
+  const double c = std::cos(view.heading_rad), s = std::sin(view.heading_rad);
   const auto seen = [&](double x_m, double y_m) {
     const double dx = x_m - view.x_m, dy = y_m - view.y_m;
     return Seen{dx * s - dy * c, dx * c + dy * s};
   };
   Fan nearest{};
-  for (const Wall& wall : walls) {
-    if (wall.is_furniture) continue;
+  for (const geometry::Wall& wall : walls) {
+    if (wall.is_furniture()) continue;
     const Seen a = seen(wall.x1_m, wall.y1_m), b = seen(wall.x2_m, wall.y2_m);
     if (a.depth_m > 0 || b.depth_m > 0) bring_nearer(a, b, sideways, nearest);
   }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "foundation/numbers.hpp"
+#include "geometry/wall.hpp"
 
 namespace tocsin::camera {
 namespace {
@@ -51,7 +52,7 @@ void put(std::uint8_t* pixel, const std::uint8_t* texel, int shaded) {
 
 }  // namespace
 
-Renderer::Renderer(const CameraParams& params, std::vector<Wall> walls)
+Renderer::Renderer(const CameraParams& params, std::vector<geometry::Wall> walls)
     : params_(params),
       walls_(std::move(walls)),
       focal_px_(params.width / 2.0 / std::tan(params.field_of_view_deg * pi / 360.0)),
@@ -62,8 +63,8 @@ Renderer::Renderer(const CameraParams& params, std::vector<Wall> walls)
       noise_(make_noise(params)),
       picture_(params.width, params.height) {}
 
-const Picture& Renderer::render(const View& view, std::uint32_t frame) {
-  assert(std::isfinite(view.x_m) && std::isfinite(view.y_m) && std::isfinite(view.yaw_rad));
+const Picture& Renderer::render(const geometry::Pose& view, std::uint32_t frame) {
+  assert(std::isfinite(view.x_m) && std::isfinite(view.y_m) && std::isfinite(view.heading_rad));
   for (int row = 0; row < params_.height; ++row) draw_row(view, row);
   for (int column = 0; column < params_.width; ++column) {
     cast(ray_through(view, sideways(column)), walls_, hits_);
@@ -79,7 +80,7 @@ double Renderer::sideways(int column) const {
 
 double Renderer::below_horizon(int row) const { return row + 0.5 - params_.height / 2.0; }
 
-void Renderer::draw_row(const View& view, int row) {
+void Renderer::draw_row(const geometry::Pose& view, int row) {
   constexpr double farthest_m = 60;
   const double below_px = below_horizon(row);
   const double off_axis_m =

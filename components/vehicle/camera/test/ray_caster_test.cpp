@@ -6,15 +6,25 @@
 #include <cmath>
 #include <random>
 
+#include "geometry/wall.hpp"
+
 namespace tocsin::camera {
 namespace {
 
+constexpr double wall_loss_db = 6.9;
+constexpr double furniture_loss_db = 0;
+
 constexpr double tiny = 1e-9;
 
-Wall wall(double x1, double y1, double x2, double y2) { return {x1, y1, x2, y2, false}; }
-Wall furniture(double x1, double y1, double x2, double y2) { return {x1, y1, x2, y2, true}; }
+geometry::Wall wall(double x1, double y1, double x2, double y2) {
+  return {x1, y1, x2, y2, wall_loss_db};
+}
+geometry::Wall furniture(double x1, double y1, double x2, double y2) {
+  return {x1, y1, x2, y2, furniture_loss_db};
+}
 
-std::vector<Hit> hits_of(const View& view, const std::vector<Wall>& walls, double sideways = 0) {
+std::vector<Hit> hits_of(const geometry::Pose& view, const std::vector<geometry::Wall>& walls,
+                         double sideways = 0) {
   std::vector<Hit> hits;
   cast(ray_through(view, sideways), walls, hits);
   return hits;
@@ -44,7 +54,7 @@ TEST(Cast, TellsHowFarAWallIs) {
 
 TEST(Cast, MeasuresDepthFromThePicturesPlane) {
   // A flat wall must look flat: the same depth in the middle and at the edge.
-  const std::vector<Wall> walls{wall(5, -9, 5, 9)};
+  const std::vector<geometry::Wall> walls{wall(5, -9, 5, 9)};
   EXPECT_NEAR(hits_of({0, 0, 0}, walls, 0.577).at(0).depth_m, 5, tiny);
   EXPECT_NEAR(hits_of({0, 0, 0}, walls, -0.577).at(0).depth_m, 5, tiny);
 }
@@ -71,7 +81,7 @@ TEST(Cast, SeesNothingBehindTheCamera) {
 }
 
 TEST(Cast, EndsWithTheWallsEnds) {
-  const std::vector<Wall> walls{wall(5, 0.001, 5, 1)};
+  const std::vector<geometry::Wall> walls{wall(5, 0.001, 5, 1)};
   EXPECT_TRUE(hits_of({0, 0, 0}, walls).empty());
   EXPECT_EQ(hits_of({0, 0.0011, 0}, walls).size(), 1U);
 }
@@ -95,13 +105,13 @@ TEST(Cast, TellsASideLookFromASquareOne) {
 constexpr Fan fan{-1.2, -0.6, -0.3, -0.1, 0, 0.2, 0.5, 1.5};
 
 /// Along the middle of the view from the origin along x.
-double inverse_depth_ahead_per_m(const std::vector<Wall>& walls) {
+double inverse_depth_ahead_per_m(const std::vector<geometry::Wall>& walls) {
   return inverse_depths_per_m({0, 0, 0}, fan, walls)[4];
 }
 
 TEST(InverseDepths, AreThoseOfTheNearestWallBehindAnyFurniture) {
-  const std::vector<Wall> walls{wall(7, -1, 7, 1), furniture(2, -1, 2, 1), wall(5, -1, 5, 1),
-                                wall(-3, -1, -3, 1), wall(0, 2, 9, 2)};
+  const std::vector<geometry::Wall> walls{wall(7, -1, 7, 1), furniture(2, -1, 2, 1),
+                                          wall(5, -1, 5, 1), wall(-3, -1, -3, 1), wall(0, 2, 9, 2)};
   EXPECT_NEAR(inverse_depth_ahead_per_m(walls), 0.2, tiny);
 }
 
@@ -119,7 +129,8 @@ TEST(InverseDepths, DoNotCountAWallSeenFromTheSide) {
 }
 
 /// Of the first that `cast` gives, which is the farthest, if that is a wall.
-double cast_per_m(const View& view, const std::vector<Wall>& walls, double sideways) {
+double cast_per_m(const geometry::Pose& view, const std::vector<geometry::Wall>& walls,
+                  double sideways) {
   const auto hits = hits_of(view, walls, sideways);
   return hits.empty() || hits[0].is_furniture ? 0 : 1 / hits[0].depth_m;
 }
@@ -127,13 +138,13 @@ double cast_per_m(const View& view, const std::vector<Wall>& walls, double sidew
 TEST(InverseDepths, AreThoseThatCastTellsFromEveryPlaceInEveryDirection) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place_m(-4, 4);
-  std::vector<Wall> walls;
+  std::vector<geometry::Wall> walls;
   for (int i = 0; i < 30; ++i) {
-    walls.push_back(
-        {place_m(random), place_m(random), place_m(random), place_m(random), i % 3 == 0});
+    walls.push_back({place_m(random), place_m(random), place_m(random), place_m(random),
+                     i % 3 == 0 ? furniture_loss_db : wall_loss_db});
   }
   for (int i = 0; i < 300; ++i) {
-    const View view{place_m(random), place_m(random), place_m(random)};
+    const geometry::Pose view{place_m(random), place_m(random), place_m(random)};
     const Fan sut = inverse_depths_per_m(view, fan, i % 2 == 0 ? walls : std::vector(2, walls[1]));
     for (std::size_t ray = 0; ray < fan.size(); ++ray) {
       const double cast = cast_per_m(view, i % 2 == 0 ? walls : std::vector(2, walls[1]), fan[ray]);

@@ -9,14 +9,20 @@
 #include <utility>
 
 #include "camera/jpeg.hpp"
+#include "geometry/wall_file.hpp"
 
 namespace tocsin::camera {
 namespace {
 
+constexpr double wall_loss_db = 6.9;
+constexpr double furniture_loss_db = 0;
+
 /// A room of 8 m x 6 m around the origin.
-std::vector<Wall> room() {
-  return {
-      {-4, -3, 4, -3, false}, {4, -3, 4, 3, false}, {4, 3, -4, 3, false}, {-4, 3, -4, -3, false}};
+std::vector<geometry::Wall> room() {
+  return {{-4, -3, 4, -3, wall_loss_db},
+          {4, -3, 4, 3, wall_loss_db},
+          {4, 3, -4, 3, wall_loss_db},
+          {-4, 3, -4, -3, wall_loss_db}};
 }
 
 CameraParams small() {
@@ -43,7 +49,7 @@ Mean mean_of(const Picture& picture, int column, int row, int side = 8) {
 /// the ceiling of a picture without any walls.
 int wall_top(const CameraParams& params, double distance_m) {
   Renderer empty(params, {});
-  Renderer sut(params, {{distance_m, -50, distance_m, 50, false}});
+  Renderer sut(params, {{distance_m, -50, distance_m, 50, wall_loss_db}});
   const Picture ceiling = empty.render({}, 0);
   const Picture& picture = sut.render({}, 0);
   const int middle = params.width / 2;
@@ -97,14 +103,14 @@ TEST(Renderer, ShowsTheWallAsHighAsPerspectiveSays) {
 TEST(Renderer, FillsThePictureCloseToAWall) { EXPECT_EQ(wall_top(small(), 1.0), 0); }
 
 TEST(Renderer, GetsDarkerWithDistance) {
-  Renderer near(small(), {{3, -50, 3, 50, false}});
-  Renderer far(small(), {{20, -50, 20, 50, false}});
+  Renderer near(small(), {{3, -50, 3, 50, wall_loss_db}});
+  Renderer far(small(), {{20, -50, 20, 50, wall_loss_db}});
   EXPECT_GT(mean_of(near.render({}, 0), 76, 40)[0], 1.3 * mean_of(far.render({}, 0), 76, 48, 2)[0]);
 }
 
 TEST(Renderer, ShowsFurnitureBeforeTheWallAndTheWallAboveIt) {
   auto walls = room();
-  walls.push_back({2, -1, 2, 1, true});
+  walls.push_back({2, -1, 2, 1, furniture_loss_db});
   Renderer sut(small(), walls);
   const Picture& picture = sut.render({}, 0);
   const Mean brown = mean_of(picture, 76, 60), plaster = mean_of(picture, 76, 2);
@@ -114,7 +120,7 @@ TEST(Renderer, ShowsFurnitureBeforeTheWallAndTheWallAboveIt) {
 
 TEST(Renderer, TurnsWithTheView) {
   auto walls = room();
-  walls.push_back({-0.5, 2, 0.5, 2, true});  // to the left of who looks along x
+  walls.push_back({-0.5, 2, 0.5, 2, furniture_loss_db});  // to the left of who looks along x
   Renderer sut(small(), walls);
   const Mean ahead = mean_of(sut.render({0, 0, 0}, 0), 76, 60);
   EXPECT_LT(ahead[0], 1.5 * ahead[2]);
@@ -124,7 +130,7 @@ TEST(Renderer, TurnsWithTheView) {
 
 TEST(Renderer, ShowsTheLeftOnTheLeft) {
   auto walls = room();
-  walls.push_back({3, 0.5, 3, 1.5, true});
+  walls.push_back({3, 0.5, 3, 1.5, furniture_loss_db});
   Renderer sut(small(), walls);
   const Picture& picture = sut.render({}, 0);
   const Mean left = mean_of(picture, 30, 60), right = mean_of(picture, 122, 60);
@@ -141,7 +147,7 @@ double likeness(const Picture& a, const Picture& b) {
 
 TEST(Renderer, HoldsSurfacesStillWhileTheCameraMoves) {
   // 8.4 m is three times the pattern of the wall, and seven times that of floor and ceiling.
-  Renderer sut(small(), {{3, -100, 3, 100, false}});
+  Renderer sut(small(), {{3, -100, 3, 100, wall_loss_db}});
   const Picture here = sut.render({0, 0, 0}, 0);
   EXPECT_GT(likeness(here, sut.render({0, 8.4, 0}, 0)), 0.98);
   EXPECT_LT(likeness(here, sut.render({0, 8.0, 0}, 0)), 0.5);
@@ -164,9 +170,9 @@ TEST(Renderer, ShowsAPictureInEachSizeThatIsAllowed) {
 TEST(Renderer, SeesMoreWithAWiderLens) {
   CameraParams params = small();
   params.field_of_view_deg = 120;
-  Renderer wide(params, {{3, 3, 3, 5, true}, {9, -90, 9, 90, false}});
+  Renderer wide(params, {{3, 3, 3, 5, furniture_loss_db}, {9, -90, 9, 90, wall_loss_db}});
   params.field_of_view_deg = 60;
-  Renderer narrow(params, {{3, 3, 3, 5, true}, {9, -90, 9, 90, false}});
+  Renderer narrow(params, {{3, 3, 3, 5, furniture_loss_db}, {9, -90, 9, 90, wall_loss_db}});
   const Mean seen = mean_of(wide.render({}, 0), 16, 60, 4);
   EXPECT_GT(seen[0], 1.8 * seen[2]);
   const Mean unseen = mean_of(narrow.render({}, 0), 0, 60, 4);
@@ -174,7 +180,7 @@ TEST(Renderer, SeesMoreWithAWiderLens) {
 }
 
 TEST(Renderer, DrawsTheClassroomOfTheRepository) {
-  const auto walls = load_walls(TOCSIN_REPOSITORY "/config/maps/classroom.walls.yaml");
+  const auto walls = geometry::load_walls(TOCSIN_REPOSITORY "/config/maps/classroom.walls.yaml");
   Renderer sut(small(), walls);
   // From the start of the missions, looking along x, the teacher's desk is ahead on the left.
   const Picture& picture = sut.render({}, 0);

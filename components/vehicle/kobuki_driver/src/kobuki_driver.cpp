@@ -75,7 +75,7 @@ void KobukiDriver::read(Time now) {
   reading_.events = events_.update(feedback);
 }
 
-void KobukiDriver::on_velocity(const BodyVelocity& velocity, Time now) {
+void KobukiDriver::on_velocity(const geometry::Twist& velocity, Time now) {
   if (state_ == BaseState::online && motor_power_) velocity_.on_command(velocity, now);
 }
 
@@ -140,7 +140,7 @@ void KobukiDriver::send_commands(Time now, const ByteSink& sink) {
 
 BaseControl KobukiDriver::velocity_command(Time now) const {
   if (state_ != BaseState::online) return {};
-  BodyVelocity velocity = velocity_.velocity(now);
+  geometry::Twist velocity = velocity_.velocity(now);
   // The firmware computes wheel speeds with its nominal separation.
   velocity.angular_rad_s *= params_.odometry.wheel_separation_m / wheel_separation_m;
   return encode_velocity(velocity);

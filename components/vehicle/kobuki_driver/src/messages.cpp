@@ -20,11 +20,12 @@ std_msgs::msg::Header header(const builtin_interfaces::msg::Time& stamp, const s
 }
 
 geometry_msgs::msg::Quaternion quaternion(double heading_rad) {
+  const geometry::Quaternion rotation = geometry::quaternion_of(heading_rad);
   geometry_msgs::msg::Quaternion q;
-  q.x(0);
-  q.y(0);
-  q.z(std::sin(heading_rad / 2));
-  q.w(std::cos(heading_rad / 2));
+  q.x(rotation.x);
+  q.y(rotation.y);
+  q.z(rotation.z);
+  q.w(rotation.w);
   return q;
 }
 

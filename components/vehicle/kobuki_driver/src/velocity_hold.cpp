@@ -6,7 +6,7 @@
 
 namespace tocsin::kobuki {
 
-void VelocityHold::on_command(const BodyVelocity& velocity, Time now) {
+void VelocityHold::on_command(const geometry::Twist& velocity, Time now) {
   received_ = now;
   command_ = {};
   if (!std::isfinite(velocity.linear_mps) || !std::isfinite(velocity.angular_rad_s)) return;
@@ -15,7 +15,7 @@ void VelocityHold::on_command(const BodyVelocity& velocity, Time now) {
   command_ = {velocity.linear_mps / excess, velocity.angular_rad_s / excess};
 }
 
-BodyVelocity VelocityHold::velocity(Time now) const {
+geometry::Twist VelocityHold::velocity(Time now) const {
   if (received_ == Time::min() || now - received_ > timeout_) return {};
   return command_;
 }

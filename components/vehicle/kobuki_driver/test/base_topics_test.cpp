@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Topics of the base itself: gyro samples, frames, names, diagnostics, serial bytes.
 #include "component_rig.hpp"
-#include "kobuki_protocol/geometry.hpp"
+#include "kobuki_protocol/dimensions.hpp"
 
 namespace tocsin {
 namespace {

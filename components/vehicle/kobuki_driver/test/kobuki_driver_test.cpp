@@ -22,7 +22,7 @@ BaseControl last_velocity(const ModelRig& rig) {
 TEST(KobukiDriver, SendsNothingBeforeTheFirstGoodFrame) {
   ModelRig sut;
   sut.silent = true;
-  sut.run(2, BodyVelocity{0.3, 0});
+  sut.run(2, geometry::Twist{0.3, 0});
   EXPECT_TRUE(sut.commands.empty());
   EXPECT_EQ(sut.driver.next_deadline(), never);
 }
@@ -37,7 +37,7 @@ TEST(KobukiDriver, CommandsFiftyTimesASecond) {
 
 TEST(KobukiDriver, CommandsByItsOwnClockWhenTheBaseIsSilent) {
   ModelRig sut;
-  sut.run(0.1, BodyVelocity{0.3, 0});
+  sut.run(0.1, geometry::Twist{0.3, 0});
   sut.silent = true;
   sut.commands.clear();
   sut.run(1);
@@ -58,7 +58,7 @@ TEST(KobukiDriver, ReadsEveryFrameAtAnyLatency) {
 
 TEST(KobukiDriver, DrivesAndFollowsWithOdometry) {
   ModelRig sut;
-  sut.run(20, BodyVelocity{0.3, 0.4});
+  sut.run(20, geometry::Twist{0.3, 0.4});
   EXPECT_NEAR(sut.last.pose.x_m, sut.model.pose().x_m, 0.02);
   EXPECT_NEAR(sut.last.pose.y_m, sut.model.pose().y_m, 0.02);
   EXPECT_NEAR(sut.last.linear_mps, 0.3, 0.01);
@@ -67,7 +67,7 @@ TEST(KobukiDriver, DrivesAndFollowsWithOdometry) {
 
 TEST(KobukiDriver, StopsWhenVelocitiesGoStale) {
   ModelRig sut;
-  sut.run(1, BodyVelocity{0.5, 0});
+  sut.run(1, geometry::Twist{0.5, 0});
   const double x_m = sut.model.pose().x_m;
   sut.run(2);
   EXPECT_EQ(sut.model.velocity().linear_mps, 0);
@@ -78,7 +78,7 @@ TEST(KobukiDriver, StopsWhenVelocitiesGoStale) {
 
 TEST(KobukiDriver, IsOfflineWithin200MsOfSilence) {
   ModelRig sut;
-  sut.run(1, BodyVelocity{0.3, 0});
+  sut.run(1, geometry::Twist{0.3, 0});
   sut.silent = true;
   sut.run(0.13);
   EXPECT_EQ(sut.driver.state(), BaseState::online);
@@ -89,14 +89,14 @@ TEST(KobukiDriver, IsOfflineWithin200MsOfSilence) {
 
 TEST(KobukiDriver, ResumesDrivingOnlyByANewCommand) {
   ModelRig sut;
-  sut.run(1, BodyVelocity{0.3, 0});
+  sut.run(1, geometry::Twist{0.3, 0});
   sut.silent = true;
   sut.run(0.25);
   sut.silent = false;
   sut.run(0.2);
   EXPECT_EQ(sut.driver.state(), BaseState::online);
   EXPECT_EQ(last_velocity(sut).speed_mm_s, 0);  // the reference drives on by itself
-  sut.run(0.2, BodyVelocity{0.3, 0});
+  sut.run(0.2, geometry::Twist{0.3, 0});
   EXPECT_EQ(last_velocity(sut).speed_mm_s, 300);
 }
 
@@ -105,13 +105,13 @@ TEST(KobukiDriver, KeepsOdometryOverShortAndLongSilence) {
     ModelParams base = exact_model();
     base.command_timeout_s = 0.5;
     ModelRig sut({}, base);
-    sut.run(2, BodyVelocity{0.3, 0.2});
+    sut.run(2, geometry::Twist{0.3, 0.2});
     sut.silent = true;
     sut.connected = false;
     sut.run(gap_s);
     sut.silent = false;
     sut.connected = true;
-    sut.run(2, BodyVelocity{0.3, 0.2});
+    sut.run(2, geometry::Twist{0.3, 0.2});
     EXPECT_EQ(sut.driver.odometry().rejected_jumps(), 0U);
     EXPECT_NEAR(sut.last.pose.x_m, sut.model.pose().x_m, 0.02) << gap_s;
     EXPECT_NEAR(sut.last.pose.y_m, sut.model.pose().y_m, 0.02) << gap_s;
@@ -120,7 +120,7 @@ TEST(KobukiDriver, KeepsOdometryOverShortAndLongSilence) {
 
 TEST(KobukiDriver, TellsThatAPoseIsOldUntilTheFrameAfterASilenceIsConfirmed) {
   ModelRig sut;
-  sut.run(2, BodyVelocity{0.3, 0});
+  sut.run(2, geometry::Twist{0.3, 0});
   EXPECT_FALSE(sut.last.pose_is_old);
   sut.silent = true;
   sut.run(1);
@@ -149,10 +149,10 @@ TEST(KobukiDriver, KeepsABaseOfAnotherProtocolStanding) {
     ModelParams base = exact_model();
     base.firmware = firmware;
     ModelRig sut({}, base);
-    sut.run(1, BodyVelocity{0.3, 0});
+    sut.run(1, geometry::Twist{0.3, 0});
     EXPECT_EQ(sut.driver.state(), BaseState::refused);
     sut.commands.clear();
-    sut.run(1, BodyVelocity{0.3, 0});
+    sut.run(1, geometry::Twist{0.3, 0});
     EXPECT_EQ(last_velocity(sut).speed_mm_s, 0);
     EXPECT_EQ(sut.model.velocity().linear_mps, 0);
   }
@@ -160,8 +160,8 @@ TEST(KobukiDriver, KeepsABaseOfAnotherProtocolStanding) {
 
 TEST(KobukiDriver, SurvivesAPowerCycleOfTheBase) {
   ModelRig sut;
-  sut.run(2, BodyVelocity{0.3, 0.2});
-  const Pose before = sut.last.pose;
+  sut.run(2, geometry::Twist{0.3, 0.2});
+  const geometry::Pose before = sut.last.pose;
   sut.model.power_cycle(sut.now);
   sut.run(0.5);
   EXPECT_NEAR(sut.last.pose.x_m, before.x_m, 0.2);
@@ -186,7 +186,7 @@ TEST(KobukiDriver, SendsTheOutputRegisterAgainAfterAReconnection) {
 
 TEST(KobukiDriver, NeverCutsTheSuppliesByItself) {
   ModelRig sut;
-  sut.run(5, BodyVelocity{0.1, 0});
+  sut.run(5, geometry::Twist{0.1, 0});
   EXPECT_EQ(sut.count<OutputRegister>(), 0);
 }
 
@@ -205,16 +205,16 @@ TEST(KobukiDriver, SendsSoundsOnceAndBoundsTheQueue) {
 TEST(KobukiDriver, StandsWithoutMotorPower) {
   ModelRig sut;
   sut.driver.set_motor_power(false);
-  sut.run(1, BodyVelocity{0.3, 0});
+  sut.run(1, geometry::Twist{0.3, 0});
   EXPECT_EQ(sut.model.velocity().linear_mps, 0);
   sut.driver.set_motor_power(true);
-  sut.run(1, BodyVelocity{0.3, 0});
+  sut.run(1, geometry::Twist{0.3, 0});
   EXPECT_GT(sut.model.velocity().linear_mps, 0.2);
 }
 
 TEST(KobukiDriver, SaysFarewellWithZeroVelocity) {
   ModelRig sut;
-  sut.run(1, BodyVelocity{0.3, 0});
+  sut.run(1, geometry::Twist{0.3, 0});
   sut.commands.clear();
   sut.driver.farewell([&](ByteView bytes) { sut.on_command_bytes(bytes); });
   EXPECT_EQ(sut.count<BaseControl>(), 3);
@@ -236,7 +236,7 @@ TEST(KobukiDriver, TurnsByItsOwnWheelSeparation) {
   KobukiDriver::Params params;
   params.odometry.wheel_separation_m = 0.253;  // 10 % more than nominal
   ModelRig sut(params);
-  sut.run(1, BodyVelocity{0, 1.0});
+  sut.run(1, geometry::Twist{0, 1.0});
   EXPECT_EQ(last_velocity(sut).radius_mm, 1);
   EXPECT_NEAR(last_velocity(sut).speed_mm_s, 126.5, 0.6);
 }
@@ -245,7 +245,7 @@ TEST(KobukiDriver, ReadsOnThroughNoise) {
   LineParams line;
   line.flip_probability = line.loss_probability = line.noise_probability = 0.0005;
   ModelRig sut({}, exact_model(), line);
-  sut.run(60, BodyVelocity{0.2, 0.3});
+  sut.run(60, geometry::Twist{0.2, 0.3});
   EXPECT_GT(sut.readings, 2500);
   EXPECT_GT(sut.driver.frame_counts().rejected, 0U);
   EXPECT_NEAR(sut.last.pose.x_m, sut.model.pose().x_m, 0.05);
@@ -253,7 +253,7 @@ TEST(KobukiDriver, ReadsOnThroughNoise) {
 
 TEST(KobukiDriver, ForgetsTheVelocityWhenThePortIsLost) {
   ModelRig sut;
-  sut.run(1, BodyVelocity{0.3, 0});
+  sut.run(1, geometry::Twist{0.3, 0});
   sut.driver.on_port_lost();
   EXPECT_EQ(sut.driver.state(), BaseState::no_port);
   EXPECT_EQ(sut.driver.next_deadline(), never);

@@ -7,27 +7,30 @@
 #include <cstdio>
 #include <random>
 
+#include "geometry/pose.hpp"
 #include "model_rig.hpp"
 
 namespace tocsin::kobuki {
 namespace {
 
-double distance_m(const Pose& a, const Pose& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
+double distance_m(const geometry::Pose& a, const geometry::Pose& b) {
+  return distance(position(a), position(b));
+}
 
-double angle_deg(const Pose& a, const Pose& b) {
-  return std::abs(wrap_angle(a.heading_rad - b.heading_rad)) / degree_rad;
+double angle_deg(const geometry::Pose& a, const geometry::Pose& b) {
+  return std::abs(geometry::wrap_angle(a.heading_rad - b.heading_rad)) / degree_rad;
 }
 
 /// Turns by odometry until the heading is reached.
 void turn_to(ModelRig& rig, double heading_rad) {
-  const auto left = [&] { return wrap_angle(heading_rad - rig.last.pose.heading_rad); };
-  while (std::abs(left()) > 0.02) rig.run(0.05, BodyVelocity{0, std::clamp(left(), -0.6, 0.6)});
+  const auto left = [&] { return geometry::wrap_angle(heading_rad - rig.last.pose.heading_rad); };
+  while (std::abs(left()) > 0.02) rig.run(0.05, geometry::Twist{0, std::clamp(left(), -0.6, 0.6)});
   rig.run(0.7);
 }
 
 void drive_forward(ModelRig& rig, double length_m) {
-  const Pose from = rig.last.pose;
-  while (distance_m(from, rig.last.pose) < length_m - 0.05) rig.run(0.05, BodyVelocity{0.3, 0});
+  const geometry::Pose from = rig.last.pose;
+  while (distance_m(from, rig.last.pose) < length_m - 0.05) rig.run(0.05, geometry::Twist{0.3, 0});
   rig.run(0.7);
 }
 
@@ -42,7 +45,7 @@ TEST(LongDrive, DrivesASquareOfTwoMetres) {
   std::printf("square: odometry is off by %.3f m and %.2f deg after 8 m\n", error_m,
               angle_deg(rig.last.pose, rig.model.pose()));
   EXPECT_LT(error_m, 0.05);
-  EXPECT_LT(distance_m(rig.model.pose(), Pose{}), 0.6);
+  EXPECT_LT(distance_m(rig.model.pose(), geometry::Pose{}), 0.6);
   EXPECT_EQ(rig.driver.state(), BaseState::online);
 }
 
@@ -62,7 +65,7 @@ void strike(ModelRig& rig, std::mt19937& random) {
   rig.silent = kind == 3;
   rig.connected = kind != 4;
   if (kind == 4) rig.driver.on_port_lost();
-  rig.run(uniform(0.05, 2.5), BodyVelocity{uniform(-0.2, 0.4), uniform(-0.8, 0.8)});
+  rig.run(uniform(0.05, 2.5), geometry::Twist{uniform(-0.2, 0.4), uniform(-0.8, 0.8)});
   if (kind == 4) rig.driver.on_port_open();
   rig.silent = false;
   rig.connected = true;
@@ -78,7 +81,7 @@ TEST(LongDrive, SurvivesAnHourOfFaults) {
   int faults = 0;
   while (rig.now < end) {
     const double w_rad_s = std::uniform_real_distribution<double>(-0.8, 0.8)(random);
-    rig.run(5, BodyVelocity{0.3, w_rad_s});
+    rig.run(5, geometry::Twist{0.3, w_rad_s});
     ASSERT_EQ(rig.driver.state(), BaseState::online) << "after fault " << faults;
     strike(rig, random);
     ++faults;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/twist.hpp"
 #include "kobuki_driver/kobuki_driver.hpp"
 #include "kobuki_model/base_model.hpp"
 #include "kobuki_model/serial_line.hpp"
@@ -29,7 +30,7 @@ struct ModelRig {
     driver.on_port_open();
   }
 
-  void run(double duration_s, std::optional<BodyVelocity> command = {}) {
+  void run(double duration_s, std::optional<geometry::Twist> command = {}) {
     const Time end = now + seconds(duration_s);
     while (now < end) {
       now += std::chrono::milliseconds(1);

@@ -48,7 +48,7 @@ TEST(WatchPage, ShowsWhatIsTouched) {
 
 TEST(WatchPage, FitsIntoEightyColumns) {
   ModelRig rig;
-  rig.run(0.5, BodyVelocity{-0.3, -1});
+  rig.run(0.5, geometry::Twist{-0.3, -1});
   std::istringstream page(watch_page(rig.driver, rig.last));
   for (std::string line; std::getline(page, line);) EXPECT_LE(line.size(), 80U) << line;
 }

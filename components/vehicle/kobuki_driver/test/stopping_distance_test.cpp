@@ -25,7 +25,7 @@ ModelParams base_with_timeout() {
 /// Drives at `speed`, lets `die` happen, and measures until the base stands.
 template <class Death>
 Stop stop_after(ModelRig& rig, double speed_mps, const Death& die) {
-  rig.run(2, BodyVelocity{speed_mps, 0});
+  rig.run(2, geometry::Twist{speed_mps, 0});
   const double x_m = rig.model.pose().x_m;
   const Time died = rig.now;
   die(rig);

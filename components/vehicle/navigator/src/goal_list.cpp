@@ -14,7 +14,7 @@ bool is_valid(const Goal& goal) {
          goal.tolerance_m >= 0.05 && goal.tolerance_m <= 5 &&
          goal.ahead.size() <= Goal::most_ahead &&
          std::all_of(goal.ahead.begin(), goal.ahead.end(),
-                     [](const navigation::Pose2& pose) { return is_finite(pose); });
+                     [](const geometry::Pose& pose) { return is_finite(pose); });
 }
 
 }  // namespace

@@ -11,10 +11,11 @@ namespace tocsin {
 std::optional<OdometryLocaliser::Memory> LocaliserFile::load() const {
   std::istringstream text(file_.load().value_or(""));
   OdometryLocaliser::Memory memory;
-  navigation::Pose2& start = memory.map_from_odom;
-  navigation::Pose2& odom = memory.odom;
+  geometry::Pose& start = memory.map_from_odom;
+  geometry::Pose& odom = memory.odom;
   pid_t parent = 0;
-  text >> parent >> start.x >> start.y >> start.yaw >> odom.x >> odom.y >> odom.yaw;
+  text >> parent >> start.x_m >> start.y_m >> start.heading_rad >> odom.x_m >> odom.y_m >>
+      odom.heading_rad;
   const bool is_ours = text && parent == ::getppid() && is_finite(start) && is_finite(odom);
   return is_ours ? std::optional(memory) : std::nullopt;
 }
@@ -24,8 +25,8 @@ bool LocaliserFile::save(const OdometryLocaliser::Memory& memory) {
   std::ostringstream text;
   text.precision(std::numeric_limits<double>::max_digits10);
   text << ::getppid();
-  for (const navigation::Pose2& pose : {memory.map_from_odom, memory.odom}) {
-    text << ' ' << pose.x << ' ' << pose.y << ' ' << pose.yaw;
+  for (const geometry::Pose& pose : {memory.map_from_odom, memory.odom}) {
+    text << ' ' << pose.x_m << ' ' << pose.y_m << ' ' << pose.heading_rad;
   }
   return file_.save(text.str());
 }

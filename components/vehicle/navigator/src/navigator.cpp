@@ -7,11 +7,9 @@
 #include <utility>
 
 #include "foundation/numbers.hpp"
+#include "geometry/pose.hpp"
 
 namespace tocsin {
-
-using navigation::Pose2;
-using navigation::Velocity;
 
 namespace {
 
@@ -22,8 +20,9 @@ constexpr double slow_mps = 0.15;
 constexpr double bumper_gap_m = 0.05;  // left between a wall and a vehicle that braked before it
 constexpr Duration back_up_time = std::chrono::milliseconds(1500);
 
-Pose2 ahead(const Pose2& pose, double metres) {
-  return {pose.x + metres * std::cos(pose.yaw), pose.y + metres * std::sin(pose.yaw), pose.yaw};
+geometry::Pose ahead(const geometry::Pose& pose, double metres) {
+  return {pose.x_m + metres * std::cos(pose.heading_rad),
+          pose.y_m + metres * std::sin(pose.heading_rad), pose.heading_rad};
 }
 
 }  // namespace
@@ -44,7 +43,7 @@ GoalAnswer Navigator::on_goal(Goal goal, Time now) {
   return answer;
 }
 
-void Navigator::on_pose(const Pose2& pose, Time now) {
+void Navigator::on_pose(const geometry::Pose& pose, Time now) {
   if (!is_finite(pose)) return;
   pose_ = pose;
   pose_time_ = now;
@@ -91,7 +90,8 @@ bool Navigator::is_link_lost(Time now) const {
   return heard_ && now - *heard_ > seconds(params_.link_lost_after_s);
 }
 
-Navigator::Output Navigator::stand(State state, const Velocity& velocity, const char* reason) {
+Navigator::Output Navigator::stand(State state, const geometry::Twist& velocity,
+                                   const char* reason) {
   progress_pose_ = pose_;
   progress_time_ = *last_update_;
   return {velocity, status(state, nan, reason)};
@@ -119,7 +119,7 @@ Navigator::Output Navigator::drive(const Target& target, Time now, Duration dt) 
 /// Near enough and slow, so that braking does not carry the vehicle out of the tolerance again.
 bool Navigator::has_arrived(const Target& target) const {
   const double away_m = distance(position(pose_), position(target.pose));
-  const bool is_slow = std::abs(follower_.velocity().v_mps) <= slow_mps;
+  const bool is_slow = std::abs(follower_.velocity().linear_mps) <= slow_mps;
   return away_m <= target.tolerance_m / 2 || (away_m <= target.tolerance_m && is_slow);
 }
 
@@ -135,11 +135,12 @@ void Navigator::take_up(const Target& target) {
 
 Navigator::Output Navigator::align(const Target& target, Duration dt) {
   const bool is_aligned =
-      std::abs(navigation::wrap_angle(target.pose.yaw - pose_.yaw)) <= params_.yaw_tolerance_rad;
+      std::abs(geometry::wrap_angle(target.pose.heading_rad - pose_.heading_rad)) <=
+      params_.yaw_tolerance_rad;
   reached_ = is_aligned || !params_.align_yaw;
   if (reached_) return {follower_.brake(dt), status(State::reached, 0, "")};
   const double away_m = distance(position(pose_), position(target.pose));
-  return {follower_.turn_to(pose_, target.pose.yaw, dt),
+  return {follower_.turn_to(pose_, target.pose.heading_rad, dt),
           status(State::driving, away_m, "aligning")};
 }
 
@@ -152,7 +153,7 @@ Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration
     blocked_since_.reset();
   }
   if (is_stuck(now)) return block(now, "stuck");
-  const Velocity velocity = follow_with_care(dt);
+  const geometry::Twist velocity = follow_with_care(dt);
   // The next update plans from where the vehicle is then.
   if (follower_.deviation_m() > params_.replan_beside_m) has_path_ = false;
   return {velocity, status(State::driving, follower_.remaining_m(), "")};
@@ -172,40 +173,40 @@ Navigator::Output Navigator::wait_blocked(Time now, Duration dt) {
                blocked_reason_);
 }
 
-Velocity Navigator::follow_with_care(Duration dt) {
+geometry::Twist Navigator::follow_with_care(Duration dt) {
   if (would_hit()) return follower_.brake(dt);
-  const bool stood = follower_.velocity().v_mps <= 0;
-  const Velocity velocity = follower_.follow(pose_, dt);
+  const bool stood = follower_.velocity().linear_mps <= 0;
+  const geometry::Twist velocity = follower_.follow(pose_, dt);
   return stood && would_hit() ? follower_.halt() : velocity;
 }
 
 bool Navigator::would_hit() const {
-  const Velocity v = follower_.velocity();
+  const geometry::Twist v = follower_.velocity();
   const double radius_m = params_.inflation.robot_radius_m;
-  if (v.v_mps <= 0) return false;
+  if (v.linear_mps <= 0) return false;
   const double braking_m =
-      v.v_mps * v.v_mps / (2 * params_.follower.acceleration_mps2) + bumper_gap_m;
-  const bool is_clear = map_.is_clear(pose_.x, pose_.y, radius_m + braking_m);
-  if (is_clear || map_.collides(pose_.x, pose_.y, radius_m)) return false;
-  Pose2 pose = pose_;
+      v.linear_mps * v.linear_mps / (2 * params_.follower.acceleration_mps2) + bumper_gap_m;
+  const bool is_clear = map_.is_clear(pose_.x_m, pose_.y_m, radius_m + braking_m);
+  if (is_clear || map_.collides(pose_.x_m, pose_.y_m, radius_m)) return false;
+  geometry::Pose pose = pose_;
   constexpr int samples = 4;
   for (int i = 0; i < samples; ++i) {
     pose = ahead(pose, braking_m / samples);
-    pose.yaw += v.w_radps / v.v_mps * braking_m / samples;
-    if (map_.collides(pose.x, pose.y, radius_m)) return true;
+    pose.heading_rad += v.angular_rad_s / v.linear_mps * braking_m / samples;
+    if (map_.collides(pose.x_m, pose.y_m, radius_m)) return true;
   }
   return false;
 }
 
 bool Navigator::is_free_behind() const {
-  const Pose2 behind = ahead(pose_, -0.2);
-  return !map_.collides(behind.x, behind.y, params_.inflation.robot_radius_m);
+  const geometry::Pose behind = ahead(pose_, -0.2);
+  return !map_.collides(behind.x_m, behind.y_m, params_.inflation.robot_radius_m);
 }
 
 bool Navigator::is_stuck(Time now) {
   const bool has_moved =
       distance(position(pose_), position(progress_pose_)) > moved_m ||
-      std::abs(navigation::wrap_angle(pose_.yaw - progress_pose_.yaw)) > turned_rad;
+      std::abs(geometry::wrap_angle(pose_.heading_rad - progress_pose_.heading_rad)) > turned_rad;
   if (has_moved) {
     progress_pose_ = pose_;
     progress_time_ = now;

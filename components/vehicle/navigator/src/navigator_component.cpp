@@ -10,8 +10,6 @@
 
 namespace tocsin {
 
-using navigation::Pose2;
-
 namespace {
 
 Navigator make_navigator(const std::string& name, const NavigatorComponent::Params& params) {
@@ -20,23 +18,23 @@ Navigator make_navigator(const std::string& name, const NavigatorComponent::Para
           navigation::load_costs(params.map_file, params.navigator.inflation)};
 }
 
-Pose2 pose_of(const geometry_msgs::msg::Pose& message) {
+geometry::Pose pose_of(const geometry_msgs::msg::Pose& message) {
   const auto& q = message.orientation();
   return {message.position().x(), message.position().y(),
-          navigation::yaw_of({q.x(), q.y(), q.z(), q.w()})};
+          geometry::heading_of({q.x(), q.y(), q.z(), q.w()})};
 }
 
-geometry_msgs::msg::Pose to_msg(const Pose2& pose) {
+geometry_msgs::msg::Pose to_msg(const geometry::Pose& pose) {
   geometry_msgs::msg::Pose message;
-  message.position().x(pose.x);
-  message.position().y(pose.y);
-  const auto q = navigation::quaternion_from_yaw(pose.yaw);
+  message.position().x(pose.x_m);
+  message.position().y(pose.y_m);
+  const auto q = geometry::quaternion_of(pose.heading_rad);
   message.orientation().z(q.z);
   message.orientation().w(q.w);
   return message;
 }
 
-OdometryLocaliser make_localiser(const LocaliserFile& file, const Pose2& start) {
+OdometryLocaliser make_localiser(const LocaliserFile& file, const geometry::Pose& start) {
   const auto memory = file.load();
   return memory ? OdometryLocaliser(*memory) : OdometryLocaliser(start);
 }
@@ -115,12 +113,12 @@ void NavigatorComponent::take_goal(const topic::Goal::Message& message, Time now
              message.mission(), message.waypoint(), message.x(), message.y(), to_string(answer));
 }
 
-void NavigatorComponent::drive(const navigation::Velocity& velocity) {
-  const bool stands = velocity.v_mps == 0 && velocity.w_radps == 0;
+void NavigatorComponent::drive(const geometry::Twist& velocity) {
+  const bool stands = velocity.linear_mps == 0 && velocity.angular_rad_s == 0;
   if (stands && is_standing_) return;
   topic::CmdVelNavigation::Message message;
-  message.linear().x(velocity.v_mps);
-  message.angular().z(velocity.w_radps);
+  message.linear().x(velocity.linear_mps);
+  message.angular().z(velocity.angular_rad_s);
   is_standing_ = cmd_vel_.write(std::move(message)) == Status::ok && stands;
 }
 

@@ -30,7 +30,7 @@ TEST(GoalList, AdvancesThroughWhatIsAheadAndNoFarther) {
   EXPECT_TRUE(sut.advance());
   EXPECT_TRUE(sut.advance());
   EXPECT_EQ(sut.present()->id, 7U);
-  EXPECT_EQ(sut.present()->pose.x, 7);
+  EXPECT_EQ(sut.present()->pose.x_m, 7);
   EXPECT_FALSE(sut.advance());
   EXPECT_EQ(sut.present()->id, 7U);
 }
@@ -51,7 +51,7 @@ TEST(GoalList, AnEarlierGoalThatLeadsToThePresentOneRenewsIt) {
   EXPECT_EQ(sut.present()->id, 6U);
   EXPECT_EQ(sut.present()->expires, t0 + seconds(90));
   ASSERT_EQ(sut.present()->ahead.size(), 2U);
-  EXPECT_EQ(sut.present()->ahead[0].x, 7);
+  EXPECT_EQ(sut.present()->ahead[0].x_m, 7);
 }
 
 TEST(GoalList, AnEarlierGoalThatEndsBeforeThePresentOneIsSuperseded) {
@@ -72,7 +72,7 @@ TEST(GoalList, RefusesMoreAheadThanTheLimit) {
 TEST(GoalList, RefusesWhatIsNotFiniteAhead) {
   GoalList sut;
   Goal bad = goal(1, 2);
-  bad.ahead[1].yaw = std::numeric_limits<double>::quiet_NaN();
+  bad.ahead[1].heading_rad = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(sut.on_goal(bad, t0), GoalAnswer::invalid);
   EXPECT_FALSE(sut.present());
 }

@@ -22,9 +22,9 @@ TEST_F(LocaliserFileTest, GivesBackWhatItSaved) {
   ASSERT_TRUE(sut_.save({{0.1, -2, 3}, {4, 5, -0.6}}));
   const auto memory = sut_.load();
   ASSERT_TRUE(memory);
-  EXPECT_EQ(memory->map_from_odom.x, 0.1);
-  EXPECT_EQ(memory->map_from_odom.yaw, 3);
-  EXPECT_EQ(memory->odom.yaw, -0.6);
+  EXPECT_EQ(memory->map_from_odom.x_m, 0.1);
+  EXPECT_EQ(memory->map_from_odom.heading_rad, 3);
+  EXPECT_EQ(memory->odom.heading_rad, -0.6);
 }
 
 TEST_F(LocaliserFileTest, IsEmptyWithoutAFile) { EXPECT_FALSE(sut_.load()); }

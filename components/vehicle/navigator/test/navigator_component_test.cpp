@@ -26,7 +26,7 @@ TEST_F(NavigatorComponentTest, DrivesToAGoal) {
   run(12);
   EXPECT_EQ(status_.state(), "reached");
   EXPECT_EQ(status_.goal_id(), 5U);
-  EXPECT_NEAR(odom_.x, 3, 0.2);
+  EXPECT_NEAR(odom_.x_m, 3, 0.2);
 }
 
 TEST_F(NavigatorComponentTest, CommandsAtItsRateHoweverOftenAPoseComes) {
@@ -174,7 +174,7 @@ TEST_F(NavigatorComponentTest, TakesTheWaypointsAheadOutOfAGoal) {
   run(8);
   EXPECT_EQ(status_.goal_id(), 6U);
   EXPECT_EQ(status_.state(), "reached");
-  EXPECT_NEAR(odom_.x, 2, 0.2);
+  EXPECT_NEAR(odom_.x_m, 2, 0.2);
 }
 
 TEST_F(NavigatorComponentTest, RefusesAGoalWithNan) {

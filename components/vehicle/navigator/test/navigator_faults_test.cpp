@@ -14,13 +14,13 @@ namespace {
 TEST(Navigator, HaltsAtOnceWithoutAFreshPose) {
   Vehicle vehicle;
   ASSERT_EQ(vehicle.send(1, {3, 1, 0}), Answer::accepted);
-  ASSERT_GT(vehicle.run(1.5).velocity.v_mps, 0.3);
+  ASSERT_GT(vehicle.run(1.5).velocity.linear_mps, 0.3);
   vehicle.has_localisation = false;
   EXPECT_EQ(vehicle.run(0.5).status.state, State::driving);
   const auto output = vehicle.step();
   EXPECT_EQ(output.status.state, State::held);
   EXPECT_EQ(output.status.reason, std::string("no_pose"));
-  EXPECT_EQ(output.velocity.v_mps, 0);
+  EXPECT_EQ(output.velocity.linear_mps, 0);
   vehicle.has_localisation = true;
   EXPECT_EQ(vehicle.run(10).status.state, State::reached);
 }
@@ -34,7 +34,7 @@ TEST(Navigator, HaltsBeforeTheFirstPose) {
 
 TEST(Navigator, APoseThatIsNotFiniteIsNoPose) {
   Vehicle vehicle;
-  vehicle.pose.x = nan;
+  vehicle.pose.x_m = nan;
   ASSERT_EQ(vehicle.send(1, {3, 1, 0}), Answer::accepted);
   EXPECT_EQ(vehicle.run(0.2).status.reason, std::string("no_pose"));
 }
@@ -42,12 +42,12 @@ TEST(Navigator, APoseThatIsNotFiniteIsNoPose) {
 TEST(Navigator, HaltsAtOnceOnEmergencyStopUntilItIsReleased) {
   Vehicle vehicle;
   ASSERT_EQ(vehicle.send(1, {3, 1, 0}), Answer::accepted);
-  ASSERT_GT(vehicle.run(1.5).velocity.v_mps, 0.3);
+  ASSERT_GT(vehicle.run(1.5).velocity.linear_mps, 0.3);
   vehicle.sut.on_emergency_stop(true);
-  EXPECT_EQ(vehicle.step().velocity.v_mps, 0);
+  EXPECT_EQ(vehicle.step().velocity.linear_mps, 0);
   ASSERT_EQ(vehicle.send(2, {3, 1, 0}), Answer::accepted);
   const auto output = vehicle.run(100);
-  EXPECT_EQ(output.velocity.v_mps, 0);
+  EXPECT_EQ(output.velocity.linear_mps, 0);
   EXPECT_EQ(output.status.reason, std::string("emergency_stop"));
   vehicle.sut.on_emergency_stop(false);
   EXPECT_EQ(vehicle.step().status.state, State::driving);
@@ -68,7 +68,7 @@ TEST(Navigator, HoldsWhileTheLinkIsLost) {
   EXPECT_EQ(vehicle.step().status.state, State::held);
   const auto output = vehicle.run(30);
   EXPECT_EQ(output.status.reason, std::string("link_lost"));
-  EXPECT_EQ(output.velocity.v_mps, 0);
+  EXPECT_EQ(output.velocity.linear_mps, 0);
   vehicle.sut.on_ground_station(vehicle.now);
   EXPECT_EQ(vehicle.step().status.state, State::driving);
 }
@@ -100,7 +100,7 @@ TEST(Navigator, IsBlockedWhenThereIsNoPath) {
   for (int i = 0; i < 400; ++i) {
     const auto output = vehicle.step();
     ASSERT_EQ(output.status.state, State::blocked);
-    ASSERT_EQ(output.velocity.v_mps, 0);
+    ASSERT_EQ(output.velocity.linear_mps, 0);
   }
   EXPECT_TRUE(std::isnan(vehicle.step().status.distance_m));
 }
@@ -125,7 +125,7 @@ TEST(Navigator, BacksUpAndTriesAgainWhenItIsStuck) {
   vehicle.is_jammed = true;
   EXPECT_EQ(vehicle.run(4).status.state, State::driving);
   EXPECT_EQ(vehicle.run(0.2).status.reason, std::string("stuck"));
-  EXPECT_LT(vehicle.run(0.5).velocity.v_mps, 0);
+  EXPECT_LT(vehicle.run(0.5).velocity.linear_mps, 0);
   vehicle.is_jammed = false;
   EXPECT_EQ(vehicle.run(12).status.state, State::reached);
 }
@@ -136,7 +136,7 @@ TEST(Navigator, DoesNotBackUpIntoAWall) {
   ASSERT_EQ(vehicle.send(1, {6, 1, 0}), Answer::accepted);
   vehicle.is_jammed = true;
   ASSERT_EQ(vehicle.run(4.2).status.reason, std::string("stuck"));
-  for (int i = 0; i < 40; ++i) ASSERT_GE(vehicle.step().velocity.v_mps, 0);
+  for (int i = 0; i < 40; ++i) ASSERT_GE(vehicle.step().velocity.linear_mps, 0);
 }
 
 TEST(Navigator, IsNotStuckAfterALongHold) {
@@ -152,7 +152,7 @@ TEST(Navigator, IsNotStuckAfterALongHold) {
 void put_back_before_the_wall(Vehicle& vehicle) {
   vehicle.pose = {3, 1, 0};
   ASSERT_EQ(vehicle.send(1, {6, 1, 0}), Answer::accepted);
-  while (vehicle.pose.x < 4.8) (void)vehicle.step();
+  while (vehicle.pose.x_m < 4.8) (void)vehicle.step();
   vehicle.pose = {3, 1.2, 0};
 }
 
@@ -161,7 +161,7 @@ TEST(Navigator, PlansAgainWhenItIsFarBesideItsPath) {
   put_back_before_the_wall(vehicle);
   for (int i = 0; i < 600; ++i) {
     ASSERT_NE(vehicle.step().status.state, State::blocked);
-    ASSERT_FALSE(vehicle.map.collides(vehicle.pose.x, vehicle.pose.y, 0.18));
+    ASSERT_FALSE(vehicle.map.collides(vehicle.pose.x_m, vehicle.pose.y_m, 0.18));
   }
   EXPECT_LE(vehicle.distance_to({6, 1, 0}), 0.2);
 }
@@ -174,7 +174,7 @@ TEST(Navigator, StopsBeforeAWallThatIsInItsWayAndPlansAgain) {
   bool was_stuck = false;
   for (int i = 0; i < 1000; ++i) {
     was_stuck = vehicle.step().status.state == State::blocked || was_stuck;
-    ASSERT_FALSE(vehicle.map.collides(vehicle.pose.x, vehicle.pose.y, 0.17));
+    ASSERT_FALSE(vehicle.map.collides(vehicle.pose.x_m, vehicle.pose.y_m, 0.17));
   }
   EXPECT_TRUE(was_stuck);
   EXPECT_LE(vehicle.distance_to({6, 1, 0}), 0.2);

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "foundation/error.hpp"
+#include "geometry/pose.hpp"
 #include "navigator/navigator_component.hpp"
 #include "runtime/sim_bus.hpp"
 
@@ -42,10 +43,10 @@ class NavigatorComponentTest : public ::testing::Test {
   }
   topic::Odom::Message odometry() const {
     topic::Odom::Message message;
-    message.pose().pose().position().x(odom_.x);
-    message.pose().pose().position().y(odom_.y);
-    message.pose().pose().orientation().z(std::sin(odom_.yaw / 2));
-    message.pose().pose().orientation().w(std::cos(odom_.yaw / 2));
+    message.pose().pose().position().x(odom_.x_m);
+    message.pose().pose().position().y(odom_.y_m);
+    message.pose().pose().orientation().z(std::sin(odom_.heading_rad / 2));
+    message.pose().pose().orientation().w(std::cos(odom_.heading_rad / 2));
     return message;
   }
   void send_goal(std::uint64_t id, double x, double age_s = 0, double lifetime_s = 60) {
@@ -79,7 +80,7 @@ class NavigatorComponentTest : public ::testing::Test {
   SimReader<topic::CmdVelNavigation> commands_{bus_};
   SimReader<topic::Location> locations_{bus_};
   SimReader<topic::NavigationStatus> statuses_{bus_};
-  navigation::Pose2 odom_;
+  geometry::Pose odom_;
   bool has_odometry_ = true;
   topic::CmdVelNavigation::Message command_;
   topic::Goal::Message goal_;  // what is sent but for what is told

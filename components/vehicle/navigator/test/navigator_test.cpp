@@ -17,7 +17,7 @@ TEST(Navigator, IsIdleWithoutAGoal) {
   const auto output = vehicle.run(1);
   EXPECT_EQ(output.status.state, State::idle);
   EXPECT_EQ(output.status.goal_id, 0U);
-  EXPECT_EQ(output.velocity.v_mps, 0);
+  EXPECT_EQ(output.velocity.linear_mps, 0);
 }
 
 TEST(Navigator, ReachesAGoalWithinItsTolerance) {
@@ -27,7 +27,7 @@ TEST(Navigator, ReachesAGoalWithinItsTolerance) {
   EXPECT_EQ(output.status.state, State::reached);
   EXPECT_EQ(output.status.goal_id, 7U);
   EXPECT_LE(vehicle.distance_to({3, 3, 0}), 0.2);
-  EXPECT_EQ(output.velocity.v_mps, 0);
+  EXPECT_EQ(output.velocity.linear_mps, 0);
 }
 
 TEST(Navigator, StopsWithinTheToleranceEvenWhenTheBaseLags) {
@@ -35,7 +35,7 @@ TEST(Navigator, StopsWithinTheToleranceEvenWhenTheBaseLags) {
     Vehicle vehicle;
     vehicle.lag = 0.8;
     vehicle.pose = {1.5, 1.5, 0};
-    const Pose2 goal{1.5 + std::cos(direction), 1.5 + std::sin(direction), 0};
+    const geometry::Pose goal{1.5 + std::cos(direction), 1.5 + std::sin(direction), 0};
     const Time later = vehicle.now + seconds(60);
     ASSERT_EQ(vehicle.sut.on_goal({1, 1, goal, 0.1, later, {}}, vehicle.now), Answer::accepted);
     EXPECT_EQ(vehicle.run(20).status.state, State::reached);
@@ -56,7 +56,7 @@ TEST(Navigator, TurnsToTheGoalsHeading) {
   Vehicle vehicle;
   ASSERT_EQ(vehicle.send(7, {3, 1, -2.5}), Answer::accepted);
   EXPECT_EQ(vehicle.run(15).status.state, State::reached);
-  EXPECT_NEAR(vehicle.pose.yaw, -2.5, 0.25);
+  EXPECT_NEAR(vehicle.pose.heading_rad, -2.5, 0.25);
 }
 
 TEST(Navigator, LeavesTheHeadingAloneWhenToldSo) {
@@ -65,7 +65,7 @@ TEST(Navigator, LeavesTheHeadingAloneWhenToldSo) {
   Vehicle vehicle(params);
   ASSERT_EQ(vehicle.send(7, {3, 1, -2.5}), Answer::accepted);
   EXPECT_EQ(vehicle.run(15).status.state, State::reached);
-  EXPECT_NEAR(vehicle.pose.yaw, 0, 0.25);
+  EXPECT_NEAR(vehicle.pose.heading_rad, 0, 0.25);
 }
 
 TEST(Navigator, DrivesRoundAWallWithoutTouchingIt) {
@@ -73,7 +73,7 @@ TEST(Navigator, DrivesRoundAWallWithoutTouchingIt) {
   ASSERT_EQ(vehicle.send(1, {6, 1, 0}), Answer::accepted);
   for (int i = 0; i < 600; ++i) {
     (void)vehicle.step();
-    ASSERT_FALSE(vehicle.map.collides(vehicle.pose.x, vehicle.pose.y, 0.18));
+    ASSERT_FALSE(vehicle.map.collides(vehicle.pose.x_m, vehicle.pose.y_m, 0.18));
   }
   EXPECT_LE(vehicle.distance_to({6, 1, 0}), 0.2);
 }
@@ -140,7 +140,7 @@ TEST(Navigator, HoldsWhenTheGoalExpires) {
   EXPECT_EQ(vehicle.step().status.state, State::held);
   const auto output = vehicle.run(2);
   EXPECT_EQ(output.status.reason, std::string("goal_expired"));
-  EXPECT_EQ(output.velocity.v_mps, 0);
+  EXPECT_EQ(output.velocity.linear_mps, 0);
 }
 
 TEST(Navigator, DrivesOnWhenTheGoalIsRenewed) {
@@ -184,7 +184,7 @@ TEST(Navigator, StaysAtAGoalWhenTheLeaseOfTheNextOneIsOver) {
   const auto output = vehicle.run(10);
   EXPECT_EQ(output.status.state, State::held);
   EXPECT_EQ(output.status.goal_id, 8U);
-  EXPECT_EQ(output.velocity.v_mps, 0);
+  EXPECT_EQ(output.velocity.linear_mps, 0);
 }
 
 TEST(Navigator, DoesNotGoOnWhileTheLinkIsLostWhenItIsToHold) {

@@ -8,50 +8,48 @@
 namespace tocsin {
 namespace {
 
-using navigation::Pose2;
-
 constexpr Time t0{std::chrono::hours(1)};
 
-void expect_pose(const std::optional<Pose2>& pose, const Pose2& expected) {
+void expect_pose(const std::optional<geometry::Pose>& pose, const geometry::Pose& expected) {
   ASSERT_TRUE(pose);
-  EXPECT_NEAR(pose->x, expected.x, 1e-9);
-  EXPECT_NEAR(pose->y, expected.y, 1e-9);
-  EXPECT_NEAR(pose->yaw, expected.yaw, 1e-9);
+  EXPECT_NEAR(pose->x_m, expected.x_m, 1e-9);
+  EXPECT_NEAR(pose->y_m, expected.y_m, 1e-9);
+  EXPECT_NEAR(pose->heading_rad, expected.heading_rad, 1e-9);
 }
 
 TEST(OdometryLocaliser, AddsOdometryToTheStart) {
-  OdometryLocaliser sut(Pose2{1, 2, pi / 2});
+  OdometryLocaliser sut(geometry::Pose{1, 2, pi / 2});
   expect_pose(sut.update({0, 0, 0}, t0), {1, 2, pi / 2});
   expect_pose(sut.update({0.5, 0, 0.1}, t0 + seconds(1)), {1, 2.5, pi / 2 + 0.1});
 }
 
 TEST(OdometryLocaliser, AcceptsAFirstPoseFarFromZero) {
-  OdometryLocaliser sut(Pose2{1, 0, 0});
+  OdometryLocaliser sut(geometry::Pose{1, 0, 0});
   expect_pose(sut.update({10, 0, 0}, t0), {11, 0, 0});
 }
 
 TEST(OdometryLocaliser, StaysWhereItIsWhenOdometryJumps) {
-  OdometryLocaliser sut(Pose2{0, 0, 0});
+  OdometryLocaliser sut(geometry::Pose{0, 0, 0});
   (void)sut.update({5, 1, 1}, t0);
   expect_pose(sut.update({2, 2, 2}, t0 + seconds(0.02)), {5, 1, 1});
   expect_pose(sut.update({2, 2, 2.1}, t0 + seconds(0.04)), {5, 1, 1.1});
 }
 
 TEST(OdometryLocaliser, BelievesWhatTheVehicleCanDriveInTheTime) {
-  OdometryLocaliser sut(Pose2{0, 0, 0});
+  OdometryLocaliser sut(geometry::Pose{0, 0, 0});
   (void)sut.update({5, 0, 0}, t0);
   expect_pose(sut.update({5.99, 0, 0}, t0 + seconds(1)), {5.99, 0, 0});
   expect_pose(sut.update({7.00, 0, 0}, t0 + seconds(2)), {5.99, 0, 0});
 }
 
 TEST(OdometryLocaliser, KnowsADriverThatBeganAtZeroAgainNearby) {
-  OdometryLocaliser sut(Pose2{0, 0, 0});
+  OdometryLocaliser sut(geometry::Pose{0, 0, 0});
   (void)sut.update({0.5, 0, 0.3}, t0);
   expect_pose(sut.update({0, 0, 0}, t0 + seconds(2)), {0.5, 0, 0.3});
 }
 
 TEST(OdometryLocaliser, DrivesThroughItsOwnStartUndisturbed) {
-  OdometryLocaliser sut(Pose2{3, 0, 0});
+  OdometryLocaliser sut(geometry::Pose{3, 0, 0});
   (void)sut.update({0.06, 0, 0}, t0);
   expect_pose(sut.update({0.01, 0, 0}, t0 + seconds(0.1)), {3.01, 0, 0});
 }
@@ -67,7 +65,7 @@ TEST(OdometryLocaliser, GoesOnFromAMemoryWithOdometryThatBeganAnew) {
 }
 
 TEST(OdometryLocaliser, IgnoresWhatIsNotFinite) {
-  OdometryLocaliser sut(Pose2{1, 0, 0});
+  OdometryLocaliser sut(geometry::Pose{1, 0, 0});
   EXPECT_FALSE(sut.update({std::numeric_limits<double>::quiet_NaN(), 0, 0}, t0));
   expect_pose(sut.update({0, 0, 0}, t0), {1, 0, 0});
 }

@@ -6,6 +6,8 @@
 
 #include "foundation/numbers.hpp"
 
+#include "geometry/pose.hpp"
+#include "geometry/twist.hpp"
 #include "navigator/navigator.hpp"
 
 namespace tocsin {
@@ -13,7 +15,6 @@ namespace tocsin {
 using navigation::Cell;
 using navigation::Grid;
 using navigation::OccupancyMap;
-using navigation::Pose2;
 using State = Navigator::State;
 using Answer = GoalAnswer;
 
@@ -41,9 +42,10 @@ class Vehicle {
     now += period;
     if (has_localisation) sut.on_pose(pose, now);
     const auto output = sut.update(now);
-    driven.v_mps += (1 - lag) * (output.velocity.v_mps - driven.v_mps);
-    driven.w_radps += (1 - lag) * (output.velocity.w_radps - driven.w_radps);
-    if (!is_jammed) pose = compose(pose, {driven.v_mps * 0.05, 0, driven.w_radps * 0.05});
+    driven.linear_mps += (1 - lag) * (output.velocity.linear_mps - driven.linear_mps);
+    driven.angular_rad_s += (1 - lag) * (output.velocity.angular_rad_s - driven.angular_rad_s);
+    if (!is_jammed)
+      pose = compose(pose, {driven.linear_mps * 0.05, 0, driven.angular_rad_s * 0.05});
     return output;
   }
   Navigator::Output run(double s) {
@@ -51,25 +53,28 @@ class Vehicle {
     for (int i = 0; i < std::lround(s / 0.05); ++i) output = step();
     return output;
   }
-  Answer send(std::uint64_t id, const Pose2& to, double lifetime_s = 1000) {
+  Answer send(std::uint64_t id, const geometry::Pose& to, double lifetime_s = 1000) {
     return sut.on_goal({mission, id, to, 0.15, now + seconds(lifetime_s), {}}, now);
   }
-  Answer send_list(std::uint64_t id, const std::vector<Pose2>& poses, double lifetime_s = 1000) {
+  Answer send_list(std::uint64_t id, const std::vector<geometry::Pose>& poses,
+                   double lifetime_s = 1000) {
     Goal goal{mission, id, poses.front(), 0.15, now + seconds(lifetime_s), {}};
     goal.ahead.assign(poses.begin() + 1, poses.end());
     return sut.on_goal(goal, now);
   }
-  double distance_to(const Pose2& to) const { return distance(position(pose), position(to)); }
+  double distance_to(const geometry::Pose& to) const {
+    return distance(position(pose), position(to));
+  }
 
   OccupancyMap map;
   Navigator sut;
   Time now = t0;
   std::uint64_t mission = 7;  // of the goals it is sent
-  Pose2 pose{1, 1, 0};
+  geometry::Pose pose{1, 1, 0};
   bool has_localisation = true;
   bool is_jammed = false;
   double lag = 0;  // share of the old velocity that is left after a period
-  navigation::Velocity driven;
+  geometry::Twist driven;
 };
 
 inline Navigator::Params on_link_lost(const char* what) {

@@ -71,7 +71,7 @@ void SafetyControllerComponent::take_emergency_stop() {
 }
 
 void SafetyControllerComponent::take_events(Time now) {
-  const motion::Hazards before = hazards_;
+  const Hazards before = hazards_;
   while (const auto event = bumper_.take()) {
     set(hazards_.bumper, side_bits, event->bumper(), event->state() != 0);
   }
@@ -86,7 +86,7 @@ void SafetyControllerComponent::take_events(Time now) {
   if (changed) controller_.on_hazards(hazards_, now);
 }
 
-void SafetyControllerComponent::send(const motion::BodyVelocity& velocity) {
+void SafetyControllerComponent::send(const geometry::Twist& velocity) {
   topic::CmdVel::Message message;
   message.linear().x(velocity.linear_mps);
   message.angular().z(velocity.angular_rad_s);

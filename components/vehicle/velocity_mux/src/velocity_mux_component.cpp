@@ -12,7 +12,7 @@
 namespace tocsin {
 
 VelocityMuxComponent::VelocityMuxComponent(Context& context, const Params& params)
-    : Component(context), mux_(motion::parse_inputs(params.inputs)) {
+    : Component(context), mux_(parse_inputs(params.inputs)) {
   make_sources();
   report_inputs();
 }
@@ -29,7 +29,7 @@ void VelocityMuxComponent::tick(Time now) {
 /// Ports for new inputs; those of inputs that are gone go, the others keep what waits in them.
 void VelocityMuxComponent::make_sources() {
   std::vector<Source> sources;
-  for (const motion::MuxInput& input : mux_.inputs()) {
+  for (const MuxInput& input : mux_.inputs()) {
     const auto kept = std::find_if(sources_.begin(), sources_.end(), [&](const Source& source) {
       return source.port && source.name == input.name;
     });
@@ -49,7 +49,7 @@ void VelocityMuxComponent::take_list() {
   const auto text = set_inputs_.take_latest();
   if (!text) return;
   try {
-    mux_.set_inputs(motion::parse_inputs(text->data()));
+    mux_.set_inputs(parse_inputs(text->data()));
     make_sources();
     log().info("inputs are now: {}", text->data());
   } catch (const ConfigError& wrong) {  // the list in force is said again below
@@ -62,7 +62,7 @@ void VelocityMuxComponent::take_commands(Time now) {
   for (const Source& source : sources_) {
     while (const auto sample = source.port->take_sample()) {
       const auto wanted = std::static_pointer_cast<const topic::CmdVel::Message>(sample->message);
-      const motion::BodyVelocity velocity{wanted->linear().x(), wanted->angular().z()};
+      const geometry::Twist velocity{wanted->linear().x(), wanted->angular().z()};
       if (mux_.on_command(source.name, velocity, now)) send(wanted);
     }
   }
@@ -82,7 +82,7 @@ void VelocityMuxComponent::report_active() {
 
 void VelocityMuxComponent::report_inputs() {
   topic::MuxInputs::Message message;
-  message.data(motion::to_text(mux_.inputs()));
+  message.data(to_text(mux_.inputs()));
   if (inputs_.write(std::move(message)) == Status::failed) log().warn("the inputs were not told");
 }
 

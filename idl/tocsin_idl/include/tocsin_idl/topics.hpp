@@ -147,7 +147,7 @@ struct MissionStatus {
   static constexpr TopicInfo info{"mission_status", "state", Scope::link};
 };
 /// True stops the vehicle; it stands until everybody who said true has said false, see
-/// motion::EmergencyStopLatch. Anybody may stop it, so every writer is heard. Who says true goes on
+/// EmergencyStopLatch. Anybody may stop it, so every writer is heard. Who says true goes on
 /// saying it: readers that come late get no older sample.
 struct EmergencyStop {
   using Message = std_msgs::msg::Bool;

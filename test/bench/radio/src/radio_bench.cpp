@@ -14,8 +14,8 @@ namespace {
 constexpr double slice_s = 10;  // simulated time of one iteration
 
 /// Walls as many as in the map of the demo.
-std::vector<Wall> forty_walls() {
-  std::vector<Wall> walls;
+std::vector<geometry::Wall> forty_walls() {
+  std::vector<geometry::Wall> walls;
   for (int i = 0; i < 40; ++i) walls.push_back({3.0 + i, -20, 3.0 + i, -2.0 - i % 3, 3.4});
   return walls;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/emergency_stop_latch.hpp"
+#include "emergency_stop_input/emergency_stop_latch.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -12,7 +12,7 @@
 namespace tocsin {
 
 /// Member of a component that obeys the emergency stop: its port, and what stands by the rule of
-/// motion::EmergencyStopLatch.
+/// EmergencyStopLatch.
 class EmergencyStopInput {
  public:
   explicit EmergencyStopInput(Component& owner) : input_(owner) {}
@@ -23,13 +23,13 @@ class EmergencyStopInput {
   /// Whose stops stand, as SafetyStatus tells it.
   [[nodiscard]] std::vector<std::string> stopped_by() const;
   /// For the successor of this process, and what one before it has kept.
-  [[nodiscard]] motion::EmergencyStopLatch::Memory memory() const { return latch_.memory(); }
-  void restore(const motion::EmergencyStopLatch::Memory& memory) { latch_.restore(memory); }
+  [[nodiscard]] EmergencyStopLatch::Memory memory() const { return latch_.memory(); }
+  void restore(const EmergencyStopLatch::Memory& memory) { latch_.restore(memory); }
 
  private:
-  [[nodiscard]] motion::EmergencyStopLatch::Writer writer(std::uint64_t source) const;
+  [[nodiscard]] EmergencyStopLatch::Writer writer(std::uint64_t source) const;
   Input<topic::EmergencyStop> input_;
-  motion::EmergencyStopLatch latch_;
+  EmergencyStopLatch latch_;
 };
 
 }  // namespace tocsin

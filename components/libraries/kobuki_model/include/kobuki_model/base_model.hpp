@@ -9,6 +9,8 @@
 #include <string>
 
 #include "foundation/time.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/twist.hpp"
 #include "kobuki_model/body.hpp"
 #include "kobuki_model/dock.hpp"
 #include "kobuki_model/drive.hpp"
@@ -42,7 +44,7 @@ struct BaseOutputs {
 
 /// What survives when the simulator restarts but the base, seen from outside, did not.
 struct BaseMemory {
-  Pose pose;
+  geometry::Pose pose;
   double left_ticks = 0;
   double right_ticks = 0;
   double gyro_rad = 0;
@@ -60,7 +62,7 @@ class BaseModel {
   using FrameSink = std::function<void(Time sent, ByteView frame)>;
 
   /// Powered on at `now` at `start`. Throws ConfigError when a version text is not like "1.2.0".
-  BaseModel(const ModelParams& params, Surroundings surroundings, const Pose& start,
+  BaseModel(const ModelParams& params, Surroundings surroundings, const geometry::Pose& start,
             std::uint64_t seed, Time now);
 
   /// Takes what the computer sent until `now`, cut anywhere.
@@ -87,10 +89,10 @@ class BaseModel {
   [[nodiscard]] Power& power() { return power_; }
   [[nodiscard]] const BaseOutputs& outputs() const { return outputs_; }
   /// The true pose in the map frame.
-  [[nodiscard]] const Pose& pose() const { return body_.pose(); }
-  void place(const Pose& pose) { body_.place(pose); }
+  [[nodiscard]] const geometry::Pose& pose() const { return body_.pose(); }
+  void place(const geometry::Pose& pose) { body_.place(pose); }
   /// True velocity at the end of the last physics step.
-  [[nodiscard]] const BodyVelocity& velocity() const { return velocity_; }
+  [[nodiscard]] const geometry::Twist& velocity() const { return velocity_; }
   [[nodiscard]] std::uint8_t bumper() const;
   [[nodiscard]] const DecodeCounts& command_counts() const { return command_counts_; }
   [[nodiscard]] const Reassembler::Counts& frame_counts() const { return reassembler_.counts(); }
@@ -109,7 +111,7 @@ class BaseModel {
   void request(const RequestExtra& request);
   /// From `last_` to `now`.
   void physics(Time now);
-  [[nodiscard]] BodyVelocity true_velocity(const WheelSpeeds& rolling) const;
+  [[nodiscard]] geometry::Twist true_velocity(const WheelSpeeds& rolling) const;
   /// What is drawn once a frame.
   void draw_slip();
   void drift_gyro();
@@ -143,7 +145,7 @@ class BaseModel {
   BaseInputs inputs_;
   BaseOutputs outputs_;
   Answers asked_;
-  BodyVelocity velocity_;
+  geometry::Twist velocity_;
   double left_ticks_ = 0;
   double right_ticks_ = 0;
   double left_slip_ = 0;

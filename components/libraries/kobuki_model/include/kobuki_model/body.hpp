@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "foundation/time.hpp"
-#include "kobuki_model/walls.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/twist.hpp"
+#include "kobuki_model/surroundings.hpp"
 #include "kobuki_protocol/odometry.hpp"
 #include "kobuki_protocol/velocity.hpp"
 
@@ -16,16 +18,16 @@ namespace tocsin::kobuki {
 /// Pure; the pose is the truth in the map frame.
 class Body {
  public:
-  Body(Surroundings surroundings, const Pose& start);
+  Body(Surroundings surroundings, const geometry::Pose& start);
   /// The longest `dt` of a move: in a longer one a body would stop too far from an obstacle to
   /// press its bumper. Far from everything that does not matter.
   [[nodiscard]] Duration longest_move() const;
   /// Moves for `dt` with the velocity on an arc, unless that ends in an obstacle: then it only
   /// turns. Returns the velocity it really had.
-  BodyVelocity move(const BodyVelocity& wanted, double dt_s);
-  void place(const Pose& pose) { pose_ = pose; }
+  geometry::Twist move(const geometry::Twist& wanted, double dt_s);
+  void place(const geometry::Pose& pose) { pose_ = pose; }
 
-  [[nodiscard]] const Pose& pose() const { return pose_; }
+  [[nodiscard]] const geometry::Pose& pose() const { return pose_; }
   /// Bumper bits of core sensors: contacts within 90 degrees ahead, in sectors of 60 degrees.
   [[nodiscard]] std::uint8_t bumper() const;
   /// Whether the last move was stopped by an obstacle.
@@ -44,7 +46,7 @@ class Body {
     [[nodiscard]] bool is_over(double now_x_m, double now_y_m) const;
   };
   mutable std::optional<Look> look_;
-  Pose pose_;
+  geometry::Pose pose_;
   bool blocked_ = false;
 };
 

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 
-#include "kobuki_model/walls.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/wall.hpp"
+#include "kobuki_model/surroundings.hpp"
+#include "kobuki_protocol/dimensions.hpp"
 #include "kobuki_protocol/feedback.hpp"
-#include "kobuki_protocol/geometry.hpp"
 #include "kobuki_protocol/odometry.hpp"
 
 namespace tocsin::kobuki {
@@ -31,22 +33,24 @@ struct DockLight {
 /// left hand. Pure.
 class Dock {
  public:
-  explicit Dock(const Pose& pose, const DockLight& light = {}) : pose_(pose), light_(light) {}
+  explicit Dock(const geometry::Pose& pose, const DockLight& light = {})
+      : pose_(pose), light_(light) {}
   /// What the three receivers of a base see.
-  [[nodiscard]] DockInfrared infrared(const Pose& base) const;
+  [[nodiscard]] DockInfrared infrared(const geometry::Pose& base) const;
   /// Whether the contacts meet: the base faces the dock and touches it in the middle.
-  [[nodiscard]] bool in_contact(const Pose& base) const;
+  [[nodiscard]] bool in_contact(const geometry::Pose& base) const;
   /// The front as a wall that stops a base.
-  [[nodiscard]] Wall front() const;
+  [[nodiscard]] geometry::Wall front() const;
 
  private:
   struct Place {
     double x_m;
     double y_m;
   };
-  [[nodiscard]] std::uint8_t seen_by(const Pose& base, double receiver_rad, double view_rad) const;
+  [[nodiscard]] std::uint8_t seen_by(const geometry::Pose& base, double receiver_rad,
+                                     double view_rad) const;
   [[nodiscard]] unsigned beams_at(const Place& place) const;
-  Pose pose_;
+  geometry::Pose pose_;
   DockLight light_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "kobuki_protocol/geometry.hpp"
+#include "kobuki_protocol/dimensions.hpp"
 
 namespace tocsin::kobuki {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "foundation/time.hpp"
+#include "kobuki_protocol/dimensions.hpp"
 #include "kobuki_protocol/feedback.hpp"
-#include "kobuki_protocol/geometry.hpp"
 
 namespace tocsin::kobuki {
 

@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "geometry/pose.hpp"
+#include "kobuki_protocol/dimensions.hpp"
 #include "kobuki_protocol/feedback.hpp"
-#include "kobuki_protocol/geometry.hpp"
 
 namespace tocsin::kobuki {
 
@@ -31,13 +32,6 @@ struct OdometryParams {
   }
 };
 
-/// Planar pose in the odometry frame; heading counter-clockwise, -pi to pi.
-struct Pose {
-  double x_m = 0;
-  double y_m = 0;
-  double heading_rad = 0;
-};
-
 struct WheelState {
   double angle_rad = 0;
   double rate_rad_s = 0;
@@ -45,7 +39,7 @@ struct WheelState {
 
 /// All that a restarted driver needs in order to continue the same odometry.
 struct OdometrySnapshot {
-  Pose pose;
+  geometry::Pose pose;
   WheelState left;
   WheelState right;
   CoreSensors core;
@@ -53,10 +47,7 @@ struct OdometrySnapshot {
   double gyro_heading_rad = 0;
 };
 
-/// `angle` wrapped to (-pi, pi].
-[[nodiscard]] double wrap_angle(double angle_rad);
-
-/// Pose from encoder ticks, with the heading of the encoders or of the gyro.
+/// geometry::Pose from encoder ticks, with the heading of the encoders or of the gyro.
 ///
 /// Pure, one instance per base, no shared state. The first sample only initialises. Encoders and
 /// the millisecond stamp are differences modulo 65536. The checksum lets some damaged frames
@@ -78,7 +69,7 @@ class Odometry {
   /// Makes the present place the origin.
   void reset();
 
-  [[nodiscard]] const Pose& pose() const { return pose_; }
+  [[nodiscard]] const geometry::Pose& pose() const { return pose_; }
   /// Rates of the body; 0 until the second sample.
   [[nodiscard]] double linear_mps() const { return linear_mps_; }
   [[nodiscard]] double angular_rad_s() const { return angular_rad_s_; }
@@ -116,7 +107,7 @@ class Odometry {
   /// What can be gone back to when the sample after it turns out to be damaged.
   struct State {
     Sample sample;
-    Pose pose;
+    geometry::Pose pose;
     double gyro_heading_rad;
     WheelState left;
     WheelState right;
@@ -134,7 +125,7 @@ class Odometry {
   void apply_rates(const Step& step, const std::optional<Inertia>& inertia);
 
   OdometryParams params_;
-  Pose pose_;
+  geometry::Pose pose_;
   double linear_mps_ = 0;
   double angular_rad_s_ = 0;
   double gyro_heading_rad_ = 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/pose.hpp"
 #include "navigation/occupancy_map.hpp"
 
 namespace tocsin::navigation {
@@ -44,7 +45,7 @@ class CostMap {
   [[nodiscard]] bool blocked(CellIndex c) const {
     return !grid_.contains(c) || costs_[grid_.offset(c)] == 0;
   }
-  [[nodiscard]] bool blocked(const Point2& p) const;
+  [[nodiscard]] bool blocked(const geometry::Point& p) const;
 
  private:
   struct DiscRow;

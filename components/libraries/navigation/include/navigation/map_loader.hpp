@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "geometry/pose.hpp"
 #include "navigation/cost_map.hpp"
 #include "navigation/occupancy_map.hpp"
 #include "navigation/pgm.hpp"
@@ -14,7 +15,7 @@ namespace tocsin::navigation {
 /// The share of black is 1 - pixel / max, or pixel / max when `negate` is set.
 struct MapScale {
   double resolution_m = 0.05;
-  Point2 origin;  // lower left corner of the image, map frame
+  geometry::Point origin;  // lower left corner of the image, map frame
   bool negate = false;
   double occupied_thresh = 0.65;  // more black is occupied
   double free_thresh = 0.196;     // less black is free, the rest is unknown

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "navigation/geometry.hpp"
+#include "geometry/pose.hpp"
 #include "navigation/occupancy_map.hpp"
 
 namespace tocsin::navigation {
@@ -13,7 +13,7 @@ namespace tocsin::navigation {
 struct Mission {
   std::string name;
   std::string frame = "map";
-  std::vector<Pose2> waypoints;
+  std::vector<geometry::Pose> waypoints;
   std::string file;  // where it was read, for error texts
 };
 

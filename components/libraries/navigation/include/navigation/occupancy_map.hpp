@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "navigation/geometry.hpp"
+#include "geometry/pose.hpp"
 
 namespace tocsin::navigation {
 
@@ -23,7 +23,7 @@ struct Grid {
   int width = 0;
   int height = 0;
   double resolution_m = 0.05;
-  Point2 origin;
+  geometry::Point origin;
 
   [[nodiscard]] bool contains(CellIndex c) const {
     return c.column >= 0 && c.row >= 0 && c.column < width && c.row < height;
@@ -34,8 +34,8 @@ struct Grid {
   }
   [[nodiscard]] std::size_t size() const { return offset({0, height}); }
   /// The cell that holds `p`, empty outside the grid or when `p` is not finite.
-  [[nodiscard]] std::optional<CellIndex> cell_of(const Point2& p) const;
-  [[nodiscard]] Point2 centre(CellIndex c) const;
+  [[nodiscard]] std::optional<CellIndex> cell_of(const geometry::Point& p) const;
+  [[nodiscard]] geometry::Point centre(CellIndex c) const;
 };
 
 /// What is known of a floor, cell by cell. Immutable, so any thread may read it, and copies share.
@@ -49,11 +49,11 @@ class OccupancyMap {
   /// Row by row from the origin up.
   [[nodiscard]] const std::vector<Cell>& cells() const { return content_->cells; }
   /// Outside the map everything is unknown.
-  [[nodiscard]] Cell at(const Point2& p) const;
+  [[nodiscard]] Cell at(const geometry::Point& p) const;
 
   /// Distance to the first occupied cell [m], seen from `from` in direction `bearing_rad`.
   /// Empty when there is none within `range_m`; unknown cells do not stop the ray.
-  [[nodiscard]] std::optional<double> raycast(const Point2& from, double bearing_rad,
+  [[nodiscard]] std::optional<double> raycast(const geometry::Point& from, double bearing_rad,
                                               double range_m) const;
 
   /// Whether a disc of radius `radius_m` at (x, y) touches an occupied cell.

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "foundation/time.hpp"
-#include "navigation/geometry.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/twist.hpp"
 
 namespace tocsin::navigation {
 
@@ -44,44 +45,44 @@ class PathFollower {
   explicit PathFollower(const FollowerParams& params);
 
   /// Replaces the path; the velocity goes on from where it is. The path must not be empty.
-  void start(Path path);
+  void start(geometry::Path path);
 
   /// The velocity for the next instant, `dt` after the last one. Asserts that there is a path.
-  [[nodiscard]] Velocity follow(const Pose2& pose, Duration dt);
+  [[nodiscard]] geometry::Twist follow(const geometry::Pose& pose, Duration dt);
   /// Turns on the spot towards the heading `yaw_rad`.
-  [[nodiscard]] Velocity turn_to(const Pose2& pose, double yaw_rad, Duration dt);
+  [[nodiscard]] geometry::Twist turn_to(const geometry::Pose& pose, double yaw_rad, Duration dt);
   /// Brakes within the limits.
-  [[nodiscard]] Velocity brake(Duration dt);
+  [[nodiscard]] geometry::Twist brake(Duration dt);
   /// Backs up slowly and straight.
-  [[nodiscard]] Velocity back_up(Duration dt);
+  [[nodiscard]] geometry::Twist back_up(Duration dt);
   /// Stands at once, limits ignored: for emergencies.
-  [[nodiscard]] Velocity halt();
+  [[nodiscard]] geometry::Twist halt();
 
-  [[nodiscard]] const Path& path() const { return path_; }
-  [[nodiscard]] Velocity velocity() const { return velocity_; }
+  [[nodiscard]] const geometry::Path& path() const { return path_; }
+  [[nodiscard]] geometry::Twist velocity() const { return velocity_; }
   /// How far there is to go along the path [m], and how far the robot is beside it [m].
   /// Both as of the last `follow`.
   [[nodiscard]] double remaining_m() const { return remaining_m_; }
   [[nodiscard]] double deviation_m() const { return deviation_m_; }
 
  private:
-  void advance(const Point2& p);
+  void advance(const geometry::Point& p);
   /// Of the part of the path from its corner `i` to the next one.
   [[nodiscard]] double length_m(std::size_t i) const { return to_end_m_[i] - to_end_m_[i + 1]; }
-  [[nodiscard]] Point2 point_ahead(double ahead_m) const;
-  [[nodiscard]] Velocity pursue(const Pose2& pose);
-  [[nodiscard]] Velocity turn(double error_rad) const;
-  Velocity limited(const Velocity& wanted, Duration dt);
+  [[nodiscard]] geometry::Point point_ahead(double ahead_m) const;
+  [[nodiscard]] geometry::Twist pursue(const geometry::Pose& pose);
+  [[nodiscard]] geometry::Twist turn(double error_rad) const;
+  geometry::Twist limited(const geometry::Twist& wanted, Duration dt);
 
   FollowerParams params_;
-  Path path_;
+  geometry::Path path_;
   std::vector<double> to_end_m_;  // along the path, from each corner
   std::size_t segment_ = 0;       // the robot is beside path_[segment_] .. path_[segment_ + 1]
   double share_ = 0;              // of that segment that lies behind the robot
   double remaining_m_ = 0;
   double deviation_m_ = 0;
   bool turning_ = false;
-  Velocity velocity_;
+  geometry::Twist velocity_;
 };
 
 }  // namespace tocsin::navigation

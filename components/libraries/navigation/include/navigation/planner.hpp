@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "geometry/pose.hpp"
 #include "navigation/cost_map.hpp"
 
 namespace tocsin::navigation {
@@ -21,7 +22,8 @@ class Planner {
   ~Planner();
 
   /// Empty when there is no path, or a point is outside the map or not finite.
-  [[nodiscard]] std::optional<Path> plan(const Point2& start, const Point2& goal);
+  [[nodiscard]] std::optional<geometry::Path> plan(const geometry::Point& start,
+                                                   const geometry::Point& goal);
 
  private:
   class Search;
@@ -30,6 +32,6 @@ class Planner {
 };
 
 /// Length of a path [m].
-[[nodiscard]] double length_m(const Path& path);
+[[nodiscard]] double length_m(const geometry::Path& path);
 
 }  // namespace tocsin::navigation

@@ -16,8 +16,4 @@ namespace tocsin::radio {
 /// `ping_delay_ms` (empty: no answer). Throws ConfigError with file and line.
 [[nodiscard]] Trace load_trace(const std::string& path);
 
-/// Reads a walls file: `walls: [[x1, y1, x2, y2, loss_db], ...]` in metres in the map frame, losses
-/// 0 to 100 dB. Other keys are ignored. Throws ConfigError with file and line.
-[[nodiscard]] std::vector<Wall> load_walls(const std::string& path);
-
 }  // namespace tocsin::radio

@@ -9,15 +9,6 @@
 
 namespace tocsin::radio {
 
-/// A straight wall in the map frame, in metres, and what crossing it costs.
-struct Wall {
-  double x1_m;
-  double y1_m;
-  double x2_m;
-  double y2_m;
-  double loss_db;
-};
-
 /// Everything about a link. Sources of the defaults: tx power and noise (kTB of 20 MHz plus a noise
 /// figure of 7 dB) of common adapters; free-space loss at 1 m and 2.437 GHz is 40.2 dB; shadowing
 /// and Rician factors as fitted to the CRAWDAD set kth/rss (sigma 5.9 to 10.6 dB with fading,

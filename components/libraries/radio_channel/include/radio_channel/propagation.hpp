@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "foundation/time.hpp"
+#include "geometry/wall.hpp"
 #include "radio_channel/channel_params.hpp"
 #include "radio_channel/fading.hpp"
 #include "radio_channel/shadowing.hpp"
@@ -16,7 +17,8 @@ namespace tocsin::radio {
 class Propagation {
  public:
   /// `start` is time zero of the fading.
-  Propagation(const ChannelParams& params, std::vector<Wall> walls, std::uint64_t seed, Time start);
+  Propagation(const ChannelParams& params, std::vector<geometry::Wall> walls, std::uint64_t seed,
+              Time start);
 
   /// Moves the station, in metres in the map frame. A position that is not finite or
   /// beyond 1000 km is ignored.
@@ -51,7 +53,7 @@ class Propagation {
   void fade(Time now);
 
   ChannelParams params_;
-  std::vector<Wall> walls_;
+  std::vector<geometry::Wall> walls_;
   ShadowingField shadowing_;
   RicianFading fading_;
   Time start_;
@@ -64,8 +66,5 @@ class Propagation {
   Time faded_from_ = never;  // when rssi_dbm_ holds
   Time faded_until_ = never;
 };
-
-/// Whether the open segments a-b and the wall cross. Touching ends do not count.
-[[nodiscard]] bool crosses(const Wall& wall, double ax_m, double ay_m, double bx_m, double by_m);
 
 }  // namespace tocsin::radio

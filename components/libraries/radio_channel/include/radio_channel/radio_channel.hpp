@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "foundation/time.hpp"
+#include "geometry/wall.hpp"
 #include "radio_channel/channel_params.hpp"
 #include "radio_channel/medium.hpp"
 #include "radio_channel/outages.hpp"
@@ -67,7 +68,7 @@ class RadioChannel {
  public:
   /// Throws ConfigError for rules across parameters (outages_s). `start` is time zero of fading,
   /// beacons and scripted outages.
-  RadioChannel(const ChannelParams& params, std::vector<Wall> walls, std::uint64_t seed,
+  RadioChannel(const ChannelParams& params, std::vector<geometry::Wall> walls, std::uint64_t seed,
                Time start);
   RadioChannel(const RadioChannel&) = delete;
   RadioChannel& operator=(const RadioChannel&) = delete;
@@ -128,7 +129,7 @@ class RadioChannel {
   ChannelParams params_;
   bool has_mac_ = true;  ///< mode radio; the other modes are pure losses
   Duration wire_delay_;
-  std::vector<Wall> walls_;
+  std::vector<geometry::Wall> walls_;
   std::uint64_t seed_;
   Time start_;
   Propagation propagation_;

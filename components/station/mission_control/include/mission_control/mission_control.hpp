@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "foundation/time.hpp"
+#include "geometry/pose.hpp"
 #include "navigation/mission.hpp"
 
 namespace tocsin {
@@ -64,10 +65,10 @@ class MissionControl {
   struct Goal {
     GoalName name;
     std::uint32_t waypoint = 0;
-    navigation::Pose2 pose;
+    geometry::Pose pose;
     double tolerance_m = 0;
     double lifetime_s = 0;
-    std::vector<navigation::Pose2> ahead;
+    std::vector<geometry::Pose> ahead;
   };
 
   /// How an arrival was told.
@@ -93,7 +94,7 @@ class MissionControl {
   MissionControl(const Params& params, navigation::Mission mission, std::uint64_t seed);
 
   /// Where the vehicle is, map frame; one that is not finite is ignored.
-  void on_location(const navigation::Pose2& location, Time now);
+  void on_location(const geometry::Pose& location, Time now);
   /// The vehicle's navigator says what it does: `state` as in NavigationStatus.
   void on_status(const GoalName& goal, const std::string& state, Time now);
 
@@ -120,7 +121,7 @@ class MissionControl {
   [[nodiscard]] bool is_told_waypoint() const;
   [[nodiscard]] bool was_taken_over() const;
   void draw_identity();
-  [[nodiscard]] std::vector<navigation::Pose2> waypoints_ahead() const;
+  [[nodiscard]] std::vector<geometry::Pose> waypoints_ahead() const;
   [[nodiscard]] double distance_m() const;
 
   Params params_;
@@ -141,7 +142,7 @@ class MissionControl {
   Time waypoint_since_{};
 
   std::optional<Time> first_heard_;
-  std::optional<navigation::Pose2> location_;
+  std::optional<geometry::Pose> location_;
   GoalName told_;  // by the vehicle
   std::string status_;
   Time status_time_{};

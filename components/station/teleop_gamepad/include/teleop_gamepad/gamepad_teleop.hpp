@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "kobuki_protocol/velocity.hpp"
+#include "geometry/twist.hpp"
 
 namespace tocsin {
 
@@ -48,7 +48,7 @@ class GamepadTeleop {
   void on_connect(const PadAxes& axes);
   void on_disconnect();
   void on_event(const PadEvent& event);
-  [[nodiscard]] kobuki::BodyVelocity velocity() const;
+  [[nodiscard]] geometry::Twist velocity() const;
 
  private:
   [[nodiscard]] bool is_dead_man(std::uint16_t code) const;

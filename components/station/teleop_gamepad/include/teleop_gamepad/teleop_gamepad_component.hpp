@@ -4,11 +4,12 @@
 #include <memory>
 #include <string>
 
-#include "motion/teleop_sender.hpp"
+#include "geometry/twist.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "teleop_gamepad/gamepad_port.hpp"
 #include "teleop_gamepad/gamepad_teleop.hpp"
+#include "teleop_sender/teleop_sender.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -20,7 +21,7 @@ class TeleopGamepadComponent final : public Component {
     std::string device;
     double retry_s = 1;
     GamepadTeleop::Params pad;
-    motion::TeleopSender::Params sender;
+    TeleopSender::Params sender;
     template <class Visitor>
     void visit(Visitor& v) {
       v("device", device, "path of the gamepad; empty: the first that is there");
@@ -41,14 +42,14 @@ class TeleopGamepadComponent final : public Component {
   void look_for_pad(Time now);
   void read_events();
   void lose_pad();
-  void send(const kobuki::BodyVelocity& velocity, Time now);
+  void send(const geometry::Twist& velocity, Time now);
 
   Output<topic::TeleopCmdVel> command_{*this};
   Params params_;
   GamepadOpener opener_;
   std::unique_ptr<GamepadPort> port_;
   GamepadTeleop teleop_;
-  motion::TeleopSender sender_;
+  TeleopSender sender_;
   Time next_look_ = Time::min();
   bool told_ = false;  ///< that there is no gamepad
 };

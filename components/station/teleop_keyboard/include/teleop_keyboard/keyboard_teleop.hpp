@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "foundation/time.hpp"
-#include "kobuki_protocol/velocity.hpp"
+#include "geometry/twist.hpp"
 #include "teleop_keyboard/key_reader.hpp"
 
 namespace tocsin {
@@ -47,7 +47,7 @@ class KeyboardTeleop {
   /// Nobody can press a key any more: stand.
   void on_end() { held_.reset(); }
 
-  [[nodiscard]] kobuki::BodyVelocity velocity(Time now) const;
+  [[nodiscard]] geometry::Twist velocity(Time now) const;
   /// When the held key counts as released; `never` when none is held.
   [[nodiscard]] Time next_deadline(Time now) const;
   /// The speeds that keys give: [m/s], [rad/s].

@@ -4,11 +4,12 @@
 #include <memory>
 #include <string>
 
-#include "motion/teleop_sender.hpp"
+#include "geometry/twist.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "teleop_keyboard/keyboard_teleop.hpp"
 #include "teleop_keyboard/terminal.hpp"
+#include "teleop_sender/teleop_sender.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -18,7 +19,7 @@ class TeleopKeyboardComponent final : public Component {
  public:
   struct Params {
     KeyboardTeleop::Params keys;
-    motion::TeleopSender::Params sender;
+    TeleopSender::Params sender;
     template <class Visitor>
     void visit(Visitor& v) {
       keys.visit(v);
@@ -37,8 +38,8 @@ class TeleopKeyboardComponent final : public Component {
 
  private:
   void read_keys(Time now);
-  void send(const kobuki::BodyVelocity& velocity, Time now);
-  void show(const kobuki::BodyVelocity& velocity);
+  void send(const geometry::Twist& velocity, Time now);
+  void show(const geometry::Twist& velocity);
 
   Input<topic::SafetyStatus> safety_{*this};
   Input<topic::Location> location_{*this};
@@ -46,7 +47,7 @@ class TeleopKeyboardComponent final : public Component {
 
   std::unique_ptr<Terminal> terminal_;
   KeyboardTeleop teleop_;
-  motion::TeleopSender sender_;
+  TeleopSender sender_;
   std::shared_ptr<const topic::SafetyStatus::Message> safety_seen_;
   std::shared_ptr<const topic::Location::Message> location_seen_;
   std::string shown_;

@@ -5,8 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "auto_docking/auto_docking.hpp"
+#include "geometry/twist.hpp"
 #include "kobuki_idl/topics.hpp"
-#include "motion/auto_docking.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -17,7 +18,7 @@ namespace tocsin {
 /// sensors only meanwhile.
 class AutoDockingComponent final : public Component {
  public:
-  using Params = motion::AutoDocking::Params;
+  using Params = AutoDocking::Params;
   AutoDockingComponent(Context& context, const Params& params)
       : Component(context), docking_(params), silence_(seconds(params.silence_s)) {}
   void tick(Time now) override;
@@ -32,20 +33,20 @@ class AutoDockingComponent final : public Component {
   void take_commands(Time now);
   void start(Time now);
   void take_sensors(Time now);
-  void send(const motion::BodyVelocity& velocity);
+  void send(const geometry::Twist& velocity);
   void report(Time now);
 
   OptionalInput<topic::DockingCommand> command_{*this};
   Output<topic::CmdVelDocking> cmd_vel_{*this};
   Output<topic::DockingStatus> status_{*this};
 
-  motion::AutoDocking docking_;
+  AutoDocking docking_;
   Duration silence_;
   std::optional<Sensors> sensors_;
-  motion::DockingInput seen_;
+  DockingInput seen_;
   std::uint32_t run_ = 0;
   Time started_{};
-  std::optional<motion::DockingState> reported_;
+  std::optional<DockingState> reported_;
   Time next_report_{};
 };
 

@@ -8,6 +8,7 @@
 
 #include "camera/picture_size.hpp"
 #include "camera/renderer.hpp"
+#include "geometry/wall.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -56,12 +57,12 @@ class CameraComponent final : public Component {
   Input<topic::Location> location_{*this};
   Output<topic::CameraImage> image_{*this};
   const Params params_;
-  std::vector<camera::Wall> walls_;
+  std::vector<geometry::Wall> walls_;
   Duration period_;
   Duration pose_timeout_;
   std::optional<camera::Renderer> renderer_;  ///< when something is drawn
   std::optional<camera::PictureSize> size_;   ///< when they are not
-  std::optional<camera::View> view_;
+  std::optional<geometry::Pose> view_;
   Time view_time_{};
   Time next_picture_ = Time::min();
   std::vector<std::shared_ptr<Picture>> pictures_;  ///< of zeros; each may still be read

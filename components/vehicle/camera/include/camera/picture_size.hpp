@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "camera/ray_caster.hpp"
-#include "camera/walls.hpp"
+#include "geometry/wall.hpp"
 
 namespace tocsin::camera {
 
@@ -16,16 +16,16 @@ namespace tocsin::camera {
 /// from 17.7 to 41.8 kB, standard deviation 5.1 kB, of the residual 1.9 kB.
 class PictureSize {
  public:
-  PictureSize(double field_of_view_deg, std::vector<Wall> walls);
+  PictureSize(double field_of_view_deg, std::vector<geometry::Wall> walls);
   /// Learns the factor from a picture that was drawn.
-  void calibrate(const View& view, std::size_t bytes);
+  void calibrate(const geometry::Pose& view, std::size_t bytes);
   /// [B] at least 500.
-  [[nodiscard]] std::size_t bytes(const View& view) const;
+  [[nodiscard]] std::size_t bytes(const geometry::Pose& view) const;
 
  private:
-  [[nodiscard]] double law(const View& view) const;
+  [[nodiscard]] double law(const geometry::Pose& view) const;
   Fan sideways_;
-  std::vector<Wall> walls_;
+  std::vector<geometry::Wall> walls_;
   double factor_ = 1;
 };
 

@@ -4,16 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "camera/walls.hpp"
+#include "geometry/wall.hpp"
 
 namespace tocsin::camera {
-
-/// Where the camera is and looks, map frame; yaw counts from x towards y.
-struct View {
-  double x_m = 0;
-  double y_m = 0;
-  double yaw_rad = 0;
-};
 
 /// A line of sight on the floor plan. A point on it is start + depth * direction, and its distance
 /// from the picture's plane is `depth` when the direction's part along the view is 1.
@@ -25,7 +18,7 @@ struct Ray {
 };
 
 /// The ray through a point of the picture `sideways` to the right of its middle, in focal lengths.
-[[nodiscard]] Ray ray_through(const View& view, double sideways);
+[[nodiscard]] Ray ray_through(const geometry::Pose& view, double sideways);
 
 /// A surface that a ray meets.
 struct Hit {
@@ -37,7 +30,7 @@ struct Hit {
 
 /// What the ray meets up to the first wall, farthest first: that wall, if there is one, then the
 /// furniture before it. Nothing is nearer than 5 cm. Replaces the content of `hits`.
-void cast(const Ray& ray, const std::vector<Wall>& walls, std::vector<Hit>& hits);
+void cast(const Ray& ray, const std::vector<geometry::Wall>& walls, std::vector<Hit>& hits);
 
 /// A number for each ray of a fan.
 using Fan = std::array<double, 8>;
@@ -45,7 +38,7 @@ using Fan = std::array<double, 8>;
 /// Inverse depth [1/m] of the nearest wall that is no furniture along the ray through each of the
 /// points `sideways`, at most that of 5 cm; 0 where there is none. What `cast` tells of them, much
 /// cheaper.
-[[nodiscard]] Fan inverse_depths_per_m(const View& view, const Fan& sideways,
-                                       const std::vector<Wall>& walls);
+[[nodiscard]] Fan inverse_depths_per_m(const geometry::Pose& view, const Fan& sideways,
+                                       const std::vector<geometry::Wall>& walls);
 
 }  // namespace tocsin::camera

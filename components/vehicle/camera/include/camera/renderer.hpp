@@ -7,7 +7,7 @@
 #include "camera/picture.hpp"
 #include "camera/ray_caster.hpp"
 #include "camera/texture.hpp"
-#include "camera/walls.hpp"
+#include "geometry/wall.hpp"
 
 namespace tocsin::camera {
 
@@ -40,14 +40,14 @@ class Renderer {
   static constexpr double wall_height_m = 2.8;
   static constexpr double furniture_height_m = 0.75;
 
-  Renderer(const CameraParams& params, std::vector<Wall> walls);
+  Renderer(const CameraParams& params, std::vector<geometry::Wall> walls);
 
   /// The picture from `view`, which must be finite. Valid until the next call. `frame` selects the
   /// sensor noise.
-  [[nodiscard]] const Picture& render(const View& view, std::uint32_t frame);
+  [[nodiscard]] const Picture& render(const geometry::Pose& view, std::uint32_t frame);
 
  private:
-  void draw_row(const View& view, int row);
+  void draw_row(const geometry::Pose& view, int row);
   void draw_strip(int column, const Hit& hit);
   void add_noise(std::uint32_t frame);
   /// Of the middle of a column, in focal lengths to the right of the picture's middle.
@@ -56,7 +56,7 @@ class Renderer {
   [[nodiscard]] double below_horizon(int row) const;
 
   CameraParams params_;
-  std::vector<Wall> walls_;
+  std::vector<geometry::Wall> walls_;
   double focal_px_;
   Texture wall_texture_;
   Texture furniture_texture_;

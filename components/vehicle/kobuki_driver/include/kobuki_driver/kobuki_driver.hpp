@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/pose.hpp"
+#include "geometry/twist.hpp"
 #include "kobuki_driver/inquiry.hpp"
 #include "kobuki_driver/velocity_hold.hpp"
 #include "kobuki_protocol/battery.hpp"
@@ -20,7 +22,7 @@ namespace tocsin::kobuki {
 struct Reading {
   Feedback feedback;
   Battery battery;
-  Pose pose;
+  geometry::Pose pose;
   bool pose_is_old = false;  ///< this frame's encoders wait for the next frame to confirm them
   double linear_mps = 0;
   double angular_rad_s = 0;
@@ -73,7 +75,7 @@ class KobukiDriver {
   void on_port_lost();
   /// Takes what was read from the port, cut anywhere, and hands over a reading per frame.
   void on_bytes(ByteView bytes, Time now, const ReadingSink& sink);
-  void on_velocity(const BodyVelocity& velocity, Time now);
+  void on_velocity(const geometry::Twist& velocity, Time now);
   /// Off keeps the base standing whatever is commanded; on waits for the next velocity.
   void set_motor_power(bool on);
   [[nodiscard]] bool motor_power() const { return motor_power_; }

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "foundation/time.hpp"
-#include "kobuki_protocol/geometry.hpp"
+#include "geometry/twist.hpp"
+#include "kobuki_protocol/dimensions.hpp"
 #include "kobuki_protocol/velocity.hpp"
 
 namespace tocsin::kobuki {
@@ -27,15 +28,15 @@ class VelocityHold {
       : params_(params), timeout_(seconds(params.cmd_vel_timeout_s)) {}
   /// A command beyond the limits is scaled as a whole, which keeps the radius. NaN or infinity in
   /// either part is a stop.
-  void on_command(const BodyVelocity& velocity, Time now);
+  void on_command(const geometry::Twist& velocity, Time now);
   /// Forgets the command: stop until the next one.
   void stop() { command_ = {}; }
-  [[nodiscard]] BodyVelocity velocity(Time now) const;
+  [[nodiscard]] geometry::Twist velocity(Time now) const;
 
  private:
   VelocityParams params_;
   Duration timeout_;
-  BodyVelocity command_;
+  geometry::Twist command_;
   Time received_ = Time::min();
 };
 

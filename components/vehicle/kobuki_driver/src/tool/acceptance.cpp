@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "geometry/pose.hpp"
+
 namespace tocsin::kobuki {
 namespace {
 
@@ -11,7 +13,9 @@ constexpr Duration patience = std::chrono::seconds(20);
 constexpr double side_m = 0.5;
 constexpr double greatest_gap_m = 0.15;
 
-double distance_m(const Pose& a, const Pose& b) { return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m); }
+double distance_m(const geometry::Pose& a, const geometry::Pose& b) {
+  return distance(position(a), position(b));
+}
 
 /// What the gyro turned since this was made, whole turns counted.
 class GyroTurn {
@@ -19,7 +23,7 @@ class GyroTurn {
   explicit GyroTurn(Session& session)
       : session_(session), last_rad_(session.last()->gyro_heading_rad) {
     session_.on_reading([this](const Reading& reading) {
-      turned_rad_ += wrap_angle(reading.gyro_heading_rad - last_rad_);
+      turned_rad_ += geometry::wrap_angle(reading.gyro_heading_rad - last_rad_);
       last_rad_ = reading.gyro_heading_rad;
     });
   }
@@ -175,7 +179,7 @@ StepResult Acceptance::touch(const Touch& touch) {
   return at_rest && (seen & touch.others) == 0 ? StepResult::passed : StepResult::failed;
 }
 
-StepResult Acceptance::drive_until(const BodyVelocity& velocity,
+StepResult Acceptance::drive_until(const geometry::Twist& velocity,
                                    const std::function<bool()>& done) {
   const Time end = session_.now() + patience;
   StepResult result = StepResult::failed;
@@ -194,14 +198,14 @@ StepResult Acceptance::turn_by(double angle_rad) {
   double last_rad = session_.last()->pose.heading_rad;
   return drive_until({0, 0.6}, [&] {
     const double heading_rad = session_.last()->pose.heading_rad;
-    turned_rad += wrap_angle(heading_rad - last_rad);
+    turned_rad += geometry::wrap_angle(heading_rad - last_rad);
     last_rad = heading_rad;
     return turned_rad >= angle_rad - 0.12;  // what it turns on until it stands, at 0.6 rad/s
   });
 }
 
 StepResult Acceptance::forward_by(double length_m) {
-  const Pose from = session_.last()->pose;
+  const geometry::Pose from = session_.last()->pose;
   return drive_until({0.15, 0},
                      [&] { return distance_m(from, session_.last()->pose) >= length_m - 0.03; });
 }
@@ -238,7 +242,7 @@ StepResult Acceptance::square() {
   const StepResult may = permit("is there 1 m of free floor ahead and to the left?");
   if (may != StepResult::passed) return may;
   const auto true_from = true_place();
-  const Pose from = session_.last()->pose;
+  const geometry::Pose from = session_.last()->pose;
   const StepResult driven = drive_square();
   if (driven != StepResult::passed) return driven;
   const double gap_m = distance_m(from, session_.last()->pose);
@@ -252,12 +256,12 @@ StepResult Acceptance::square() {
                                                            : StepResult::failed;
 }
 
-std::optional<Pose> Acceptance::true_place() {
+std::optional<geometry::Pose> Acceptance::true_place() {
   if (control_ == nullptr) return std::nullopt;
   const auto x_m = control_->state("x");
   const auto y_m = control_->state("y");
   if (!x_m || !y_m) return std::nullopt;
-  return Pose{*x_m, *y_m, 0};
+  return geometry::Pose{*x_m, *y_m, 0};
 }
 
 }  // namespace tocsin::kobuki

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/pose.hpp"
+#include "geometry/twist.hpp"
 #include "session.hpp"
 #include "simulator_control.hpp"
 
@@ -56,8 +58,8 @@ class Acceptance {
   [[nodiscard]] StepResult touch(const Touch& touch);
   [[nodiscard]] StepResult gyro();
   [[nodiscard]] StepResult square();
-  [[nodiscard]] std::optional<Pose> true_place();
-  [[nodiscard]] StepResult drive_until(const BodyVelocity& velocity,
+  [[nodiscard]] std::optional<geometry::Pose> true_place();
+  [[nodiscard]] StepResult drive_until(const geometry::Twist& velocity,
                                        const std::function<bool()>& done);
   [[nodiscard]] StepResult turn_by(double angle_rad);
   [[nodiscard]] StepResult forward_by(double length_m);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "foundation/time.hpp"
-#include "navigation/geometry.hpp"
+#include "geometry/pose.hpp"
 
 namespace tocsin {
 
@@ -18,10 +18,10 @@ struct Goal {
 
   std::uint64_t mission = 0;  // that it belongs to; see GoalList
   std::uint64_t id = 0;       // a greater one of the same mission supersedes; 0 is none
-  navigation::Pose2 pose;
+  geometry::Pose pose;
   double tolerance_m = 0.2;  // [range 0.05,5] arrived when nearer than this
   Time expires;
-  std::vector<navigation::Pose2> ahead;  // the k-th of them, from 1, is goal `id` + k
+  std::vector<geometry::Pose> ahead;  // the k-th of them, from 1, is goal `id` + k
 };
 
 enum class GoalAnswer {

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "foundation/time.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/twist.hpp"
 #include "navigation/occupancy_map.hpp"
 #include "navigation/path_follower.hpp"
 #include "navigation/planner.hpp"
@@ -59,7 +61,7 @@ class Navigator {
   };
 
   struct Output {
-    navigation::Velocity velocity;
+    geometry::Twist velocity;
     Status status;
   };
 
@@ -71,7 +73,7 @@ class Navigator {
 
   [[nodiscard]] GoalAnswer on_goal(Goal goal, Time now);
   /// Pose of the vehicle in the map frame; one that is not finite is ignored.
-  void on_pose(const navigation::Pose2& pose, Time now);
+  void on_pose(const geometry::Pose& pose, Time now);
   /// Stops the vehicle at once, until it is called with false.
   void on_emergency_stop(bool is_pressed) { emergency_stop_ = is_pressed; }
   /// The ground station was heard. Until it was heard once, the link does not count as lost.
@@ -83,7 +85,7 @@ class Navigator {
  private:
   struct Target {
     std::uint64_t key;  // the goal's number, 0 for the way home
-    navigation::Pose2 pose;
+    geometry::Pose pose;
     double tolerance_m;
   };
 
@@ -92,11 +94,11 @@ class Navigator {
   [[nodiscard]] bool is_link_lost(Time now) const;
   [[nodiscard]] bool stands_at_goal() const;
   [[nodiscard]] Status status(State state, double distance_m, const char* reason) const;
-  Output stand(State state, const navigation::Velocity& velocity, const char* reason);
+  Output stand(State state, const geometry::Twist& velocity, const char* reason);
   Output go_home(Time now, Duration dt);
   Output drive(const Target& target, Time now, Duration dt);
   Output drive_path(const Target& target, Time now, Duration dt);
-  navigation::Velocity follow_with_care(Duration dt);
+  geometry::Twist follow_with_care(Duration dt);
   Output align(const Target& target, Duration dt);
   Output block(Time now, const char* reason);
   Output wait_blocked(Time now, Duration dt);
@@ -112,8 +114,8 @@ class Navigator {
   navigation::PathFollower follower_;
 
   GoalList goals_;
-  std::optional<navigation::Pose2> home_;  // the first pose
-  navigation::Pose2 pose_;
+  std::optional<geometry::Pose> home_;  // the first pose
+  geometry::Pose pose_;
   Time pose_time_{};
   std::optional<Time> heard_;
   std::optional<Time> last_update_;
@@ -126,8 +128,8 @@ class Navigator {
   bool reached_ = false;
   std::optional<Time> blocked_since_;
   const char* blocked_reason_ = "";
-  navigation::Pose2 progress_pose_;  // where it last was seen to move
-  Time progress_time_{};             // or last had no reason to
+  geometry::Pose progress_pose_;  // where it last was seen to move
+  Time progress_time_{};          // or last had no reason to
 };
 
 /// The word of NavigationStatus.state.

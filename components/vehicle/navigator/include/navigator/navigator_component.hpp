@@ -4,6 +4,8 @@
 #include <string>
 
 #include "emergency_stop_input/emergency_stop_input.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/twist.hpp"
 #include "navigator/localiser_file.hpp"
 #include "navigator/navigator.hpp"
 #include "runtime/component.hpp"
@@ -46,7 +48,7 @@ class NavigatorComponent final : public Component {
   bool take_orders(Time now);
   bool is_turn(Time now);
   void take_goal(const topic::Goal::Message& message, Time now);
-  void drive(const navigation::Velocity& velocity);
+  void drive(const geometry::Twist& velocity);
   void report_location(Time now);
   void report_status(const Navigator::Status& status, Time now);
   void log_change(const Navigator::Status& status);
@@ -64,7 +66,7 @@ class NavigatorComponent final : public Component {
   Navigator navigator_;
   LocaliserFile file_;
   OdometryLocaliser localiser_;
-  std::optional<navigation::Pose2> pose_;
+  std::optional<geometry::Pose> pose_;
   Time next_turn_{};
   Time next_location_{};
   Time next_status_{};

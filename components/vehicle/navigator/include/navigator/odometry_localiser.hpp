@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "foundation/time.hpp"
-#include "navigation/geometry.hpp"
+#include "geometry/pose.hpp"
 
 namespace tocsin {
 
@@ -16,21 +16,21 @@ class OdometryLocaliser {
  public:
   /// All that must be kept to go on after a restart of this process.
   struct Memory {
-    navigation::Pose2 map_from_odom;
-    navigation::Pose2 odom;  // the last pose in the odometry's own frame
+    geometry::Pose map_from_odom;
+    geometry::Pose odom;  // the last pose in the odometry's own frame
   };
 
   /// `start` is the pose on the map [m, rad] at which odometry began to count.
-  explicit OdometryLocaliser(const navigation::Pose2& start) : memory_{start, {}} {}
+  explicit OdometryLocaliser(const geometry::Pose& start) : memory_{start, {}} {}
   /// Goes on from what an earlier process remembered.
   explicit OdometryLocaliser(const Memory& memory) : memory_(memory), has_odom_(true) {}
 
   /// The pose on the map [m, rad]; empty when `odom` is not finite.
-  [[nodiscard]] std::optional<navigation::Pose2> update(const navigation::Pose2& odom, Time now);
+  [[nodiscard]] std::optional<geometry::Pose> update(const geometry::Pose& odom, Time now);
   [[nodiscard]] const Memory& memory() const { return memory_; }
 
  private:
-  [[nodiscard]] bool has_restarted(const navigation::Pose2& odom, Time now) const;
+  [[nodiscard]] bool has_restarted(const geometry::Pose& odom, Time now) const;
 
   Memory memory_;
   bool has_odom_ = false;

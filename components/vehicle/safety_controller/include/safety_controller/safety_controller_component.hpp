@@ -4,10 +4,11 @@
 #include <optional>
 
 #include "emergency_stop_input/emergency_stop_input.hpp"
+#include "geometry/twist.hpp"
 #include "kobuki_idl/topics.hpp"
-#include "motion/safety_controller.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
+#include "safety_controller/safety_controller.hpp"
 #include "safety_controller/stop_file.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -17,7 +18,7 @@ namespace tocsin {
 /// Woken by events and velocities only. When it dies the base gets no velocity, and stops.
 class SafetyControllerComponent final : public Component {
  public:
-  using Params = motion::SafetyController::Params;
+  using Params = SafetyController::Params;
   SafetyControllerComponent(Context& context, const Params& params);
   void tick(Time now) override;
 
@@ -25,7 +26,7 @@ class SafetyControllerComponent final : public Component {
   void take_state_at_start(Time now);
   void take_events(Time now);
   void take_emergency_stop();
-  void send(const motion::BodyVelocity& velocity);
+  void send(const geometry::Twist& velocity);
   void report(Time now);
 
   Input<topic::CmdVelSmoothed> wanted_{*this};
@@ -41,8 +42,8 @@ class SafetyControllerComponent final : public Component {
   Output<topic::SafetyStatus> status_{*this};
 
   StopFile file_;
-  motion::SafetyController controller_;
-  motion::Hazards hazards_;
+  SafetyController controller_;
+  Hazards hazards_;
   std::optional<topic::SafetyStatus::Message> reported_;
 };
 

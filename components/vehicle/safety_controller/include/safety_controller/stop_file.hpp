@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "emergency_stop_input/emergency_stop_latch.hpp"
 #include "foundation/state_file.hpp"
-#include "motion/emergency_stop_latch.hpp"
 
 namespace tocsin {
 
@@ -14,7 +14,7 @@ namespace tocsin {
 /// left is not read.
 class StopFile {
  public:
-  using Memory = motion::EmergencyStopLatch::Memory;
+  using Memory = EmergencyStopLatch::Memory;
 
   /// An empty path keeps nothing.
   explicit StopFile(std::string path) : file_(std::move(path)) {}

@@ -4,9 +4,9 @@
 #include <map>
 #include <string>
 
-#include "motion/command_lateness.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
+#include "teleop_receiver/command_lateness.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -33,7 +33,7 @@ class TeleopReceiverComponent final : public Component {
   OptionalInput<topic::TeleopCmdVel> command_{*this};
   Output<topic::CmdVelTeleop> cmd_vel_{*this};
   Duration lifespan_;
-  std::map<std::string, motion::CommandLateness> devices_;  ///< by frame_id; each has its clock
+  std::map<std::string, CommandLateness> devices_;  ///< by frame_id; each has its clock
   bool was_late_ = false;
 };
 

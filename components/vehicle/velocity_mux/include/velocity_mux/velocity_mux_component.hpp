@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "emergency_stop_input/emergency_stop_input.hpp"
-#include "motion/velocity_mux.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
+#include "velocity_mux/velocity_mux.hpp"
 
 namespace tocsin {
 
@@ -47,7 +47,7 @@ class VelocityMuxComponent final : public Component {
   Output<topic::MuxActive> active_{*this};
   Output<topic::MuxInputs> inputs_{*this};
 
-  motion::VelocityMux mux_;
+  VelocityMux mux_;
   std::vector<Source> sources_;
   std::string reported_;
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "motion/velocity_smoother.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
+#include "velocity_smoother/velocity_smoother.hpp"
 
 namespace tocsin {
 
@@ -12,7 +12,7 @@ namespace tocsin {
 /// velocity changes or is repeated; at rest it sleeps.
 class VelocitySmootherComponent final : public Component {
  public:
-  using Params = motion::VelocitySmoother::Params;
+  using Params = VelocitySmoother::Params;
   VelocitySmootherComponent(Context& context, const Params& params)
       : Component(context), smoother_(params) {}
   void tick(Time now) override;
@@ -20,7 +20,7 @@ class VelocitySmootherComponent final : public Component {
  private:
   Input<topic::CmdVelSelected> wanted_{*this};
   Output<topic::CmdVelSmoothed> smoothed_{*this};
-  motion::VelocitySmoother smoother_;
+  VelocitySmoother smoother_;
 };
 
 }  // namespace tocsin
