@@ -40,5 +40,24 @@ TEST(TeleopSender, SendsZeroThreeTimesAtReleaseAndThenNothing) {
   EXPECT_EQ(sut.next_deadline(), never);
 }
 
+TEST(TeleopSender, TellsWhetherWhatIsHeldMovesTheVehicle) {
+  TeleopSender sut{TeleopSender::Params{}};
+  EXPECT_FALSE(sut.driving());
+  sut.hold({0, 0.5});
+  EXPECT_TRUE(sut.driving());
+  sut.hold({0, 0});
+  EXPECT_FALSE(sut.driving());
+}
+
+TEST(TeleopSender, AsksToBeCalledAtItsRateWhileItDrives) {
+  TeleopSender::Params params;
+  params.rate_hz = 20;
+  TeleopSender sut{params};
+  EXPECT_EQ(sut.next_deadline(), never);
+  sut.hold({0.3, 0});
+  ASSERT_TRUE(sut.update(t0));
+  EXPECT_EQ(sut.next_deadline(), t0 + seconds(0.05));
+}
+
 }  // namespace
 }  // namespace tocsin

@@ -28,7 +28,7 @@ class TeleopSender {
   /// The command to send now, if one is due. Call after `hold` and at `next_deadline`.
   [[nodiscard]] std::optional<geometry::Twist> update(Time now);
   [[nodiscard]] Time next_deadline() const;
-  /// Whether the vehicle may still move by the last command.
+  /// Whether what is held moves the vehicle.
   [[nodiscard]] bool driving() const;
 
  private:
