@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "page/sections.hpp"
+#include "page/verdict.hpp"
+
+namespace tocsin::experiment {
+namespace {
+
+/// What the table of a comparison shows; runs.csv has them all.
+const std::vector<std::string> compared{"qni_mean",
+                                        "probe_per_mean",
+                                        "probe_per_max",
+                                        "telemetry_per",
+                                        "telemetry_per_max",
+                                        "critical_lost",
+                                        "high_lost",
+                                        "goals_lost",
+                                        "low_lost",
+                                        "camera_lost",
+                                        "high_delivered",
+                                        "low_delivered",
+                                        "high_latency_median",
+                                        "high_latency_p99",
+                                        "low_latency_p99",
+                                        "goal_latency_p99",
+                                        "location_age_mean",
+                                        "location_age_p95",
+                                        "battery_age_mean",
+                                        "battery_age_p95",
+                                        "camera_age_mean",
+                                        "heartbeat_age_mean",
+                                        "state_age_mean",
+                                        "cpu_age_mean",
+                                        "link_bytes",
+                                        "airtime",
+                                        "detect",
+                                        "missed",
+                                        "resume",
+                                        "sent_in_poor",
+                                        "silent_in_good",
+                                        "slot_cost",
+                                        "slot_regret",
+                                        "pauses",
+                                        "silence_mean",
+                                        "silence_max",
+                                        "completion"};
+
+const std::vector<std::string> boxed{
+    "telemetry_per_max", "probe_per_max", "high_latency_p99", "location_age_p95", "silence_mean",
+    "silence_max",       "detect",        "resume",           "completion"};
+
+void add_means(const std::vector<const Group*>& round, Document& document) {
+  std::vector<std::vector<std::string>> rows{{"mean over runs"}};
+  for (const Group* group : round) rows[0].push_back(display_name(group->policy));
+  for (const std::string& metric : compared) {
+    std::vector<std::string> row{metric_label(metric)};
+    bool any = false;
+    for (const Group* group : round) {
+      const Estimate one = estimate(group->metric(metric));
+      any = any || one.runs > 0;
+      row.push_back(html::number(one));
+    }
+    if (any) rows.push_back(std::move(row));
+  }
+  document.table(rows);
+}
+
+/// Ours minus the other's, coloured where the interval leaves out zero.
+std::string difference_cell(const Group& ours, const Group& other, const std::string& metric) {
+  const Estimate one = paired_difference(ours.metric(metric), other.metric(metric));
+  const Verdict verdict = judge(one, metric_texts()[metric_index(metric)].less_is_better);
+  const char* kind = verdict == Verdict::better ? "yes" : verdict == Verdict::worse ? "no" : "";
+  return std::string("<span class=\"") + kind + "\">" + html::number(one) + "</span>";
+}
+
+void add_differences(const std::vector<const Group*>& round, const Group& ours,
+                     Document& document) {
+  std::vector<std::vector<std::string>> rows{{"TOCP-DSP minus ..."}};
+  for (const Group* group : round) {
+    if (group != &ours) rows[0].push_back(display_name(group->policy));
+  }
+  for (const std::string& metric : compared) {
+    std::vector<std::string> row{metric_label(metric)};
+    for (const Group* group : round) {
+      if (group == &ours) continue;
+      row.push_back(difference_cell(ours, *group, metric));
+    }
+    rows.push_back(std::move(row));
+  }
+  document.add(
+      html::details("paired differences (green: better, red: worse, with 95 % "
+                    "confidence)",
+                    html::table(rows)));
+}
+
+void add_round(const std::vector<const Group*>& round, Document& document) {
+  document.heading(3, round_title(*round.front()) + ": " +
+                          std::to_string(round.front()->indices.size()) + " runs each");
+  add_means(round, document);
+  for (const Group* group : round) {
+    if (group->policy == "tocp_dsp" && round.size() > 1) {
+      add_differences(round, *group, document);
+    }
+  }
+}
+
+/// Means of several metrics, one place on the x axis each, side by side for the policies.
+struct Board {
+  const char* name;
+  const char* title;
+  const char* y_axis;
+  std::vector<std::pair<std::string, std::string>> metrics;  ///< label, metric
+  const char* caption;
+};
+
+const Board ages{
+    "ages",
+    "age of information at the ground station",
+    "mean age [s]",
+    {{"location", "location_age_mean"},
+     {"network quality", "quality_age_mean"},
+     {"heartbeat", "heartbeat_age_mean"},
+     {"transmission state", "state_age_mean"},
+     {"battery (low)", "battery_age_mean"},
+     {"CPU load (low)", "cpu_age_mean"},
+     {"camera (low)", "camera_age_mean"}},
+    "Age of the newest received sample of each topic, mean over time and runs with its "
+    "95 % interval. Network quality is measured every six seconds."};
+const Board losses{"losses",
+                   "lost of what was sent, by class",
+                   "lost [%]",
+                   {{"critical", "critical_lost"},
+                    {"high", "high_lost"},
+                    {"low, no camera", "low_lost"},
+                    {"camera", "camera_lost"},
+                    {"goals", "goals_lost"}},
+                   "Share of samples put on the link that never arrived, mean over runs with its "
+                   "95 % interval; what the gate held back was not sent."};
+
+void add_board(const std::vector<const Group*>& round, const Board& board, Document& document) {
+  Figure figure(std::string(board.name) + "_" + round_id(*round.front()),
+                mission_name(round.front()->mission) + ": " + board.title);
+  figure.axes("", board.y_axis).with("set yrange [0:*]");
+  std::vector<std::string> labels;
+  for (const auto& [label, metric] : board.metrics) labels.push_back(label);
+  figure.categories(labels);
+  const double width = 0.6 / static_cast<double>(round.size());
+  for (std::size_t i = 0; i < round.size(); ++i) {
+    std::vector<Estimate> means;
+    for (const auto& [label, metric] : board.metrics) {
+      means.push_back(estimate(round[i]->metric(metric)));
+    }
+    figure.marks(display_name(round[i]->policy), means, width * static_cast<double>(i) - 0.3);
+  }
+  document.figure(std::move(figure), board.caption);
+}
+
+void add_boxes(const std::vector<const Group*>& round, const std::string& metric,
+               Document& document) {
+  Figure figure("box_" + round_id(*round.front()) + "_" + metric,
+                mission_name(round.front()->mission) + ": " + metric + " over runs");
+  const MetricText& text = metric_texts()[metric_index(metric)];
+  figure.axes("", metric + " [" + text.unit + "]");
+  figure.with("set yrange [0:*]");
+  for (const Group* group : round) figure.box(display_name(group->policy), group->metric(metric));
+  document.figure(std::move(figure), std::string("Box: quartiles and median over ") +
+                                         std::to_string(round.front()->indices.size()) +
+                                         " runs; whiskers: 5th to 95th percentile. " +
+                                         html::escape(text.text) + ".");
+}
+
+}  // namespace
+
+void add_distributions(const Results& results, Document& document) {
+  const auto sets = sets_of(results, "thesis");
+  if (sets.empty()) return;
+  document.heading(2, "Distributions over runs");
+  for (const RunSet* set : sets) {
+    for (const auto& round : rounds_of(results.groups, set->name)) {
+      document.heading(3, round_title(*round.front()));
+      for (const Board* board : {&ages, &losses}) add_board(round, *board, document);
+      for (const std::string& metric : boxed) add_boxes(round, metric, document);
+    }
+  }
+}
+
+void add_comparisons(const Results& results, Document& document) {
+  for (const char* kind : {"thesis", "comparison"}) {
+    for (const RunSet* set : sets_of(results, kind)) {
+      document.heading(2, set->title);
+      for (const auto& round : rounds_of(results.groups, set->name)) add_round(round, document);
+    }
+  }
+}
+
+}  // namespace tocsin::experiment

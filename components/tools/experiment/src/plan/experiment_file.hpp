@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/fitted_file.hpp"
+
+namespace tocsin::experiment {
+
+/// A mission, and what has to be set for it.
+struct Mission {
+  std::string name;
+  std::string file;
+  std::vector<std::string> set;  ///< "component.key=value", as of `tocsin launch`
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("name", name, "word that names it in results");
+    v("file", file, "mission file, relative to the experiment file; required");
+    v("set", set, "component.key=value, as of tocsin launch");
+  }
+};
+
+/// A radio; ${mission} in the path stands for the mission's name.
+struct Channel {
+  std::string name;
+  std::string file;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("name", name, "word that names it in results");
+    v("file", file, "channel file, relative to the experiment file; ${mission} is replaced");
+  }
+};
+
+/// What the vehicle sends besides its telemetry.
+struct Payload {
+  std::string name;
+  bool camera = false;
+  std::vector<std::string> set;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("name", name, "word that names it in results");
+    v("camera", camera, "whether the vehicle has a camera");
+    v("set", set, "component.key=value, as of tocsin launch");
+  }
+};
+
+/// A way to decide.
+struct PolicyChoice {
+  std::string name;
+  std::string policy;            ///< of the decision library; empty: as `name`
+  std::vector<std::string> set;  ///< "key=value" of the controller, or "component.key=value"
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("name", name, "word that names it in results");
+    v("policy", policy, "policy of the decision library; empty: as name");
+    v("set", set, "key=value of the transmission controller, or component.key=value");
+  }
+};
+
+/// Runs that belong together: every mission with every channel, payload, policy and seed.
+struct RunSet {
+  std::string name;
+  std::string kind = "comparison";
+  std::string title;
+  std::vector<std::string> missions;
+  std::vector<std::string> channels;
+  std::vector<std::string> payloads;
+  std::vector<std::string> policies;
+  int first_seed = 1;
+  int seeds = 1;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("name", name, "word that names it in results");
+    v("kind", kind, {"thesis", "comparison", "sensitivity", "real", "fit"},
+      "its place in the report; fit: runs that parameters are fitted to");
+    v("title", title, "heading in the report");
+    v("missions", missions, "names; empty: all");
+    v("channels", channels, "names; empty: all");
+    v("payloads", payloads, "names; empty: all");
+    v("policies", policies, "names; empty: all");
+    v("first_seed", first_seed, {1, 1000000}, "[1] number of the first run");
+    v("seeds", seeds, {1, 100000}, "[1] runs of each combination");
+  }
+};
+
+/// What holds for every run.
+struct Timing {
+  std::string bringup = "mission.yaml";
+  std::vector<std::string> without{"gcs/view"};
+  double duration_s = 600;
+  double warm_up_s = 10;
+  double observation_s = 6;
+  double poor_below_snr_db = 10;
+  int vehicles = 1;
+  std::string fitted;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("bringup", bringup, "bringup file; a bare name is looked for in the share");
+    v("without", without, "host/process that is left out");
+    v("duration_s", duration_s, {10, 86400}, "[s] a run ends here or with its mission");
+    v("warm_up_s", warm_up_s, {0, 3600}, "[s] not counted, at the start");
+    v("observation_s", observation_s, {1, 600}, "[s] one observation of figures and windows");
+    v("poor_below_snr_db", poor_below_snr_db, {-20, 60},
+      "[dB] the link is truly poor while its mean SNR is below");
+    v("vehicles", vehicles, {1, 1000}, "[1] vehicles of a run; must be 1, as of a bringup file");
+    v("fitted", fitted, "file of tocsin experiment fit, relative to this one; empty: none");
+  }
+};
+
+/// A whole experiment file; names resolved, paths absolute.
+struct Experiment {
+  std::string file;
+  Fitted fitted;  ///< as load_experiment read it; empty without a file
+  Timing timing;
+  std::vector<Mission> missions;
+  std::vector<Channel> channels;
+  std::vector<Payload> payloads;
+  std::vector<PolicyChoice> policies;
+  std::vector<RunSet> sets;
+};
+
+/// Throws ConfigError with file, line, key, value and what is allowed.
+[[nodiscard]] Experiment load_experiment(const std::string& path);
+
+/// The same before there is a file of fitted parameters: `timing.fitted` names it, `fitted` is
+/// empty.
+[[nodiscard]] Experiment load_unfitted(const std::string& path);
+
+/// The same of a text that was read from `path`; the files that it names need not be there.
+[[nodiscard]] Experiment parse_experiment(const std::string& text, const std::string& path);
+
+}  // namespace tocsin::experiment
