@@ -9,6 +9,8 @@ namespace {
 constexpr Duration beacon_interval{102'400'000};
 constexpr int beacon_bytes = 100;
 constexpr int remembered_beacons = 8;
+constexpr AccessRules single_queue{2, cw_min, cw_max};  // of the DCF: idle for DIFS
+static_assert(sifs + single_queue.aifsn * slot_time == difs);
 
 BackgroundLoad load_of(const ChannelParams& params) {
   return {params.background_load, params.background_stations, seconds(params.background_frame_s)};
@@ -26,6 +28,16 @@ Medium::Medium(const ChannelParams& params, Propagation& propagation, const Outa
       idle_since_(start - difs),
       beacon_at_(start),
       heard_at_(start) {
+  for (std::size_t i = 0; i < all_contenders; ++i) {
+    Contender& one = contenders_[i];
+    one.station = static_cast<int>(i % 2);
+    one.single = i < singles;
+    const AccessRules rules =
+        one.single ? single_queue : access_rules(access_categories[(i - singles) / 2]);
+    one.idle_time = sifs + rules.aifsn * slot_time;
+    one.window = one.cw_min = rules.cw_min;
+    one.cw_max = rules.cw_max;
+  }
   set(params);
 }
 
@@ -39,30 +51,47 @@ void Medium::set(const ChannelParams& params) {
   queue_frames_ = static_cast<std::size_t>(params.queue_frames);
   noise_dbm_ = params.noise_dbm;
   snr_offset_db_ = params.snr_offset_db;
+  access_categories_ = params.access_categories;
+  if (access_categories_) used_ = all_contenders;
+}
+
+std::size_t Medium::queued(int station) const {
+  std::size_t sum = 0;
+  for (const Contender& one : contenders_) sum += one.station == station ? one.queue.size() : 0;
+  return sum;
+}
+
+Medium::Contender& Medium::contender_of(int station, AccessCategory category) {
+  const auto first = static_cast<std::size_t>(station);
+  if (!access_categories_) return contenders_[first];
+  return contenders_[singles + 2 * static_cast<std::size_t>(category) + first];
 }
 
 bool Medium::enqueue(int station, const AirFrame& frame, Time now) {
-  Side& s = side(station);
-  const std::size_t before = s.queue.size();
+  Contender& one = contender_of(station, frame.category);
+  const std::size_t before = one.queue.size();
   if (before >= queue_frames_) return false;
-  s.queue.push_back(frame);
-  if (before == 0 && !busy_) join(s, now);
+  one.queue.push_back(frame);
+  if (before == 0 && !busy_) join(one, now);
   return true;
 }
 
-void Medium::join(Side& s, Time now) {
-  s.ready = std::max({now, idle_since_ + difs, s.ready == never ? now : s.ready});
+void Medium::join(Contender& one, Time now) {
+  one.ready = std::max({now, idle_since_ + one.idle_time, one.ready == never ? now : one.ready});
   const Duration occupied = background_.until_idle(random_);
   if (occupied > Duration::zero()) {
-    s.ready = now + occupied + difs + random_.below(s.window + 1) * slot_time;
+    const Time idle = one.single ? now + occupied : std::max(now + occupied, idle_since_);
+    one.counts_from = idle + one.idle_time;
+    one.ready = one.counts_from + random_.below(one.window + 1) * slot_time;
   }
   schedule_access();
 }
 
 void Medium::schedule_access() {
   access_at_ = never;
-  for (const Side& s : sides_) {
-    if (!s.queue.empty()) access_at_ = std::min(access_at_, s.ready);
+  for (std::size_t i = 0; i < used_; ++i) {
+    const Contender& one = contenders_[i];
+    if (!one.queue.empty()) access_at_ = std::min(access_at_, one.ready);
   }
 }
 
@@ -72,90 +101,114 @@ void Medium::step(std::vector<AirResult>& results) {
     return;
   }
   busy_ = false;
-  for (int station = 0; station < 2; ++station) {
-    if (side(station).sending) finish(station, results);
+  for (std::size_t i = 0; i < used_; ++i) {
+    if (contenders_[i].sending) finish(contenders_[i], results);
   }
   contend(busy_until_, occupied_);
+}
+
+/// Whose backoff ends in the slot of `now`, by station; the others keep the slots that they have
+/// left.
+std::array<Medium::Contender*, 2> Medium::winners(Time now) {
+  std::array<Contender*, 2> found{};
+  for (std::size_t i = 0; i < used_; ++i) {
+    Contender& one = contenders_[i];
+    if (one.queue.empty()) continue;
+    Contender*& winner = found[static_cast<std::size_t>(one.station)];
+    if (one.ready >= now + slot_time / 2) {
+      const Time counted_until = one.single ? now : std::max(now, one.counts_from);
+      one.backoff = static_cast<int>((one.ready - counted_until + slot_time / 2) / slot_time);
+    } else if (winner == nullptr) {
+      winner = &one;  // the most urgent one of its station, since they are in that order
+    } else {
+      retry(one);
+    }
+  }
+  return found;
 }
 
 void Medium::start_transmissions() {
   const Time now = access_at_;
   hear_beacons(now);
-  for (Side& s : sides_) {
-    s.sending = !s.queue.empty() && s.ready < now + slot_time / 2;
-    if (!s.sending && !s.queue.empty()) {
-      s.backoff = static_cast<int>((s.ready - now + slot_time / 2) / slot_time);
-    }
-  }
-  const bool collided = sides_[0].sending && sides_[1].sending;
+  const auto senders = winners(now);
+  const bool collided = senders[0] != nullptr && senders[1] != nullptr;
   occupied_ = Duration::zero();
-  for (Side& s : sides_) {
-    if (s.sending) occupied_ = std::max(occupied_, transmit(s, now, collided));
+  for (Contender* one : senders) {
+    if (one != nullptr) occupied_ = std::max(occupied_, transmit(*one, now, collided));
   }
   busy_ = true;
   busy_until_ = now + occupied_;
 }
 
-Duration Medium::transmit(Side& s, Time now, bool collided) {
-  const AirFrame& frame = s.queue.front();
+Duration Medium::transmit(Contender& one, Time now, bool collided) {
+  Station& station = station_of(one);
+  const AirFrame& frame = one.queue.front();
   const int bytes = frame.bytes + mac_overhead_bytes;
-  s.rate = frame.acknowledged
-               ? s.rates.rate(signal_.mean_dbm() - noise_dbm_, frame.attempt, attempts_)
-               : 0;
-  Duration length = frame_duration(s.rate, bytes);
+  one.sending = true;
+  one.rate = frame.acknowledged
+                 ? station.rates.rate(signal_.mean_dbm() - noise_dbm_, frame.attempt, attempts_)
+                 : 0;
+  Duration length = frame_duration(one.rate, bytes);
   const bool hit = collided || random_.chance(background_.collision());
-  s.data_received = !hit && heard(s.rate, bytes, now);
-  if (s.data_received) hear_frame(now);
-  s.acknowledged =
-      frame.acknowledged && s.data_received && heard(ack_rate(s.rate), ack_bytes, now + length);
-  if (frame.acknowledged) length += sifs + frame_duration(ack_rate(s.rate), ack_bytes);
-  ++s.counters.attempts;
-  if (frame.attempt > 0) ++s.counters.retries;
-  s.counters.airtime += length;
+  one.data_received = !hit && heard(one.rate, bytes, now);
+  if (one.data_received) hear_frame(now);
+  one.acknowledged =
+      frame.acknowledged && one.data_received && heard(ack_rate(one.rate), ack_bytes, now + length);
+  if (frame.acknowledged) length += sifs + frame_duration(ack_rate(one.rate), ack_bytes);
+  ++station.counters.attempts;
+  if (frame.attempt > 0) ++station.counters.retries;
+  station.counters.airtime += length;
   return length;
 }
 
-void Medium::finish(int station, std::vector<AirResult>& results) {
-  Side& s = side(station);
-  AirFrame& frame = s.queue.front();
-  if (frame.acknowledged) s.rates.on_result(s.rate, frame.attempt, s.acknowledged);
-  if (s.data_received && !frame.received) {
+void Medium::finish(Contender& one, std::vector<AirResult>& results) {
+  Station& station = station_of(one);
+  AirFrame& frame = one.queue.front();
+  const AirResult result{frame.id, frame.bytes, frame.category, one.station, true, busy_until_};
+  if (frame.acknowledged) station.rates.on_result(one.rate, frame.attempt, one.acknowledged);
+  if (one.data_received && !frame.received) {
     frame.received = true;
-    results.push_back({frame.id, frame.bytes, station, true, busy_until_});
+    results.push_back(result);
   }
-  s.sending = false;
+  one.sending = false;
   ++frame.attempt;
   const bool last = !frame.acknowledged || frame.attempt >= attempts_;
-  if (!s.acknowledged && !last) {
-    retry(s);
+  if (!one.acknowledged && !last) {
+    retry(one);
     return;
   }
-  if (!frame.received) results.push_back({frame.id, frame.bytes, station, false, busy_until_});
-  if (frame.acknowledged && !s.acknowledged) ++s.counters.failed;
-  end_frame(s);
+  if (!frame.received) {
+    results.push_back(result);
+    results.back().received = false;
+  }
+  if (frame.acknowledged && !one.acknowledged) ++station.counters.failed;
+  end_frame(one);
 }
 
-void Medium::retry(Side& s) {
-  s.window = std::min(2 * s.window + 1, cw_max);
-  s.backoff = random_.below(s.window + 1);
+void Medium::retry(Contender& one) {
+  one.window = std::min(2 * one.window + 1, one.cw_max);
+  one.backoff = random_.below(one.window + 1);
 }
 
-void Medium::end_frame(Side& s) {
-  s.queue.pop_front();
-  s.window = cw_min;
-  s.backoff = random_.below(s.window + 1);  // also without a next frame: the post-backoff
+void Medium::end_frame(Contender& one) {
+  one.queue.pop_front();
+  one.window = one.cw_min;
+  one.backoff = random_.below(one.window + 1);  // also without a next frame: the post-backoff
 }
 
 void Medium::contend(Time now, Duration occupied) {
-  int fewest = cw_max;
-  for (Side& s : sides_) {
-    if (!s.backoff && !s.queue.empty()) s.backoff = random_.below(s.window + 1);
-    if (s.backoff) fewest = std::min(fewest, *s.backoff);
+  Duration shortest = difs + cw_max * slot_time;
+  for (std::size_t i = 0; i < used_; ++i) {
+    Contender& one = contenders_[i];
+    if (!one.backoff && !one.queue.empty()) one.backoff = random_.below(one.window + 1);
+    if (one.backoff) shortest = std::min(shortest, one.idle_time + *one.backoff * slot_time);
   }
-  idle_since_ = now + background_.interruptions(occupied + difs + fewest * slot_time, random_);
-  for (Side& s : sides_) {
-    s.ready = idle_since_ + difs + s.backoff.value_or(0) * slot_time;
-    s.backoff.reset();
+  idle_since_ = now + background_.interruptions(occupied + shortest, random_);
+  for (std::size_t i = 0; i < used_; ++i) {
+    Contender& one = contenders_[i];
+    one.counts_from = idle_since_ + one.idle_time;
+    one.ready = one.counts_from + one.backoff.value_or(0) * slot_time;
+    one.backoff.reset();
   }
   schedule_access();
 }

@@ -15,6 +15,11 @@ constexpr Duration association_lost_after{720'000'000};
 
 int station_of(Direction direction) { return direction == Direction::uplink ? 0 : 1; }
 
+std::uint64_t PacketCounts::*counter_of(Fate fate) {
+  if (fate == Fate::delivered) return &PacketCounts::delivered;
+  return fate == Fate::lost_in_queue ? &PacketCounts::queue_drops : &PacketCounts::losses;
+}
+
 }  // namespace
 
 int link_quality(double rssi_dbm) {
@@ -52,13 +57,20 @@ DirectionReport& RadioChannel::totals(Direction direction) {
   return totals_[static_cast<std::size_t>(station_of(direction))];
 }
 
-FrameId RadioChannel::push(Direction direction, int bytes, bool group_addressed, Time now) {
-  assert(bytes > 0);
+void RadioChannel::count(Direction direction, AccessCategory category,
+                         std::uint64_t PacketCounts::*which) {
+  DirectionReport& total = totals(direction);
+  ++(total.*which);
+  ++(total.categories[static_cast<std::size_t>(category)].*which);
+}
+
+FrameId RadioChannel::push(Direction direction, const Packet& packet, Time now) {
+  assert(packet.bytes > 0);
   advance(now);
-  ++totals(direction).pushed;
-  totals(direction).bytes_pushed += static_cast<std::uint64_t>(bytes);
-  const bool acknowledged = direction == Direction::uplink || !group_addressed;
-  const AirFrame frame{next_id_++, bytes, acknowledged};
+  count(direction, packet.category, &PacketCounts::pushed);
+  totals(direction).bytes_pushed += static_cast<std::uint64_t>(packet.bytes);
+  const bool acknowledged = direction == Direction::uplink || !packet.group_addressed;
+  const AirFrame frame{next_id_++, packet.bytes, acknowledged, packet.category};
   if (has_mac_) {
     push_radio(direction, frame, now);
   } else {
@@ -80,7 +92,7 @@ void RadioChannel::push_radio(Direction direction, const AirFrame& frame, Time n
 void RadioChannel::push_without_mac(Direction direction, const AirFrame& frame, Time now) {
   const bool lost = packet_loss_.lost(now) || outages_.active(now);
   const Fate fate = lost ? Fate::lost_on_air : Fate::delivered;
-  const Outcome outcome{frame.id, direction, fate, frame.bytes, now};
+  const Outcome outcome{frame.id, direction, fate, frame.bytes, frame.category, now};
   if (lost) {
     end(outcome);
   } else {
@@ -90,7 +102,7 @@ void RadioChannel::push_without_mac(Direction direction, const AirFrame& frame, 
 
 void RadioChannel::enqueue(Direction direction, const AirFrame& frame, Time now) {
   if (medium_.enqueue(station_of(direction), frame, now)) return;
-  end({frame.id, direction, Fate::lost_in_queue, frame.bytes, now});
+  end({frame.id, direction, Fate::lost_in_queue, frame.bytes, frame.category, now});
 }
 
 void RadioChannel::deliver_at(Time at, Outcome outcome) {
@@ -99,13 +111,10 @@ void RadioChannel::deliver_at(Time at, Outcome outcome) {
 }
 
 void RadioChannel::end(const Outcome& outcome) {
-  DirectionReport& total = totals(outcome.direction);
   if (outcome.fate == Fate::delivered) {
-    ++total.delivered;
-    total.bytes_delivered += static_cast<std::uint64_t>(outcome.bytes);
-  } else {
-    ++(outcome.fate == Fate::lost_in_queue ? total.queue_drops : total.losses);
+    totals(outcome.direction).bytes_delivered += static_cast<std::uint64_t>(outcome.bytes);
   }
+  count(outcome.direction, outcome.category, counter_of(outcome.fate));
   outcomes_.push_back(outcome);
 }
 
@@ -140,8 +149,12 @@ void RadioChannel::step_medium() {
   for (const AirResult& result : air_results_) {
     const bool up = result.station == 0;
     const Fate fate = result.received ? Fate::delivered : Fate::lost_on_air;
-    const Outcome outcome{result.id, up ? Direction::uplink : Direction::downlink, fate,
-                          result.bytes, result.at};
+    const Outcome outcome{result.id,
+                          up ? Direction::uplink : Direction::downlink,
+                          fate,
+                          result.bytes,
+                          result.category,
+                          result.at};
     if (up && result.received) {
       deliver_at(result.at + wire_delay_ + propagation_.extra_delay(result.at), outcome);
     } else {

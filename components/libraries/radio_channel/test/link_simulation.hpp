@@ -26,7 +26,10 @@ class LinkSimulation {
       : channel(params, {}, seed, Time{}) {}
 
   FrameId push(Direction direction, int bytes, double at_s, bool group = false) {
-    const FrameId id = channel.push(direction, bytes, group, Time{} + seconds(at_s));
+    return push(direction, Packet{bytes, group}, at_s);
+  }
+  FrameId push(Direction direction, const Packet& packet, double at_s) {
+    const FrameId id = channel.push(direction, packet, Time{} + seconds(at_s));
     collect();
     return id;
   }
@@ -72,7 +75,7 @@ inline double ping_loss(const ChannelParams& params, std::uint64_t seed, double 
       ++lost;
       continue;
     }
-    const FrameId reply = link.channel.push(Direction::downlink, 92, false, there.at);
+    const FrameId reply = link.channel.push(Direction::downlink, {92}, there.at);
     link.finish();
     lost += link.outcomes.at(reply).fate != Fate::delivered ? 1 : 0;
   }

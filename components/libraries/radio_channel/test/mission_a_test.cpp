@@ -75,7 +75,7 @@ class MissionRun {
   }
 
   void send(double at_s) {
-    sent_at_[channel_.push(Direction::uplink, camera_ ? 1400 : 92, false, Time{} + seconds(at_s))] =
+    sent_at_[channel_.push(Direction::uplink, {camera_ ? 1400 : 92}, Time{} + seconds(at_s))] =
         at_s;
     ++sent_;
     if (camera_) {
@@ -92,7 +92,7 @@ class MissionRun {
     while (const auto outcome = channel_.take()) {
       if (outcome->fate != Fate::delivered) continue;
       if (outcome->direction == Direction::uplink && !camera_) {
-        channel_.push(Direction::downlink, 92, false, outcome->at);
+        channel_.push(Direction::downlink, {92}, outcome->at);
         continue;
       }
       ++arrived_;

@@ -74,7 +74,7 @@ TEST(Replay, BeginsWhereTheSeedSays) {
 
 /// When a packet of the vehicle that was sent at `at` arrived; empty: never.
 std::optional<Time> arrival(RadioChannel& channel, Time at) {
-  channel.push(Direction::uplink, 100, false, at);
+  channel.push(Direction::uplink, {100}, at);
   channel.advance(at + seconds(1));
   const auto outcome = channel.take();
   if (!outcome || outcome->fate != Fate::delivered) return std::nullopt;

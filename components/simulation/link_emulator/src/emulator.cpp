@@ -114,9 +114,9 @@ void Emulator::carry(radio::Direction direction) {
     auto packet = from.read();
     if (from.gone()) forget(from, up ? "uxv" : "gcs");
     if (packet.empty()) return;
-    const int bytes = static_cast<int>(packet.size());
-    const bool group = is_group_addressed(packet, prefix);
-    packets_[channel_.push(direction, bytes, group, clock_now())] = std::move(packet);
+    const radio::Packet on_air{static_cast<int>(packet.size()), is_group_addressed(packet, prefix),
+                               radio::access_category_of_dscp(dscp_of(packet))};
+    packets_[channel_.push(direction, on_air, clock_now())] = std::move(packet);
   }
 }
 

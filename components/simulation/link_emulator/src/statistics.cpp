@@ -20,11 +20,24 @@ Json number(double value) {
   return std::round(value * 100) / 100;
 }
 
+Json categories(const radio::DirectionReport& report) {
+  Json all;
+  for (const radio::AccessCategory one : radio::access_categories) {
+    const radio::PacketCounts& counts = report.categories[static_cast<std::size_t>(one)];
+    all[radio::to_string(one)] = {{"pushed", counts.pushed},
+                                  {"delivered", counts.delivered},
+                                  {"queue_drops", counts.queue_drops},
+                                  {"losses", counts.losses}};
+  }
+  return all;
+}
+
 Json direction(const radio::DirectionReport& report) {
   return {{"pushed", report.pushed},
           {"delivered", report.delivered},
           {"queue_drops", report.queue_drops},
           {"losses", report.losses},
+          {"categories", categories(report)},
           {"bytes_pushed", report.bytes_pushed},
           {"bytes_delivered", report.bytes_delivered},
           {"queued", report.queued},

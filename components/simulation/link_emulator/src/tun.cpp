@@ -151,4 +151,11 @@ bool is_group_addressed(const std::vector<std::uint8_t>& packet, int prefix) {
   return to >> 28 == 0xe || (to & hosts) == hosts;
 }
 
+std::uint8_t dscp_of(const std::vector<std::uint8_t>& packet) {
+  const int version = packet.size() >= 20 ? packet[0] >> 4 : 0;
+  if (version == 4) return static_cast<std::uint8_t>(packet[1] >> 2);
+  if (version != 6) return 0;
+  return static_cast<std::uint8_t>((packet[0] & 0x0f) << 2 | packet[1] >> 6);
+}
+
 }  // namespace tocsin::link

@@ -130,6 +130,11 @@ UdpSocket::UdpSocket(const std::string& netns, const std::string& address, const
 
 UdpSocket::~UdpSocket() { ::close(fd_); }
 
+void UdpSocket::set_dscp(int dscp) {
+  const int tos = dscp << 2;
+  (void)::setsockopt(fd_, IPPROTO_IP, IP_TOS, &tos, sizeof tos);
+}
+
 void UdpSocket::send(int number, std::size_t bytes) {
   std::vector<char> data(std::max(bytes, sizeof number));
   std::memcpy(data.data(), &number, sizeof number);

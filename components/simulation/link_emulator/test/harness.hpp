@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
 #include <sys/types.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -30,6 +31,8 @@ class UdpSocket {
   ~UdpSocket();
   UdpSocket(const UdpSocket&) = delete;
   UdpSocket& operator=(const UdpSocket&) = delete;
+  /// The DSCP of what is sent from now on.
+  void set_dscp(int dscp);
   /// Sends a numbered datagram of `bytes`.
   void send(int number, std::size_t bytes);
   /// The number of the next datagram; empty when none comes within `timeout_ms`.
@@ -76,6 +79,23 @@ class Emulator {
  private:
   const TemporaryFolder folder_;
   pid_t pid_ = -1;
+};
+
+/// A channel that loses nothing.
+inline const char* const open_channel = "radio_channel: {tx_dbm: 30, shadowing_sigma_db: 0}";
+
+/// Tests of the program between two real namespaces.
+class LinkEmulator : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!Namespaces::missing().empty()) GTEST_SKIP() << Namespaces::missing();
+  }
+};
+
+/// A socket on each side.
+struct Ends {
+  UdpSocket uxv{Namespaces::uxv(), "10.77.0.1", "10.77.0.2"};
+  UdpSocket gcs{Namespaces::gcs(), "10.77.0.2", "10.77.0.1"};
 };
 
 /// What a program prints to stderr, and its exit code.

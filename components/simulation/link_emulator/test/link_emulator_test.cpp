@@ -22,20 +22,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const char* open_channel = "radio_channel: {tx_dbm: 30, shadowing_sigma_db: 0}";
 const char* bernoulli = "radio_channel: {mode: bernoulli, loss: 0.1, delay_s: 0.002}";
-
-class LinkEmulator : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (!Namespaces::missing().empty()) GTEST_SKIP() << Namespaces::missing();
-  }
-};
-
-struct Ends {
-  UdpSocket uxv{Namespaces::uxv(), "10.77.0.1", "10.77.0.2"};
-  UdpSocket gcs{Namespaces::gcs(), "10.77.0.2", "10.77.0.1"};
-};
 
 /// Sends `count` numbered datagrams in small bursts; returns those that arrive. Waits for the last
 /// of each: four bursts that an emulator without a processor finds in its queue fill it.

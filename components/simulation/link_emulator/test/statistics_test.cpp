@@ -24,6 +24,7 @@ radio::LinkReport some_report() {
   report.mean_snr_db = 7.5;
   report.uplink.pushed = 10;
   report.uplink.delivered = 8;
+  report.uplink.categories[0] = {7, 5, 1, 1};
   report.uplink.air.failed = 2;
   report.uplink.air.retries = 30;
   return report;
@@ -50,6 +51,17 @@ TEST(StatsLine, IsJsonWithBothDirections) {
   EXPECT_EQ(sut["downlink"]["pushed"], 0);
   EXPECT_EQ(sut["bad_commands"], 3);
   EXPECT_EQ(sut["late_ms"], 12.35);
+}
+
+TEST(StatsLine, CountsPacketsByCategory) {
+  const auto sut = nlohmann::json::parse(stats_line(0, some_report(), {}));
+  const auto& voice = sut["uplink"]["categories"]["voice"];
+  EXPECT_EQ(voice["pushed"], 7);
+  EXPECT_EQ(voice["delivered"], 5);
+  EXPECT_EQ(voice["queue_drops"], 1);
+  EXPECT_EQ(voice["losses"], 1);
+  EXPECT_EQ(sut["uplink"]["categories"]["background"]["pushed"], 0);
+  EXPECT_EQ(sut["downlink"]["categories"].size(), 4U);
 }
 
 TEST(StatsLine, SaysNullForASignalNeverHeard) {
@@ -101,6 +113,26 @@ TEST(GroupAddress, IsMulticastOrBroadcast) {
   EXPECT_TRUE(is_group_addressed(ipv4_to(10, 77, 0, 255), 24));
   EXPECT_FALSE(is_group_addressed(ipv4_to(10, 77, 0, 255), 16));
   EXPECT_FALSE(is_group_addressed(ipv4_to(10, 77, 0, 2), 24));
+}
+
+TEST(Dscp, IsTheUpperSixBitsOfTheTosByte) {
+  std::vector<std::uint8_t> packet = ipv4_to(10, 77, 0, 2);
+  packet[1] = 0xc0;
+  EXPECT_EQ(dscp_of(packet), 48);
+  packet[1] = 0x23;  // CS1 and both bits of ECN
+  EXPECT_EQ(dscp_of(packet), 8);
+}
+
+TEST(Dscp, IsReadFromIpv6AndNotFromGarbage) {
+  std::vector<std::uint8_t> packet(40);
+  packet[0] = 0x6c;  // traffic class 0xc0
+  EXPECT_EQ(dscp_of(packet), 48);
+  packet[0] = 0x62;
+  packet[1] = 0x0f;
+  EXPECT_EQ(dscp_of(packet), 8);
+  EXPECT_EQ(dscp_of({}), 0);
+  EXPECT_EQ(dscp_of({0x45, 0xc0}), 0);
+  EXPECT_EQ(dscp_of(std::vector<std::uint8_t>(28, 0xff)), 0);
 }
 
 TEST(GroupAddress, IsReadFromIpv6AndNotFromGarbage) {

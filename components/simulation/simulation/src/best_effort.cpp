@@ -56,7 +56,7 @@ void send_once(RadioLink& link, const RtpsWriter::Owner& owner,
   const auto packets = rtps::packets_of(change->bytes, readers.size(), fragment_bytes);
   const SamplesOnAir on_air = begin(owner, readers, change, packets.size());
   for (std::size_t i = 0; i < packets.size(); ++i) {
-    for (const auto& sample : on_air) link.send(owner.direction, packets[i], sample, i);
+    for (const auto& sample : on_air) link.send(owner.way, packets[i], sample, i);
   }
 }
 
@@ -125,7 +125,7 @@ bool BestEffortWriter::deliver(rtps::Sequence sequence, rtps::ByteBudget& budget
     const std::size_t packet = packets[sample.next_piece];
     budget.sent += packet - rtps::wire::ip_and_udp;
     for (const auto& one : sample.on_air) {
-      link_.send(owner().direction, packet, one, sample.next_piece);
+      link_.send(owner().way, packet, one, sample.next_piece);
     }
   }
   waiting_.erase(found);

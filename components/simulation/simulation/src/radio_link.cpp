@@ -47,14 +47,15 @@ RadioLink::RadioLink(Core& core, const radio::ChannelParams& params,
   report();
 }
 
-void RadioLink::send(radio::Direction direction, std::size_t ip_bytes,
-                     std::function<void()> on_arrival) {
-  send(direction, ip_bytes, std::make_shared<Call>(std::move(on_arrival)), 0);
+void RadioLink::send(const Way& way, std::size_t ip_bytes, std::function<void()> on_arrival) {
+  send(way, ip_bytes, std::make_shared<Call>(std::move(on_arrival)), 0);
 }
 
-void RadioLink::send(radio::Direction direction, std::size_t ip_bytes, std::shared_ptr<Cargo> cargo,
+void RadioLink::send(const Way& way, std::size_t ip_bytes, std::shared_ptr<Cargo> cargo,
                      std::size_t packet) {
-  const radio::FrameId id = channel_.push(direction, static_cast<int>(ip_bytes), false, core_.now);
+  const radio::Packet on_air{static_cast<int>(ip_bytes), false,
+                             radio::access_category_of_dscp(way.dscp)};
+  const radio::FrameId id = channel_.push(way.direction, on_air, core_.now);
   assert(id == next_);
   ++next_;
   under_way_.push_back({std::move(cargo), packet});

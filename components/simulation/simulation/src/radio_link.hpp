@@ -16,10 +16,18 @@
 
 namespace tocsin::simulation {
 
-/// The other way.
-[[nodiscard]] inline radio::Direction back(radio::Direction direction) {
-  return direction == radio::Direction::uplink ? radio::Direction::downlink
-                                               : radio::Direction::uplink;
+/// How packets go: where to, and with which DSCP (0 to 63).
+struct Way {
+  Way(radio::Direction to, std::uint8_t with_dscp = 0) : direction(to), dscp(with_dscp) {}
+  radio::Direction direction;
+  std::uint8_t dscp;
+};
+
+/// The other way, with the same DSCP.
+[[nodiscard]] inline Way back(const Way& way) {
+  return {way.direction == radio::Direction::uplink ? radio::Direction::downlink
+                                                    : radio::Direction::uplink,
+          way.dscp};
 }
 
 /// What goes wrong on the air besides what the channel does.
@@ -47,10 +55,9 @@ class RadioLink {
             std::uint64_t seed);
 
   /// Sends an IP packet of `cargo`, which is told when and if it comes to the other side.
-  void send(radio::Direction direction, std::size_t ip_bytes, std::shared_ptr<Cargo> cargo,
-            std::size_t packet);
+  void send(const Way& way, std::size_t ip_bytes, std::shared_ptr<Cargo> cargo, std::size_t packet);
   /// The same for a single packet.
-  void send(radio::Direction direction, std::size_t ip_bytes, std::function<void()> on_arrival);
+  void send(const Way& way, std::size_t ip_bytes, std::function<void()> on_arrival);
   [[nodiscard]] Time next_event() const { return channel_.next_event(); }
   /// When a packet next arrives that matters to others than its cargo, or `limit`, before which
   /// nothing else happens. What the radio does until then is done.

@@ -165,7 +165,7 @@ void ReliableWriter::update() {
 void ReliableWriter::send(rtps::EndId to, const rtps::MessagePtr& message) {
   const auto found = readers_.find(to);
   assert(found != readers_.end());
-  link_.send(owner().direction, message->ip_bytes,
+  link_.send(owner().way, message->ip_bytes,
              std::make_shared<MessageOnAir>(owner().source, *found->second, message), 0);
 }
 
@@ -219,7 +219,7 @@ void ReliableReader::send(rtps::EndId to, const rtps::MessagePtr& message) {
   const auto found = writers_.find(to);
   if (found == writers_.end()) return;
   RtpsWriter& writer = *found->second.writer;
-  link_.send(back(writer.owner().direction), message->ip_bytes,
+  link_.send(back(writer.owner().way), message->ip_bytes,
              std::make_shared<AnswerOnAir>(found->second.number, writer, message), 0);
 }
 

@@ -42,7 +42,7 @@ class RtpsWriter : public LinkWriter {
  public:
   /// Whose writer it is.
   struct Owner {
-    radio::Direction direction;
+    Way way;  ///< of its packets; what readers answer goes back with the same DSCP
     std::uint64_t source;
     const TopicEnd* end;
     const Origin* origin;

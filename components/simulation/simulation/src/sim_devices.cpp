@@ -17,15 +17,15 @@ constexpr std::size_t ip_and_icmp_bytes = 28;
 /// Requests and replies are packets of the link. The host at the other side answers at once.
 class SimEcho final : public EchoDevice {
  public:
-  struct Way {
+  struct Probe {
     const std::string* host;
     RadioLink* link;
-    radio::Direction direction;
+    Way way;
     std::size_t bytes;
     bool answered;
   };
-  SimEcho(Core& core, const Way& way, Devices::Readable readable)
-      : core_(core), way_(way), inbox_(std::make_shared<Inbox>()) {
+  SimEcho(Core& core, const Probe& probe, Devices::Readable readable)
+      : core_(core), probe_(probe), inbox_(std::make_shared<Inbox>()) {
     inbox_->readable = std::move(readable);
   }
   ~SimEcho() override {
@@ -35,12 +35,12 @@ class SimEcho final : public EchoDevice {
   int send(std::uint16_t sequence) override {
     const Request request{sequence, core_.now};
     if (core_.observer != nullptr) {
-      core_.observer->on_echo({*way_.host, sequence, core_.now, never});
+      core_.observer->on_echo({*probe_.host, sequence, core_.now, never});
     }
-    way_.link->send(way_.direction, way_.bytes,
-                    [&core = core_, way = way_, inbox = inbox_, request] {
-                      if (way.answered) answer(core, way, inbox, request);
-                    });
+    probe_.link->send(probe_.way, probe_.bytes,
+                      [&core = core_, probe = probe_, inbox = inbox_, request] {
+                        if (probe.answered) answer(core, probe, inbox, request);
+                      });
     return 0;
   }
   std::optional<Reply> receive() override {
@@ -60,9 +60,9 @@ class SimEcho final : public EchoDevice {
     std::uint16_t sequence;
     Time sent;
   };
-  static void answer(Core& core, const Way& way, const std::shared_ptr<Inbox>& inbox,
+  static void answer(Core& core, const Probe& probe, const std::shared_ptr<Inbox>& inbox,
                      const Request& request) {
-    way.link->send(back(way.direction), way.bytes, [&core, host = way.host, inbox, request] {
+    probe.link->send(back(probe.way), probe.bytes, [&core, host = probe.host, inbox, request] {
       if (core.observer != nullptr) {
         core.observer->on_echo({*host, request.sequence, request.sent, core.now});
       }
@@ -71,7 +71,7 @@ class SimEcho final : public EchoDevice {
     });
   }
   Core& core_;
-  Way way_;
+  Probe probe_;
   std::shared_ptr<Inbox> inbox_;
 };
 
@@ -94,9 +94,9 @@ std::unique_ptr<EchoDevice> SimDevices::open_echo(const std::string& target,
     throw ConfigError("target: '" + target + "' is not an IPv4 address");
   }
   const bool answered = std::find(peers_.begin(), peers_.end(), target) != peers_.end();
-  const SimEcho::Way way{&place_.host, &link_, place_.direction, ip_and_icmp_bytes + payload_bytes,
-                         answered};
-  return std::make_unique<SimEcho>(core_, way, std::move(readable));
+  const SimEcho::Probe probe{&place_.host, &link_, place_.direction,
+                             ip_and_icmp_bytes + payload_bytes, answered};
+  return std::make_unique<SimEcho>(core_, probe, std::move(readable));
 }
 
 std::optional<std::string> SimDevices::read_text(const std::string& path) {

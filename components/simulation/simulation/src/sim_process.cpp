@@ -151,7 +151,10 @@ void SimProcess::make_writer(Topic& its) {
   its.end.traffic_class = rule.traffic_class;
   its.end.pausable = rule.while_poor != WhilePoor::send;
   its.end.drops = rule.while_poor == WhilePoor::drop;
-  const RtpsWriter::Owner owner{host_.direction(), its.source, &its.end, &its.origin,
+  const RtpsWriter::Owner owner{{host_.direction(), host_.rules().dscp(rule.traffic_class)},
+                                its.source,
+                                &its.end,
+                                &its.origin,
                                 [this](Time t) { return wall_ns(t); }};
   auto writer = RtpsWriter::make(network_.core, network_.link, owner, its.qos, pacer(its.qos));
   its.writer = writer.get();

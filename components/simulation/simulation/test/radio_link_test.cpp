@@ -22,8 +22,8 @@ class RadioLinkTest : public ::testing::Test {
     }
     core_.now = end;
   }
-  void send(radio::Direction direction, char name) {
-    sut_.send(direction, 500, [this, name] { arrived_ += name; });
+  void send(const Way& way, char name) {
+    sut_.send(way, 500, [this, name] { arrived_ += name; });
   }
 
   Core core_;
@@ -43,6 +43,35 @@ TEST_F(RadioLinkTest, PacketSentOnArrivalArrivesToo) {
   sut_.send(radio::Direction::uplink, 500, [this] { send(back(radio::Direction::uplink), 'r'); });
   run_for(1);
   EXPECT_EQ(arrived_, "r");
+}
+
+TEST_F(RadioLinkTest, AnswersHaveTheDscpOfWhatTheyAnswer) {
+  const Way way(radio::Direction::uplink, 48);
+  EXPECT_EQ(back(way).direction, radio::Direction::downlink);
+  EXPECT_EQ(back(way).dscp, 48);
+  EXPECT_EQ(Way(radio::Direction::uplink).dscp, 0);
+}
+
+/// The order in which 'v' of CS6 arrives that was sent after twenty others of CS1.
+std::string arrivals_with(bool access_categories) {
+  Core core;
+  radio::ChannelParams params;
+  params.access_categories = access_categories;
+  RadioLink sut(core, params, {}, 1);
+  std::string arrived;
+  const auto send = [&](std::uint8_t dscp, char name) {
+    sut.send({radio::Direction::uplink, dscp}, 1400, [&arrived, name] { arrived += name; });
+  };
+  for (int i = 0; i < 20; ++i) send(8, 'b');
+  send(48, 'v');
+  core.now += seconds(1);
+  sut.advance();
+  return arrived;
+}
+
+TEST(RadioLink, UrgentPacketsGoFirstWhereTheChannelHasAccessCategories) {
+  EXPECT_LE(arrivals_with(true).find('v'), 2U);  // one of the others is on the air
+  EXPECT_EQ(arrivals_with(false).find('v'), 20U);
 }
 
 TEST_F(RadioLinkTest, DoesAllUntilAPacketArrivesAndNothingBeyondTheLimit) {

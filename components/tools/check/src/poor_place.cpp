@@ -70,7 +70,7 @@ PoorPlace poor_place(radio::ChannelParams params, const std::vector<geometry::Wa
     channel.advance(now);
     while (channel.take()) --waiting;
     for (; waiting < full; ++waiting) {
-      (void)channel.push(radio::Direction::uplink, packet_bytes, false, now);
+      (void)channel.push(radio::Direction::uplink, {packet_bytes}, now);
     }
   }
   const radio::DirectionReport uplink = channel.report(start + length).uplink;

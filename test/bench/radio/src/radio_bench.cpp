@@ -51,13 +51,13 @@ class Traffic {
       return 0;
     }
     if (now_s_ == next_probe_s_) {
-      channel.push(Direction::uplink, 92, false, now);
-      channel.push(Direction::downlink, 92, false, now);
+      channel.push(Direction::uplink, {92}, now);
+      channel.push(Direction::downlink, {92}, now);
       next_probe_s_ += 0.3;
       return 2;
     }
     const bool camera = now_s_ == next_camera_s_;
-    channel.push(Direction::uplink, camera ? 1400 : 200, false, now);
+    channel.push(Direction::uplink, {camera ? 1400 : 200}, now);
     (camera ? next_camera_s_ : next_telemetry_s_) += camera ? camera_s_ : 0.05;
     return 1;
   }

@@ -32,6 +32,7 @@ struct ChannelParams {
   double noise_dbm = -94;
   double snr_offset_db = 0;
   int attempts = 7;
+  bool access_categories = false;
   int queue_frames = 100;
   double wire_delay_s = 0.0003;
   double background_load = 0;
@@ -88,7 +89,9 @@ struct ChannelParams {
   template <class Visitor>
   void visit_mac(Visitor& v) {
     v("attempts", attempts, {1, 31}, "[1] transmissions of a unicast frame before it is given up");
-    v("queue_frames", queue_frames, {1, 100000}, "[1] frames per direction, then tail drop");
+    v("access_categories", access_categories,
+      "whether urgent packets go first: 802.11e queues of voice, video, best effort, background");
+    v("queue_frames", queue_frames, {1, 100000}, "[1] frames per queue, then tail drop");
     v("wire_delay_s", wire_delay_s, {0, 10}, "[s] one way between access point and ground station");
     v("background_load", background_load, {0, 0.95}, "[1] share of time taken by other stations");
     v("background_stations", background_stations, {1, 100}, "[1] stations that make that load");

@@ -10,6 +10,7 @@
 
 #include "foundation/time.hpp"
 #include "geometry/wall.hpp"
+#include "radio_channel/access_category.hpp"
 #include "radio_channel/channel_params.hpp"
 #include "radio_channel/medium.hpp"
 #include "radio_channel/outages.hpp"
@@ -21,6 +22,13 @@ namespace tocsin::radio {
 /// uplink: from the vehicle over the air to the access point, then the wire to the ground station.
 enum class Direction : std::uint8_t { uplink, downlink };
 
+/// An IP packet to send.
+struct Packet {
+  int bytes;                     ///< at least 1
+  bool group_addressed = false;  ///< to a multicast or broadcast address
+  AccessCategory category = AccessCategory::best_effort;
+};
+
 enum class Fate : std::uint8_t { delivered, lost_in_queue, lost_on_air };
 
 /// How a pushed packet ended. Each packet has exactly one.
@@ -29,15 +37,22 @@ struct Outcome {
   Direction direction;
   Fate fate;
   int bytes;
+  AccessCategory category;
   Time at;  ///< when it arrives at the other end, or when it is given up
 };
 
-/// Totals of one direction. pushed = delivered + queue_drops + losses + what is still under way.
-struct DirectionReport {
+/// How packets ended. pushed = delivered + queue_drops + losses + what is still under way.
+struct PacketCounts {
   std::uint64_t pushed = 0;
   std::uint64_t delivered = 0;
   std::uint64_t queue_drops = 0;
   std::uint64_t losses = 0;
+};
+
+/// Totals of one direction.
+struct DirectionReport : PacketCounts {
+  /// The same by the category of the packets, whether or not it has queues of its own.
+  std::array<PacketCounts, access_categories.size()> categories;
   std::uint64_t bytes_pushed = 0;
   std::uint64_t bytes_delivered = 0;
   AirCounters air;
@@ -77,10 +92,10 @@ class RadioChannel {
   /// beyond 1000 km is ignored.
   void set_position(double x_m, double y_m) { propagation_.set_position(x_m, y_m); }
 
-  /// Sends an IP packet of `bytes` (at least 1). Group-addressed packets from the access point are
-  /// not acknowledged and go once at 6 Mbit/s; from the station they are unicast to the access
-  /// point.
-  FrameId push(Direction direction, int bytes, bool group_addressed, Time now);
+  /// Sends an IP packet. Group-addressed ones from the access point are not acknowledged and go
+  /// once at 6 Mbit/s; from the station they are unicast to the access point. The category counts
+  /// when the parameter access_categories is set.
+  FrameId push(Direction direction, const Packet& packet, Time now);
 
   /// The next instant at which advance() has work; `never` when the link is at rest.
   [[nodiscard]] Time next_event() const {
@@ -116,6 +131,7 @@ class RadioChannel {
   };
 
   [[nodiscard]] DirectionReport& totals(Direction direction);
+  void count(Direction direction, AccessCategory category, std::uint64_t PacketCounts::*which);
   void push_radio(Direction direction, const AirFrame& frame, Time now);
   void push_without_mac(Direction direction, const AirFrame& frame, Time now);
   void enqueue(Direction direction, const AirFrame& frame, Time now);
