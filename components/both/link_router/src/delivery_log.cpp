@@ -25,29 +25,54 @@ bool is_settled(const DeliveryLog::Record& record) {
 }  // namespace
 
 void DeliveryLog::add(const Record& record) {
+  const auto kept = std::make_shared<Record>(record);
   Records& records = streams_[record.sample->stream];
-  records.push_back(record);
+  records.push_back(kept);
   record.sample->under_way += static_cast<unsigned>(record.copies.size());
-  trim(records);
-}
-
-void DeliveryLog::trim(Records& records) {
+  if (!record.copies.empty()) under_way_.push_back(kept);
   // No receipt tells of older ones.
-  while (records.size() > StreamReceipt::window + 1 && is_settled(records.front())) {
-    records.pop_front();
-  }
+  if (records.size() > StreamReceipt::window + 1) records.pop_front();
 }
 
 void DeliveryLog::take_back(StreamId stream, TransmissionNumber number) {
   const auto found = streams_.find(stream);
   if (found == streams_.end() || found->second.empty()) return;
-  const Record& last = found->second.back();
+  Record& last = *found->second.back();
   if (last.number != number) return;
-  last.sample->under_way -= static_cast<unsigned>(last.copies.size());
+  for (Copy& copy : last.copies) {
+    if (!copy.settled) (void)settle(last, copy, false);
+  }
   found->second.pop_back();
+  drop_settled();
 }
 
-void DeliveryLog::forget_stream(StreamId stream) { streams_.erase(stream); }
+void DeliveryLog::forget_stream(StreamId stream) {
+  streams_.erase(stream);
+  under_way_.erase(std::remove_if(under_way_.begin(), under_way_.end(),
+                                  [stream](const RecordPtr& record) {
+                                    return record->sample->stream == stream;
+                                  }),
+                   under_way_.end());
+}
+
+void DeliveryLog::drop_settled() {
+  under_way_.erase(std::remove_if(under_way_.begin(), under_way_.end(),
+                                  [](const RecordPtr& record) { return is_settled(*record); }),
+                   under_way_.end());
+}
+
+template <class Ends>
+void DeliveryLog::give_up(Ends ends, std::vector<Settlement>& settled) {
+  bool any = false;
+  for (const RecordPtr& record : under_way_) {
+    for (Copy& copy : record->copies) {
+      if (copy.settled || !ends(*record, copy)) continue;
+      settled.push_back(settle(*record, copy, false));
+      any = true;
+    }
+  }
+  if (any) drop_settled();
+}
 
 Settlement DeliveryLog::settle(Record& record, Copy& copy, bool came) {
   Settlement settlement;
@@ -66,13 +91,7 @@ Settlement DeliveryLog::settle(Record& record, Copy& copy, bool came) {
 
 std::vector<Settlement> DeliveryLog::forget_peer(PeerIndex peer) {
   std::vector<Settlement> settled;
-  for (auto& entry : streams_) {
-    for (Record& record : entry.second) {
-      for (Copy& copy : record.copies) {
-        if (copy.peer == peer && !copy.settled) settled.push_back(settle(record, copy, false));
-      }
-    }
-  }
+  give_up([peer](const Record&, const Copy& copy) { return copy.peer == peer; }, settled);
   return settled;
 }
 
@@ -80,12 +99,12 @@ void DeliveryLog::take_stream(PeerIndex peer, const StreamReceipt& receipt, Time
                               std::vector<Settlement>& settled) {
   const auto found = streams_.find(receipt.stream);
   if (found == streams_.end()) return;
-  for (Record& record : found->second) {
-    if (!names(receipt, record.number)) continue;
-    for (Copy& copy : record.copies) {
+  for (const RecordPtr& record : found->second) {
+    if (!names(receipt, record->number)) continue;
+    for (Copy& copy : record->copies) {
       if (copy.peer != peer || copy.came) continue;
-      Settlement one = settle(record, copy, true);
-      one.is_exact = record.number == receipt.highest && receipt.age < longest_age;
+      Settlement one = settle(*record, copy, true);
+      one.is_exact = record->number == receipt.highest && receipt.age < longest_age;
       one.arrived = one.is_exact ? made - receipt.age : made;
       settled.push_back(std::move(one));
     }
@@ -100,14 +119,11 @@ void DeliveryLog::give_up_overtaken(PeerIndex peer, const std::vector<Settlement
     Time& time = latest[index_of(one.sample->priority)];
     time = std::max(time, one.sent);
   }
-  for (auto& entry : streams_) {
-    for (Record& record : entry.second) {
-      if (record.sent >= latest[index_of(record.sample->priority)]) break;
-      for (Copy& copy : record.copies) {
-        if (copy.peer == peer && !copy.settled) settled.push_back(settle(record, copy, false));
-      }
-    }
-  }
+  give_up(
+      [&](const Record& record, const Copy& copy) {
+        return copy.peer == peer && record.sent < latest[index_of(record.sample->priority)];
+      },
+      settled);
 }
 
 std::vector<Settlement> DeliveryLog::on_receipt(PeerIndex peer, const LinkReceipt& receipt) {
@@ -117,6 +133,7 @@ std::vector<Settlement> DeliveryLog::on_receipt(PeerIndex peer, const LinkReceip
   }
   std::sort(settled.begin(), settled.end(),
             [](const Settlement& a, const Settlement& b) { return a.sent < b.sent; });
+  if (!settled.empty()) drop_settled();
   std::vector<Settlement> lost;
   give_up_overtaken(peer, settled, lost);
   settled.insert(settled.end(), std::make_move_iterator(lost.begin()),
@@ -126,38 +143,27 @@ std::vector<Settlement> DeliveryLog::on_receipt(PeerIndex peer, const LinkReceip
 
 std::vector<Settlement> DeliveryLog::give_up_overdue(Time now) {
   std::vector<Settlement> settled;
-  for (auto& entry : streams_) {
-    for (Record& record : entry.second) {
-      for (Copy& copy : record.copies) {
-        if (!copy.settled && now >= copy.expected + patience_) {
-          settled.push_back(settle(record, copy, false));
-        }
-      }
-    }
-  }
+  give_up([&](const Record&, const Copy& copy) { return now >= copy.expected + patience_; },
+          settled);
   return settled;
 }
 
 Time DeliveryLog::next_overdue() const {
   Time next = never;
-  for (const auto& entry : streams_) {
-    for (const Record& record : entry.second) {
-      for (const Copy& copy : record.copies) {
-        if (!copy.settled) next = std::min(next, copy.expected + patience_);
-      }
+  for (const RecordPtr& record : under_way_) {
+    for (const Copy& copy : record->copies) {
+      if (!copy.settled) next = std::min(next, copy.expected + patience_);
     }
   }
   return next;
 }
 
-std::size_t DeliveryLog::under_way(PeerIndex peer, std::size_t packets) const {
+std::size_t DeliveryLog::count_under_way(PeerIndex peer, std::size_t packets) const {
   std::size_t count = 0;
-  for (const auto& entry : streams_) {
-    for (const Record& record : entry.second) {
-      if (record.cost.packets < packets) continue;
-      for (const Copy& copy : record.copies) {
-        if (copy.peer == peer && !copy.settled) ++count;
-      }
+  for (const RecordPtr& record : under_way_) {
+    if (record->cost.packets < packets) continue;
+    for (const Copy& copy : record->copies) {
+      if (copy.peer == peer && !copy.settled) ++count;
     }
   }
   return count;

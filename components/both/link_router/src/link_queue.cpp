@@ -74,7 +74,7 @@ std::vector<Dropped> LinkQueue::take_expired(Time now) {
 
 LinkQueue::Place LinkQueue::find_first(const Class& in, std::size_t packets, Time now) {
   return std::find_if(in.waiting.begin(), in.waiting.end(), [&](const Waiting& one) {
-    return one.not_before <= now && wire_cost(one.sample.bytes).packets < packets;
+    return one.not_before <= now && one.cost.packets < packets;
   });
 }
 

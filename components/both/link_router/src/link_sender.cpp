@@ -121,7 +121,7 @@ LinkSender::Source& LinkSender::source_of(Stream& stream, const Sample& sample) 
   return place->second;
 }
 
-void LinkSender::meter_offer(Stream& stream, const Sample& sample, Time now) {
+void LinkSender::meter_offer(Stream& stream, const WireCost& cost, Time now) {
   if (stream.offered != Time::min()) {
     const Duration since = now - stream.offered;
     stream.interval =
@@ -132,7 +132,7 @@ void LinkSender::meter_offer(Stream& stream, const Sample& sample, Time now) {
   }
   stream.offered = now;
   if (!stream.rule.adaptive) return;
-  const double nominal = static_cast<double>(wire_cost(sample.bytes).bytes) / scale_.scale();
+  const double nominal = static_cast<double>(cost.bytes) / scale_.scale();
   stream.nominal.add(static_cast<std::size_t>(nominal), now);
   stream.peak_bytes_per_s = std::max(stream.peak_bytes_per_s, stream.nominal.bytes_per_s(now));
 }
@@ -151,8 +151,9 @@ void LinkSender::offer(StreamId stream, const Sample& sample, Time now) {
   if (found == streams_.end()) return;
   Stream& to = found->second;
   ++counts(to.rule.priority).offered;
-  meter_offer(to, sample, now);
-  Waiting waiting{stream, sample, now, later(now, to.rule.lifespan), Time::min()};
+  const WireCost cost = wire_cost(sample.bytes);
+  meter_offer(to, cost, now);
+  Waiting waiting{stream, sample, cost, now, later(now, to.rule.lifespan), Time::min()};
   if (is_paused(to.rule)) return hold(to, waiting);
   waiting.not_before = not_before(to, source_of(to, sample));
   enqueue(to, waiting);

@@ -25,7 +25,7 @@ void LinkSender::on_receipt(const std::string& peer, const LinkReceipt& receipt,
                                 [](const Settlement& one) { return one.came; });
   apply(settlements, now);
   if (!came) return;
-  if (log_.under_way(from.index, 0) == 0) from.estimator.on_all_settled();
+  if (log_.count_under_way(from.index, 0) == 0) from.estimator.on_all_settled();
   if (!was_silent) return;
   from.estimator.start_over(now);
   revive(now);

@@ -10,9 +10,6 @@ namespace tocsin::router {
 namespace {
 
 constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
-/// Bulk of which nothing is known yet, at most: one under way while the receipt of the one before
-/// it is.
-constexpr std::size_t most_bulk_under_way = 2;
 /// Repairs that may follow each other at once.
 constexpr double repair_burst_bytes = 4000;
 constexpr Duration scale_period = std::chrono::milliseconds(50);
@@ -49,9 +46,10 @@ bool LinkSender::bulk_may_go(Time now) const {
   if (is_silent(now)) return false;
   if (backlog(now) > seconds(params_.bulk_backlog_s)) return false;
   const auto bulk = static_cast<std::size_t>(params_.bulk_packets);
+  const auto most = static_cast<std::size_t>(params_.bulk_under_way);
   return std::all_of(peers_.begin(), peers_.end(), [&](const auto& entry) {
     const Peer& peer = entry.second;
-    return peer.estimator.is_silent(now) || log_.under_way(peer.index, bulk) < most_bulk_under_way;
+    return peer.estimator.is_silent(now) || log_.count_under_way(peer.index, bulk) < most;
   });
 }
 
@@ -96,6 +94,7 @@ SentSamplePtr LinkSender::make_sent(const Waiting& waiting) {
   sent->stream = waiting.stream;
   sent->priority = stream.rule.priority;
   sent->sample = waiting.sample;
+  sent->cost = waiting.cost;
   sent->offered = waiting.offered;
   sent->expires = waiting.expires;
   for (const auto& entry : peers_) {
@@ -134,7 +133,7 @@ Duration LinkSender::repair_wait(const SentSample& sent, Duration expected) cons
 
 Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
   Stream& stream = streams_.at(sent->stream);
-  const WireCost cost = wire_cost(sent->sample.bytes);
+  const WireCost& cost = sent->cost;
   DeliveryLog::Record record{++stream.last, now, cost, sent, {}};
   Duration expected{0};
   for (auto& entry : peers_) {

@@ -22,6 +22,7 @@ struct SentSample {
   StreamId stream = 0;
   Priority priority = Priority::low;
   Sample sample;
+  WireCost cost;
   Time offered{};
   Time expires = never;            ///< not repaired after it
   std::vector<PeerIndex> missing;  ///< peers that want it and have not acknowledged it
@@ -87,19 +88,24 @@ class DeliveryLog {
   /// When give_up_overdue() has something; `never` when nothing is under way.
   [[nodiscard]] Time next_overdue() const;
   /// Samples of at least so many packets of which the peer has told nothing yet.
-  [[nodiscard]] std::size_t under_way(PeerIndex peer, std::size_t packets) const;
+  [[nodiscard]] std::size_t count_under_way(PeerIndex peer, std::size_t packets) const;
 
  private:
-  using Records = std::deque<Record>;
+  using RecordPtr = std::shared_ptr<Record>;
+  using Records = std::deque<RecordPtr>;
   void take_stream(PeerIndex peer, const StreamReceipt& receipt, Time made,
                    std::vector<Settlement>& settled);
   void give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& came,
                          std::vector<Settlement>& settled);
+  /// Copies of those under way for which `ends` is true are given up.
+  template <class Ends>
+  void give_up(Ends ends, std::vector<Settlement>& settled);
   static Settlement settle(Record& record, Copy& copy, bool came);
-  void trim(Records& records);
+  void drop_settled();
 
   Duration patience_;
   std::map<StreamId, Records> streams_;
+  std::vector<RecordPtr> under_way_;  ///< those with copies that are not settled, by time
 };
 
 }  // namespace tocsin::router

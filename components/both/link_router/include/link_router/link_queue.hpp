@@ -14,6 +14,7 @@ namespace tocsin::router {
 struct Waiting {
   StreamId stream = 0;
   Sample sample;
+  WireCost cost;  ///< of the sample
   Time offered{};
   Time expires = never;  ///< not sent after it
   Time not_before{};     ///< held to the rate of its stream until then

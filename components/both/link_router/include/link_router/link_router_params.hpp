@@ -9,6 +9,7 @@ struct LinkRouterParams {
   int queue_bytes = 131072;
   double bulk_backlog_s = 0.01;
   int bulk_packets = 4;
+  int bulk_under_way = 2;
   double hold_backlog_s = 0.25;
   double late_after_s = 0.25;
   double receipt_delay_s = 0.04;
@@ -44,6 +45,8 @@ struct LinkRouterParams {
     v("bulk_backlog_s", bulk_backlog_s, {0, 10},
       "[s] a sample of many packets waits while the radio's queue is longer");
     v("bulk_packets", bulk_packets, {1, 1000}, "[1] a sample of at least as many is bulk");
+    v("bulk_under_way", bulk_under_way, {1, 10000},
+      "[1] bulk samples of which no receipt has told, at most");
     v("hold_backlog_s", hold_backlog_s, {0.01, 10},
       "[s] sources that follow the budget pause, and small samples of normal and low wait, while "
       "more than this is outstanding");

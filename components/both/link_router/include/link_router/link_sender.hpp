@@ -103,7 +103,7 @@ class LinkSender {
   [[nodiscard]] ClassCounts& counts(Priority priority) { return counts_[index_of(priority)]; }
   [[nodiscard]] Source& source_of(Stream& stream, const Sample& sample) const;
   [[nodiscard]] Time not_before(const Stream& stream, const Source& source) const;
-  void meter_offer(Stream& stream, const Sample& sample, Time now);
+  void meter_offer(Stream& stream, const WireCost& cost, Time now);
   void enqueue(Stream& stream, const Waiting& waiting);
   void hold(Stream& stream, const Waiting& waiting);
   void count_dropped(const std::vector<Dropped>& dropped);

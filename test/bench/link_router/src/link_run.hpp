@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "link_router/link_router_params.hpp"
+#include "link_router/link_state_values.hpp"
+#include "mission_traffic.hpp"
+
+namespace tocsin::bench {
+
+/// Which of the router's steps are on.
+struct Steps {
+  bool priority = true;    ///< strict classes, bulk waits for a short queue
+  bool adaptation = true;  ///< the camera follows its budget
+  bool repair = true;
+  bool pause = false;  ///< the gates of the recorded policy
+  router::LinkRouterParams params;
+  bool trace = false;  ///< print what the estimator thinks, each second
+};
+
+/// What users feel of one run; of the vehicle's samples, after the first 12 s.
+struct Figures {
+  double critical_p50_ms = 0;
+  double critical_p99_ms = 0;
+  double high_p50_ms = 0;
+  double high_p99_ms = 0;
+  double critical_late = 0;  ///< [%] lost, or later than 250 ms
+  double high_late = 0;
+  double critical_lost = 0;  ///< [%] never delivered
+  double high_lost = 0;
+  double low_delivered = 0;       ///< [%]
+  double location_age_p99_s = 0;  ///< at the station, each 0.1 s
+  double picture_p99_ms = 0;
+  double pictures_per_s = 0;
+  double picture_kb = 0;  ///< mean size of those delivered
+  double airtime = 0;     ///< [%]
+  double receipts_per_s = 0;
+  double repairs_per_s = 0;
+};
+
+/// Sends the traffic of the mission over the radio with a router on each side.
+[[nodiscard]] Figures run_link(const MissionTraffic& traffic, const Steps& steps,
+                               std::uint64_t seed);
+
+}  // namespace tocsin::bench

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mission_traffic.hpp"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "deployment/deployment.hpp"
+#include "foundation/yaml_file.hpp"
+#include "radio_channel/channel_files.hpp"
+#include "simulation/sim_world.hpp"
+
+namespace tocsin::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string share() {
+  return fs::canonical(fs::read_symlink("/proc/self/exe").parent_path() /
+                       "../../bringup/share/tocsin")
+      .string();
+}
+
+router::Priority priority_of(const std::string& traffic_class) {
+  if (traffic_class == "critical") return router::Priority::critical;
+  if (traffic_class == "high") return router::Priority::high;
+  if (traffic_class == "normal") return router::Priority::normal;
+  return router::Priority::low;
+}
+
+router::StreamRule rule_of(const simulation::TopicEnd& end) {
+  router::StreamRule rule;
+  rule.name = end.process + "/" + end.topic;
+  rule.priority = priority_of(end.traffic_class);
+  rule.repaired = router::repairs_by_default(rule.priority);
+  if (end.pausable) {
+    rule.while_paused = end.drops ? router::WhilePaused::drop : router::WhilePaused::latest;
+  }
+  const bool lives_forever = !std::isfinite(end.lifespan_s);
+  if (!lives_forever && end.lifespan_s > 0) rule.lifespan = seconds(end.lifespan_s);
+  rule.durable = end.reliable && lives_forever;
+  rule.adaptive = end.topic.find("camera") != std::string::npos;
+  return rule;
+}
+
+class Recorder final : public simulation::Observer {
+ public:
+  explicit Recorder(MissionTraffic& traffic) : traffic_(traffic) {}
+  void on_written(const simulation::Written& written) override {
+    if (written.from.scope != Scope::link) return;
+    const auto [place, is_new] = sources_.try_emplace(&written.from, sources_.size());
+    if (is_new) {
+      traffic_.sources.push_back(
+          {written.from.topic,
+           written.from.role == "uxv" ? radio::Direction::uplink : radio::Direction::downlink,
+           rule_of(written.from)});
+    }
+    traffic_.writes.push_back({written.time, place->second, written.bytes});
+  }
+  void on_echo(const simulation::Echo& echo) override {
+    if (echo.received == never) traffic_.echoes.push_back(echo.sent);
+  }
+  void on_position(const simulation::BasePosition& base) override {
+    traffic_.places.push_back({base.time, base.x_m, base.y_m});
+  }
+  void on_gate(const simulation::GateChange& gate) override {
+    if (gate.host == "uxv" || gate.host == "/uxv") traffic_.gates.push_back({gate.time, gate.open});
+  }
+
+ private:
+  MissionTraffic& traffic_;
+  std::map<const simulation::TopicEnd*, std::size_t> sources_{};
+};
+
+/// Mission, settings and channel as thesis.yaml says.
+deployment::Overrides overrides_of(int mission, const std::string& policy) {
+  deployment::Overrides overrides;
+  overrides.share = share();
+  const std::string folder = overrides.share + "/config/experiments/";
+  const YAML::Node file = read_yaml_file(folder + "thesis.yaml");
+  const YAML::Node entry = file["missions"][mission];
+  const auto name = entry["name"].as<std::string>();
+  for (const auto& one : entry["set"]) overrides.set.push_back(one.as<std::string>());
+  overrides.set.push_back("mission_control.mission_file=" + folder +
+                          entry["file"].as<std::string>());
+  overrides.set.push_back("transmission_controller.policy=" + policy);
+  const YAML::Node fitted = read_yaml_file(folder + "fitted.yaml")[name];
+  for (const char* key : {"every_policy", policy.c_str()}) {
+    if (policy == "none" || !fitted[key]) continue;
+    for (const auto& one : fitted[key]) {
+      overrides.set.push_back("transmission_controller." + one.as<std::string>());
+    }
+  }
+  auto channel = file["channels"][0]["file"].as<std::string>();
+  channel.replace(channel.find("${mission}"), 10, name);
+  overrides.channel = folder + channel;
+  overrides.without = {"gcs/view", "uxv/recorder", "gcs/recorder"};
+  return overrides;
+}
+
+}  // namespace
+
+MissionTraffic record_mission(int mission, const std::string& policy, int seed, double duration_s) {
+  deployment::Overrides overrides = overrides_of(mission, policy);
+  const fs::path run_dir =
+      fs::temp_directory_path() / ("link_router_bench_" + std::to_string(::getpid()));
+  fs::create_directories(run_dir);
+  overrides.run_dir = run_dir.string();
+  overrides.seed = seed;
+  MissionTraffic traffic;
+  traffic.channel = radio::load_channel(overrides.channel);
+  traffic.walls = radio::load_walls(overrides.share + "/config/maps/classroom.walls.yaml");
+  Recorder recorder(traffic);
+  simulation::WorldOptions options;
+  options.digest = false;
+  options.observer = &recorder;
+  options.ends_with_mission = true;
+  simulation::SimWorld world(load_deployment(overrides.share + "/bringup/mission.yaml", overrides),
+                             options);
+  const auto outcome = world.run(seconds(duration_s));
+  fs::remove_all(run_dir);
+  traffic.begin = traffic.places.front().time;
+  traffic.end = traffic.begin + outcome.simulated;
+  return traffic;
+}
+
+}  // namespace tocsin::bench

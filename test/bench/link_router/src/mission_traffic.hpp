@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "foundation/time.hpp"
+#include "link_router/transmission.hpp"
+#include "radio_channel/radio_channel.hpp"
+
+namespace tocsin::bench {
+
+/// One topic that one process writes.
+struct TrafficSource {
+  std::string topic;
+  radio::Direction direction = radio::Direction::uplink;
+  router::StreamRule rule;
+};
+
+/// What the components of a mission wanted to send, and where the vehicle was.
+struct MissionTraffic {
+  struct Write {
+    Time time;
+    std::size_t source;  ///< in `sources`
+    std::size_t bytes;
+  };
+  struct Place {
+    Time time;
+    double x_m;
+    double y_m;
+  };
+  struct Gate {
+    Time time;
+    bool open;
+  };
+  std::vector<TrafficSource> sources;
+  std::vector<Write> writes;  ///< by time
+  std::vector<Place> places;  ///< by time
+  std::vector<Time> echoes;   ///< network_monitor's requests
+  std::vector<Gate> gates;    ///< of the vehicle
+  radio::ChannelParams channel;
+  std::vector<radio::Wall> walls;
+  Time begin{};
+  Time end{};
+};
+
+/// Plays a mission of config/experiments/thesis.yaml (0: A, 1: B) in simulated time, with the
+/// policy's parameters as fitted. Throws ConfigError.
+[[nodiscard]] MissionTraffic record_mission(int mission, const std::string& policy, int seed,
+                                            double duration_s);
+
+}  // namespace tocsin::bench
