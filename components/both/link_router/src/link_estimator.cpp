@@ -61,13 +61,14 @@ Duration LinkEstimator::on_received(const Received& received, Time now) {
   if (!received.is_exact) {
     return std::max(crossing - least_.value().value_or(crossing), Duration::zero());
   }
-  least_.add(crossing, now);
-  const Duration delay = crossing - *least_.value();
-  const Time arrived = received.sent + delay;
   if (received.cost.packets >= static_cast<std::size_t>(params_.bulk_packets)) {
-    learn_capacity(received, arrived);
+    if (!least_.value()) return Duration::zero();
+    const Duration delay = std::max(crossing - *least_.value(), Duration::zero());
+    learn_capacity(received, received.sent + delay);
     return delay;
   }
+  least_.add(crossing, now);
+  const Duration delay = crossing - *least_.value();
   const double delay_s = to_seconds(delay);
   blend(deviation_s_, std::abs(delay_s - delay_s_), deviation_weight);
   blend(delay_s_, delay_s, delay_weight);

@@ -21,9 +21,8 @@ LinkReceiver::LinkReceiver(const LinkRouterParams& params, Incarnation self)
     : params_(params), self_(self) {}
 
 void LinkReceiver::on_peer(const std::string& peer, Incarnation incarnation) {
-  const auto [place, is_new] = peers_.try_emplace(peer, seconds(params_.clock_window_s));
-  Peer& known = place->second;
-  if (!is_new && known.incarnation == incarnation) return;
+  Peer& known = peers_.try_emplace(peer, seconds(params_.clock_window_s)).first->second;
+  if (known.incarnation == incarnation) return;
   known.incarnation = incarnation;
   known.streams.clear();
   known.bytes = 0;
@@ -31,11 +30,18 @@ void LinkReceiver::on_peer(const std::string& peer, Incarnation incarnation) {
   known.receipt_due = Time::min();
 }
 
-void LinkReceiver::forget_peer(const std::string& peer) { peers_.erase(peer); }
+void LinkReceiver::forget_peer(const std::string& peer) {
+  const auto known = peers_.find(peer);
+  if (known == peers_.end()) return;
+  known->second.incarnation.reset();
+  known->second.streams.clear();
+  known->second.receipt_due = never;
+}
 
 void LinkReceiver::on_stream(const std::string& peer, StreamId stream, const StreamRule& rule) {
   const auto known = peers_.find(peer);
-  if (known != peers_.end()) known->second.streams[stream] = Stream{rule, 0, 0, {}};
+  if (known == peers_.end() || !known->second.incarnation) return;
+  known->second.streams[stream] = Stream{rule, 0, 0, {}};
 }
 
 void LinkReceiver::forget_stream(const std::string& peer, StreamId stream) {
@@ -124,7 +130,7 @@ std::optional<LinkReceiver::Addressed> LinkReceiver::take_receipt(Time now) {
 }
 
 LinkReceipt LinkReceiver::make_receipt(Peer& peer, Time now) const {
-  LinkReceipt receipt{self_, peer.incarnation, ++peer.receipts, now, peer.bytes, {}};
+  LinkReceipt receipt{self_, peer.incarnation.value_or(0), ++peer.receipts, now, peer.bytes, {}};
   // After a silence everything is told once more.
   const bool idle = !peer.receipt_sent || now - *peer.receipt_sent >= told_for;
   for (const auto& [id, stream] : peer.streams) {

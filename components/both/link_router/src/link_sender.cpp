@@ -40,8 +40,13 @@ void LinkSender::add_stream(StreamId stream, const StreamRule& rule) {
 }
 
 void LinkSender::remove_stream(StreamId stream) {
-  drop(stream, DropReason::superseded);
-  streams_.erase(stream);
+  const auto found = streams_.find(stream);
+  if (found == streams_.end()) return;
+  std::uint64_t& removed =
+      counts(found->second.rule.priority).dropped[static_cast<std::size_t>(DropReason::removed)];
+  removed += queue_.take_stream(stream).size();
+  for (const auto& entry : found->second.sources) removed += entry.second.held ? 1 : 0;
+  streams_.erase(found);
   log_.forget_stream(stream);
   for (const SentSamplePtr& sent : open_) {
     if (sent->stream != stream) continue;
@@ -197,10 +202,6 @@ void LinkSender::count_dropped(const std::vector<Dropped>& dropped) {
     const Priority priority = streams_.at(one.waiting.stream).rule.priority;
     ++counts(priority).dropped[static_cast<std::size_t>(one.reason)];
   }
-}
-
-void LinkSender::drop(StreamId stream, DropReason reason) {
-  for (Waiting& waiting : queue_.take_stream(stream)) count_dropped({{std::move(waiting), reason}});
 }
 
 std::vector<StreamBudget> LinkSender::budgets(Time now) const {

@@ -109,20 +109,13 @@ SentSamplePtr LinkSender::make_sent(const Waiting& waiting) {
 }
 
 void LinkSender::supersede(const SentSample& newer, std::size_t depth) {
-  std::size_t same = 1;
-  for (auto it = open_.rbegin(); it != open_.rend(); ++it) {
-    SentSample& older = **it;
-    if (older.stream != newer.stream || !older.counted ||
-        older.sample.origin.source != newer.sample.origin.source) {
+  for (const SentSamplePtr& older : open_) {
+    if (older->stream != newer.stream ||
+        older->sample.origin.source != newer.sample.origin.source) {
       continue;
     }
-    if (same++ >= depth) older.superseded = true;
-  }
-  for (const SentSamplePtr& copy : open_) {
-    if (!copy->counted && copy->stream == newer.stream &&
-        copy->sample.origin.source == newer.sample.origin.source) {
-      copy->superseded = true;
-    }
+    // What is sent for a peer that came later is the newest one, or it is none.
+    older->superseded = ++older->newer >= (older->counted ? depth : 1);
   }
 }
 
@@ -142,9 +135,7 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
     const Duration wait = std::min(peer.estimator.backlog(now), peer.estimator.expected_delay());
     expected = std::max(expected, wait);
     const Time drained = peer.estimator.on_sent(cost, now);
-    const bool misses =
-        std::find(sent->missing.begin(), sent->missing.end(), peer.index) != sent->missing.end();
-    if (misses) record.copies.push_back({peer.index, drained, false, false});
+    record.copies.push_back({peer.index, drained, false, false});
   }
   const bool repair = sent->transmissions > 0;
   if (!repair) sent->first_sent = now;
@@ -201,14 +192,22 @@ SentSamplePtr LinkSender::due_repair(Priority priority, Time now) {
 Time LinkSender::deadline(Time now) const {
   Time next = std::min(queue_.next_event(now), log_.next_overdue());
   for (const SentSamplePtr& sent : open_) {
+    if (!can_repair(*sent, now)) continue;
+    if (sent->expires != never) next = std::min(next, sent->expires + Duration{1});
     if (may_repair(*sent, now)) next = std::min(next, std::max(sent->repair_at, repair_ready(now)));
   }
   const bool waits = std::any_of(all_priorities.begin(), all_priorities.end(),
                                  [this](Priority p) { return queue_.samples(p) > 0; });
   if (!waits) return next;
-  if (is_silent(now)) return std::min(next, sent_at_ + seconds(params_.repair_max_s));
-  const Duration wait = backlog(now) - seconds(params_.bulk_backlog_s);
-  return wait > Duration::zero() ? std::min(next, now + wait) : next;
+  const Time opens = gate_opens(now);
+  return opens > now ? std::min(next, opens) : next;
+}
+
+Time LinkSender::gate_opens(Time now) const {
+  if (is_silent(now)) return sent_at_ + seconds(params_.repair_max_s);
+  const Duration full = backlog(now);
+  const Duration hold = seconds(params_.hold_backlog_s);
+  return now + full - (full > hold ? hold : seconds(params_.bulk_backlog_s));
 }
 
 Time LinkSender::repair_ready(Time now) const {

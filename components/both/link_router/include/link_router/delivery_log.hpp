@@ -30,6 +30,7 @@ struct SentSample {
   unsigned under_way = 0;  ///< transmissions times peers of which nothing is known
   Time first_sent{};
   Time repair_at = never;
+  std::size_t newer = 0;    ///< of its source that were sent since
   bool superseded = false;  ///< as many newer ones as its stream keeps were sent
   bool late = false;
   bool repaired = false;

@@ -73,7 +73,7 @@ class LinkEstimator {
   void learn_capacity(const Received& received, Time arrived);
 
   LinkRouterParams params_;
-  WindowedMinimum least_;
+  WindowedMinimum least_;  ///< of small samples: by the peer's clock, from sending to arrival
   double capacity_bytes_per_s_;
   double loss_ = 0;
   double delay_s_ = 0;                 ///< smoothed, RFC 6298

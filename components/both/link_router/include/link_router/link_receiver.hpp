@@ -46,6 +46,7 @@ class LinkReceiver {
 
   /// A peer, or its next life: numbers start afresh. The same life again changes nothing.
   void on_peer(const std::string& peer, Incarnation incarnation);
+  /// It is gone; what was given of it is remembered.
   void forget_peer(const std::string& peer);
   /// A link writer of a known peer. Of the rule, name, depth, lifespan and priority count.
   void on_stream(const std::string& peer, StreamId stream, const StreamRule& rule);
@@ -77,7 +78,7 @@ class LinkReceiver {
   };
   struct Peer {
     explicit Peer(Duration clock_window) : age(clock_window) {}
-    Incarnation incarnation = 0;
+    std::optional<Incarnation> incarnation;  ///< empty: it is gone
     std::map<StreamId, Stream> streams;
     std::map<std::pair<std::string, SourceId>, Given> given;  ///< by name of the stream
     WindowedMinimum age;                                      ///< of samples that came

@@ -107,7 +107,6 @@ class LinkSender {
   void enqueue(Stream& stream, const Waiting& waiting);
   void hold(Stream& stream, const Waiting& waiting);
   void count_dropped(const std::vector<Dropped>& dropped);
-  void drop(StreamId stream, DropReason reason);
 
   [[nodiscard]] std::optional<Waiting> take_waiting(Priority priority, Time now);
   [[nodiscard]] std::size_t packets_allowed(Priority priority, Time now) const;
@@ -116,6 +115,8 @@ class LinkSender {
   [[nodiscard]] bool can_repair(const SentSample& sample, Time now) const;
   [[nodiscard]] bool may_repair(const SentSample& sample, Time now) const;
   [[nodiscard]] Time repair_ready(Time now) const;
+  /// When more may be sent of what waits, unless a receipt comes; `now` or before: not by time.
+  [[nodiscard]] Time gate_opens(Time now) const;
   [[nodiscard]] SentSamplePtr make_sent(const Waiting& waiting);
   void supersede(const SentSample& newer, std::size_t depth);
   [[nodiscard]] Transmission transmit(const SentSamplePtr& sent, Time now);

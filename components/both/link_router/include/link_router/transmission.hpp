@@ -80,8 +80,9 @@ enum class DropReason : std::uint8_t {
   thinned,     ///< the same, while its stream was held to its min_rate_hz
   expired,     ///< older than its lifespan before it was sent
   overflow,    ///< its class has more waiting than its bound of bytes
+  removed,     ///< its stream was removed
 };
-inline constexpr std::size_t drop_reason_count = 5;
+inline constexpr std::size_t drop_reason_count = 6;
 
 /// What to put on the wire now, by the stream's link writer.
 struct Transmission {

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link_router/link_estimator.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tocsin::router {
+namespace {
+
+constexpr Time t0{std::chrono::hours(1)};
+constexpr Duration ms = std::chrono::milliseconds(1);
+constexpr Duration clock_difference = -std::chrono::minutes(10);
+constexpr WireCost small{1, 400};
+constexpr WireCost bulk{10, 10000};
+
+class LinkEstimatorTest : public ::testing::Test {
+ protected:
+  /// Sent at `now`, arrived after `crossing`.
+  Duration cross(const WireCost& cost, Duration crossing) {
+    const Time expected = sut.on_sent(cost, now);
+    return sut.on_received({cost, now, expected, now + crossing + clock_difference, true}, now);
+  }
+  LinkRouterParams params;
+  LinkEstimator sut{params};
+  Time now = t0;
+};
+
+TEST(WindowedMinimum, ForgetsAfterTheWindow) {
+  WindowedMinimum sut(std::chrono::seconds(10));
+  EXPECT_FALSE(sut.value());
+  sut.add(3 * ms, t0);
+  sut.add(5 * ms, t0 + std::chrono::seconds(5));
+  EXPECT_EQ(sut.value(), 3 * ms);
+  sut.add(6 * ms, t0 + std::chrono::seconds(10));
+  EXPECT_EQ(sut.value(), 5 * ms);
+  sut.add(9 * ms, t0 + std::chrono::seconds(60));
+  EXPECT_EQ(sut.value(), 9 * ms) << "a long silence leaves nothing";
+}
+
+TEST_F(LinkEstimatorTest, CountsDelaysOverTheLeastOneWhateverTheClocksShow) {
+  EXPECT_EQ(cross(small, 5 * ms), 0 * ms);
+  EXPECT_EQ(cross(small, 25 * ms), 20 * ms);
+  EXPECT_EQ(cross(small, 2 * ms), 0 * ms);
+  EXPECT_EQ(cross(small, 25 * ms), 23 * ms);
+}
+
+TEST_F(LinkEstimatorTest, ForgetsAStepOfAClockWithTheWindow) {
+  (void)cross(small, 5 * ms);
+  const Duration step = std::chrono::seconds(100);
+  EXPECT_EQ(cross(small, 5 * ms + step), step);
+  for (int i = 0; i < 70; ++i, now += 1000 * ms) (void)cross(small, 5 * ms + step);
+  EXPECT_EQ(cross(small, 6 * ms + step), 1 * ms);
+}
+
+TEST_F(LinkEstimatorTest, LearnsTheCapacityFromBulk) {
+  (void)cross(small, 2 * ms);
+  for (int i = 0; i < 30; ++i, now += 200 * ms) (void)cross(bulk, 52 * ms);
+  EXPECT_NEAR(sut.capacity_bytes_per_s(), 200000, 2000) << "10 kB in 50 ms";
+  for (int i = 0; i < 8; ++i, now += 300 * ms) (void)cross(bulk, 202 * ms);
+  EXPECT_NEAR(sut.capacity_bytes_per_s(), 50000, 2000) << "a fall is believed at once";
+}
+
+TEST_F(LinkEstimatorTest, LearnsNoCapacityWithoutSmallSamples) {
+  const double before = sut.capacity_bytes_per_s();
+  for (int i = 0; i < 9; ++i, now += 200 * ms) EXPECT_EQ(cross(bulk, 52 * ms), 0 * ms);
+  EXPECT_EQ(sut.capacity_bytes_per_s(), before) << "52 ms may be the difference of the clocks";
+}
+
+TEST_F(LinkEstimatorTest, CountsFromTheArrivalOfTheBulkBeforeIt) {
+  (void)cross(small, 2 * ms);
+  for (int i = 0; i < 40; ++i, now += 300 * ms) {
+    // Two at once: the second one's turn is when the first has come.
+    const Time first = sut.on_sent(bulk, now);
+    const Time second = sut.on_sent(bulk, now);
+    (void)sut.on_received({bulk, now, first, now + 52 * ms + clock_difference, true}, now);
+    (void)sut.on_received({bulk, now, second, now + 102 * ms + clock_difference, true}, now);
+  }
+  EXPECT_NEAR(sut.capacity_bytes_per_s(), 200000, 4000);
+}
+
+TEST_F(LinkEstimatorTest, SmallSamplesSayNothingOfTheCapacity) {
+  const double before = sut.capacity_bytes_per_s();
+  for (int i = 0; i < 30; ++i, now += 100 * ms) (void)cross(small, (2 + i) * ms);
+  EXPECT_EQ(sut.capacity_bytes_per_s(), before);
+}
+
+TEST_F(LinkEstimatorTest, TheBacklogDrainsAtTheCapacity) {
+  EXPECT_EQ(sut.backlog(now), 0 * ms);
+  (void)sut.on_sent(bulk, now);
+  EXPECT_EQ(sut.backlog(now), seconds(10000 / params.capacity_start_bytes_per_s));
+  EXPECT_EQ(sut.backlog(now + 40 * ms), 60 * ms);
+  EXPECT_EQ(sut.backlog(now + 200 * ms), 0 * ms);
+}
+
+TEST_F(LinkEstimatorTest, ReckonsWithTheSpreadOfDelays) {
+  for (int i = 0; i < 50; ++i) (void)cross(small, 2 * ms);
+  EXPECT_LT(sut.expected_delay(), 1 * ms);
+  for (int i = 0; i < 50; ++i) (void)cross(small, i % 2 == 0 ? 2 * ms : 42 * ms);
+  EXPECT_GT(sut.expected_delay(), 60 * ms);
+}
+
+TEST_F(LinkEstimatorTest, LossRisesAndFalls) {
+  for (int i = 0; i < 60; ++i) sut.on_lost();
+  EXPECT_GT(sut.loss(), 0.9);
+  for (int i = 0; i < 60; ++i) (void)cross(small, 2 * ms);
+  EXPECT_LT(sut.loss(), 0.1);
+}
+
+TEST_F(LinkEstimatorTest, IsSilentOnlyAfterSeveralUnansweredAndTheTime) {
+  const Duration limit = seconds(params.silence_s);
+  (void)cross(small, 2 * ms);
+  sut.on_all_settled();
+  now += 10 * limit;
+  EXPECT_FALSE(sut.is_silent(now)) << "nothing was sent";
+  const Time begin = now;
+  (void)sut.on_sent(small, now);
+  (void)sut.on_sent(small, now);
+  EXPECT_FALSE(sut.is_silent(begin + 10 * limit)) << "two may be bad luck";
+  (void)sut.on_sent(small, now);
+  EXPECT_FALSE(sut.is_silent(begin + limit));
+  EXPECT_TRUE(sut.is_silent(begin + limit + Duration{1}));
+  (void)cross(small, 2 * ms);
+  EXPECT_FALSE(sut.is_silent(now));
+}
+
+TEST_F(LinkEstimatorTest, StartsOverWithHalfTheCapacityAndAnEmptyQueue) {
+  (void)sut.on_sent(bulk, now);
+  sut.start_over(now);
+  EXPECT_EQ(sut.backlog(now), 0 * ms);
+  EXPECT_EQ(sut.capacity_bytes_per_s(), params.capacity_start_bytes_per_s / 2);
+  for (int i = 0; i < 100; ++i) sut.start_over(now);
+  EXPECT_GE(sut.capacity_bytes_per_s(), 4000) << "never so little that nothing is tried";
+}
+
+TEST_F(LinkEstimatorTest, AnInexactArrivalTeachesNoTimes) {
+  (void)cross(small, 2 * ms);
+  const Duration before = sut.expected_delay();
+  const Time expected = sut.on_sent(bulk, now);
+  const Duration delay = sut.on_received(
+      {bulk, now, expected, now + 302 * ms + clock_difference, false}, now + 302 * ms);
+  EXPECT_EQ(delay, 300 * ms) << "at most so much";
+  EXPECT_EQ(sut.expected_delay(), before);
+  EXPECT_EQ(sut.capacity_bytes_per_s(), params.capacity_start_bytes_per_s);
+}
+
+}  // namespace
+}  // namespace tocsin::router

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "link_router/link_receiver.hpp"
+#include "link_router/link_sender.hpp"
+
+namespace tocsin::router {
+
+inline constexpr Time t0{std::chrono::hours(1)};
+inline constexpr Duration ms = std::chrono::milliseconds(1);
+/// The station's clock shows another time.
+inline constexpr Duration clock_difference = std::chrono::hours(77);
+
+inline StreamRule rule_of(Priority priority) {
+  StreamRule rule;
+  rule.name = "topic";
+  rule.priority = priority;
+  rule.repaired = repairs_by_default(priority);
+  return rule;
+}
+
+/// The router of a vehicle as sender and that of a station as receiver, with a link between them
+/// that a test can compute in its head: everything arrives 2 ms later, in order; bulk takes 1 ms a
+/// packet on top. Time goes on in steps of 1 ms.
+class LinkPair {
+ public:
+  explicit LinkPair(const LinkRouterParams& params = {}) : sender(params, 1), receiver(params, 2) {
+    sender.on_peer("station", 2, now);
+    receiver.on_peer("vehicle", 1);
+  }
+
+  void add(StreamId stream, StreamRule rule) {
+    rule.name += std::to_string(stream);
+    sender.add_stream(stream, rule);
+    receiver.on_stream("vehicle", stream, rule);
+    sender.set_wanted("station", stream, true, now);
+  }
+
+  void offer(StreamId stream, std::uint64_t sequence, std::size_t bytes = 200) {
+    sender.offer(stream, {{7, sequence, now}, bytes, nullptr}, now);
+  }
+
+  /// Calls `each` before every step.
+  void run(
+      Duration length, const std::function<void()>& each = [] {}) {
+    for (const Time end = now + length; now < end; now += ms) {
+      each();
+      send();
+      arrive();
+      while (const auto receipt = receiver.take_receipt(now + clock_difference)) {
+        ++receipts;
+        if (!receipts_lost && !dead) sender.on_receipt("station", receipt->receipt, now);
+      }
+    }
+  }
+
+  [[nodiscard]] ClassCounts counts(Priority priority) const {
+    return sender.state(now).classes[index_of(priority)];
+  }
+  [[nodiscard]] std::size_t count_sent(StreamId stream) const {
+    std::size_t count = 0;
+    for (const Transmission& one : sent) count += one.stream == stream ? 1 : 0;
+    return count;
+  }
+
+  Time now = t0;
+  LinkSender sender;
+  LinkReceiver receiver;
+  bool dead = false;           ///< nothing crosses
+  bool receipts_lost = false;  ///< of the way back only
+  std::vector<Transmission> sent;
+  std::map<StreamId, std::vector<std::uint64_t>> delivered;  ///< sequences
+  int receipts = 0;
+
+ private:
+  void send() {
+    while (const auto one = sender.next(now)) {
+      sent.push_back(*one);
+      ASSERT_EQ(one->number, ++numbers_[one->stream]);
+      const std::size_t packets = wire_cost(one->sample.bytes).packets;
+      drained_ = std::max(drained_, now) + (packets > 1 ? static_cast<int>(packets) * ms : 0 * ms);
+      if (!dead) air_.emplace_back(drained_ + 2 * ms, *one);
+    }
+    if (sender.deadline(now) <= now) ADD_FAILURE() << "wants to be called without end";
+  }
+  void arrive() {
+    while (!air_.empty() && air_.front().first <= now) {
+      const Transmission& one = air_.front().second;
+      const Verdict verdict = receiver.on_arrived(
+          "vehicle", {one.stream, one.number, one.sample.origin, one.sample.bytes},
+          now + clock_difference);
+      if (verdict == Verdict::deliver) {
+        delivered[one.stream].push_back(one.sample.origin.sequence);
+      }
+      air_.pop_front();
+    }
+  }
+  std::map<StreamId, TransmissionNumber> numbers_;
+  std::deque<std::pair<Time, Transmission>> air_;
+  Time drained_{};
+};
+
+}  // namespace tocsin::router

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link_router/link_receiver.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tocsin::router {
+namespace {
+
+constexpr Time t0{std::chrono::hours(1)};
+constexpr Duration ms = std::chrono::milliseconds(1);
+constexpr StreamId location = 3;
+
+class LinkReceiverTest : public ::testing::Test {
+ protected:
+  LinkReceiverTest() {
+    sut.on_peer("vehicle", 11);
+    sut.on_stream("vehicle", location, rule());
+    (void)sut.take_receipt(now);  // the first one only tells that this router is there
+  }
+  static StreamRule rule(std::size_t depth = 1, Duration lifespan = Duration::max()) {
+    StreamRule one;
+    one.name = "location";
+    one.depth = depth;
+    one.lifespan = lifespan;
+    return one;
+  }
+  /// A sample that was made `age` ago.
+  Verdict arrive(TransmissionNumber number, std::uint64_t sequence, Duration age = 2 * ms,
+                 SourceId source = 7) {
+    return sut.on_arrived("vehicle", {location, number, {source, sequence, now - age}, 100}, now);
+  }
+  /// The receipt that is due next.
+  LinkReceipt next_receipt() {
+    now = std::max(now, sut.deadline());
+    const auto receipt = sut.take_receipt(now);
+    return receipt ? receipt->receipt : LinkReceipt{};
+  }
+  LinkRouterParams params;
+  LinkReceiver sut{params, 22};
+  Time now = t0;
+};
+
+TEST_F(LinkReceiverTest, GivesEachSampleOnceAndInOrder) {
+  EXPECT_EQ(arrive(1, 5), Verdict::deliver);
+  EXPECT_EQ(arrive(2, 5), Verdict::duplicate);
+  EXPECT_EQ(arrive(3, 8), Verdict::deliver);
+  EXPECT_EQ(arrive(4, 6), Verdict::superseded);
+  EXPECT_EQ(arrive(5, 6, 2 * ms, 99), Verdict::deliver) << "another source";
+}
+
+TEST_F(LinkReceiverTest, ADeeperStreamGivesARepairedSampleLate) {
+  sut.on_stream("vehicle", location, rule(3));
+  EXPECT_EQ(arrive(1, 1), Verdict::deliver);
+  EXPECT_EQ(arrive(2, 3), Verdict::deliver);
+  EXPECT_EQ(arrive(3, 2), Verdict::deliver);
+  EXPECT_EQ(arrive(4, 2), Verdict::duplicate);
+  EXPECT_EQ(arrive(5, 4), Verdict::deliver);
+  EXPECT_EQ(arrive(6, 1), Verdict::superseded);
+}
+
+TEST_F(LinkReceiverTest, GivesNothingOlderThanItsLifespanWhateverTheClocksShow) {
+  const Duration difference = std::chrono::hours(100);
+  sut.on_stream("vehicle", location, rule(1, 1000 * ms));
+  EXPECT_EQ(arrive(1, 1, difference + 2 * ms), Verdict::deliver);
+  EXPECT_EQ(arrive(2, 2, difference + 1002 * ms), Verdict::deliver);
+  EXPECT_EQ(arrive(3, 3, difference + 1003 * ms), Verdict::expired);
+}
+
+TEST_F(LinkReceiverTest, GetsOverAStepOfThePeersClock) {
+  sut.on_stream("vehicle", location, rule(1, 1000 * ms));
+  EXPECT_EQ(arrive(1, 1), Verdict::deliver);
+  int expired = 0;
+  for (std::uint64_t i = 2; i < 40; ++i, now += 100 * ms) {
+    expired += arrive(i, i, std::chrono::minutes(10)) == Verdict::expired ? 1 : 0;
+  }
+  EXPECT_EQ(expired, 8);
+  EXPECT_EQ(arrive(40, 40, -std::chrono::minutes(10)), Verdict::deliver) << "and one back";
+}
+
+TEST_F(LinkReceiverTest, KnowsNothingOfOthers) {
+  EXPECT_EQ(sut.on_arrived("nobody", {location, 1, {}, 1}, now), Verdict::unknown_stream);
+  EXPECT_EQ(sut.on_arrived("vehicle", {9, 1, {}, 1}, now), Verdict::unknown_stream);
+  sut.forget_stream("vehicle", location);
+  EXPECT_EQ(arrive(1, 1), Verdict::unknown_stream);
+}
+
+TEST_F(LinkReceiverTest, ReceiptTellsWhatCame) {
+  (void)arrive(3, 1);
+  (void)arrive(4, 2);
+  (void)arrive(7, 3);
+  (void)arrive(5, 9);  // a repair that was overtaken
+  const Time last = now;
+  const LinkReceipt receipt = next_receipt();
+  EXPECT_EQ(receipt.from, 22U);
+  EXPECT_EQ(receipt.to, 11U);
+  EXPECT_EQ(receipt.bytes, 400U);
+  ASSERT_EQ(receipt.streams.size(), 1U);
+  EXPECT_EQ(receipt.streams[0].highest, 7U);
+  EXPECT_EQ(receipt.streams[0].before, 0b1110U) << "6 did not come; 5, 4, 3 did";
+  EXPECT_EQ(receipt.streams[0].age, now - last);
+}
+
+TEST_F(LinkReceiverTest, ReceiptKeepsTheWholeWindow) {
+  (void)arrive(1, 1);
+  (void)arrive(65, 2);
+  EXPECT_EQ(next_receipt().streams.at(0).before, 1ULL << 63U);
+  (void)arrive(66, 3);
+  EXPECT_EQ(next_receipt().streams.at(0).before, 1U);
+  (void)arrive(200, 4);
+  EXPECT_EQ(next_receipt().streams.at(0).before, 0U);
+}
+
+TEST_F(LinkReceiverTest, ReceiptComesSoonButNotTooOften) {
+  now += 500 * ms;
+  (void)arrive(1, 1);
+  EXPECT_EQ(sut.deadline(), now + seconds(params.receipt_delay_s));
+  (void)next_receipt();
+  const Time first = now;
+  now += ms;
+  (void)arrive(2, 2);
+  EXPECT_EQ(sut.deadline(), first + seconds(params.receipt_period_s));
+}
+
+TEST_F(LinkReceiverTest, RepeatsAReceiptAndThenFallsSilentButForASignOfLife) {
+  (void)arrive(1, 1);
+  EXPECT_EQ(next_receipt().streams.size(), 1U);
+  EXPECT_EQ(sut.deadline(), now + seconds(params.receipt_idle_s));
+  const LinkReceipt idle = next_receipt();
+  EXPECT_EQ(idle.streams.size(), 1U) << "after a silence everything is told once more";
+  EXPECT_EQ(idle.count, 3U);
+}
+
+TEST_F(LinkReceiverTest, APeersNextLifeStartsAfreshButRepeatsNothing) {
+  EXPECT_EQ(arrive(1, 5), Verdict::deliver);
+  sut.on_peer("vehicle", 12);
+  EXPECT_EQ(arrive(1, 5), Verdict::unknown_stream);
+  sut.on_stream("vehicle", location, rule());
+  EXPECT_EQ(arrive(1, 5), Verdict::duplicate);
+  EXPECT_EQ(arrive(2, 6), Verdict::deliver);
+  const LinkReceipt receipt = next_receipt();
+  EXPECT_EQ(receipt.to, 12U);
+  EXPECT_EQ(receipt.bytes, 200U);
+}
+
+TEST_F(LinkReceiverTest, APeerThatIsGoneGetsNoReceipts) {
+  (void)arrive(1, 5);
+  sut.forget_peer("vehicle");
+  EXPECT_EQ(sut.deadline(), never);
+  EXPECT_EQ(arrive(2, 6), Verdict::unknown_stream);
+  sut.on_peer("vehicle", 11);
+  sut.on_stream("vehicle", location, rule());
+  EXPECT_EQ(arrive(3, 5), Verdict::duplicate);
+}
+
+TEST_F(LinkReceiverTest, RemembersOnlySoManySources) {
+  for (SourceId source = 1; source <= 300; ++source, now += ms) {
+    EXPECT_EQ(arrive(source, 1, 2 * ms, source), Verdict::deliver);
+  }
+  EXPECT_EQ(arrive(301, 1, 2 * ms, 300), Verdict::duplicate);
+  EXPECT_EQ(arrive(302, 1, 2 * ms, 1), Verdict::deliver) << "forgotten";
+}
+
+TEST_F(LinkReceiverTest, KeepsPeersApart) {
+  sut.on_peer("second", 5);
+  sut.on_stream("second", location, rule());
+  EXPECT_EQ(arrive(1, 5), Verdict::deliver);
+  EXPECT_EQ(sut.on_arrived("second", {location, 1, {7, 5, now}, 100}, now), Verdict::deliver);
+}
+
+}  // namespace
+}  // namespace tocsin::router
