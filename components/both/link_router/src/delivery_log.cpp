@@ -113,15 +113,15 @@ void DeliveryLog::take_stream(PeerIndex peer, const StreamReceipt& receipt, Time
 
 void DeliveryLog::give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& came,
                                     std::vector<Settlement>& settled) {
-  std::array<Time, priority_count> latest;
+  std::array<Time, traffic_classes.size()> latest;
   latest.fill(Time::min());
   for (const Settlement& one : came) {
-    Time& time = latest[index_of(one.sample->priority)];
+    Time& time = latest[index_of(one.sample->traffic_class)];
     time = std::max(time, one.sent);
   }
   give_up(
       [&](const Record& record, const Copy& copy) {
-        return copy.peer == peer && record.sent < latest[index_of(record.sample->priority)];
+        return copy.peer == peer && record.sent < latest[index_of(record.sample->traffic_class)];
       },
       settled);
 }

@@ -40,8 +40,9 @@ std::optional<Dropped> LinkQueue::replace(Class& in, std::size_t depth, const Wa
   return oldest;
 }
 
-std::vector<Dropped> LinkQueue::add(Priority priority, std::size_t depth, const Waiting& waiting) {
-  Class& in = classes_[index_of(priority)];
+std::vector<Dropped> LinkQueue::add(TrafficClass traffic_class, std::size_t depth,
+                                    const Waiting& waiting) {
+  Class& in = classes_[index_of(traffic_class)];
   std::vector<Dropped> dropped;
   if (auto replaced = replace(in, depth, waiting)) dropped.push_back(std::move(*replaced));
   while (in.bytes > class_bytes_ && in.waiting.size() > 1) {
@@ -78,13 +79,14 @@ LinkQueue::Place LinkQueue::find_first(const Class& in, std::size_t packets, Tim
   });
 }
 
-bool LinkQueue::has_first(Priority priority, std::size_t packets, Time now) const {
-  const Class& in = classes_[index_of(priority)];
+bool LinkQueue::has_first(TrafficClass traffic_class, std::size_t packets, Time now) const {
+  const Class& in = classes_[index_of(traffic_class)];
   return find_first(in, packets, now) != in.waiting.end();
 }
 
-std::optional<Waiting> LinkQueue::take_first(Priority priority, std::size_t packets, Time now) {
-  Class& in = classes_[index_of(priority)];
+std::optional<Waiting> LinkQueue::take_first(TrafficClass traffic_class, std::size_t packets,
+                                             Time now) {
+  Class& in = classes_[index_of(traffic_class)];
   const Place place = find_first(in, packets, now);
   if (place == in.waiting.end()) return std::nullopt;
   return take(in, place);

@@ -42,8 +42,8 @@ void LinkSender::add_stream(StreamId stream, const StreamRule& rule) {
 void LinkSender::remove_stream(StreamId stream) {
   const auto found = streams_.find(stream);
   if (found == streams_.end()) return;
-  std::uint64_t& removed =
-      counts(found->second.rule.priority).dropped[static_cast<std::size_t>(DropReason::removed)];
+  std::uint64_t& removed = counts(found->second.rule.traffic_class)
+                               .dropped[static_cast<std::size_t>(DropReason::removed)];
   removed += queue_.take_stream(stream).size();
   for (const auto& entry : found->second.sources) removed += entry.second.held ? 1 : 0;
   streams_.erase(found);
@@ -155,7 +155,7 @@ void LinkSender::offer(StreamId stream, const Sample& sample, Time now) {
   assert(found != streams_.end());
   if (found == streams_.end()) return;
   Stream& to = found->second;
-  ++counts(to.rule.priority).offered;
+  ++counts(to.rule.traffic_class).offered;
   const WireCost cost = wire_cost(sample.bytes);
   meter_offer(to, cost, now);
   Waiting waiting{stream, sample, cost, now, later(now, to.rule.lifespan), Time::min()};
@@ -165,12 +165,12 @@ void LinkSender::offer(StreamId stream, const Sample& sample, Time now) {
 }
 
 void LinkSender::enqueue(Stream& stream, const Waiting& waiting) {
-  count_dropped(queue_.add(stream.rule.priority, stream.rule.depth, waiting));
+  count_dropped(queue_.add(stream.rule.traffic_class, stream.rule.depth, waiting));
 }
 
 void LinkSender::hold(Stream& stream, const Waiting& waiting) {
   std::uint64_t& dropped =
-      counts(stream.rule.priority).dropped[static_cast<std::size_t>(DropReason::paused)];
+      counts(stream.rule.traffic_class).dropped[static_cast<std::size_t>(DropReason::paused)];
   if (stream.rule.while_paused == WhilePaused::drop) {
     ++dropped;
     return;
@@ -199,8 +199,8 @@ void LinkSender::set_paused(bool paused, Time now) {
 
 void LinkSender::count_dropped(const std::vector<Dropped>& dropped) {
   for (const Dropped& one : dropped) {
-    const Priority priority = streams_.at(one.waiting.stream).rule.priority;
-    ++counts(priority).dropped[static_cast<std::size_t>(one.reason)];
+    const TrafficClass traffic_class = streams_.at(one.waiting.stream).rule.traffic_class;
+    ++counts(traffic_class).dropped[static_cast<std::size_t>(one.reason)];
   }
 }
 
@@ -218,13 +218,13 @@ std::vector<StreamBudget> LinkSender::budgets(Time now) const {
 LinkStateValues LinkSender::state(Time now) const {
   LinkStateValues values;
   values.classes = counts_;
-  for (const Priority priority : all_priorities) {
-    ClassCounts& counts = values.classes[index_of(priority)];
-    counts.waiting_samples = queue_.samples(priority);
-    counts.waiting_bytes = queue_.bytes(priority);
+  for (const TrafficClass traffic_class : traffic_classes) {
+    ClassCounts& counts = values.classes[index_of(traffic_class)];
+    counts.waiting_samples = queue_.samples(traffic_class);
+    counts.waiting_bytes = queue_.bytes(traffic_class);
   }
   for (const auto& [id, stream] : streams_) {
-    ClassCounts& counts = values.classes[index_of(stream.rule.priority)];
+    ClassCounts& counts = values.classes[index_of(stream.rule.traffic_class)];
     for (const auto& entry : stream.sources) {
       if (!entry.second.held) continue;
       ++counts.waiting_samples;

@@ -45,7 +45,7 @@ void LinkSender::apply(const Settlement& settlement, Time now) {
                                    settlement.arrived, settlement.is_exact},
                                   now);
   SentSample& sent = *settlement.sample;
-  ClassCounts& count = counts(sent.priority);
+  ClassCounts& count = counts(sent.traffic_class);
   if (settlement.is_exact) count.delay = delay;
   const auto place = std::find(sent.missing.begin(), sent.missing.end(), settlement.peer);
   if (place == sent.missing.end()) return;
@@ -62,7 +62,7 @@ void LinkSender::apply(const Settlement& settlement, Time now) {
 void LinkSender::count_delivered(SentSample& sent) {
   sent.fate = SentSample::Fate::delivered;
   if (!sent.counted) return;
-  ClassCounts& count = counts(sent.priority);
+  ClassCounts& count = counts(sent.traffic_class);
   ++count.delivered;
   if (sent.late) ++count.late;
   if (sent.repaired) ++count.repaired;
@@ -73,7 +73,7 @@ void LinkSender::conclude(SentSample& sent) {
   const bool unwanted = sent.missing.empty();
   sent.fate = unwanted ? SentSample::Fate::unwanted : SentSample::Fate::lost;
   if (!sent.counted) return;
-  ClassCounts& count = counts(sent.priority);
+  ClassCounts& count = counts(sent.traffic_class);
   ++(unwanted ? count.unwanted : count.lost);
 }
 

@@ -53,19 +53,19 @@ bool LinkSender::bulk_may_go(Time now) const {
   });
 }
 
-std::size_t LinkSender::packets_allowed(Priority priority, Time now) const {
+std::size_t LinkSender::packets_allowed(TrafficClass traffic_class, Time now) const {
   const bool probe_due = sent_at_ == Time::min() || now - sent_at_ >= seconds(params_.repair_max_s);
   if (is_silent(now) && probe_due) return any_number;
   if (bulk_may_go(now)) return any_number;
   const auto small = static_cast<std::size_t>(params_.bulk_packets);
-  if (priority <= Priority::high) return small;
+  if (traffic_class <= TrafficClass::high) return small;
   if (is_silent(now) || backlog(now) > seconds(params_.hold_backlog_s)) return 0;
   return small;
 }
 
-std::optional<Waiting> LinkSender::take_waiting(Priority priority, Time now) {
-  if (queue_.samples(priority) == 0) return std::nullopt;
-  return queue_.take_first(priority, packets_allowed(priority, now), now);
+std::optional<Waiting> LinkSender::take_waiting(TrafficClass traffic_class, Time now) {
+  if (queue_.samples(traffic_class) == 0) return std::nullopt;
+  return queue_.take_first(traffic_class, packets_allowed(traffic_class, now), now);
 }
 
 std::optional<Transmission> LinkSender::next(Time now) {
@@ -73,9 +73,9 @@ std::optional<Transmission> LinkSender::next(Time now) {
   count_dropped(queue_.take_expired(now));
   conclude_all(now);
   update_scale(now);
-  for (const Priority priority : all_priorities) {
-    if (const auto waiting = take_waiting(priority, now)) {
-      ++counts(priority).sent;
+  for (const TrafficClass traffic_class : traffic_classes) {
+    if (const auto waiting = take_waiting(traffic_class, now)) {
+      ++counts(traffic_class).sent;
       const SentSamplePtr sent = make_sent(*waiting);
       Stream& stream = streams_.at(sent->stream);
       source_of(stream, sent->sample).sent = now;
@@ -83,7 +83,7 @@ std::optional<Transmission> LinkSender::next(Time now) {
       open_.push_back(sent);
       return transmit(sent, now);
     }
-    if (const SentSamplePtr sent = due_repair(priority, now)) return transmit(sent, now);
+    if (const SentSamplePtr sent = due_repair(traffic_class, now)) return transmit(sent, now);
   }
   return std::nullopt;
 }
@@ -92,7 +92,7 @@ SentSamplePtr LinkSender::make_sent(const Waiting& waiting) {
   Stream& stream = streams_.at(waiting.stream);
   const auto sent = std::make_shared<SentSample>();
   sent->stream = waiting.stream;
-  sent->priority = stream.rule.priority;
+  sent->traffic_class = stream.rule.traffic_class;
   sent->sample = waiting.sample;
   sent->cost = waiting.cost;
   sent->offered = waiting.offered;
@@ -142,7 +142,7 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
   ++sent->transmissions;
   sent->repair_at = now + repair_wait(*sent, expected);
   log_.add(record);
-  ClassCounts& count = counts(sent->priority);
+  ClassCounts& count = counts(sent->traffic_class);
   count.bytes += cost.bytes;
   if (!stream.rule.adaptive) others_.add(cost.bytes, now);
   if (repair || !sent->counted) {
@@ -178,12 +178,13 @@ bool LinkSender::may_repair(const SentSample& sample, Time now) const {
   return can_repair(sample, now) && !is_paused(streams_.at(sample.stream).rule);
 }
 
-SentSamplePtr LinkSender::due_repair(Priority priority, Time now) {
+SentSamplePtr LinkSender::due_repair(TrafficClass traffic_class, Time now) {
   if (open_.empty() || repair_allowance(now) <= 0) return nullptr;
   if (is_silent(now) && now - sent_at_ < seconds(params_.repair_first_s)) return nullptr;
   SentSamplePtr due;
   for (const SentSamplePtr& sent : open_) {
-    if (sent->priority != priority || sent->repair_at > now || !may_repair(*sent, now)) continue;
+    if (sent->traffic_class != traffic_class || sent->repair_at > now || !may_repair(*sent, now))
+      continue;
     if (!due || sent->repair_at < due->repair_at) due = sent;
   }
   return due;
@@ -196,8 +197,8 @@ Time LinkSender::deadline(Time now) const {
     if (sent->expires != never) next = std::min(next, sent->expires + Duration{1});
     if (may_repair(*sent, now)) next = std::min(next, std::max(sent->repair_at, repair_ready(now)));
   }
-  const bool waits = std::any_of(all_priorities.begin(), all_priorities.end(),
-                                 [this](Priority p) { return queue_.samples(p) > 0; });
+  const bool waits = std::any_of(traffic_classes.begin(), traffic_classes.end(),
+                                 [this](TrafficClass p) { return queue_.samples(p) > 0; });
   if (!waits) return next;
   const Time opens = gate_opens(now);
   return opens > now ? std::min(next, opens) : next;

@@ -14,11 +14,11 @@ constexpr PeerIndex other = 2;
 class DeliveryLogTest : public ::testing::Test {
  protected:
   SentSamplePtr send(StreamId stream, TransmissionNumber number, Time at,
-                     Priority priority = Priority::low,
+                     TrafficClass traffic_class = TrafficClass::low,
                      const std::vector<PeerIndex>& peers = {station}) {
     const auto sent = std::make_shared<SentSample>();
     sent->stream = stream;
-    sent->priority = priority;
+    sent->traffic_class = traffic_class;
     sent->missing = peers;
     DeliveryLog::Record record{number, at, {1, 300}, sent, {}};
     for (const PeerIndex peer : peers) record.copies.push_back({peer, at + 2 * ms, false, false});
@@ -58,7 +58,7 @@ TEST_F(DeliveryLogTest, TellsOfEachTransmissionOnce) {
 
 TEST_F(DeliveryLogTest, GivesUpWhatALaterOneOfItsClassHasOvertaken) {
   const auto lost = send(1, 1, t0);
-  const auto of_another_class = send(2, 1, t0, Priority::critical);
+  const auto of_another_class = send(2, 1, t0, TrafficClass::critical);
   (void)send(3, 1, t0 + ms);
   const auto settled = sut.on_receipt(station, receipt(3, 1, 0));
   ASSERT_EQ(settled.size(), 2U);
@@ -81,7 +81,7 @@ TEST_F(DeliveryLogTest, GivesUpAfterThePatienceAndTakesALateReceiptAllTheSame) {
 }
 
 TEST_F(DeliveryLogTest, KeepsPeersApart) {
-  const auto sent = send(1, 1, t0, Priority::low, {station, other});
+  const auto sent = send(1, 1, t0, TrafficClass::low, {station, other});
   EXPECT_EQ(sent->under_way, 2U);
   EXPECT_EQ(sut.on_receipt(station, receipt(1, 1, 0)).size(), 1U);
   EXPECT_EQ(sent->under_way, 1U);
@@ -94,7 +94,7 @@ TEST_F(DeliveryLogTest, KeepsPeersApart) {
 TEST_F(DeliveryLogTest, ReadsTheWholeWindowOfAReceiptAndNoMore) {
   std::vector<SentSamplePtr> sent;
   for (TransmissionNumber number = 1; number <= 66; ++number) {
-    sent.push_back(send(1, number, t0 + static_cast<int>(number) * ms, Priority::high));
+    sent.push_back(send(1, number, t0 + static_cast<int>(number) * ms, TrafficClass::high));
   }
   (void)sut.give_up_overdue(t0 + std::chrono::seconds(9));
   const auto settled = sut.on_receipt(station, receipt(1, 66, 1ULL << 63U));

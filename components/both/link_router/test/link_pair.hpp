@@ -20,11 +20,11 @@ inline constexpr Duration ms = std::chrono::milliseconds(1);
 /// The station's clock shows another time.
 inline constexpr Duration clock_difference = std::chrono::hours(77);
 
-inline StreamRule rule_of(Priority priority) {
+inline StreamRule rule_of(TrafficClass traffic_class) {
   StreamRule rule;
   rule.name = "topic";
-  rule.priority = priority;
-  rule.repaired = repairs_by_default(priority);
+  rule.traffic_class = traffic_class;
+  rule.repaired = repairs_by_default(traffic_class);
   return rule;
 }
 
@@ -63,8 +63,8 @@ class LinkPair {
     }
   }
 
-  [[nodiscard]] ClassCounts counts(Priority priority) const {
-    return sender.state(now).classes[index_of(priority)];
+  [[nodiscard]] ClassCounts counts(TrafficClass traffic_class) const {
+    return sender.state(now).classes[index_of(traffic_class)];
   }
   [[nodiscard]] std::size_t count_sent(StreamId stream) const {
     std::size_t count = 0;
@@ -108,5 +108,19 @@ class LinkPair {
   std::deque<std::pair<Time, Transmission>> air_;
   Time drained_{};
 };
+
+inline constexpr std::size_t picture_bytes = 40000;
+
+/// So that the capacity is known: pictures for 3 s, and something small.
+inline void learn_capacity(LinkPair& link, StreamId camera) {
+  std::uint64_t sequence = 1;
+  link.add(90, rule_of(TrafficClass::normal));
+  link.offer(90, 1);
+  link.run(100 * ms);
+  for (int i = 0; i < 20; ++i) {
+    link.offer(camera, sequence++, picture_bytes);
+    link.run(150 * ms);
+  }
+}
 
 }  // namespace tocsin::router

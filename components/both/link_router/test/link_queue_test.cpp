@@ -26,75 +26,75 @@ std::uint64_t sequence_of(const std::optional<Waiting>& one) {
 
 TEST(LinkQueue, GivesAClassInTheOrderOfItsTurns) {
   LinkQueue sut(10000);
-  EXPECT_TRUE(sut.add(Priority::low, 1, waiting(1, 11)).empty());
-  EXPECT_TRUE(sut.add(Priority::low, 1, waiting(2, 21)).empty());
-  EXPECT_FALSE(sut.take_first(Priority::critical, any, t0));
-  EXPECT_EQ(sequence_of(sut.take_first(Priority::low, any, t0)), 11U);
-  EXPECT_EQ(sequence_of(sut.take_first(Priority::low, any, t0)), 21U);
-  EXPECT_FALSE(sut.take_first(Priority::low, any, t0));
+  EXPECT_TRUE(sut.add(TrafficClass::low, 1, waiting(1, 11)).empty());
+  EXPECT_TRUE(sut.add(TrafficClass::low, 1, waiting(2, 21)).empty());
+  EXPECT_FALSE(sut.take_first(TrafficClass::critical, any, t0));
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 11U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 21U);
+  EXPECT_FALSE(sut.take_first(TrafficClass::low, any, t0));
 }
 
 TEST(LinkQueue, GivesTheNewestTheTurnOfTheOneItReplaces) {
   LinkQueue sut(10000);
-  (void)sut.add(Priority::low, 1, waiting(1, 11));
-  (void)sut.add(Priority::low, 1, waiting(2, 21));
-  const auto dropped = sut.add(Priority::low, 1, waiting(1, 12));
+  (void)sut.add(TrafficClass::low, 1, waiting(1, 11));
+  (void)sut.add(TrafficClass::low, 1, waiting(2, 21));
+  const auto dropped = sut.add(TrafficClass::low, 1, waiting(1, 12));
   ASSERT_EQ(dropped.size(), 1U);
   EXPECT_EQ(dropped[0].waiting.sample.origin.sequence, 11U);
   EXPECT_EQ(dropped[0].reason, DropReason::superseded);
-  EXPECT_EQ(sequence_of(sut.take_first(Priority::low, any, t0)), 12U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 12U);
 }
 
 TEST(LinkQueue, KeepsAsManyOfASourceAsItsDepthInTheirOrder) {
   LinkQueue sut(10000);
   for (const std::uint64_t sequence : {1, 2}) {
-    EXPECT_TRUE(sut.add(Priority::high, 2, waiting(1, sequence)).empty());
+    EXPECT_TRUE(sut.add(TrafficClass::high, 2, waiting(1, sequence)).empty());
   }
-  EXPECT_TRUE(sut.add(Priority::high, 2, waiting(1, 9, 100, 5)).empty()) << "another source";
-  const auto dropped = sut.add(Priority::high, 2, waiting(1, 3));
+  EXPECT_TRUE(sut.add(TrafficClass::high, 2, waiting(1, 9, 100, 5)).empty()) << "another source";
+  const auto dropped = sut.add(TrafficClass::high, 2, waiting(1, 3));
   ASSERT_EQ(dropped.size(), 1U);
   EXPECT_EQ(dropped[0].waiting.sample.origin.sequence, 1U);
-  EXPECT_EQ(sequence_of(sut.take_first(Priority::high, any, t0)), 2U);
-  EXPECT_EQ(sequence_of(sut.take_first(Priority::high, any, t0)), 3U);
-  EXPECT_EQ(sequence_of(sut.take_first(Priority::high, any, t0)), 9U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::high, any, t0)), 2U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::high, any, t0)), 3U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::high, any, t0)), 9U);
 }
 
 TEST(LinkQueue, DropsTheOldestOfAClassBeyondItsBytes) {
   LinkQueue sut(300);
-  (void)sut.add(Priority::low, 1, waiting(1, 11, 200));
-  (void)sut.add(Priority::critical, 1, waiting(9, 91, 300));
-  EXPECT_TRUE(sut.add(Priority::low, 1, waiting(2, 21, 100)).empty()) << "just full";
-  const auto dropped = sut.add(Priority::low, 1, waiting(3, 31, 101));
+  (void)sut.add(TrafficClass::low, 1, waiting(1, 11, 200));
+  (void)sut.add(TrafficClass::critical, 1, waiting(9, 91, 300));
+  EXPECT_TRUE(sut.add(TrafficClass::low, 1, waiting(2, 21, 100)).empty()) << "just full";
+  const auto dropped = sut.add(TrafficClass::low, 1, waiting(3, 31, 101));
   ASSERT_EQ(dropped.size(), 1U);
   EXPECT_EQ(dropped[0].waiting.sample.origin.sequence, 11U);
   EXPECT_EQ(dropped[0].reason, DropReason::overflow);
-  EXPECT_EQ(sut.bytes(Priority::low), 201U);
-  EXPECT_EQ(sut.bytes(Priority::critical), 300U) << "another class is not touched";
+  EXPECT_EQ(sut.bytes(TrafficClass::low), 201U);
+  EXPECT_EQ(sut.bytes(TrafficClass::critical), 300U) << "another class is not touched";
 }
 
 TEST(LinkQueue, KeepsASingleSampleThatIsLongerThanTheBound) {
   LinkQueue sut(300);
-  (void)sut.add(Priority::low, 1, waiting(1, 11, 100));
-  const auto dropped = sut.add(Priority::low, 1, waiting(2, 21, 5000));
+  (void)sut.add(TrafficClass::low, 1, waiting(1, 11, 100));
+  const auto dropped = sut.add(TrafficClass::low, 1, waiting(2, 21, 5000));
   ASSERT_EQ(dropped.size(), 1U);
-  EXPECT_EQ(sequence_of(sut.take_first(Priority::low, any, t0)), 21U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 21U);
 }
 
 TEST(LinkQueue, DoesNotDropTheNewOneThatTookTheFirstTurn) {
   LinkQueue sut(300);
-  (void)sut.add(Priority::low, 1, waiting(1, 11, 100));
-  (void)sut.add(Priority::low, 1, waiting(2, 21, 100));
-  const auto dropped = sut.add(Priority::low, 1, waiting(1, 12, 250));
+  (void)sut.add(TrafficClass::low, 1, waiting(1, 11, 100));
+  (void)sut.add(TrafficClass::low, 1, waiting(2, 21, 100));
+  const auto dropped = sut.add(TrafficClass::low, 1, waiting(1, 12, 250));
   ASSERT_EQ(dropped.size(), 2U);
   EXPECT_EQ(dropped[1].waiting.sample.origin.sequence, 21U);
-  EXPECT_EQ(sequence_of(sut.take_first(Priority::low, any, t0)), 12U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 12U);
 }
 
 TEST(LinkQueue, TakesOutWhatIsOlderThanItsLifespan) {
   LinkQueue sut(10000);
   Waiting one = waiting(1, 11);
   one.expires = t0 + 100 * ms;
-  (void)sut.add(Priority::high, 1, one);
+  (void)sut.add(TrafficClass::high, 1, one);
   EXPECT_TRUE(sut.take_expired(t0 + 100 * ms).empty());
   EXPECT_EQ(sut.next_event(t0), t0 + 100 * ms + Duration{1});
   const auto dropped = sut.take_expired(t0 + 100 * ms + Duration{1});
@@ -105,37 +105,37 @@ TEST(LinkQueue, TakesOutWhatIsOlderThanItsLifespan) {
 
 TEST(LinkQueue, PassesBulkByWhenOnlySmallSamplesMayGo) {
   LinkQueue sut(1000000);
-  (void)sut.add(Priority::low, 1, waiting(1, 11, 40000));
-  (void)sut.add(Priority::low, 1, waiting(2, 21, 100));
-  EXPECT_FALSE(sut.has_first(Priority::low, 1, t0));
-  EXPECT_EQ(sequence_of(sut.take_first(Priority::low, 4, t0)), 21U);
-  EXPECT_FALSE(sut.take_first(Priority::low, 4, t0));
-  EXPECT_EQ(sequence_of(sut.take_first(Priority::low, any, t0)), 11U);
+  (void)sut.add(TrafficClass::low, 1, waiting(1, 11, 40000));
+  (void)sut.add(TrafficClass::low, 1, waiting(2, 21, 100));
+  EXPECT_FALSE(sut.has_first(TrafficClass::low, 1, t0));
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, 4, t0)), 21U);
+  EXPECT_FALSE(sut.take_first(TrafficClass::low, 4, t0));
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 11U);
 }
 
 TEST(LinkQueue, HoldsAThinnedSampleAndTellsTheOneThatItReplaces) {
   LinkQueue sut(10000);
   Waiting one = waiting(1, 11);
   one.not_before = t0 + 50 * ms;
-  (void)sut.add(Priority::low, 1, one);
-  EXPECT_FALSE(sut.take_first(Priority::low, any, t0 + 49 * ms));
+  (void)sut.add(TrafficClass::low, 1, one);
+  EXPECT_FALSE(sut.take_first(TrafficClass::low, any, t0 + 49 * ms));
   EXPECT_EQ(sut.next_event(t0), t0 + 50 * ms);
   Waiting next = waiting(1, 12);
   next.not_before = t0 + 50 * ms;
-  EXPECT_EQ(sut.add(Priority::low, 1, next).at(0).reason, DropReason::thinned);
-  EXPECT_EQ(sequence_of(sut.take_first(Priority::low, any, t0 + 50 * ms)), 12U);
+  EXPECT_EQ(sut.add(TrafficClass::low, 1, next).at(0).reason, DropReason::thinned);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0 + 50 * ms)), 12U);
 }
 
 TEST(LinkQueue, TakesOutAllOfAStream) {
   LinkQueue sut(10000);
-  (void)sut.add(Priority::low, 2, waiting(1, 11));
-  (void)sut.add(Priority::low, 2, waiting(1, 12));
-  (void)sut.add(Priority::low, 2, waiting(2, 21));
+  (void)sut.add(TrafficClass::low, 2, waiting(1, 11));
+  (void)sut.add(TrafficClass::low, 2, waiting(1, 12));
+  (void)sut.add(TrafficClass::low, 2, waiting(2, 21));
   EXPECT_TRUE(sut.has(1));
   EXPECT_EQ(sut.take_stream(1).size(), 2U);
   EXPECT_FALSE(sut.has(1));
-  EXPECT_EQ(sut.samples(Priority::low), 1U);
-  EXPECT_EQ(sut.bytes(Priority::low), 100U);
+  EXPECT_EQ(sut.samples(TrafficClass::low), 1U);
+  EXPECT_EQ(sut.bytes(TrafficClass::low), 100U);
 }
 
 TEST(WireCost, CountsPacketsAndHeaders) {

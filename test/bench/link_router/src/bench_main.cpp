@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the link router's steps buy: the traffic and the drive of the thesis's missions, as the
 // simulated components make them, over the thesis's radio with a router on each side.
-// usage: link_router_bench [SEEDS [SECONDS]] [NAME=VALUE of LinkRouterParams ...]
+// usage: link_router_bench [SEEDS [SECONDS]] [only=VARIANT] [trace=1] [PARAMETER=VALUE ...]
+// PARAMETER is one of LinkRouterParams. Mean of the seeds.
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "foundation/time.hpp"
+#include "foundation/program.hpp"
 #include "link_run.hpp"
 #include "mission_traffic.hpp"
 #include "statistics.hpp"
@@ -77,19 +77,63 @@ struct Variant {
   bool priority;
   bool adaptation;
   bool repair;
+  bool categories;
 };
 constexpr Variant variants[] = {
-    {"nothing", false, false, false},           {"priority", true, false, false},
-    {"adaptation", false, true, false},         {"repair", false, false, true},
-    {"priority+adaptation", true, true, false}, {"all", true, true, true},
+    {"nothing", false, false, false, false},
+    {"priority", true, false, false, false},
+    {"adaptation", false, true, false, false},
+    {"repair", false, false, true, false},
+    {"priority+adaptation", true, true, false, false},
+    {"all", true, true, true, false},
+    {"802.11e", false, false, false, true},
+    {"802.11e priority", true, false, false, true},
+    {"802.11e priority+adaptation", true, true, false, true},
+    {"802.11e all", true, true, true, true},
 };
 
-Steps steps_of(const Variant& variant, const router::LinkRouterParams& params) {
+struct Options {
+  int seeds = 20;
+  double duration_s = 600;
+  std::string only;  ///< name of a variant; empty: all
+  bool trace = false;
+  router::LinkRouterParams params;
+};
+
+/// Throws std::invalid_argument.
+Options options_of(const std::vector<std::string>& words) {
+  Options options;
+  std::vector<double> numbers;
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos) {
+      numbers.push_back(std::stod(word));
+      continue;
+    }
+    const std::string name = word.substr(0, equals);
+    const std::string value = word.substr(equals + 1);
+    if (name == "only") {
+      options.only = value;
+    } else if (name == "trace") {
+      options.trace = value == "1";
+    } else {
+      Setter setter{name, std::stod(value)};
+      options.params.visit(setter);
+      if (!setter.found) throw std::invalid_argument(name + ": no such parameter");
+    }
+  }
+  if (!numbers.empty()) options.seeds = static_cast<int>(numbers[0]);
+  if (numbers.size() > 1) options.duration_s = numbers[1];
+  return options;
+}
+
+Steps steps_of(const Variant& variant, const Options& options) {
   Steps steps;
-  steps.priority = variant.priority;
   steps.adaptation = variant.adaptation;
   steps.repair = variant.repair;
-  steps.params = params;
+  steps.categories = variant.categories;
+  steps.trace = options.trace;
+  steps.params = options.params;
   if (!variant.priority) {  // everything goes to the radio at once
     steps.params.bulk_backlog_s = 10;
     steps.params.bulk_under_way = 10000;
@@ -98,59 +142,33 @@ Steps steps_of(const Variant& variant, const router::LinkRouterParams& params) {
   return steps;
 }
 
+void run_mission(const Options& options, int mission, const std::string& policy) {
+  std::map<std::string, std::vector<Figures>> results;
+  for (int seed = 1; seed <= options.seeds; ++seed) {
+    const auto traffic = record_mission(mission, policy, seed, options.duration_s);
+    for (const Variant& variant : variants) {
+      if (!options.only.empty() && options.only != variant.name) continue;
+      Steps steps = steps_of(variant, options);
+      steps.pause = policy != "none";
+      results[variant.name].push_back(run_link(traffic, steps, static_cast<std::uint64_t>(seed)));
+    }
+  }
+  for (const Variant& variant : variants) {
+    if (results.count(variant.name) == 0) continue;
+    print(std::string(mission == 0 ? "A " : "B ") + policy + ", " + variant.name,
+          results[variant.name]);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<double> numbers;
-  router::LinkRouterParams params;
-  std::string only;
-  bool trace = false;
-  for (int i = 1; i < argc; ++i) {
-    const char* equals = std::strchr(argv[i], '=');
-    if (equals == nullptr) {
-      numbers.push_back(std::atof(argv[i]));
-      continue;
+  return tocsin::run_program("link_router_bench", [&] {
+    const Options options = options_of({argv + 1, argv + argc});
+    print_head();
+    for (int mission = 0; mission < 2; ++mission) {
+      for (const char* policy : {"none", "tocp_dsp"}) run_mission(options, mission, policy);
     }
-    const std::string name(argv[i], static_cast<std::size_t>(equals - argv[i]));
-    if (name == "only") {
-      only = equals + 1;
-      continue;
-    }
-    if (name == "trace") {
-      trace = true;
-      continue;
-    }
-    Setter setter{name, std::atof(equals + 1)};
-    params.visit(setter);
-    if (!setter.found) {
-      std::fprintf(stderr, "no parameter %s\n", setter.name.c_str());
-      return 2;
-    }
-  }
-  const int seeds = !numbers.empty() ? static_cast<int>(numbers[0]) : 20;
-  const double duration_s = numbers.size() > 1 ? numbers[1] : 600;
-  print_head();
-  for (int mission = 0; mission < 2; ++mission) {
-    for (const bool pause : {false, true}) {
-      std::map<std::string, std::vector<Figures>> results;
-      for (int seed = 1; seed <= seeds; ++seed) {
-        const auto traffic = record_mission(mission, pause ? "tocp_dsp" : "none", seed, duration_s);
-        for (const Variant& variant : variants) {
-          if (!only.empty() && only != variant.name) continue;
-          Steps steps = steps_of(variant, params);
-          steps.pause = pause;
-          steps.trace = trace;
-          results[variant.name].push_back(
-              run_link(traffic, steps, static_cast<std::uint64_t>(seed)));
-        }
-      }
-      for (const Variant& variant : variants) {
-        if (results.count(variant.name) == 0) continue;
-        print(std::string(mission == 0 ? "A" : "B") + (pause ? " tocp_dsp " : " none ") +
-                  variant.name,
-              results[variant.name]);
-      }
-    }
-  }
-  return 0;
+    return 0;
+  });
 }

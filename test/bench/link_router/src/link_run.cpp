@@ -4,14 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
-#include <memory>
-#include <unordered_map>
-#include <variant>
+#include <optional>
 
-#include "link_router/link_receiver.hpp"
-#include "link_router/link_sender.hpp"
-#include "rtps_model/message.hpp"
+#include "router_radio.hpp"
 #include "statistics.hpp"
 
 namespace tocsin::bench {
@@ -20,22 +15,12 @@ namespace {
 constexpr Duration warm_up = std::chrono::seconds(12);
 constexpr Duration late_after = std::chrono::milliseconds(250);
 constexpr Duration age_period = std::chrono::milliseconds(100);
-constexpr std::size_t origin_bytes = 32;
-constexpr int echo_bytes = 92;
 /// Share of the shrinking that is done by size; the rest by rate.
 constexpr double size_share = 0.75;
 
 std::size_t side_of(radio::Direction direction) {
   return direction == radio::Direction::uplink ? 0 : 1;
 }
-
-/// What crosses the radio as one or more packets.
-struct Cargo {
-  std::variant<router::Transmission, router::LinkReceipt, std::monostate> what;
-  std::size_t to = 0;  ///< side
-  std::size_t missing = 0;
-  bool is_request = false;
-};
 
 /// A sample that a component wrote.
 struct Written {
@@ -66,43 +51,41 @@ class LinkRun {
   LinkRun(const MissionTraffic& traffic, const Steps& steps, std::uint64_t seed)
       : traffic_(traffic),
         steps_(steps),
-        channel_(traffic.channel, traffic.walls, seed, traffic.begin),
+        channel_(channel_of(traffic, steps), traffic.walls, seed, traffic.begin),
+        routers_(channel_, steps.params, traffic.begin),
         written_(traffic.sources.size()) {
-    for (std::size_t side = 0; side < 2; ++side) {
-      senders_[side] = std::make_unique<router::LinkSender>(steps.params, side + 1);
-      receivers_[side] = std::make_unique<router::LinkReceiver>(steps.params, side + 1);
-    }
-    for (std::size_t side = 0; side < 2; ++side) {
-      senders_[side]->on_peer("peer", 2 - side, traffic.begin);
-      receivers_[side]->on_peer("peer", 2 - side);
-    }
     for (std::size_t i = 0; i < traffic.sources.size(); ++i) add_source(i);
     next_age_ = traffic.begin + warm_up;
   }
 
   Figures run() {
-    Time now = traffic_.begin;
-    while (now < traffic_.end) {
+    const auto deliver = [this](std::size_t, router::StreamId stream, const router::Origin& origin,
+                                Time at) { on_delivered(stream, origin, at); };
+    for (Time now = traffic_.begin; now < traffic_.end;) {
       play_due(now);
-      for (std::size_t side = 0; side < 2; ++side) serve(side, now);
-      now = std::min({next_input(), channel_.next_event(), next_deadline(now), traffic_.end});
-      channel_.advance(now);
-      while (const auto outcome = channel_.take()) end_packet(*outcome);
+      routers_.serve(now);
+      if (steps_.trace) trace(now);
+      const Time next = std::min({next_input(), routers_.next_event(now), traffic_.end});
+      now = std::max(next, now + Duration{1});
+      routers_.advance(now, deliver);
     }
     return figures();
   }
 
  private:
+  static radio::ChannelParams channel_of(const MissionTraffic& traffic, const Steps& steps) {
+    radio::ChannelParams params = traffic.channel;
+    params.access_categories = steps.categories;
+    return params;
+  }
+
   void add_source(std::size_t i) {
     const TrafficSource& source = traffic_.sources[i];
     router::StreamRule rule = source.rule;
     rule.repaired = rule.repaired && steps_.repair;
-    if (!steps_.repair) rule.durable = false;
-    const auto id = static_cast<router::StreamId>(i);
-    const std::size_t side = side_of(source.direction);
-    senders_[side]->add_stream(id, rule);
-    senders_[side]->set_wanted("peer", id, true, traffic_.begin);
-    receivers_[1 - side]->on_stream("peer", id, rule);
+    rule.durable = rule.durable && steps_.repair;
+    routers_.add_stream(side_of(source.direction), static_cast<router::StreamId>(i), rule,
+                        traffic_.begin);
   }
 
   [[nodiscard]] Time next_input() const {
@@ -114,23 +97,15 @@ class LinkRun {
     return next;
   }
 
-  [[nodiscard]] Time next_deadline(Time now) const {
-    Time next = never;
-    for (std::size_t side = 0; side < 2; ++side) {
-      next = std::min({next, senders_[side]->deadline(now), receivers_[side]->deadline()});
-    }
-    return std::max(next, now + std::chrono::microseconds(50));
-  }
-
   void play_due(Time now) {
     for (; place_ < traffic_.places.size() && traffic_.places[place_].time <= now; ++place_) {
       channel_.set_position(traffic_.places[place_].x_m, traffic_.places[place_].y_m);
     }
     for (; gate_ < traffic_.gates.size() && traffic_.gates[gate_].time <= now; ++gate_) {
-      if (steps_.pause) senders_[0]->set_paused(!traffic_.gates[gate_].open, now);
+      if (steps_.pause) routers_.sender(0).set_paused(!traffic_.gates[gate_].open, now);
     }
     for (; echo_ < traffic_.echoes.size() && traffic_.echoes[echo_] <= now; ++echo_) {
-      send({std::monostate{}, 1, 1, true}, {static_cast<std::size_t>(echo_bytes)}, now);
+      routers_.send_echo(now);
     }
     for (; write_ < traffic_.writes.size() && traffic_.writes[write_].time <= now; ++write_) {
       write(traffic_.writes[write_], now);
@@ -140,7 +115,7 @@ class LinkRun {
 
   void write(const MissionTraffic::Write& write, Time now) {
     const TrafficSource& source = traffic_.sources[write.source];
-    router::LinkSender& sender = *senders_[side_of(source.direction)];
+    router::LinkSender& sender = routers_.sender(side_of(source.direction));
     std::size_t bytes = write.bytes;
     if (source.rule.adaptive && steps_.adaptation) {
       for (const router::StreamBudget& budget : sender.budgets(now)) {
@@ -156,65 +131,23 @@ class LinkRun {
                  {{write.source, written.size(), now}, bytes, nullptr}, now);
   }
 
-  void serve(std::size_t side, Time now) {
-    while (const auto one = senders_[side]->next(now)) {
-      auto packets =
-          rtps::packets_of(one->sample.bytes, 1, rtps::wire::largest_payload - origin_bytes);
-      for (std::size_t& packet : packets) packet += origin_bytes;
-      if (one->repair) ++repairs_;
-      send({*one, 1 - side, packets.size(), false}, packets, now);
-    }
-    while (const auto receipt = receivers_[side]->take_receipt(now)) {
-      const std::size_t bytes = 36 + 18 * receipt->receipt.streams.size();
-      const auto packets = rtps::packets_of(bytes, 1, rtps::wire::largest_payload);
-      ++receipts_;
-      send({receipt->receipt, 1 - side, 1, false}, packets, now);
-    }
-    if (steps_.trace && side == 0 && now >= next_trace_) {
-      next_trace_ = now + std::chrono::seconds(1);
-      const auto state = senders_[0]->state(now);
-      std::printf("%6.1f snr %5.1f cap %8.0f backlog %5.3f loss %.3f scale %.2f silent %zu q %zu\n",
-                  to_seconds(now - traffic_.begin), channel_.propagation().mean_snr_db(),
-                  state.capacity_bytes_per_s, to_seconds(state.backlog), state.loss, state.scale,
-                  state.silent_peers, channel_.report(now).uplink.queued);
-    }
+  void trace(Time now) {
+    if (now < next_trace_) return;
+    next_trace_ = now + std::chrono::seconds(1);
+    const auto state = routers_.sender(0).state(now);
+    std::printf(
+        "%6.1f s: SNR %5.1f dB, capacity %7.0f B/s, backlog %5.3f s, loss %.3f, scale %.2f, "
+        "%zu silent, %zu frames queued\n",
+        to_seconds(now - traffic_.begin), channel_.propagation().mean_snr_db(),
+        state.capacity_bytes_per_s, to_seconds(state.backlog), state.loss, state.scale,
+        state.silent_peers, channel_.report(now).uplink.queued);
   }
 
-  void send(Cargo cargo, const std::vector<std::size_t>& packets, Time now) {
-    const auto direction = cargo.to == 1 ? radio::Direction::uplink : radio::Direction::downlink;
-    const auto shared = std::make_shared<Cargo>(std::move(cargo));
-    for (const std::size_t bytes : packets) {
-      under_way_[channel_.push(direction, static_cast<int>(bytes), false, now)] = shared;
-    }
-  }
-
-  void end_packet(const radio::Outcome& outcome) {
-    const auto found = under_way_.find(outcome.id);
-    const std::shared_ptr<Cargo> cargo = found->second;
-    under_way_.erase(found);
-    if (outcome.fate != radio::Fate::delivered || --cargo->missing > 0) return;
-    arrive(*cargo, outcome.at);
-  }
-
-  void arrive(const Cargo& cargo, Time now) {
-    if (const auto* receipt = std::get_if<router::LinkReceipt>(&cargo.what)) {
-      senders_[cargo.to]->on_receipt("peer", *receipt, now);
-      return;
-    }
-    if (const auto* one = std::get_if<router::Transmission>(&cargo.what)) {
-      const router::Origin& origin = one->sample.origin;
-      const auto verdict = receivers_[cargo.to]->on_arrived(
-          "peer", {one->stream, one->number, origin, one->sample.bytes}, now);
-      if (verdict != router::Verdict::deliver) return;
-      Written& written = written_[one->stream][origin.sequence - 1];
-      written.delivered = true;
-      written.latency = now - written.time;
-      if (traffic_.sources[one->stream].topic == "location") location_ = written.time;
-      return;
-    }
-    if (cargo.is_request) {
-      send({std::monostate{}, 0, 1, false}, {static_cast<std::size_t>(echo_bytes)}, now);
-    }
+  void on_delivered(router::StreamId stream, const router::Origin& origin, Time now) {
+    Written& written = written_[stream][origin.sequence - 1];
+    written.delivered = true;
+    written.latency = now - written.time;
+    if (traffic_.sources[stream].topic == "location") location_ = written.time;
   }
 
   void note_age(Time at) {
@@ -228,11 +161,12 @@ class LinkRun {
     double lost = 0;
   };
 
-  [[nodiscard]] Class collect(router::Priority priority, bool adaptive_only) const {
+  [[nodiscard]] Class collect(TrafficClass traffic_class, bool adaptive_only) const {
     Class of;
     for (std::size_t i = 0; i < written_.size(); ++i) {
       const TrafficSource& source = traffic_.sources[i];
-      if (source.direction != radio::Direction::uplink || source.rule.priority != priority)
+      if (source.direction != radio::Direction::uplink ||
+          source.rule.traffic_class != traffic_class)
         continue;
       if (adaptive_only && !source.rule.adaptive) continue;
       for (const Written& one : written_[i]) {
@@ -248,10 +182,10 @@ class LinkRun {
 
   Figures figures() {
     Figures f;
-    Class critical = collect(router::Priority::critical, false);
-    Class high = collect(router::Priority::high, false);
-    const Class low = collect(router::Priority::low, false);
-    Class pictures = collect(router::Priority::low, true);
+    Class critical = collect(TrafficClass::critical, false);
+    Class high = collect(TrafficClass::high, false);
+    const Class low = collect(TrafficClass::low, false);
+    Class pictures = collect(TrafficClass::low, true);
     const double length_s = to_seconds(traffic_.end - traffic_.begin);
     f.critical_p50_ms = quantile(critical.latencies_ms, 0.5);
     f.critical_p99_ms = quantile(critical.latencies_ms, 0.99);
@@ -269,8 +203,8 @@ class LinkRun {
     const auto report = channel_.report(traffic_.end);
     f.airtime =
         100 * to_seconds(report.uplink.air.airtime + report.downlink.air.airtime) / length_s;
-    f.receipts_per_s = receipts_ / length_s;
-    f.repairs_per_s = repairs_ / length_s;
+    f.receipts_per_s = routers_.receipts() / length_s;
+    f.repairs_per_s = routers_.repairs() / length_s;
     return f;
   }
 
@@ -291,9 +225,7 @@ class LinkRun {
   const MissionTraffic& traffic_;
   const Steps& steps_;
   radio::RadioChannel channel_;
-  std::array<std::unique_ptr<router::LinkSender>, 2> senders_;
-  std::array<std::unique_ptr<router::LinkReceiver>, 2> receivers_;
-  std::unordered_map<radio::FrameId, std::shared_ptr<Cargo>> under_way_;
+  RouterRadio routers_;
   std::vector<std::vector<Written>> written_;  ///< of each source
   AdaptiveSource camera_;
   std::size_t write_ = 0;
@@ -304,8 +236,6 @@ class LinkRun {
   Time next_trace_{};
   std::optional<Time> location_;
   std::vector<double> ages_;
-  double receipts_ = 0;
-  double repairs_ = 0;
 };
 
 }  // namespace

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "link_router/link_router_params.hpp"
-#include "link_router/link_state_values.hpp"
 #include "mission_traffic.hpp"
 
 namespace tocsin::bench {
@@ -15,7 +13,8 @@ struct Steps {
   bool priority = true;    ///< strict classes, bulk waits for a short queue
   bool adaptation = true;  ///< the camera follows its budget
   bool repair = true;
-  bool pause = false;  ///< the gates of the recorded policy
+  bool categories = false;  ///< the radio has the queues of 802.11e
+  bool pause = false;       ///< the gates of the recorded policy
   router::LinkRouterParams params;
   bool trace = false;  ///< print what the estimator thinks, each second
 };

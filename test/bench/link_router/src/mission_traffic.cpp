@@ -23,18 +23,11 @@ std::string share() {
       .string();
 }
 
-router::Priority priority_of(const std::string& traffic_class) {
-  if (traffic_class == "critical") return router::Priority::critical;
-  if (traffic_class == "high") return router::Priority::high;
-  if (traffic_class == "normal") return router::Priority::normal;
-  return router::Priority::low;
-}
-
 router::StreamRule rule_of(const simulation::TopicEnd& end) {
   router::StreamRule rule;
   rule.name = end.process + "/" + end.topic;
-  rule.priority = priority_of(end.traffic_class);
-  rule.repaired = router::repairs_by_default(rule.priority);
+  rule.traffic_class = end.traffic_class.value_or(TrafficClass::normal);
+  rule.repaired = router::repairs_by_default(rule.traffic_class);
   if (end.pausable) {
     rule.while_paused = end.drops ? router::WhilePaused::drop : router::WhilePaused::latest;
   }

@@ -20,7 +20,7 @@ using PeerIndex = std::uint32_t;
 struct SentSample {
   enum class Fate : std::uint8_t { open, delivered, lost, unwanted };
   StreamId stream = 0;
-  Priority priority = Priority::low;
+  TrafficClass traffic_class = TrafficClass::low;
   Sample sample;
   WireCost cost;
   Time offered{};

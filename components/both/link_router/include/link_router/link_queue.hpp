@@ -36,25 +36,26 @@ class LinkQueue {
   explicit LinkQueue(std::size_t class_bytes) : class_bytes_(class_bytes) {}
 
   /// What it puts in the place of others is in the result.
-  [[nodiscard]] std::vector<Dropped> add(Priority priority, std::size_t depth,
+  [[nodiscard]] std::vector<Dropped> add(TrafficClass traffic_class, std::size_t depth,
                                          const Waiting& waiting);
   /// Takes out what is older than its lifespan.
   [[nodiscard]] std::vector<Dropped> take_expired(Time now);
   /// Takes out the first of the class that may go at `now` and makes less than `packets` packets.
-  [[nodiscard]] std::optional<Waiting> take_first(Priority priority, std::size_t packets, Time now);
+  [[nodiscard]] std::optional<Waiting> take_first(TrafficClass traffic_class, std::size_t packets,
+                                                  Time now);
   /// Whether take_first() would give something.
-  [[nodiscard]] bool has_first(Priority priority, std::size_t packets, Time now) const;
+  [[nodiscard]] bool has_first(TrafficClass traffic_class, std::size_t packets, Time now) const;
   /// Takes out all of a stream.
   [[nodiscard]] std::vector<Waiting> take_stream(StreamId stream);
   [[nodiscard]] bool has(StreamId stream) const;
 
   /// When take_expired() or take_first() have something new; `never` when nothing waits for time.
   [[nodiscard]] Time next_event(Time now) const;
-  [[nodiscard]] std::size_t bytes(Priority priority) const {
-    return classes_[index_of(priority)].bytes;
+  [[nodiscard]] std::size_t bytes(TrafficClass traffic_class) const {
+    return classes_[index_of(traffic_class)].bytes;
   }
-  [[nodiscard]] std::size_t samples(Priority priority) const {
-    return classes_[index_of(priority)].waiting.size();
+  [[nodiscard]] std::size_t samples(TrafficClass traffic_class) const {
+    return classes_[index_of(traffic_class)].waiting.size();
   }
 
  private:
@@ -68,7 +69,7 @@ class LinkQueue {
   [[nodiscard]] static Place find_first(const Class& in, std::size_t packets, Time now);
   [[nodiscard]] static Waiting take(Class& from, Place place);
   std::size_t class_bytes_;
-  std::array<Class, priority_count> classes_;
+  std::array<Class, traffic_classes.size()> classes_;
 };
 
 }  // namespace tocsin::router

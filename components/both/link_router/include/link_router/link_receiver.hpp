@@ -48,7 +48,7 @@ class LinkReceiver {
   void on_peer(const std::string& peer, Incarnation incarnation);
   /// It is gone; what was given of it is remembered.
   void forget_peer(const std::string& peer);
-  /// A link writer of a known peer. Of the rule, name, depth, lifespan and priority count.
+  /// A link writer of a known peer. Of the rule, name, depth, lifespan and traffic_class count.
   void on_stream(const std::string& peer, StreamId stream, const StreamRule& rule);
   void forget_stream(const std::string& peer, StreamId stream);
 

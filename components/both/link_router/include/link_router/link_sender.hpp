@@ -100,7 +100,9 @@ class LinkSender {
   };
 
   [[nodiscard]] bool is_paused(const StreamRule& rule) const;
-  [[nodiscard]] ClassCounts& counts(Priority priority) { return counts_[index_of(priority)]; }
+  [[nodiscard]] ClassCounts& counts(TrafficClass traffic_class) {
+    return counts_[index_of(traffic_class)];
+  }
   [[nodiscard]] Source& source_of(Stream& stream, const Sample& sample) const;
   [[nodiscard]] Time not_before(const Stream& stream, const Source& source) const;
   void meter_offer(Stream& stream, const WireCost& cost, Time now);
@@ -108,10 +110,10 @@ class LinkSender {
   void hold(Stream& stream, const Waiting& waiting);
   void count_dropped(const std::vector<Dropped>& dropped);
 
-  [[nodiscard]] std::optional<Waiting> take_waiting(Priority priority, Time now);
-  [[nodiscard]] std::size_t packets_allowed(Priority priority, Time now) const;
+  [[nodiscard]] std::optional<Waiting> take_waiting(TrafficClass traffic_class, Time now);
+  [[nodiscard]] std::size_t packets_allowed(TrafficClass traffic_class, Time now) const;
   [[nodiscard]] bool bulk_may_go(Time now) const;
-  [[nodiscard]] SentSamplePtr due_repair(Priority priority, Time now);
+  [[nodiscard]] SentSamplePtr due_repair(TrafficClass traffic_class, Time now);
   [[nodiscard]] bool can_repair(const SentSample& sample, Time now) const;
   [[nodiscard]] bool may_repair(const SentSample& sample, Time now) const;
   [[nodiscard]] Time repair_ready(Time now) const;
@@ -143,7 +145,7 @@ class LinkSender {
   LinkQueue queue_;
   DeliveryLog log_;
   std::list<SentSamplePtr> open_;  ///< those whose fate is open, in the order of their sending
-  std::array<ClassCounts, priority_count> counts_;
+  std::array<ClassCounts, traffic_classes.size()> counts_;
   AdaptiveScale scale_;
   RateMeter others_;   ///< on the wire, of streams that do not adapt
   RateMeter repairs_;  ///< on the wire

@@ -31,7 +31,7 @@ struct ClassCounts {
 
 /// What the router knows of the link and does about it.
 struct LinkStateValues {
-  std::array<ClassCounts, priority_count> classes;
+  std::array<ClassCounts, traffic_classes.size()> classes;
   double capacity_bytes_per_s = 0;  ///< [B/s] estimate, headers included; of the slowest live peer
   Duration backlog{0};              ///< what is in the radio's queue, by the estimate
   double loss = 0;                  ///< [0, 1] recent share of transmissions that did not come

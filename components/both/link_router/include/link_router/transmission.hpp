@@ -2,23 +2,18 @@
 // The words of the link: streams, samples, transmissions, and what may become of them.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 
 #include "foundation/time.hpp"
+#include "foundation/traffic_class.hpp"
 
 namespace tocsin::router {
 
-/// A traffic class: strict priority, the first one first.
-enum class Priority : std::uint8_t { critical, high, normal, low };
-inline constexpr std::size_t priority_count = 4;
-inline constexpr std::array<Priority, priority_count> all_priorities{
-    Priority::critical, Priority::high, Priority::normal, Priority::low};
-[[nodiscard]] constexpr std::size_t index_of(Priority priority) {
-  return static_cast<std::size_t>(priority);
+[[nodiscard]] constexpr std::size_t index_of(TrafficClass traffic_class) {
+  return static_cast<std::size_t>(traffic_class);
 }
 
 /// What becomes of new samples of a stream while the link is paused.
@@ -58,7 +53,7 @@ struct StreamRule {
   /// Topic, and user data of the writers if the topic has several kinds: the stream's name over all
   /// lives of a router.
   std::string name;
-  Priority priority = Priority::low;
+  TrafficClass traffic_class = TrafficClass::low;
   WhilePaused while_paused = WhilePaused::send;
   std::size_t depth = 1;  ///< newest samples of each source that are kept (KEEP_LAST); at least 1
   Duration lifespan = Duration::max();  ///< an older sample is neither sent nor delivered
@@ -69,8 +64,8 @@ struct StreamRule {
 };
 
 /// Critical and high.
-[[nodiscard]] constexpr bool repairs_by_default(Priority priority) {
-  return priority <= Priority::high;
+[[nodiscard]] constexpr bool repairs_by_default(TrafficClass traffic_class) {
+  return traffic_class <= TrafficClass::high;
 }
 
 /// Why a sample was not sent, or not sent again.

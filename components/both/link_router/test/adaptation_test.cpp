@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bulk, capacity, budget, thinning.
+#include "link_pair.hpp"
+
+namespace tocsin::router {
+namespace {
+
+TEST(Adaptation, BulkWaitsUntilTheRadioHasSentTheOneBefore) {
+  LinkPair link;
+  StreamRule camera = rule_of(TrafficClass::low);
+  link.add(1, camera);
+  link.add(2, rule_of(TrafficClass::critical));
+  learn_capacity(link, 1);
+  const std::size_t before = link.sent.size();
+  link.offer(1, 100, picture_bytes);
+  link.run(ms);
+  link.offer(1, 101, picture_bytes);
+  link.offer(2, 1);
+  link.run(3 * ms);
+  ASSERT_EQ(link.sent.size(), before + 2) << "the second picture waits, the small one does not";
+  EXPECT_EQ(link.sent.back().stream, 2U);
+  link.run(40 * ms);
+  EXPECT_EQ(link.sent.back().sample.origin.sequence, 101U);
+}
+
+TEST(Adaptation, ANewerPictureTakesThePlaceOfTheOneThatWaits) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::low));
+  learn_capacity(link, 1);
+  for (std::uint64_t sequence = 100; sequence < 103; ++sequence) {
+    link.offer(1, sequence, picture_bytes);
+    link.run(ms);
+  }
+  link.run(100 * ms);
+  EXPECT_EQ(link.delivered[1].back(), 102U);
+  const auto counts = link.counts(TrafficClass::low);
+  EXPECT_EQ(counts.dropped[static_cast<std::size_t>(DropReason::superseded)], 1U);
+}
+
+TEST(Adaptation, LearnsTheCapacityAndTheBudgetFollows) {
+  LinkPair link;
+  StreamRule camera = rule_of(TrafficClass::low);
+  camera.adaptive = true;
+  link.add(1, camera);
+  learn_capacity(link, 1);
+  std::uint64_t sequence = 100;
+  for (int i = 0; i < 200; ++i) {
+    link.offer(1, sequence++, picture_bytes);
+    link.run(125 * ms);
+  }
+  const LinkStateValues state = link.sender.state(link.now);
+  EXPECT_NEAR(state.capacity_bytes_per_s, 1.35e6, 0.2e6) << "a packet of 1350 B each ms";
+  const auto budgets = link.sender.budgets(link.now);
+  ASSERT_EQ(budgets.size(), 1U);
+  EXPECT_EQ(budgets[0].scale, 1);
+  EXPECT_FALSE(budgets[0].hold);
+  EXPECT_NEAR(budgets[0].bytes_per_s, 375e3, 40e3) << "47 kB on the wire, 8 a second";
+}
+
+TEST(Adaptation, AnAdaptiveSourceHoldsWhileItsLastSampleWaits) {
+  LinkPair link;
+  StreamRule camera = rule_of(TrafficClass::low);
+  camera.adaptive = true;
+  link.add(1, camera);
+  for (std::uint64_t sequence = 1; sequence < 3; ++sequence) link.offer(1, sequence, picture_bytes);
+  EXPECT_TRUE(link.sender.budgets(link.now).at(0).hold);
+  link.run(ms);
+  link.offer(1, 3, picture_bytes);
+  link.run(ms);
+  EXPECT_TRUE(link.sender.budgets(link.now).at(0).hold);
+  link.run(1000 * ms);
+  EXPECT_FALSE(link.sender.budgets(link.now).at(0).hold);
+}
+
+TEST(Adaptation, AShortBudgetThinsATopicDownToItsRate) {
+  LinkPair link;
+  StreamRule camera = rule_of(TrafficClass::low);
+  camera.adaptive = true;
+  StreamRule load = rule_of(TrafficClass::low);
+  load.min_rate_hz = 2;
+  link.add(1, camera);
+  link.add(2, load);
+  std::uint64_t sequence = 1;
+  // Pictures too large for the link: the scale falls to its least.
+  const auto play = [&] {
+    for (int i = 0; i < 80; ++i) {
+      if (i % 2 == 0) link.offer(1, sequence, 300000);
+      link.offer(2, sequence++);
+      link.run(50 * ms);
+    }
+  };
+  play();
+  EXPECT_LT(link.sender.state(link.now).scale, 0.35);
+  const std::size_t before = link.count_sent(2);
+  play();
+  const std::size_t thinned = link.count_sent(2) - before;
+  EXPECT_GE(thinned, 8U) << "2 a second at least";
+  EXPECT_LE(thinned, 30U) << "of 20 a second";
+  EXPECT_GT(link.counts(TrafficClass::low).dropped[static_cast<std::size_t>(DropReason::thinned)],
+            20U);
+}
+
+}  // namespace
+}  // namespace tocsin::router

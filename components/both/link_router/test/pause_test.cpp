@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The gate.
+#include "link_pair.hpp"
+
+namespace tocsin::router {
+namespace {
+
+using Sequences = std::vector<std::uint64_t>;
+
+TEST(Pause, WhatIsPausedIsSilentAndTheNewestFollows) {
+  LinkPair link;
+  StreamRule drops = rule_of(TrafficClass::low);
+  drops.while_paused = WhilePaused::drop;
+  StreamRule keeps = rule_of(TrafficClass::low);
+  keeps.while_paused = WhilePaused::latest;
+  link.add(1, drops);
+  link.add(2, keeps);
+  link.add(3, rule_of(TrafficClass::critical));
+  link.sender.set_paused(true, link.now);
+  for (std::uint64_t sequence = 1; sequence <= 3; ++sequence) {
+    for (const StreamId stream : {1, 2, 3}) link.offer(stream, sequence);
+    link.run(100 * ms);
+  }
+  EXPECT_TRUE(link.delivered[1].empty());
+  EXPECT_TRUE(link.delivered[2].empty());
+  EXPECT_EQ(link.delivered[3], (Sequences{1, 2, 3}));
+  EXPECT_EQ(link.sender.state(link.now).classes[3].waiting_samples, 1U);
+  link.sender.set_paused(false, link.now);
+  link.run(100 * ms);
+  EXPECT_TRUE(link.delivered[1].empty());
+  EXPECT_EQ(link.delivered[2], (Sequences{3}));
+  const auto counts = link.counts(TrafficClass::low);
+  EXPECT_EQ(counts.dropped[static_cast<std::size_t>(DropReason::paused)], 5U);
+}
+
+TEST(Pause, WhatOutlivedThePauseOnlyByAgeIsNotSent) {
+  LinkPair link;
+  StreamRule rule = rule_of(TrafficClass::low);
+  rule.while_paused = WhilePaused::latest;
+  rule.lifespan = 1000 * ms;
+  link.add(1, rule);
+  link.sender.set_paused(true, link.now);
+  link.offer(1, 1);
+  link.run(1001 * ms);
+  link.sender.set_paused(false, link.now);
+  link.run(100 * ms);
+  EXPECT_TRUE(link.sent.empty());
+  const auto counts = link.counts(TrafficClass::low);
+  EXPECT_EQ(counts.dropped[static_cast<std::size_t>(DropReason::expired)], 1U);
+}
+
+TEST(Pause, APauseTakesWhatWaits) {
+  LinkPair link;
+  StreamRule rule = rule_of(TrafficClass::low);
+  rule.while_paused = WhilePaused::drop;
+  link.add(1, rule);
+  link.offer(1, 1);
+  link.sender.set_paused(true, link.now);
+  link.run(100 * ms);
+  EXPECT_TRUE(link.sent.empty());
+}
+
+TEST(Pause, RepairsOfAPausedStreamWait) {
+  LinkPair link;
+  StreamRule rule = rule_of(TrafficClass::high);
+  rule.while_paused = WhilePaused::latest;
+  link.add(1, rule);
+  link.dead = true;
+  link.offer(1, 1);
+  link.run(50 * ms);
+  link.dead = false;
+  link.sender.set_paused(true, link.now);
+  link.run(1000 * ms);
+  EXPECT_EQ(link.sent.size(), 1U);
+  link.sender.set_paused(false, link.now);
+  link.run(100 * ms);
+  EXPECT_EQ(link.delivered[1], (Sequences{1}));
+}
+
+}  // namespace
+}  // namespace tocsin::router

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// Delivery, peers and their lives, streams that come and go.
+#include "link_pair.hpp"
+
+namespace tocsin::router {
+namespace {
+
+using Sequences = std::vector<std::uint64_t>;
+
+TEST(Peers, DeliversWhatIsOffered) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::critical));
+  link.offer(1, 1);
+  link.run(200 * ms);
+  EXPECT_EQ(link.delivered[1], (Sequences{1}));
+  EXPECT_EQ(link.sent.size(), 1U);
+  EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 1U);
+  EXPECT_EQ(link.counts(TrafficClass::critical).late, 0U);
+}
+
+TEST(Peers, SendsClassesInTheirOrder) {
+  LinkPair link;
+  const TrafficClass reversed[] = {TrafficClass::low, TrafficClass::normal, TrafficClass::high,
+                                   TrafficClass::critical};
+  for (StreamId stream = 0; stream < 4; ++stream) link.add(stream, rule_of(reversed[stream]));
+  for (StreamId stream = 0; stream < 4; ++stream) link.offer(stream, 1);
+  link.run(ms);
+  ASSERT_EQ(link.sent.size(), 4U);
+  for (StreamId i = 0; i < 4; ++i) EXPECT_EQ(link.sent[i].stream, 3 - i);
+}
+
+TEST(Peers, ALatePeerGetsTheNewestOfADurableStream) {
+  LinkPair link;
+  StreamRule durable = rule_of(TrafficClass::critical);
+  durable.durable = true;
+  link.add(1, durable);
+  link.add(2, rule_of(TrafficClass::critical));
+  link.sender.set_wanted("station", 1, false, link.now);
+  link.sender.set_wanted("station", 2, false, link.now);
+  link.dead = true;  // nobody is there
+  for (std::uint64_t sequence = 1; sequence <= 3; ++sequence) {
+    link.offer(1, sequence);
+    link.offer(2, sequence);
+    link.run(10 * ms);
+  }
+  link.run(10000 * ms);
+  link.dead = false;
+  link.sender.set_wanted("station", 1, true, link.now);
+  link.sender.set_wanted("station", 2, true, link.now);
+  link.run(50 * ms);
+  EXPECT_EQ(link.delivered[1], (Sequences{3}));
+  EXPECT_TRUE(link.delivered[2].empty());
+  EXPECT_EQ(link.counts(TrafficClass::critical).unwanted, 6U);
+}
+
+TEST(Peers, ARestartedPeerGetsTheStateAgain) {
+  LinkPair link;
+  StreamRule durable = rule_of(TrafficClass::critical);
+  durable.durable = true;
+  link.add(1, durable);
+  link.offer(1, 1);
+  link.run(200 * ms);
+  link.receiver = LinkReceiver({}, 3);
+  link.receiver.on_peer("vehicle", 1);
+  link.receiver.on_stream("vehicle", 1, durable);
+  link.sender.on_peer("station", 3, link.now);
+  link.sender.set_wanted("station", 1, true, link.now);
+  link.delivered.clear();
+  link.run(200 * ms);
+  EXPECT_EQ(link.delivered[1], (Sequences{1}));
+}
+
+TEST(Peers, ReceiptsOfAnotherLifeAreIgnored) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::critical));
+  link.receipts_lost = true;
+  link.offer(1, 1);
+  link.run(60 * ms);
+  LinkReceipt receipt{2, 1, 50, link.now, 200, {{1, 1, 50 * ms, 0}}};
+  for (auto [from, to] : {std::pair{9U, 1U}, std::pair{2U, 9U}}) {
+    receipt.from = from;
+    receipt.to = to;
+    link.sender.on_receipt("station", receipt, link.now);
+    EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 0U);
+  }
+  receipt.from = 2;
+  receipt.to = 1;
+  link.sender.on_receipt("nobody", receipt, link.now);
+  EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 0U);
+  link.sender.on_receipt("station", receipt, link.now);
+  EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 1U);
+}
+
+TEST(Peers, RepairsUntilEachPeerThatWantsItHasIt) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::critical));
+  link.sender.on_peer("second", 5, link.now);
+  link.sender.set_wanted("second", 1, true, link.now);
+  link.offer(1, 1);
+  link.run(200 * ms);
+  EXPECT_GE(link.sent.size(), 2U) << "the second has acknowledged nothing";
+  EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 0U);
+  EXPECT_EQ(link.delivered[1], (Sequences{1}));
+  const LinkReceipt receipt{5, 1, 1, link.now, 200, {{1, 2, 5 * ms, 0}}};
+  link.sender.on_receipt("second", receipt, link.now);
+  const std::size_t before = link.sent.size();
+  EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 1U);
+  link.run(2000 * ms);
+  EXPECT_EQ(link.sent.size(), before);
+}
+
+TEST(Peers, APeerThatIsGoneIsNotWaitedFor) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::critical));
+  link.dead = true;
+  link.offer(1, 1);
+  link.run(10 * ms);
+  link.sender.forget_peer("station", link.now);
+  link.run(2000 * ms);
+  EXPECT_EQ(link.sent.size(), 1U);
+  EXPECT_EQ(link.counts(TrafficClass::critical).unwanted, 1U);
+}
+
+TEST(Peers, ATransmissionThatWasNotWrittenGivesItsNumberBack) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::critical));
+  link.offer(1, 1);
+  const auto refused = link.sender.next(link.now);
+  ASSERT_TRUE(refused);
+  link.sender.on_not_written(*refused, link.now);
+  link.run(300 * ms);  // asserts that the numbers begin with 1
+  EXPECT_EQ(link.delivered[1], (Sequences{1}));
+}
+
+TEST(Peers, ARemovedStreamLeavesNothingBehind) {
+  LinkPair link;
+  StreamRule rule = rule_of(TrafficClass::critical);
+  link.add(1, rule);
+  link.dead = true;
+  link.offer(1, 1);
+  link.run(10 * ms);
+  link.offer(1, 2);
+  link.sender.remove_stream(1);
+  link.run(3000 * ms);
+  EXPECT_EQ(link.sent.size(), 1U);
+  const auto counts = link.counts(TrafficClass::critical);
+  EXPECT_EQ(counts.lost, 1U);
+  EXPECT_EQ(counts.dropped[static_cast<std::size_t>(DropReason::removed)], 1U);
+}
+
+TEST(Peers, ReceiptsAreFewAndStopWithTheTraffic) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::high));
+  std::uint64_t sequence = 0;
+  int step = 0;
+  link.run(10000 * ms, [&] {
+    if (step++ % 20 == 0) link.offer(1, ++sequence);
+  });
+  EXPECT_LE(link.receipts, 170) << "50 samples a second";
+  link.receipts = 0;
+  link.run(10000 * ms);
+  EXPECT_LE(link.receipts, 11);
+  EXPECT_GE(link.receipts, 9);
+}
+
+}  // namespace
+}  // namespace tocsin::router

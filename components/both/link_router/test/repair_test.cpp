@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is sent again, when, and how often.
+#include "link_pair.hpp"
+
+namespace tocsin::router {
+namespace {
+
+using Sequences = std::vector<std::uint64_t>;
+
+TEST(Repair, RepairsALostSampleAfterATenthOfASecond) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::critical));
+  link.dead = true;
+  link.offer(1, 1);
+  link.run(100 * ms);
+  EXPECT_EQ(link.sent.size(), 1U);
+  link.dead = false;
+  link.run(20 * ms);
+  ASSERT_EQ(link.sent.size(), 2U);
+  EXPECT_TRUE(link.sent[1].repair);
+  EXPECT_EQ(link.delivered[1], (Sequences{1}));
+  link.run(200 * ms);
+  EXPECT_EQ(link.counts(TrafficClass::critical).repaired, 1U);
+  EXPECT_EQ(link.counts(TrafficClass::critical).repairs, 1U);
+}
+
+TEST(Repair, DoesNotRepairClassLow) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::low));
+  link.dead = true;
+  link.offer(1, 1);
+  link.run(2000 * ms);
+  EXPECT_EQ(link.sent.size(), 1U);
+  EXPECT_EQ(link.counts(TrafficClass::low).lost, 1U);
+}
+
+TEST(Repair, BacksOffWhileNothingIsAcknowledged) {
+  LinkPair link;
+  StreamRule rule = rule_of(TrafficClass::critical);
+  rule.durable = true;
+  link.add(1, rule);
+  link.dead = true;
+  link.offer(1, 1);
+  link.run(350 * ms);
+  EXPECT_EQ(link.sent.size(), 3U) << "at 0, 100, 300 ms";
+  link.run(4650 * ms);
+  EXPECT_LE(link.sent.size(), 13U) << "then twice a second";
+  EXPECT_GE(link.sent.size(), 11U);
+}
+
+TEST(Repair, NeverRepairsWhatANewerOneHasFollowed) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::critical));
+  link.dead = true;
+  link.offer(1, 1);
+  link.run(50 * ms);
+  link.offer(1, 2);
+  link.run(3000 * ms);
+  for (const Transmission& one : link.sent) {
+    EXPECT_TRUE(!one.repair || one.sample.origin.sequence == 2U);
+  }
+  EXPECT_EQ(link.counts(TrafficClass::critical).lost, 1U);
+}
+
+TEST(Repair, RepairsAllOfADeeperStream) {
+  LinkPair link;
+  StreamRule rule = rule_of(TrafficClass::high);
+  rule.depth = 3;
+  link.add(1, rule);
+  link.dead = true;
+  for (std::uint64_t sequence = 1; sequence <= 4; ++sequence) link.offer(1, sequence);
+  link.run(ms);
+  link.dead = false;
+  link.run(300 * ms);
+  EXPECT_EQ(link.delivered[1], (Sequences{2, 3, 4}));
+}
+
+TEST(Repair, RepairsOnlyWithinTheLifespan) {
+  LinkPair link;
+  StreamRule rule = rule_of(TrafficClass::critical);
+  rule.lifespan = 250 * ms;
+  link.add(1, rule);
+  link.dead = true;
+  link.offer(1, 1);
+  link.run(5000 * ms);
+  EXPECT_EQ(link.sent.size(), 2U) << "at 0 and 100 ms; 300 ms is too late";
+}
+
+TEST(Repair, GivesUpASampleWithoutALifespanAfterABoundUnlessItIsDurable) {
+  LinkPair link;
+  StreamRule durable = rule_of(TrafficClass::critical);
+  durable.durable = true;
+  link.add(1, rule_of(TrafficClass::critical));
+  link.add(2, durable);
+  link.dead = true;
+  link.offer(1, 1);
+  link.offer(2, 1);
+  link.run(6000 * ms);
+  link.dead = false;
+  link.run(1000 * ms);
+  EXPECT_TRUE(link.delivered[1].empty());
+  EXPECT_EQ(link.delivered[2], (Sequences{1}));
+}
+
+TEST(Repair, LostReceiptsCostARepairAndNoSecondDelivery) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::critical));
+  link.receipts_lost = true;
+  link.offer(1, 1);
+  link.run(90 * ms);
+  link.receipts_lost = false;
+  link.run(300 * ms);
+  EXPECT_EQ(link.sent.size(), 2U);
+  EXPECT_EQ(link.delivered[1], (Sequences{1}));
+  EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 1U);
+}
+
+TEST(Repair, AFreshSampleCrossesWithinASecondOfTheLinksReturn) {
+  for (const int dead_s : {1, 5, 30}) {
+    LinkPair link;
+    link.add(1, rule_of(TrafficClass::critical));
+    link.add(2, rule_of(TrafficClass::low));
+    std::uint64_t sequence = 0;
+    const auto play = [&](Duration length) {
+      for (const Time end = link.now + length; link.now < end;) {
+        link.offer(1, ++sequence);
+        link.offer(2, sequence, picture_bytes);
+        link.run(500 * ms);
+      }
+    };
+    play(std::chrono::seconds(3));
+    link.dead = true;
+    play(std::chrono::seconds(dead_s));
+    link.dead = false;
+    const std::size_t critical = link.delivered[1].size();
+    const std::size_t low = link.delivered[2].size();
+    play(std::chrono::seconds(1));
+    EXPECT_GT(link.delivered[1].size(), critical) << dead_s << " s";
+    EXPECT_GT(link.delivered[2].size(), low) << dead_s << " s";
+    EXPECT_EQ(link.sender.state(link.now).silent_peers, 0U);
+  }
+}
+
+TEST(Repair, ADeadLinkGetsOnlyWhatCouldFindItAlive) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::low));
+  learn_capacity(link, 1);
+  link.dead = true;
+  const std::size_t before = link.sent.size();
+  for (std::uint64_t sequence = 100; sequence < 180; ++sequence) {
+    link.offer(1, sequence, picture_bytes);
+    link.run(125 * ms);
+  }
+  EXPECT_EQ(link.sender.state(link.now).silent_peers, 1U);
+  EXPECT_LE(link.sent.size() - before, 26U) << "10 s: about two a second";
+  EXPECT_GE(link.sent.size() - before, 15U);
+}
+
+TEST(Repair, LateIsCountedFromTheOffer) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::critical));
+  link.offer(1, 1);
+  link.run(200 * ms);
+  link.dead = true;
+  link.offer(1, 2);
+  link.run(260 * ms);
+  link.dead = false;
+  link.run(500 * ms);
+  const auto counts = link.counts(TrafficClass::critical);
+  EXPECT_EQ(counts.delivered, 2U);
+  EXPECT_EQ(counts.late, 1U);
+  EXPECT_EQ(late_or_lost(counts), 0.5);
+}
+
+}  // namespace
+}  // namespace tocsin::router

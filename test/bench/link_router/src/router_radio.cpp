@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "router_radio.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "rtps_model/message.hpp"
+
+namespace tocsin::bench {
+namespace {
+
+constexpr const char* peer = "peer";
+constexpr std::size_t origin_bytes = 32;  // as in wire_cost()
+constexpr std::size_t echo_bytes = 92;
+/// A receipt as CDR with 32 bits for numbers and 16 for ages.
+constexpr std::size_t receipt_bytes = 36;
+constexpr std::size_t stream_receipt_bytes = 18;
+
+}  // namespace
+
+RouterRadio::RouterRadio(radio::RadioChannel& channel, const router::LinkRouterParams& params,
+                         Time start)
+    : channel_(channel) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    senders_[side] = std::make_unique<router::LinkSender>(params, side + 1);
+    receivers_[side] = std::make_unique<router::LinkReceiver>(params, side + 1);
+    senders_[side]->on_peer(peer, 2 - side, start);
+    receivers_[side]->on_peer(peer, 2 - side);
+  }
+}
+
+void RouterRadio::add_stream(std::size_t side, router::StreamId stream,
+                             const router::StreamRule& rule, Time now) {
+  senders_[side]->add_stream(stream, rule);
+  senders_[side]->set_wanted(peer, stream, true, now);
+  receivers_[1 - side]->on_stream(peer, stream, rule);
+  classes_[stream] = rule.traffic_class;
+}
+
+void RouterRadio::send_echo(Time now) {
+  send({Echo{true}, 1, TrafficClass::normal, 1}, {echo_bytes}, now);
+}
+
+void RouterRadio::send(Cargo cargo, const std::vector<std::size_t>& packets, Time now) {
+  const auto direction = cargo.to == 1 ? radio::Direction::uplink : radio::Direction::downlink;
+  const auto category = radio::access_category_of_dscp(dscp(cargo.traffic_class));
+  const auto shared = std::make_shared<Cargo>(std::move(cargo));
+  for (const std::size_t bytes : packets) {
+    under_way_[channel_.push(direction, {static_cast<int>(bytes), false, category}, now)] = shared;
+  }
+}
+
+void RouterRadio::send(std::size_t side, const router::Transmission& one, Time now) {
+  auto packets = rtps::packets_of(one.sample.bytes, 1, rtps::wire::largest_payload - origin_bytes);
+  for (std::size_t& packet : packets) packet += origin_bytes;
+  if (one.repair) ++repairs_;
+  send({one, 1 - side, classes_.at(one.stream), packets.size()}, packets, now);
+}
+
+void RouterRadio::send(std::size_t side, const router::LinkReceipt& receipt, Time now) {
+  const std::size_t bytes = receipt_bytes + stream_receipt_bytes * receipt.streams.size();
+  ++receipts_;
+  send({receipt, 1 - side, TrafficClass::critical, 1},
+       rtps::packets_of(bytes, 1, rtps::wire::largest_payload), now);
+}
+
+void RouterRadio::serve(Time now) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    while (const auto one = senders_[side]->next(now)) send(side, *one, now);
+    while (const auto receipt = receivers_[side]->take_receipt(now)) {
+      send(side, receipt->receipt, now);
+    }
+  }
+}
+
+Time RouterRadio::next_event(Time now) const {
+  Time next = channel_.next_event();
+  for (std::size_t side = 0; side < 2; ++side) {
+    next = std::min({next, senders_[side]->deadline(now), receivers_[side]->deadline()});
+  }
+  return next;
+}
+
+void RouterRadio::advance(Time now, const Deliver& deliver) {
+  channel_.advance(now);
+  while (const auto outcome = channel_.take()) {
+    const auto found = under_way_.find(outcome->id);
+    const std::shared_ptr<Cargo> cargo = found->second;
+    under_way_.erase(found);
+    if (outcome->fate != radio::Fate::delivered || --cargo->missing > 0) continue;
+    arrive(*cargo, outcome->at, deliver);
+  }
+}
+
+void RouterRadio::arrive(const Cargo& cargo, Time now, const Deliver& deliver) {
+  if (const auto* receipt = std::get_if<router::LinkReceipt>(&cargo.what)) {
+    return senders_[cargo.to]->on_receipt(peer, *receipt, now);
+  }
+  if (const auto* echo = std::get_if<Echo>(&cargo.what)) {
+    if (echo->is_request) send({Echo{false}, 0, TrafficClass::normal, 1}, {echo_bytes}, now);
+    return;
+  }
+  const auto& one = std::get<router::Transmission>(cargo.what);
+  const auto verdict = receivers_[cargo.to]->on_arrived(
+      peer, {one.stream, one.number, one.sample.origin, one.sample.bytes}, now);
+  if (verdict == router::Verdict::deliver) {
+    deliver(cargo.to, one.stream, one.sample.origin, now);
+  }
+}
+
+}  // namespace tocsin::bench

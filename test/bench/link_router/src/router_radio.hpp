@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "link_router/link_receiver.hpp"
+#include "link_router/link_sender.hpp"
+#include "radio_channel/radio_channel.hpp"
+
+namespace tocsin::bench {
+
+/// Two routers, side 0 of the vehicle and side 1 of the station, with the radio between them. The
+/// sides know each other as "peer".
+class RouterRadio {
+ public:
+  /// A sample that the router of a side gives to its host.
+  using Deliver = std::function<void(std::size_t side, router::StreamId stream,
+                                     const router::Origin& origin, Time now)>;
+  RouterRadio(radio::RadioChannel& channel, const router::LinkRouterParams& params, Time start);
+
+  void add_stream(std::size_t side, router::StreamId stream, const router::StreamRule& rule,
+                  Time now);
+  /// An echo request of the vehicle, which the station answers.
+  void send_echo(Time now);
+  /// Puts on the radio what the routers want to send.
+  void serve(Time now);
+  /// What arrives up to `now`.
+  void advance(Time now, const Deliver& deliver);
+  [[nodiscard]] Time next_event(Time now) const;
+
+  [[nodiscard]] router::LinkSender& sender(std::size_t side) { return *senders_[side]; }
+  [[nodiscard]] double receipts() const { return receipts_; }
+  [[nodiscard]] double repairs() const { return repairs_; }
+
+ private:
+  struct Echo {
+    bool is_request;
+  };
+  /// What crosses the radio as one or more packets.
+  struct Cargo {
+    std::variant<router::Transmission, router::LinkReceipt, Echo> what;
+    std::size_t to = 0;  ///< side
+    TrafficClass traffic_class = TrafficClass::critical;
+    std::size_t missing = 0;  ///< packets
+  };
+  void send(Cargo cargo, const std::vector<std::size_t>& packets, Time now);
+  void send(std::size_t side, const router::Transmission& one, Time now);
+  void send(std::size_t side, const router::LinkReceipt& receipt, Time now);
+  void arrive(const Cargo& cargo, Time now, const Deliver& deliver);
+
+  radio::RadioChannel& channel_;
+  std::array<std::unique_ptr<router::LinkSender>, 2> senders_;
+  std::array<std::unique_ptr<router::LinkReceiver>, 2> receivers_;
+  std::unordered_map<router::StreamId, TrafficClass> classes_;
+  std::unordered_map<radio::FrameId, std::shared_ptr<Cargo>> under_way_;
+  double receipts_ = 0;
+  double repairs_ = 0;
+};
+
+}  // namespace tocsin::bench
