@@ -11,6 +11,7 @@
 #include "foundation/error.hpp"
 #include "foundation/file_cache.hpp"
 #include "foundation/parameters.hpp"
+#include "foundation/yaml_extends.hpp"
 #include "foundation/yaml_file.hpp"
 #include "radio_channel/outages.hpp"
 
@@ -42,12 +43,21 @@ std::size_t column_of(const std::vector<std::string>& head, const char* name,
   return static_cast<std::size_t>(found - head.begin());
 }
 
+YAML::Node read_with_bases(const std::string& path, YamlSources& sources) {
+  return read_extended(path, {std::filesystem::absolute(path).parent_path()}, sources);
+}
+
 ChannelParams read_channel(const std::string& path) {
-  const YAML::Node file = read_yaml_file(path);
+  YamlSources sources;
+  const YAML::Node file = read_with_bases(path, sources);
   if (!file.IsMap() || !file["radio_channel"] || file.size() != 1) {
-    throw ConfigError("radio_channel: must be the one key of the file" + yaml_place(path, file));
+    throw ConfigError("radio_channel: must be the one key of the file" + yaml_place(sources, file));
   }
-  auto params = load_parameters<ChannelParams>(file["radio_channel"], "radio_channel", path);
+  const YAML::Node node = file["radio_channel"];
+  auto params = load_parameters<ChannelParams>(node, "radio_channel", sources);
+  if (!params.trace_file.empty()) {
+    params.trace_file = sources.path(node["trace_file"], params.trace_file);
+  }
   (void)Outages(params.outages_s, Time{});  // throws on a bad script
   return params;
 }
@@ -76,12 +86,18 @@ Trace load_trace(const std::string& path) {
   }
 }
 
+std::vector<std::string> channel_sources(const std::string& path) {
+  YamlSources sources;
+  (void)read_with_bases(path, sources);
+  return sources.files();
+}
+
 ChannelParams load_channel(const std::string& path) {
   static FileCache<ChannelParams> known;
   static FileCache<std::shared_ptr<const Trace>> known_traces;
   ChannelParams params = known.get(path, [&] { return read_channel(path); });
   if (!params.trace_file.empty()) {
-    const std::string trace = std::filesystem::path(path).parent_path() / params.trace_file;
+    const std::string& trace = params.trace_file;
     params.trace =
         known_traces.get(trace, [&] { return std::make_shared<const Trace>(load_trace(trace)); });
   }

@@ -93,6 +93,35 @@ TEST(ChannelFile, KeepsDefaultsAndReadsWhatItNames) {
   EXPECT_EQ(sut.attempts, 7);
 }
 
+TEST(ChannelFile, MayExtendAnotherBesideIt) {
+  const std::string base = ::testing::TempDir() + "extended_base.yaml";
+  std::ofstream(base) << "radio_channel: {attempts: 4, tx_dbm: 3}\n";
+  const std::string own =
+      written("extends: extended_base.yaml\nradio_channel: {access_categories: true, tx_dbm: 5}\n");
+  const auto sut = load_channel(own);
+  EXPECT_TRUE(sut.access_categories);
+  EXPECT_EQ(sut.attempts, 4);
+  EXPECT_EQ(sut.tx_dbm, 5);
+  EXPECT_THAT(channel_sources(own), ::testing::UnorderedElementsAre(own, base));
+}
+
+TEST(ChannelFile, HasTheTraceOfItsBaseFromBesideTheBase) {
+  const std::string folder = ::testing::TempDir() + "traced";
+  std::filesystem::create_directory(folder);
+  std::ofstream(folder + "/link.csv") << "time_s,rssi_dbm,ping_delay_ms\n0,-40,1\n2,-60,1\n";
+  std::ofstream(folder + "/base.yaml") << "radio_channel: {trace_file: link.csv}\n";
+  const auto sut = load_channel(written("extends: traced/base.yaml\n"));
+  ASSERT_TRUE(sut.trace);
+  EXPECT_DOUBLE_EQ(sut.trace->length_s(), 2);
+}
+
+TEST(ChannelFile, NamesTheFileOfAMistakeInItsBase) {
+  std::ofstream(::testing::TempDir() + "wrong_base.yaml") << "radio_channel: {loss: 2}\n";
+  EXPECT_THAT(error_of(load_channel, "extends: wrong_base.yaml\n"),
+              HasSubstr("wrong_base.yaml:1)"));
+  EXPECT_THAT(error_of(load_channel, "extends: nowhere.yaml\n"), HasSubstr("nowhere.yaml"));
+}
+
 TEST(ChannelFile, NamesKeyValueAndRange) {
   EXPECT_THAT(error_of(load_channel, "radio_channel:\n  loss: 1.5"),
               HasSubstr("radio_channel.loss: 1.5 is outside [0, 1]"));
@@ -112,8 +141,9 @@ TEST(Readme, ShowsTheParametersAsTheyAre) {
 
 TEST(ShippedFiles, AllLoad) {
   const std::string config = std::string(TOCSIN_REPOSITORY) + "/config/";
-  for (const char* name : {"classroom", "classroom_mission_b", "open", "bernoulli", "thesis_a",
-                           "thesis_b", "weak_a", "weak_b", "replay"}) {
+  for (const char* name :
+       {"classroom", "classroom_mission_b", "open", "bernoulli", "thesis_a", "thesis_b",
+        "thesis_a_categories", "thesis_b_categories", "weak_a", "weak_b", "replay"}) {
     EXPECT_NO_THROW((void)load_channel(config + "radio/" + name + ".yaml")) << name;
   }
   EXPECT_GT(geometry::load_walls(config + "maps/classroom.walls.yaml").size(), 5u);

@@ -15,6 +15,7 @@
 
 #include "command_line/programs.hpp"
 #include "foundation/error.hpp"
+#include "radio_channel/channel_files.hpp"
 #include "runtime/component_entry.hpp"
 #include "runtime/middleware/component_library.hpp"
 
@@ -95,7 +96,7 @@ std::string build_version() {
 std::string settings_text(const Experiment& experiment, const std::vector<Run>& plan) {
   std::set<std::string> files;
   for (const Run& run : plan) {
-    files.insert(run.channel.file);
+    for (const std::string& file : radio::channel_sources(run.channel.file)) files.insert(file);
     files.insert(run.mission.file);
   }
   if (!experiment.fitted.empty()) files.insert(experiment.timing.fitted);

@@ -8,6 +8,7 @@
 #include "metrics/series.hpp"
 #include "metrics/slot_cost.hpp"
 #include "metrics/truth.hpp"
+#include "metrics/user_cost.hpp"
 
 namespace tocsin::experiment {
 namespace {
@@ -22,6 +23,7 @@ class MetricValues {
  public:
   MetricValues() : values_(metric_texts().size(), std::nan("")) {}
   void set(const char* name, double value) { values_[metric_index(name)] = value; }
+  [[nodiscard]] double get(const char* name) const { return values_[metric_index(name)]; }
   [[nodiscard]] const std::vector<double>& values() const { return values_; }
 
  private:
@@ -94,11 +96,36 @@ void add_latencies(const Traffic& traffic, MetricValues& values) {
   const auto p99 = [](const std::vector<Message>& messages) {
     return report::spread_of(latencies_ms(messages)).p99;
   };
-  values.set("critical_latency_p99", p99(traffic.of("uxv critical")));
+  const auto critical = report::spread_of(latencies_ms(traffic.of("uxv critical")));
+  values.set("critical_latency_median", critical.median);
+  values.set("critical_latency_p99", critical.p99);
   values.set("high_latency_median", high.median);
   values.set("high_latency_p99", high.p99);
   values.set("low_latency_p99", p99(only(traffic.of("uxv low"), false)));
+  values.set("picture_latency_p99", p99(only(traffic.of("uxv low"), true)));
   values.set("goal_latency_p99", p99(traffic.of("gcs high")));
+}
+
+/// A class that was written and of which nothing arrived is late altogether.
+void add_late(const Recording& recording, const Traffic& traffic, const std::string& traffic_class,
+              MetricValues& values) {
+  const std::string name = "uxv " + traffic_class;
+  const auto written = recording.written.find(name);
+  const bool is_written = written != recording.written.end() && written->second > 0;
+  const auto share = [&](double limit_s) {
+    const double late = late_percent(traffic.of(name), limit_s);
+    return std::isnan(late) && is_written ? 100 : late;
+  };
+  values.set((traffic_class + "_late").c_str(), share(late_s));
+  values.set((traffic_class + "_very_late").c_str(), share(very_late_s));
+}
+
+void add_user_cost(const CostWeights& weights, MetricValues& values) {
+  const UserFigures figures{values.get("critical_late"),       values.get("critical_very_late"),
+                            values.get("high_late"),           values.get("high_very_late"),
+                            values.get("low_delivered"),       values.get("location_age_p99"),
+                            values.get("picture_latency_p99"), values.get("airtime")};
+  values.set("user_cost", user_cost(figures, weights));
 }
 
 /// Share that arrived of what was written, over the whole run.
@@ -125,6 +152,7 @@ void add_age(const Recording& recording, const Window& window, const std::string
   const std::vector<double> ages = report::ages(std::move(wanted), window.end_s, age_step_s);
   values.set((name + "_age_mean").c_str(), mean(ages));
   values.set((name + "_age_p95").c_str(), report::percentile(ages, 0.95));
+  if (name == "location") values.set("location_age_p99", report::percentile(ages, 0.99));
 }
 
 void add_link(const Recording& recording, const Window& window, MetricValues& values) {
@@ -194,6 +222,8 @@ Measures measure(const Recording& recording, const Timing& timing) {
   add_quality(recording, window, values);
   add_losses(traffic, values);
   add_latencies(traffic, values);
+  add_late(recording, traffic, "critical", values);
+  add_late(recording, traffic, "high", values);
   add_delivered(recording, values);
   add_age(recording, window, "location", "location", values);
   add_age(recording, window, "quality", "network_quality", values);
@@ -203,6 +233,7 @@ Measures measure(const Recording& recording, const Timing& timing) {
   add_age(recording, window, "state", "transmission_state", values);
   add_age(recording, window, "cpu", "cpu_load", values);
   add_link(recording, window, values);
+  add_user_cost(timing.cost, values);
   const PoorLink limits{timing.poor_below_snr_db, 2 * timing.observation_s};
   const auto poor = truly_poor(recording.link, limits, window.begin_s, window.end_s);
   add_truth(poor, within(report::pauses_of(recording), window), window, values);

@@ -3,14 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "foundation/parameters.hpp"
 #include "page/sections.hpp"
 #include "page/verdict.hpp"
 
 namespace tocsin::experiment {
 namespace {
 
-const std::vector<std::string> contested{"telemetry_per_max", "high_latency_p99", "probe_per_max",
-                                         "slot_cost", "low_delivered"};
+const std::vector<std::string> contested{
+    "user_cost",        "critical_late",     "high_late",        "critical_lost", "low_delivered",
+    "location_age_p99", "telemetry_per_max", "high_latency_p99", "probe_per_max"};
+
+/// What the cost is made of, besides the cost itself.
+const std::vector<std::string> figures{
+    "critical_late", "critical_very_late", "high_late",           "high_very_late",
+    "low_delivered", "location_age_p99",   "picture_latency_p99", "airtime"};
 
 const Group* ours_of(const std::vector<const Group*>& round) {
   const auto found = std::find_if(round.begin(), round.end(),
@@ -39,32 +46,32 @@ std::string coloured(const Estimate& difference, bool less_is_better) {
 
 void add_cost_table(const std::vector<const Group*>& round, Document& document) {
   auto ranked = round;
-  const auto cost = [](const Group* group) { return estimate(group->metric("slot_cost")).mean; };
+  const auto cost = [](const Group* group) { return estimate(group->metric("user_cost")).mean; };
   std::stable_sort(ranked.begin(), ranked.end(),
                    [&](const Group* a, const Group* b) { return cost(a) < cost(b); });
-  std::vector<std::vector<std::string>> rows{{"policy", "cost per 1000", "above the clairvoyant",
-                                              "TOCP-DSP minus this", "sent in poor [%]",
-                                              "silent in good [%]", "delivered, class low [%]"}};
+  std::vector<std::vector<std::string>> rows{{"policy", "cost", "TOCP-DSP minus this"}};
+  for (const std::string& metric : figures) rows[0].push_back(metric_label(metric));
   const Group& ours = *ours_of(round);
   for (const Group* group : ranked) {
-    const auto mean = [&](const char* metric) {
-      return html::number(estimate(group->metric(metric)));
-    };
     const Estimate difference =
-        paired_difference(ours.metric("slot_cost"), group->metric("slot_cost"));
-    rows.push_back({display_name(group->policy), mean("slot_cost"), mean("slot_regret"),
-                    group == &ours ? "" : coloured(difference, true), mean("sent_in_poor"),
-                    mean("silent_in_good"), mean("low_delivered")});
+        paired_difference(ours.metric("user_cost"), group->metric("user_cost"));
+    std::vector<std::string> row{display_name(group->policy),
+                                 html::number(estimate(group->metric("user_cost"))),
+                                 group == &ours ? "" : coloured(difference, true)};
+    for (const std::string& metric : figures) {
+      row.push_back(html::number(estimate(group->metric(metric))));
+    }
+    rows.push_back(std::move(row));
   }
   document.table(rows);
 }
 
 void add_cost_figure(const std::vector<const Group*>& round, Document& document) {
   Figure figure("cost_" + round_id(*round.front()),
-                mission_name(round.front()->mission) + ": cost above the clairvoyant");
-  figure.axes("", "cost per 1000 observations").with("set yrange [0:*]");
+                mission_name(round.front()->mission) + ": cost of what users feel");
+  figure.axes("", "cost [% of class low]").with("set yrange [0:*]");
   for (const Group* group : round) {
-    const Estimate one = estimate(group->metric("slot_regret"));
+    const Estimate one = estimate(group->metric("user_cost"));
     figure.interval(display_name(group->policy), one.mean, one.low, one.high);
   }
   document.figure(std::move(figure), "Mean over runs with its 95 % interval; lower is better.");
@@ -89,6 +96,25 @@ void add_best_table(const std::vector<std::vector<const Group*>>& rounds, Docume
   document.table(rows);
 }
 
+/// "The weights of this experiment: critical_late 10, ..."
+class WeightsText {
+ public:
+  void operator()(const char* name, const double& value, Range, const char*) {
+    text_ += (text_.empty() ? "" : ", ") + std::string(name) + " " + html::number(value);
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+std::string weights_text(CostWeights weights) {
+  WeightsText text;
+  weights.visit(text);
+  return "The weights of this experiment, in units of one percent of class low: " + text.text() +
+         ".";
+}
+
 }  // namespace
 
 void add_costs(const Results& results, Document& document) {
@@ -96,12 +122,12 @@ void add_costs(const Results& results, Document& document) {
   if (rounds.empty()) return;
   document.heading(2, "Judged by one cost");
   document.paragraph(
-      "Latency, age and loss of what is sent all reward silence. The decision library weighs both "
-      "errors: an observation spoken in while the link was truly poor costs 1, a silent one while "
-      "it was good 0.5, a silent one while it was poor 0.1, and each change 0.5 (its defaults, "
-      "<code>decision/costs.hpp</code>; they are a choice of ours, not the thesis's). The truth "
-      "is the channel's mean SNR, which no policy sees. The clairvoyant knows it beforehand and "
-      "has the least cost that is possible with pauses of at most 30 observations.");
+      "What users feel, in one number: the share of class critical and high that comes late "
+      "(250 ms, and once more 1 s) or never, what of class low is not delivered, the age of the "
+      "location, the delay of pictures, and the airtime that others cannot have. " +
+      weights_text(results.experiment.timing.cost) +
+      " Silence is no gain by itself: what it keeps from class low costs, and what it spares the "
+      "others shows in their lateness.");
   for (const auto& round : rounds) {
     document.heading(3, round.front()->set + ": " + round_title(*round.front()));
     add_cost_figure(round, document);

@@ -21,7 +21,7 @@ void add_channels(const Results& results, Document& document);
 void add_distributions(const Results& results, Document& document);
 /// All metrics of every policy of every set of kind thesis and comparison.
 void add_comparisons(const Results& results, Document& document);
-/// All policies by the decision library's cost per slot, and which is best at what.
+/// All policies by the one cost of what users feel, and which is best at what.
 void add_costs(const Results& results, Document& document);
 /// By which rule the policies got their parameters.
 void add_fit(const Results& results, Document& document);

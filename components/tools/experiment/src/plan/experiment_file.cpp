@@ -32,11 +32,14 @@ class Reader {
   /// The scalar part of the file: what is not one of the lists.
   [[nodiscard]] Timing timing() const {
     YAML::Node rest(YAML::NodeType::Map);
-    const std::set<std::string> lists{"missions", "channels", "payloads", "policies", "sets"};
+    const std::set<std::string> lists{"missions", "channels", "payloads",
+                                      "policies", "sets",     "cost"};
     for (const auto& entry : root_) {
       if (lists.count(entry.first.Scalar()) == 0) rest.force_insert(entry.first, entry.second);
     }
-    return load_parameters<Timing>(rest, "experiment", path_);
+    auto timing = load_parameters<Timing>(rest, "experiment", path_);
+    timing.cost = load_parameters<CostWeights>(root_["cost"], "experiment.cost", path_);
+    return timing;
   }
 
   template <class Entry>
@@ -75,6 +78,18 @@ class Reader {
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
       fail(node_of_set(set)[key],
            "sets." + set + "." + key + ": '" + name + "' is not one of [" + allowed + "]");
+    }
+  }
+
+  /// Rejects a channel whose seeds are those of one that is not there.
+  void check_seeds(const std::vector<Channel>& channels) const {
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      const std::string& wanted = channels[i].seeds_of;
+      const bool known = std::any_of(channels.begin(), channels.end(),
+                                     [&](const Channel& one) { return one.name == wanted; });
+      if (wanted.empty() || known) continue;
+      fail(root_["channels"][i],
+           "channels[" + std::to_string(i) + "].seeds_of: '" + wanted + "' is not a channel");
     }
   }
 
@@ -134,6 +149,7 @@ Experiment read(const Reader& reader, const std::string& path) {
   experiment.timing = reader.timing();
   experiment.missions = reader.list<Mission>("missions");
   experiment.channels = reader.list<Channel>("channels");
+  reader.check_seeds(experiment.channels);
   experiment.payloads = reader.list<Payload>("payloads");
   experiment.policies = reader.list<PolicyChoice>("policies");
   experiment.sets = reader.list<RunSet>("sets");

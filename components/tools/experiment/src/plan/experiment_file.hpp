@@ -25,10 +25,12 @@ struct Mission {
 struct Channel {
   std::string name;
   std::string file;
+  std::string seeds_of;  ///< empty: its own
   template <class Visitor>
   void visit(Visitor& v) {
     v("name", name, "word that names it in results");
     v("file", file, "channel file, relative to the experiment file; ${mission} is replaced");
+    v("seeds_of", seeds_of, "channel whose seeds it shares, to be paired with; empty: its own");
   }
 };
 
@@ -84,6 +86,30 @@ struct RunSet {
   }
 };
 
+/// Weights of the one cost by which runs are judged. Its unit is one percent of class low that is
+/// not delivered; README.md gives the reason of each.
+struct CostWeights {
+  double critical_late = 10;
+  double critical_very_late = 20;
+  double high_late = 4;
+  double high_very_late = 8;
+  double low_undelivered = 1;
+  double location_age = 20;
+  double picture_latency = 5;
+  double airtime = 0.1;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("critical_late", critical_late, {0, 1e6}, "[1/%] later than 250 ms or lost, critical");
+    v("critical_very_late", critical_very_late, {0, 1e6}, "[1/%] more when later than 1 s or lost");
+    v("high_late", high_late, {0, 1e6}, "[1/%] later than 250 ms or lost, class high");
+    v("high_very_late", high_very_late, {0, 1e6}, "[1/%] more when later than 1 s or lost");
+    v("low_undelivered", low_undelivered, {0, 1e6}, "[1/%] of class low that never came");
+    v("location_age", location_age, {0, 1e6}, "[1/s] 99th percentile of the age of the location");
+    v("picture_latency", picture_latency, {0, 1e6}, "[1/s] 99th percentile of pictures");
+    v("airtime", airtime, {0, 1e6}, "[1/%] share of the time that we are on the air");
+  }
+};
+
 /// What holds for every run.
 struct Timing {
   std::string bringup = "mission.yaml";
@@ -94,6 +120,7 @@ struct Timing {
   double poor_below_snr_db = 10;
   int vehicles = 1;
   std::string fitted;
+  CostWeights cost;  ///< the file's map `cost`
   template <class Visitor>
   void visit(Visitor& v) {
     v("bringup", bringup, "bringup file; a bare name is looked for in the share");

@@ -108,7 +108,8 @@ std::vector<Run> make_plan(const Experiment& experiment) {
       for (int i = 0; i < set.seeds; ++i) {
         run.number = plan.size();
         run.index = set.first_seed + i;
-        run.seed = seed_of(mission, channel, run.index);
+        const std::string& seeds_of = run.channel.seeds_of;
+        run.seed = seed_of(mission, seeds_of.empty() ? channel : seeds_of, run.index);
         plan.push_back(run);
       }
     });

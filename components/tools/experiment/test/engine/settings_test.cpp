@@ -42,6 +42,13 @@ TEST(Settings, ChangeWithAFileThatTheExperimentNames) {
   EXPECT_NE(before, settings_of(toy));
 }
 
+TEST(Settings, HoldTheFilesThatAChannelExtends) {
+  const ToyExperiment toy;
+  toy.write("base.yaml", "y: 5\n");
+  toy.write("near_a.yaml", "extends: base.yaml\n");
+  EXPECT_THAT(settings_of(toy), HasSubstr(toy.path("base.yaml") + ": |\n    y: 5\n"));
+}
+
 TEST(LaunchCommand, SaysWhatTheSimulationIsTold) {
   const ToyExperiment toy;
   const Experiment experiment = toy.load();

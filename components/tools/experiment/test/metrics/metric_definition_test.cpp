@@ -156,12 +156,58 @@ TEST(LatencyMetrics, TakeTheNinetyNinthOfAHundred) {
   EXPECT_NEAR(sut.value("high_latency_p99"), 99, 1e-6);
 }
 
+TEST(LatencyMetrics, OfPicturesAreTheirOwn) {
+  const auto sut = every_class();
+  EXPECT_NEAR(sut.value("picture_latency_p99"), 500, 1e-6);
+  EXPECT_NEAR(sut.value("critical_latency_median"), 20, 1e-6);
+}
+
+/// Class critical: on time, at 250 ms, a little later, at 1 s, later, and one that never came.
+Hand late_ones() {
+  return Hand()
+      .arrives("uxv critical", "heartbeat", 1, 20, 0.010)
+      .arrives("uxv critical", "heartbeat", 2, 21, 0.2499)
+      .arrives("uxv critical", "heartbeat", 3, 22, 0.2502)
+      .arrives("uxv critical", "heartbeat", 4, 23, 0.9999)
+      .arrives("uxv critical", "heartbeat", 5, 24, 1.0002)
+      .arrives("uxv critical", "heartbeat", 7, 26, 0.010)
+      .arrives("uxv critical", "heartbeat", 8, 27, 0.010)
+      .arrives("uxv critical", "heartbeat", 9, 28, 0.010);
+}
+
+TEST(LateMetrics, CountWhatIsLaterThanTheLimitOrNeverCame) {
+  const auto sut = late_ones();
+  EXPECT_NEAR(sut.value("critical_late"), 100.0 * 4 / 9, 1e-9);
+  EXPECT_NEAR(sut.value("critical_very_late"), 100.0 * 2 / 9, 1e-9);
+  EXPECT_NEAR(sut.value("critical_lost"), 100.0 / 9, 1e-9);
+}
+
+TEST(LateMetrics, AreOfEachClassAlone) {
+  const auto sut = late_ones().arrives("uxv high", "location", 1, 20, 0.3);
+  EXPECT_EQ(sut.value("high_late"), 100);
+  EXPECT_EQ(sut.value("high_very_late"), 0);
+}
+
+TEST(LateMetrics, AreAllOfAClassThatWasWrittenAndNeverArrived) {
+  EXPECT_EQ(Hand().written("uxv high", 8).value("high_late"), 100);
+  EXPECT_EQ(Hand().written("uxv high", 8).value("high_very_late"), 100);
+  EXPECT_TRUE(std::isnan(Hand().value("high_late")));
+  EXPECT_TRUE(std::isnan(Hand().written("uxv high", 0).value("high_late")));
+}
+
+TEST(UserCost, IsTheWeightedSumOfTheRunsFigures) {
+  const auto sut = late_ones().written("uxv low", 4).arrives("uxv low", camera_topic, 1, 99, 0.8);
+  const double expected = 10 * 100.0 * 4 / 9 + 20 * 100.0 * 2 / 9 + 1 * 75 + 5 * 0.8;
+  EXPECT_NEAR(sut.value("user_cost"), expected, 1e-6);
+}
+
 TEST(AgeMetrics, GrowFromOneArrivalToTheNext) {
   // Looked at each half second from 98 s on: 0, 0.5, 1 (the next came with the age 0), 0.5, 1.
   const auto sut =
       Hand().arrives("uxv high", "location", 1, 98, 0).arrives("uxv high", "location", 2, 99, 0);
   EXPECT_NEAR(sut.value("location_age_mean"), (0 + 0.5 + 0 + 0.5 + 1) / 5, 1e-9);
   EXPECT_NEAR(sut.value("location_age_p95"), 1, 1e-9);
+  EXPECT_NEAR(sut.value("location_age_p99"), 1, 1e-9);
 }
 
 TEST(AgeMetrics, CountTheWayOfASample) {
@@ -224,8 +270,9 @@ TEST(MetricTexts, SayWhichWayIsBetter) {
   for (const char* name : {"qni_mean", "qni_min", "high_delivered", "low_delivered", "completed"}) {
     EXPECT_FALSE(less(name)) << name;
   }
-  for (const char* name : {"telemetry_per_max", "high_latency_p99", "slot_cost",
-                           "location_age_mean", "missed", "airtime", "completion"}) {
+  for (const char* name :
+       {"telemetry_per_max", "high_latency_p99", "slot_cost", "user_cost", "critical_late",
+        "location_age_mean", "missed", "airtime", "completion"}) {
     EXPECT_TRUE(less(name)) << name;
   }
 }

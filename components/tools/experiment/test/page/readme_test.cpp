@@ -18,6 +18,7 @@ TEST(Readme, ShowsTheParametersAsTheyAre) {
   readme << std::ifstream(std::string(TOCSIN_SOURCE_DIR) + "/README.md").rdbuf();
   EXPECT_THAT(readme.str(), ::testing::HasSubstr(default_yaml<Timing>()));
   EXPECT_THAT(readme.str(), ::testing::HasSubstr(default_yaml<RunSet>()));
+  EXPECT_THAT(readme.str(), ::testing::HasSubstr(default_yaml<CostWeights>()));
 }
 
 }  // namespace

@@ -69,9 +69,8 @@ TEST_F(SectionTest, TellsTheChannelOnceForEachMission) {
 
 TEST_F(SectionTest, RanksPoliciesByCostAndSaysWhoIsBestAtWhat) {
   pair(20, 30, 500, 900);
-  set(results_.groups[0], "slot_cost", 300);
-  set(results_.groups[1], "slot_cost", 100);
-  set(results_.groups[1], "slot_regret", 60);
+  set(results_.groups[0], "user_cost", 300);
+  set(results_.groups[1], "user_cost", 100);
   const std::string sut = text(add_costs);
   EXPECT_LT(sut.find("<td>TOCP-DSP</td><td>100"), sut.find("<td>no policy</td><td>300"));
   EXPECT_THAT(sut, HasSubstr("<span class=\"yes\">-200 [-200, -200]</span>"));
@@ -79,7 +78,17 @@ TEST_F(SectionTest, RanksPoliciesByCostAndSaysWhoIsBestAtWhat) {
                              "<td>no policy</td>"));
   EXPECT_THAT(sut, HasSubstr("<span class=\"no\">10.0 [10.0, 10.0]</span>"));
   EXPECT_THAT(sut, HasSubstr("it is the best"));
-  EXPECT_THAT(figures_, HasSubstr("cost above the clairvoyant"));
+  EXPECT_THAT(figures_, HasSubstr("cost of what users feel"));
+}
+
+TEST_F(SectionTest, TellsTheWeightsOfTheCostAndWhatItIsMadeOf) {
+  pair(20, 30, 500, 900);
+  set(results_.groups[0], "critical_late", 12);
+  results_.experiment.timing.cost.high_late = 77;
+  const std::string sut = text(add_costs);
+  EXPECT_THAT(sut, AllOf(HasSubstr("critical_late 10.0, "), HasSubstr("high_late 77.0, ")));
+  EXPECT_THAT(sut, HasSubstr("<th>critical_late [%]</th>"));
+  EXPECT_THAT(sut, HasSubstr("<td>12.0 [12.0, 12.0]</td>"));
 }
 
 TEST_F(SectionTest, HasNoCostsOfASinglePolicy) {

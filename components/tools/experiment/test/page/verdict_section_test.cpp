@@ -19,7 +19,7 @@ using CostSectionTest = SectionTest;
 TEST_F(CostSectionTest, RanksFromTheLeastCostOn) {
   for (const auto& [policy, cost] :
        {std::pair{"none", 300.0}, {"tocp_dsp", 200.0}, {"belief", 100.0}}) {
-    set(add(policy), "slot_cost", cost);
+    set(add(policy), "user_cost", cost);
   }
   const std::string sut = text(add_costs);
   const auto place = [&](const std::string& policy) { return sut.find("<tr><td>" + policy); };
@@ -28,8 +28,8 @@ TEST_F(CostSectionTest, RanksFromTheLeastCostOn) {
 }
 
 TEST_F(CostSectionTest, MarksWhoIsCheaperThanTocpDspRed) {
-  set(add("tocp_dsp"), "slot_cost", 200);
-  set(add("belief"), "slot_cost", 100);
+  set(add("tocp_dsp"), "user_cost", 200);
+  set(add("belief"), "user_cost", 100);
   EXPECT_THAT(text(add_costs), HasSubstr("<span class=\"no\">100.0 [100.0, 100.0]</span>"));
 }
 
@@ -37,8 +37,8 @@ TEST_F(CostSectionTest, LeavesOpenWhatTheIntervalDoesNotTell) {
   add("tocp_dsp");
   add("belief");
   for (std::size_t i = 0; i < 5; ++i) {
-    results_.groups[0].values[i][metric_index("slot_cost")] = i % 2 == 0 ? 110 : 90;
-    results_.groups[1].values[i][metric_index("slot_cost")] = 100;
+    results_.groups[0].values[i][metric_index("user_cost")] = i % 2 == 0 ? 110 : 90;
+    results_.groups[1].values[i][metric_index("user_cost")] = 100;
   }
   EXPECT_THAT(text(add_costs), HasSubstr("<span class=\"open\">"));
 }
@@ -51,8 +51,8 @@ TEST_F(CostSectionTest, KnowsThatMoreDeliveredIsBetter) {
 }
 
 TEST_F(CostSectionTest, LeavesOutAMetricThatNoPolicyHas) {
-  set(add("tocp_dsp"), "slot_cost", 200);
-  set(add("none"), "slot_cost", 300);
+  set(add("tocp_dsp"), "user_cost", 200);
+  set(add("none"), "user_cost", 300);
   EXPECT_THAT(text(add_costs), Not(HasSubstr("<td>probe_per_max [%]</td>")));
 }
 

@@ -91,6 +91,22 @@ TEST(ExperimentFile, RejectsWhatIsNotYaml) {
               HasSubstr("/nonexistent.yaml"));
 }
 
+TEST(ExperimentFile, HasWeightsOfItsOwn) {
+  EXPECT_EQ(ToyExperiment().load().timing.cost.critical_late, 10);
+  const ToyExperiment sut(std::string(toy_text) + "cost: {critical_late: 3}\n");
+  EXPECT_EQ(sut.load().timing.cost.critical_late, 3);
+  EXPECT_EQ(sut.load().timing.cost.high_late, 4);
+  EXPECT_THAT(error_in("warm_up_s: 0", "warm_up_s: 0\ncost: {high_late: -1}"),
+              AllOf(HasSubstr("experiment.cost.high_late: -1 is outside"), HasSubstr(":3)")));
+  EXPECT_THAT(error_in("warm_up_s: 0", "warm_up_s: 0\ncost: {hi: 1}"),
+              HasSubstr("experiment.cost.hi: unknown key"));
+}
+
+TEST(ExperimentFile, NamesTheChannelWhoseSeedsAreNotThere) {
+  EXPECT_THAT(error_in("{name: near,", "{name: near, seeds_of: far,"),
+              HasSubstr("channels[0].seeds_of: 'far' is not a channel"));
+}
+
 TEST(ExperimentFile, IsParsedWithoutItsFiles) {
   const Experiment sut = parse_experiment(toy_text, "/nowhere/toy.yaml");
   EXPECT_EQ(sut.missions.size(), 2U);
@@ -102,6 +118,7 @@ TEST(ExperimentFile, ShippedOnesLoad) {
   EXPECT_EQ(make_plan(thesis).size(), 800U);
   EXPECT_NO_THROW((void)make_plan(load_experiment(config + "study.yaml")));
   EXPECT_EQ(make_plan(load_experiment(config + "replay.yaml")).size(), 15U);
+  EXPECT_EQ(make_plan(load_experiment(config + "link.yaml")).size(), 160U);
 }
 
 TEST(ExperimentFile, ShippedOnesFitOnSeedsThatAreNotCompared) {

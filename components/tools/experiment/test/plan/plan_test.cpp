@@ -31,6 +31,20 @@ TEST(Plan, GivesEveryPolicyTheSameRadio) {
   EXPECT_EQ(sut[2].seed, sut[5].seed);
 }
 
+TEST(Plan, GivesAChannelTheSeedsOfAnotherWhenToldTo) {
+  const std::string two = with(toy_text, "payloads:\n",
+                               "  - {name: own, file: \"near_${mission}.yaml\"}\n"
+                               "  - {name: same, file: \"near_${mission}.yaml\", seeds_of: near}\n"
+                               "payloads:\n");
+  const auto sut = make_plan(ToyExperiment(two).load());
+  const auto seed = [&](const std::string& id) {
+    return std::find_if(sut.begin(), sut.end(), [&](const auto& run) { return run.id() == id; })
+        ->seed;
+  };
+  EXPECT_EQ(seed("main.b.same.camera.none.2"), seed("main.b.near.camera.none.2"));
+  EXPECT_NE(seed("main.b.own.camera.none.2"), seed("main.b.near.camera.none.2"));
+}
+
 TEST(Plan, GivesEveryRunAndMissionARadioOfItsOwn) {
   std::set<int> seeds;
   for (const char* mission : {"a", "b"}) {
