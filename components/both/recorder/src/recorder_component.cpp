@@ -45,7 +45,7 @@ void RecorderComponent::tick(Time now) {
 }
 
 void RecorderComponent::flush(Time now) {
-  next_flush_ = now + flush_period_;
+  next_flush_ = next_instant(flush_period_, now);
   recording_->flush();
   const std::uint64_t lost_before = std::exchange(lost_, recording_->lost());
   const bool was_full = std::exchange(disk_full_, lost_ > lost_before);

@@ -69,7 +69,7 @@ void TransmissionControllerComponent::publish(const TransmissionDecision& decisi
 }
 
 void TransmissionControllerComponent::beat(Time now) {
-  next_beat_ = now + heartbeat_period_;
+  next_beat_ = next_instant(heartbeat_period_, now);
   tocsin_msgs::msg::Heartbeat message;
   message.stamp(wall(now));
   message.role(context().role);

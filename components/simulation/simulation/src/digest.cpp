@@ -5,12 +5,6 @@
 
 namespace tocsin::simulation {
 
-std::uint64_t hash_of(std::string_view text) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  return hash;
-}
-
 void Digest::add(const std::uint8_t* bytes, std::size_t size) {
   add(static_cast<std::uint64_t>(size));
   for (std::size_t i = 0; i < size; i += 8) {

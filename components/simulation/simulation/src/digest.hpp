@@ -28,7 +28,4 @@ class Digest {
   std::vector<std::uint8_t> buffer_;
 };
 
-/// FNV-1a of a text: the identity of a writer.
-[[nodiscard]] std::uint64_t hash_of(std::string_view text);
-
 }  // namespace tocsin::simulation

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/hash.hpp"
 #include "sim_host.hpp"
 
 namespace tocsin::simulation {

@@ -147,19 +147,15 @@ void World::start(Process& process) {
 World::Instance& World::add_instance(const std::string& name, Process& process) {
   process.instances.push_back(
       {{*process.bus, name, process.side->host->role(), deployment_.run_dir,
-        [this, &process](int code) { exit(process, code); }, process.side->devices.get()},
+        [this, &process](int code) { exit(process, code); }, process.side->devices.get(),
+        process_seed(deployment_.seed, process.side->host->name(), process.container->name)},
        nullptr});
   return process.instances.back();
 }
 
 void World::schedule(Instance& instance, const Process& process) {
-  // Components of a real vehicle do not tick in step: each has started at an instant of its own.
-  // In step, one writer's samples would always or never meet the queue that another has filled.
-  const std::string name = process.path + "/" + instance.context.name + "/";
-  const std::uint64_t mixed = hash_of(name + std::to_string(deployment_.seed));
-  const Duration wait(static_cast<std::int64_t>(mixed % 1'000'000'000));
   scheduler_.add(
-      *instance.component, [&process] { return !process.exit_code; }, core.now + wait);
+      *instance.component, [&process] { return !process.exit_code; }, core.now);
 }
 
 void World::exit(Process& process, int code) {

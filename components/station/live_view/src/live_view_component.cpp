@@ -123,7 +123,7 @@ ViewState LiveViewComponent::state(Time now) {
 }
 
 void LiveViewComponent::draw(Time now) {
-  next_draw_ = now + period_;
+  next_draw_ = next_instant(period_, now);
   const ViewState shown = state(now);
   if (terminal_) {
     const terminal::Size size = terminal::size_of(STDOUT_FILENO);  // it may have been resized

@@ -105,7 +105,7 @@ void MissionControlComponent::report(Time now) {
     end_when_over(progress.state);
   }
   reported_ = progress;
-  next_report_ = now + seconds(params_.status_period_s);
+  next_report_ = next_instant(seconds(params_.status_period_s), now);
 }
 
 void MissionControlComponent::end_when_over(MissionControl::State state) {

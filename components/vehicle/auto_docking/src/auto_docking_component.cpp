@@ -90,7 +90,7 @@ void AutoDockingComponent::report(Time now) {
   if (status_.write(std::move(message)) == Status::failed) return;
   if (docking_.state() == DockingState::done) log().info("{}", to_string(docking_.result()));
   reported_ = docking_.state();
-  next_report_ = now + report_period;
+  next_report_ = next_instant(report_period, now);
 }
 
 }  // namespace tocsin

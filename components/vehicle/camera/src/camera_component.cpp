@@ -56,7 +56,7 @@ void CameraComponent::tick(Time now) {
   const bool fresh = view_ && now - view_time_ <= pose_timeout_;
   if (!fresh) return;  // the next location wakes
   if (now >= next_picture_) {
-    next_picture_ = next_picture_ + period_ > now ? next_picture_ + period_ : now + period_;
+    next_picture_ = next_instant(period_, now);
     publish(now);
   }
   wake_at(next_picture_);

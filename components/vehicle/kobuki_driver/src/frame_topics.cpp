@@ -64,7 +64,7 @@ bool FrameTopics::publish(const kobuki::Reading& reading, Time now) {
 }
 
 bool FrameTopics::publish_battery(const kobuki::Reading& reading, Time now) {
-  next_battery_ = now + seconds(params_.battery_period_s);
+  next_battery_ = owner_.next_instant(seconds(params_.battery_period_s), now);
   auto message = kobuki::battery_message(reading, header(now));
   bool ok = charger_.write(message) != Status::failed;
   ok &= battery_.write(std::move(message)) != Status::failed;
@@ -73,7 +73,7 @@ bool FrameTopics::publish_battery(const kobuki::Reading& reading, Time now) {
 
 bool FrameTopics::publish_diagnostics(const kobuki::KobukiDriver& driver, Time now) {
   if (now < next_diagnostics_) return true;
-  next_diagnostics_ = now + seconds(params_.diagnostics_period_s);
+  next_diagnostics_ = owner_.next_instant(seconds(params_.diagnostics_period_s), now);
   if (!diagnostics_.wanted()) return true;
   topic::Diagnostics::Message message;
   message.header().stamp(stamp(now));

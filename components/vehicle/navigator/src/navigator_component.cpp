@@ -71,8 +71,7 @@ void NavigatorComponent::tick(Time now) {
 /// Whether a velocity is due: it need not follow each of fifty poses a second.
 bool NavigatorComponent::is_turn(Time now) {
   if (now < next_turn_) return false;
-  const Duration period = seconds(1 / params_.rate_hz);
-  next_turn_ = std::max(next_turn_ + period, now + period / 2);
+  next_turn_ = next_instant(seconds(1 / params_.rate_hz), now);
   return true;
 }
 
@@ -124,7 +123,7 @@ void NavigatorComponent::drive(const geometry::Twist& velocity) {
 
 void NavigatorComponent::report_location(Time now) {
   if (!pose_ || now < next_location_) return;
-  next_location_ = now + seconds(1 / params_.location_hz);
+  next_location_ = next_instant(seconds(1 / params_.location_hz), now);
   topic::Location::Message message;
   message.header().stamp(wall(now));
   message.header().frame_id("map");
@@ -145,7 +144,7 @@ void NavigatorComponent::report_status(const Navigator::Status& status, Time now
   if (status_.write(std::move(message)) == Status::failed) return;
   if (has_changed) log_change(status);
   reported_ = status;
-  next_status_ = now + seconds(params_.status_period_s);
+  next_status_ = next_instant(seconds(params_.status_period_s), now);
 }
 
 void NavigatorComponent::log_change(const Navigator::Status& status) {

@@ -94,18 +94,26 @@ NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params&
     : Component(context),
       interface_name_(params.interface_name),
       port_(std::move(port)),
+      probe_period_(seconds(params.probe.period_s)),
       window_(params.probe),
       reader_(open_reader(context, params)) {
   if (port_->fd() >= 0) wake_on(port_->fd());
 }
 
 void NetworkMonitorComponent::tick(Time now) {
+  if (!has_begun(now)) return wake_at(*begin_);
   while (const auto reply = port_->receive()) {
     (void)window_.on_reply(reply->sequence, reply->received_at);
   }
   send_due(now);
   if (const auto sample = window_.take_sample(now)) publish(*sample, now);
   wake_at(window_.next_deadline());
+}
+
+/// Probes go at instants of this component's own.
+bool NetworkMonitorComponent::has_begun(Time now) {
+  if (!begin_) begin_ = next_instant(probe_period_, now);
+  return now >= *begin_;
 }
 
 void NetworkMonitorComponent::send_due(Time now) {

@@ -14,7 +14,7 @@
 #include "runtime/bus.hpp"
 #include "runtime/devices.hpp"
 #include "runtime/logger.hpp"
-#include "runtime/middleware/turn_lock.hpp"
+#include "runtime/middleware/schedule.hpp"
 
 namespace tocsin {
 
@@ -27,47 +27,7 @@ struct Context {
   /// Ends the process with this code after the current tick; 0 is "my work is done".
   std::function<void(int)> request_exit = [](int) {};
   Devices* devices = nullptr;  ///< of a simulated computer; null: the real ones
-};
-
-/// What sleeps until a component has something to do.
-class Waker {
- public:
-  /// Any thread; must not block.
-  virtual void wake() = 0;
-  /// The waker whose thread this is needs no waking: it looks before it sleeps.
-  void claim_this_thread() const;
-
- protected:
-  ~Waker() = default;
-};
-
-/// When a component runs next. The component asks through its protected functions; the runner
-/// reads. Only `input_arrived` and `set_waker` may be called from another thread.
-struct Schedule {
-  std::atomic<bool> input_pending{false};  ///< one that another thread has delivered
-  Time deadline = never;
-  Duration period{0};
-  Time next_period = never;
-  std::atomic<std::uint64_t> overruns{0};  ///< periods that were skipped: a tick came too late
-  std::vector<int> descriptors;
-  void input_arrived();
-  /// `waker` is woken by the first input after each tick; null ends that, and waits for a call
-  /// that is running. Between two wakers the component does not listen.
-  void set_waker(Waker* waker);
-  /// Since the last tick began, an input came.
-  [[nodiscard]] bool has_input() const { return own_input_ || input_pending; }
-  /// The next instant at which a tick is due without input.
-  [[nodiscard]] Time due() const { return std::min(deadline, next_period); }
-  /// Forgets what the tick at `now` answers to.
-  void begin_tick(Time now);
-  /// From the last tick on, or from the first one that comes.
-  void repeat(Duration wanted);
-
- private:
-  Time begun_ = never;
-  std::atomic<bool> own_input_{false};  // delivered and looked at by the waker's thread alone
-  TurnLock wake_turn_;
-  std::atomic<Waker*> waker_{nullptr};
+  std::uint64_t seed = 0;      ///< of the process, from the run's: see process_seed
 };
 
 /// Account of one input since start.
@@ -87,7 +47,7 @@ class InputPort;
 /// One thread calls `tick`, so a component needs no lock; it never sleeps and reads no clock.
 class Component {
  public:
-  explicit Component(Context& context) : context_(context), log_(context.name) {}
+  explicit Component(Context& context);
   virtual ~Component() = default;
   /// Runs after an input came, a deadline passed or a descriptor became readable, and once at
   /// start. `now` never decreases. Takes inputs, calls the decision, writes outputs.
@@ -96,6 +56,10 @@ class Component {
   [[nodiscard]] const std::string& name() const { return context_.name; }
   [[nodiscard]] Bus& bus() { return context_.bus; }
   [[nodiscard]] Schedule& schedule() { return schedule_; }
+  /// When to do next what is done each `period` (> 0) and is done now: half to one and a half
+  /// periods from now, at this component's own phase of the bus's clock, so that the components of
+  /// a run, which start together, do not send together for as long as it lasts.
+  [[nodiscard]] Time next_instant(Duration period, Time now) const;
   /// For the container, any thread: account of all inputs; ending and resuming their supply.
   [[nodiscard]] std::vector<PortHealth> port_health() const;
   void listen(bool on);
@@ -104,8 +68,8 @@ class Component {
   /// Tick not later than `deadline`. The earliest wish since the start of the last tick counts;
   /// every tick forgets it, so ask again.
   void wake_at(Time deadline);
-  /// Tick each `period` (> 0) from now on; a missed one is skipped, not caught up.
-  void wake_every(Duration period) { schedule_.repeat(period); }
+  /// Tick each `period` (> 0) from now on, at its next_instant; a missed one is skipped.
+  void wake_every(Duration period) { schedule_.repeat({period, phase_}); }
   /// Tick whenever `descriptor` is readable, until `forget`. The caller keeps ownership.
   void wake_on(int descriptor) { schedule_.descriptors.push_back(descriptor); }
   void forget(int descriptor);
@@ -119,6 +83,7 @@ class Component {
   void add_port(InputPort& port);
   void remove_port(InputPort& port);
   Context& context_;
+  const double phase_;
   Schedule schedule_;
   Logger log_;
   mutable std::mutex ports_mutex_;

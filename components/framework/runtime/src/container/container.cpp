@@ -42,7 +42,13 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
 Container::Container(const deployment::Deployment& deployment, const deployment::Host& host,
                      const deployment::Container& container, std::function<void(int)> request_exit)
     : bus_(make_fast_dds_bus(bus_options(deployment, host, container))),
-      gate_context_{*bus_, "gate", host.role, deployment.run_dir, std::move(request_exit)},
+      gate_context_{*bus_,
+                    "gate",
+                    host.role,
+                    deployment.run_dir,
+                    std::move(request_exit),
+                    nullptr,
+                    process_seed(deployment.seed, host.name, container.name)},
       control_context_(gate_context_) {
   control_context_.name = "control";
   const auto notice_failure = [this] { control_->schedule().input_arrived(); };

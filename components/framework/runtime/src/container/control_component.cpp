@@ -43,7 +43,7 @@ void ControlComponent::tick(Time now) {
   }
   if (started_ == Time{}) started_ = now;
   if (now >= next_report_) {
-    next_report_ = now + seconds(limits_.period_s);
+    next_report_ = next_instant(seconds(limits_.period_s), now);
     publish_health(now);
     changed = true;
   }

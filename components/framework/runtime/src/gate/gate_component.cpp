@@ -22,7 +22,7 @@ void GateComponent::tick(Time now) {
 }
 
 void GateComponent::report(Time now) {
-  next_report_ = now + report_period_;
+  next_report_ = next_instant(report_period_, now);
   if (!report_.wanted()) return;
   tocsin_msgs::msg::TrafficReport message;
   message.stamp(wall(now));

@@ -109,53 +109,5 @@ TEST_F(SimBusTest, RefusesTwoTypesOnOneTopic) {
   EXPECT_THROW(SimReader<OtherGoal>{bus_}, ConfigError);
 }
 
-TEST(Schedule, SkipsMissedPeriodsAndCountsThem) {
-  Schedule sut;
-  sut.period = seconds(0.1);
-  const Time t0{seconds(1)};
-  sut.begin_tick(t0);
-  EXPECT_EQ(sut.due(), t0 + seconds(0.1));
-  sut.begin_tick(t0 + seconds(0.35));
-  EXPECT_EQ(sut.overruns, 2U);
-  EXPECT_EQ(sut.due(), t0 + seconds(0.45));
-}
-
-TEST(Schedule, APeriodAskedForBeforeTheFirstTickCountsFromThatTick) {
-  Schedule sut;
-  sut.repeat(seconds(0.1));
-  EXPECT_EQ(sut.due(), never);
-  const Time t0{seconds(1)};
-  sut.begin_tick(t0);
-  EXPECT_EQ(sut.due(), t0 + seconds(0.1));
-}
-
-TEST(Schedule, APeriodAskedForWithinATickCountsFromIt) {
-  Schedule sut;
-  const Time t0{seconds(1)};
-  sut.begin_tick(t0);
-  sut.repeat(seconds(0.1));
-  EXPECT_EQ(sut.due(), t0 + seconds(0.1));
-  sut.begin_tick(t0 + seconds(0.1));
-  EXPECT_EQ(sut.due(), t0 + seconds(0.2));
-}
-
-TEST(Schedule, AnotherPeriodReplacesTheOne) {
-  Schedule sut;
-  const Time t0{seconds(1)};
-  sut.begin_tick(t0);
-  sut.repeat(seconds(0.1));
-  sut.repeat(seconds(0.5));
-  EXPECT_EQ(sut.due(), t0 + seconds(0.5));
-}
-
-TEST(Schedule, InputDoesNotMoveThePeriod) {
-  Schedule sut;
-  sut.period = seconds(0.1);
-  const Time t0{seconds(1)};
-  sut.begin_tick(t0);
-  sut.begin_tick(t0 + seconds(0.05));
-  EXPECT_EQ(sut.due(), t0 + seconds(0.1));
-}
-
 }  // namespace
 }  // namespace tocsin

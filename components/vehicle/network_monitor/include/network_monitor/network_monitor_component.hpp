@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "network_monitor/echo_port.hpp"
@@ -42,6 +43,7 @@ class NetworkMonitorComponent final : public Component {
   void tick(Time now) override;
 
  private:
+  [[nodiscard]] bool has_begun(Time now);
   void send_due(Time now);
   void publish(const network::ProbeSample& sample, Time now);
   void report_change(const network::WirelessReading& reading);
@@ -49,6 +51,8 @@ class NetworkMonitorComponent final : public Component {
   Output<topic::NetworkQuality> quality_{*this};
   std::string interface_name_;
   std::unique_ptr<network::EchoPort> port_;
+  const Duration probe_period_;
+  std::optional<Time> begin_;  ///< of probing
   network::ProbeWindow window_;
   network::WirelessReader reader_;
   network::WirelessTrend trend_;
