@@ -74,9 +74,13 @@ std::vector<Dropped> LinkQueue::take_expired(Time now) {
 }
 
 LinkQueue::Place LinkQueue::find_first(const Class& in, std::size_t packets, Time now) {
-  return std::find_if(in.waiting.begin(), in.waiting.end(), [&](const Waiting& one) {
-    return one.not_before <= now && one.cost.packets < packets;
-  });
+  for (auto one = in.waiting.begin(); one != in.waiting.end(); ++one) {
+    if (one->not_before > now || one->cost.packets >= packets) continue;
+    // A source's samples go in their order, also when the first one has to wait.
+    const auto is_older = [&](const Waiting& other) { return same_source(other, *one); };
+    if (std::none_of(in.waiting.begin(), one, is_older)) return one;
+  }
+  return in.waiting.end();
 }
 
 bool LinkQueue::has_first(TrafficClass traffic_class, std::size_t packets, Time now) const {

@@ -216,7 +216,7 @@ Time LinkSender::repair_ready(Time now) const {
   const double lacking = -repair_allowance(now);
   if (lacking >= 0) {
     const double rate_bytes_per_s = std::max(params_.repair_share * capacity_bytes_per_s(now), 1.0);
-    ready = now + seconds(lacking / rate_bytes_per_s) + Duration{1};
+    ready = now + seconds((lacking + 1) / rate_bytes_per_s);
   }
   if (is_silent(now)) ready = std::max(ready, sent_at_ + seconds(params_.repair_first_s));
   return ready;

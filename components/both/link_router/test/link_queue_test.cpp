@@ -113,6 +113,15 @@ TEST(LinkQueue, PassesBulkByWhenOnlySmallSamplesMayGo) {
   EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 11U);
 }
 
+TEST(LinkQueue, LetsNoSampleOvertakeAnOlderOneOfItsSource) {
+  LinkQueue sut(1000000);
+  (void)sut.add(TrafficClass::low, 2, waiting(1, 11, 40000));
+  (void)sut.add(TrafficClass::low, 2, waiting(1, 12, 100));
+  EXPECT_FALSE(sut.take_first(TrafficClass::low, 4, t0));
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 11U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, 4, t0)), 12U);
+}
+
 TEST(LinkQueue, HoldsAThinnedSampleAndTellsTheOneThatItReplaces) {
   LinkQueue sut(10000);
   Waiting one = waiting(1, 11);

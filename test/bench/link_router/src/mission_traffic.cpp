@@ -9,6 +9,7 @@
 
 #include "deployment/deployment.hpp"
 #include "foundation/yaml_file.hpp"
+#include "geometry/wall_file.hpp"
 #include "radio_channel/channel_files.hpp"
 #include "simulation/sim_world.hpp"
 
@@ -104,7 +105,7 @@ MissionTraffic record_mission(int mission, const std::string& policy, int seed, 
   overrides.seed = seed;
   MissionTraffic traffic;
   traffic.channel = radio::load_channel(overrides.channel);
-  traffic.walls = radio::load_walls(overrides.share + "/config/maps/classroom.walls.yaml");
+  traffic.walls = geometry::load_walls(overrides.share + "/config/maps/classroom.walls.yaml");
   Recorder recorder(traffic);
   simulation::WorldOptions options;
   options.digest = false;

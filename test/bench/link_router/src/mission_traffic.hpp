@@ -40,7 +40,7 @@ struct MissionTraffic {
   std::vector<Time> echoes;   ///< network_monitor's requests
   std::vector<Gate> gates;    ///< of the vehicle
   radio::ChannelParams channel;
-  std::vector<radio::Wall> walls;
+  std::vector<geometry::Wall> walls;
   Time begin{};
   Time end{};
 };
