@@ -19,9 +19,8 @@ ANYWHERE = {"tocsin_cmake"}  # builds all of them
 # Lines of test code per line of source code that each package has at least. Those below are named
 # with what they have; a floor only rises, and goes when the package has what all have.
 TEST_RATIO = 0.8
-TEST_RATIO_FLOORS = {"check": 0.55, "decision": 0.64, "decision_tools": 0.45, "idl_support": 0.45,
-                     "kobuki_idl": 0.30, "kobuki_simulator": 0.58, "report": 0.53, "simulation": 0.58, "tocsin_idl": 0.19,
-                     "top": 0.53}
+TEST_RATIO_FLOORS = {"check": 0.55, "decision": 0.64, "decision_tools": 0.45, "kobuki_idl": 0.30, "report": 0.53,
+                     "simulation": 0.58, "tocsin_idl": 0.19, "top": 0.53}
 broken = []
 
 
@@ -37,7 +36,7 @@ def report(file, line, rule):
 def check_licence():
     for file in tracked("*.cpp", "*.hpp", "*.idl", "*.py", "*.cmake", "*CMakeLists.txt", "*.yaml",
                         "bringup/*", "test/*", ".ci/*"):
-        if file.suffix in (".xml", ".md", ".txt", ".service") and file.name != "CMakeLists.txt":
+        if file.suffix in (".xml", ".md", ".txt", ".service", ".svg", ".png") and file.name != "CMakeLists.txt":
             continue
         first = file.read_text(errors="replace").split("\n")[:2]
         wanted = first[1] if first[0].startswith("#!") and len(first) > 1 else first[0]
