@@ -19,6 +19,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "foundation/datagram_socket.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -166,15 +168,8 @@ pid_t Stack::pid(const std::string& process) const {
 }
 
 void Stack::control(const std::string& socket_name, const std::string& line) const {
-  const int fd = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  sockaddr_un to{};
-  to.sun_family = AF_UNIX;
-  const std::string path = this->path(socket_name);
-  std::strncpy(to.sun_path, path.c_str(), sizeof to.sun_path - 1);
-  const auto* address = reinterpret_cast<const sockaddr*>(&to);
-  const bool sent = sendto(fd, line.data(), line.size(), 0, address, sizeof to) >= 0;
-  close(fd);
-  if (!sent) throw std::runtime_error(path + ": " + std::strerror(errno));
+  const auto error = DatagramSocket().send(path(socket_name), line);
+  if (error) throw std::runtime_error(path(socket_name) + ": " + error.message());
 }
 
 int Stack::exit_code(std::chrono::seconds limit) {

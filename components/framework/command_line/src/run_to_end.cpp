@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,33 +12,66 @@
 #include <cstring>
 
 #include "foundation/error.hpp"
+#include "foundation/file_descriptor.hpp"
 
 namespace tocsin {
 namespace {
 
-/// Starts it with both outputs in `output`; closes that here.
-pid_t start(const std::vector<std::string>& command, int output) {
+/// A file in memory that holds a text, to be read from its beginning: unlike a pipe it takes
+/// everything at once, and nobody is killed when it is not read.
+FileDescriptor holding(const std::string& text) {
+  FileDescriptor file(::memfd_create("tocsin_input", MFD_CLOEXEC));
+  std::size_t written = 0;
+  while (file && written < text.size()) {
+    const ssize_t some = ::write(file.get(), text.data() + written, text.size() - written);
+    if (some < 0 && errno == EINTR) continue;
+    if (some <= 0) throw EnvironmentError("no memory for the input of a program");
+    written += static_cast<std::size_t>(some);
+  }
+  if (!file || ::lseek(file.get(), 0, SEEK_SET) != 0) {
+    throw EnvironmentError("no memory for the input of a program");
+  }
+  return file;
+}
+
+/// What posix_spawn does in the child before the program.
+class Actions {
+ public:
+  Actions(int input, int output, const std::string& folder) {
+    ::posix_spawn_file_actions_init(&actions_);
+    ::posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions_, output, STDERR_FILENO);
+    if (!folder.empty()) ::posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
+  }
+  ~Actions() { ::posix_spawn_file_actions_destroy(&actions_); }
+  Actions(const Actions&) = delete;
+  Actions& operator=(const Actions&) = delete;
+  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+/// Starts it with both outputs in `output`.
+pid_t start(const std::vector<std::string>& command, const ProgramInput& input,
+            const FileDescriptor& output) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
+  const FileDescriptor text = holding(input.text);
+  const Actions actions(text.get(), output.get(), input.folder);
   pid_t child = -1;
-  const int error = ::posix_spawn(&child, words[0], &actions, nullptr, words.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  ::close(output);
+  const int error = ::posix_spawnp(&child, words[0], actions.get(), nullptr, words.data(), environ);
   if (error != 0) throw EnvironmentError(command[0] + ": " + std::strerror(error));
   return child;
 }
 
-std::string read_all(int descriptor) {
+std::string read_all(const FileDescriptor& source) {
   std::string text;
   std::array<char, 4096> block{};
   for (;;) {
-    const ssize_t size = ::read(descriptor, block.data(), block.size());
+    const ssize_t size = ::read(source.get(), block.data(), block.size());
     if (size < 0 && errno == EINTR) continue;
     if (size <= 0) return text;
     text.append(block.data(), static_cast<std::size_t>(size));
@@ -53,19 +87,15 @@ int wait_for(pid_t child) {
 
 }  // namespace
 
-Ended run_to_end(const std::vector<std::string>& command) {
+Ended run_to_end(const std::vector<std::string>& command, const ProgramInput& input) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw EnvironmentError("cannot make a pipe");
-  pid_t child = -1;
-  try {
-    child = start(command, ends[1]);
-  } catch (const EnvironmentError&) {
-    ::close(ends[0]);
-    throw;
-  }
+  const FileDescriptor reading(ends[0]);
+  FileDescriptor writing(ends[1]);
+  const pid_t child = start(command, input, writing);
+  writing.reset();
   Ended ended;
-  ended.output = read_all(ends[0]);
-  ::close(ends[0]);
+  ended.output = read_all(reading);
   ended.code = wait_for(child);
   return ended;
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin {
 namespace {
@@ -32,6 +33,25 @@ TEST(RunToEnd, TakesMoreThanAPipeHolds) {
 
 TEST(RunToEnd, AProgramThatIsNotThereIsAnEnvironmentError) {
   EXPECT_THROW((void)run_to_end({"/nowhere/program"}), EnvironmentError);
+}
+
+TEST(RunToEnd, FindsAProgramInThePath) { EXPECT_EQ(run_to_end({"echo", "a"}).output, "a\n"); }
+
+TEST(RunToEnd, GivesItsInputHoweverLong) {
+  const std::string text(1000000, 'x');
+  EXPECT_EQ(run_to_end({"cat"}, {text, ""}).output, text);
+  EXPECT_EQ(run_to_end({"cat"}).output, "");
+}
+
+TEST(RunToEnd, AProgramNeedNotReadItsInput) {
+  EXPECT_EQ(run_to_end({"true"}, {std::string(1000000, 'x'), ""}).code, 0);
+}
+
+TEST(RunToEnd, RunsInAFolderWhoseNameNeedsQuotes) {
+  const TemporaryFolder folder;
+  (void)folder.write("it's $here/file", "");
+  EXPECT_EQ(run_to_end({"ls"}, {"", folder.path("it's $here")}).output, "file\n");
+  EXPECT_THROW((void)run_to_end({"ls"}, {"", folder.path("nowhere")}), EnvironmentError);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/names.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/spelling.hpp"

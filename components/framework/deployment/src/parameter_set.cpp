@@ -5,6 +5,7 @@
 #include <set>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/names.hpp"
 
 namespace tocsin::deployment {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/names.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/yaml_file.hpp"
@@ -139,12 +140,6 @@ std::vector<YAML::Node> Section::items(const std::string& key) const {
   std::vector<YAML::Node> nodes;
   for (const YAML::Node& item : found) nodes.push_back(item);
   return nodes;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 void check_name(const std::string& name, const std::string& what, const YAML::Node& node,

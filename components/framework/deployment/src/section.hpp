@@ -56,9 +56,6 @@ class Section {
   const YamlSources& sources_;
 };
 
-/// The words with ", " between them.
-[[nodiscard]] std::string joined(const std::vector<std::string>& words);
-
 /// Throws ConfigError unless `name` is a lower-case word with digits and underscores.
 void check_name(const std::string& name, const std::string& what, const YAML::Node& node,
                 const YamlSources& sources);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
 
 namespace tocsin {
@@ -15,11 +16,7 @@ bool is_name(std::string_view text) {
 }
 namespace {
 
-std::string listed(const std::vector<std::string>& texts) {
-  std::string text;
-  for (const std::string& one : texts) text += (text.empty() ? "" : ", ") + one;
-  return "[" + text + "]";
-}
+std::string listed(const std::vector<std::string>& texts) { return "[" + joined(texts) + "]"; }
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/yaml_file.hpp"
 
@@ -20,9 +21,7 @@ std::string range_text(Range range) {
 
 std::string choices_text(Choices allowed) { return fmt::to_string(fmt::join(allowed, ", ")); }
 
-std::string list_text(const std::vector<std::string>& items) {
-  return "[" + fmt::to_string(fmt::join(items, ", ")) + "]";
-}
+std::string list_text(const std::vector<std::string>& items) { return "[" + joined(items) + "]"; }
 
 std::string quoted(const YAML::Node& node) {
   return "'" + (node.IsScalar() ? printable(node.Scalar()) : "(not a scalar)") + "'";

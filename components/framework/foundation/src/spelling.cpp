@@ -5,6 +5,8 @@
 #include <iterator>
 #include <numeric>
 
+#include "foundation/joined.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -23,14 +25,7 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-std::string joined(const std::vector<std::string>& words, const char* between, const char* quote) {
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : between);
-    text += quote + word + quote;
-  }
-  return text;
-}
+std::string quoted(const std::string& word) { return "'" + word + "'"; }
 
 }  // namespace
 
@@ -44,8 +39,8 @@ std::vector<std::string> similar(const std::vector<std::string>& words, const st
 std::string did_you_mean(const std::vector<std::string>& words, const std::string& word,
                          const std::string& list) {
   const std::vector<std::string> near = similar(words, word);
-  if (near.empty()) return "; " + list + ": " + joined(words, ", ", "");
-  return "; did you mean " + joined(near, " or ", "'") + "?";
+  if (near.empty()) return "; " + list + ": " + joined(words);
+  return "; did you mean " + joined_of(near, quoted, " or ") + "?";
 }
 
 }  // namespace tocsin

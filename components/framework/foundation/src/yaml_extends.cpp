@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin {
@@ -29,9 +30,7 @@ struct Item {
 using Items = std::list<Item>;
 
 std::string names_of(const Items& items) {
-  std::string text;
-  for (const Item& item : items) text += (text.empty() ? "" : ", ") + item.name;
-  return "[" + text + "]";
+  return "[" + joined_of(items, [](const Item& item) { return item.name; }) + "]";
 }
 
 Items::iterator find(Items& items, const std::string& name) {

@@ -2,6 +2,7 @@
 #include "decision/policy_model.hpp"
 #include "decision/stopping.hpp"
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "model_rules.hpp"
 #include "policy_rules.hpp"
 
@@ -67,14 +68,13 @@ const Choice choices[] = {
 
 std::unique_ptr<Policy> make_policy(const PolicyParams& params) {
   check(params);
-  std::string known;
   for (const Choice& choice : choices) {
     if (params.policy == choice.name) {
       return std::make_unique<Policy>(choice.name, params.limits(), choice.make(params));
     }
-    known += std::string(known.empty() ? "" : ", ") + choice.name;
   }
-  throw ConfigError("policy.policy: '" + params.policy + "' is not one of: " + known);
+  throw ConfigError("policy.policy: '" + params.policy + "' is not one of: " +
+                    joined_of(choices, [](const Choice& choice) { return choice.name; }));
 }
 
 std::unique_ptr<Policy> make_oracle(const std::vector<Slot>& slots, double change,

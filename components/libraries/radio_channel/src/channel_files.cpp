@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "radio_channel/channel_files.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
+#include "foundation/csv_table.hpp"
 #include "foundation/error.hpp"
 #include "foundation/file_cache.hpp"
 #include "foundation/parameters.hpp"
@@ -17,31 +15,6 @@
 
 namespace tocsin::radio {
 namespace {
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream text(line.substr(0, line.find('\r')));
-  for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
-/// The number of a cell; NaN when it is empty, missing or no number.
-double cell_number(const std::vector<std::string>& cells, std::size_t column) {
-  if (column >= cells.size() || cells[column].empty()) return std::nan("");
-  char* end = nullptr;
-  const double value = std::strtod(cells[column].c_str(), &end);
-  return *end == '\0' ? value : std::nan("");
-}
-
-std::size_t column_of(const std::vector<std::string>& head, const char* name,
-                      const std::string& path) {
-  const auto found = std::find(head.begin(), head.end(), name);
-  if (found == head.end()) {
-    throw ConfigError(std::string("radio_channel.trace_file: has no column ") + name + " (" + path +
-                      ":1)");
-  }
-  return static_cast<std::size_t>(found - head.begin());
-}
 
 YAML::Node read_with_bases(const std::string& path, YamlSources& sources) {
   return read_extended(path, {std::filesystem::absolute(path).parent_path()}, sources);
@@ -65,19 +38,19 @@ ChannelParams read_channel(const std::string& path) {
 }  // namespace
 
 Trace load_trace(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw ConfigError("radio_channel.trace_file: '" + path + "' cannot be read");
-  std::string line;
-  std::getline(file, line);
-  const auto head = cells_of(line);
-  const std::size_t time = column_of(head, "time_s", path);
-  const std::size_t signal = column_of(head, "rssi_dbm", path);
-  const std::size_t delay = column_of(head, "ping_delay_ms", path);
+  if (!std::ifstream(path)) {
+    throw ConfigError("radio_channel.trace_file: '" + path + "' cannot be read");
+  }
+  const CsvTable table = CsvTable::read(path);
+  for (const char* column : {"time_s", "rssi_dbm", "ping_delay_ms"}) {
+    if (table.has(column)) continue;
+    throw ConfigError(std::string("radio_channel.trace_file: has no column ") + column + " (" +
+                      path + ":1)");
+  }
   std::vector<TracePoint> points;
-  while (std::getline(file, line)) {
-    const auto cells = cells_of(line);
-    points.push_back(
-        {cell_number(cells, time), cell_number(cells, signal), cell_number(cells, delay) / 1000});
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    points.push_back({table.number(row, "time_s"), table.number(row, "rssi_dbm"),
+                      table.number(row, "ping_delay_ms") / 1000});
   }
   try {
     return Trace(std::move(points));

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "file_descriptor.hpp"
+#include "foundation/file_descriptor.hpp"
 #include "kobuki_protocol/bytes.hpp"
 
 namespace tocsin::kobuki {

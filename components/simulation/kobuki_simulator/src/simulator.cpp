@@ -133,7 +133,7 @@ void Simulator::read_terminal(Time now) {
 void Simulator::read_control(Time now) {
   while (const auto message = control_->receive()) {
     const std::string answer = obey_control(base_, message->text, now);
-    if (!message->sender.empty()) control_->send(message->sender, answer);
+    if (!message->sender.empty()) (void)control_->send(message->sender, answer);
   }
 }
 
@@ -143,7 +143,7 @@ void Simulator::report(Time now) {
   const geometry::Pose& pose = base_.model().pose();
   char text[64] = {};
   std::snprintf(text, sizeof text, "pos %.3f %.3f", pose.x_m, pose.y_m);
-  position_.send(options_.position, text);
+  (void)position_.send(options_.position, text);
 }
 
 void Simulator::save(Time now) {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "datagram_socket.hpp"
+#include "foundation/datagram_socket.hpp"
 #include "options.hpp"
 #include "pseudo_terminal.hpp"
 #include "script.hpp"

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "datagram_socket.hpp"
-#include "file_descriptor.hpp"
+#include "foundation/datagram_socket.hpp"
+#include "foundation/file_descriptor.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "kobuki_protocol/command.hpp"
 #include "kobuki_protocol/reassembler.hpp"
@@ -92,7 +92,7 @@ struct Program : ::testing::Test {
 
   std::string ask(const std::string& text) {
     DatagramSocket client(folder + "/client");
-    client.send(folder + "/control", text);
+    (void)client.send(folder + "/control", text);
     std::string answer;
     wait_for(client.descriptor(), 5, [&] {
       if (auto message = client.receive()) answer = message->text;

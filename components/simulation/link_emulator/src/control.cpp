@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "control.hpp"
 
-#include <sys/socket.h>
-#include <sys/stat.h>
-#include <sys/un.h>
-
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <optional>
 #include <sstream>
 #include <vector>
@@ -84,21 +78,6 @@ class Setter {
   bool done_ = false;
 };
 
-sockaddr_un address_of(const std::string& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (path.size() >= sizeof address.sun_path) {
-    throw ConfigError("--control " + path + ": longer than 107 bytes");
-  }
-  path.copy(address.sun_path, path.size());
-  return address;
-}
-
-void remove_stale_socket(const std::string& path) {
-  struct stat info {};
-  if (::lstat(path.c_str(), &info) == 0 && S_ISSOCK(info.st_mode)) ::unlink(path.c_str());
-}
-
 }  // namespace
 
 Command parse_command(const std::string& datagram) {
@@ -115,25 +94,6 @@ bool set_parameter(radio::ChannelParams& params, const SetParameter& command) {
   Setter setter(command);
   params.visit(setter);
   return setter.done();
-}
-
-ControlSocket::ControlSocket(const std::string& path)
-    : path_(path), fd_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
-  const sockaddr_un address = address_of(path);
-  remove_stale_socket(path);
-  if (::bind(fd_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    throw ConfigError("--control " + path + ": " + std::strerror(errno));
-  }
-}
-
-ControlSocket::~ControlSocket() { ::unlink(path_.c_str()); }
-
-bool ControlSocket::receive(std::string& datagram) {
-  char buffer[256];
-  const ssize_t count = ::recv(fd_.get(), buffer, sizeof buffer, 0);
-  if (count < 0) return false;
-  datagram.assign(buffer, static_cast<std::size_t>(count));
-  return true;
 }
 
 }  // namespace tocsin::link

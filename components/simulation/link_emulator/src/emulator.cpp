@@ -57,8 +57,8 @@ Emulator::Emulator(const Options& options)
       tick_at_(start_ + tick_period),
       report_at_(start_ + report_period) {
   if (!options.control_path.empty()) {
-    control_ = std::make_unique<ControlSocket>(options.control_path);
-    watch(control_->fd());
+    control_ = std::make_unique<DatagramSocket>(options.control_path);
+    watch(control_->descriptor());
   }
   if (!options.stats_path.empty()) stats_ = std::make_unique<StatsFile>(options.stats_path);
   if (const auto error =
@@ -101,9 +101,8 @@ void Emulator::handle(int fd) {
   if (fd == uxv_.fd()) carry(radio::Direction::uplink);
   if (fd == gcs_.fd()) carry(radio::Direction::downlink);
   if (fd == signals_.get()) running_ = false;
-  if (!control_ || fd != control_->fd()) return;
-  std::string datagram;
-  while (control_->receive(datagram)) obey(datagram);
+  if (!control_ || fd != control_->descriptor()) return;
+  while (const auto message = control_->receive()) obey(message->text);
 }
 
 void Emulator::carry(radio::Direction direction) {

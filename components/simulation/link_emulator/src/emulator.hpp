@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "control.hpp"
-#include "file_descriptor.hpp"
+#include "foundation/datagram_socket.hpp"
+#include "foundation/file_descriptor.hpp"
 #include "foundation/time.hpp"
 #include "options.hpp"
 #include "radio_channel/radio_channel.hpp"
@@ -53,7 +54,7 @@ class Emulator {
   radio::RadioChannel channel_;
   Tun uxv_;
   Tun gcs_;
-  std::unique_ptr<ControlSocket> control_;
+  std::unique_ptr<DatagramSocket> control_;
   std::unique_ptr<StatsFile> stats_;
   std::unordered_map<radio::FrameId, std::vector<std::uint8_t>> packets_;  // on their way
   EmulatorCounters counters_;

@@ -22,7 +22,7 @@ std::string reason() { return std::strerror(errno); }
 
 FileDescriptor open_namespace(const std::string& path) {
   FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!fd.valid()) throw ConfigError("network namespace " + path + ": " + reason());
+  if (!fd) throw ConfigError("network namespace " + path + ": " + reason());
   return fd;
 }
 
@@ -50,7 +50,7 @@ class NamespaceVisit {
 
 FileDescriptor attach(const std::string& interface) {
   FileDescriptor fd(::open("/dev/net/tun", O_RDWR | O_CLOEXEC | O_NONBLOCK));
-  if (!fd.valid()) {
+  if (!fd) {
     throw EnvironmentError("needs /dev/net/tun to carry packets: " + reason());
   }
   ifreq request{};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "file_descriptor.hpp"
+#include "foundation/file_descriptor.hpp"
 #include "options.hpp"
 
 namespace tocsin::link {

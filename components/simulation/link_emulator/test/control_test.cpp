@@ -81,42 +81,5 @@ TEST(SetParameter, RefusesListsAndUnknownKeys) {
   EXPECT_FALSE(set(sut, "lost", "1"));
 }
 
-TEST(ControlSocket, ReceivesDatagramsAndDisappearsAtTheEnd) {
-  const std::string path = ::testing::TempDir() + "control_test_socket";
-  {
-    ControlSocket sut(path);
-    std::string text;
-    EXPECT_FALSE(sut.receive(text));
-    const int sender = ::socket(AF_UNIX, SOCK_DGRAM, 0);
-    sockaddr_un to{};
-    to.sun_family = AF_UNIX;
-    path.copy(to.sun_path, path.size());
-    const auto* address = reinterpret_cast<const sockaddr*>(&to);
-    EXPECT_EQ(::sendto(sender, "pos 1 2", 7, 0, address, sizeof to), 7);
-    EXPECT_EQ(::sendto(sender, "", 0, 0, address, sizeof to), 0);
-    ::close(sender);
-    EXPECT_TRUE(sut.receive(text));
-    EXPECT_EQ(text, "pos 1 2");
-    EXPECT_TRUE(sut.receive(text));
-    EXPECT_EQ(text, "");
-  }
-  EXPECT_NE(::access(path.c_str(), F_OK), 0);
-}
-
-TEST(ControlSocket, ReplacesALeftOverSocketButNoFile) {
-  const std::string path = ::testing::TempDir() + "control_test_left_over";
-  const ControlSocket first(path);
-  EXPECT_NO_THROW(ControlSocket{path});
-  const std::string file = ::testing::TempDir() + "control_test_file";
-  std::ofstream(file) << "precious";
-  EXPECT_THROW(ControlSocket{file}, ConfigError);
-  EXPECT_EQ(::access(file.c_str(), F_OK), 0);
-}
-
-TEST(ControlSocket, RefusesPathsThatDoNotFit) {
-  EXPECT_THROW(ControlSocket{"/tmp/" + std::string(120, 'a')}, ConfigError);
-  EXPECT_THROW(ControlSocket{"/does/not/exist/socket"}, ConfigError);
-}
-
 }  // namespace
 }  // namespace tocsin::link

@@ -23,6 +23,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "foundation/datagram_socket.hpp"
+
 namespace tocsin::link {
 namespace {
 
@@ -225,13 +227,7 @@ bool Emulator::ready() const {
 }
 
 void Emulator::command(const std::string& text) const {
-  const int fd = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  sockaddr_un to{};
-  to.sun_family = AF_UNIX;
-  file("control").copy(to.sun_path, sizeof to.sun_path - 1);
-  (void)::sendto(fd, text.data(), text.size(), 0, reinterpret_cast<const sockaddr*>(&to),
-                 sizeof to);
-  ::close(fd);
+  (void)DatagramSocket().send(file("control"), text);
 }
 
 void Emulator::signal(int number) const { ::kill(pid_, number); }

@@ -3,18 +3,9 @@
 
 #include <utility>
 
+#include "foundation/joined.hpp"
+
 namespace tocsin {
-namespace {
-
-// Not fmt::join: with texts GCC 12 takes its code for an overflow.
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
-}  // namespace
-
 void EmergencyStopOrder::on_vehicle(bool stands, std::vector<std::string> stopped_by) {
   stands_ = stands;
   stopped_by_ = std::move(stopped_by);

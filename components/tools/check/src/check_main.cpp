@@ -88,13 +88,7 @@ void write(const std::string& path, const std::string& text) {
 void draw(const Graph& graph, const Options& options) {
   const std::string dot = to_dot(graph, options.all);
   if (!options.dot.empty()) write(options.dot, dot);
-  if (options.svg.empty()) return;
-  const std::string command = "dot -Tsvg -o '" + options.svg + "'";
-  FILE* const program = ::popen(command.c_str(), "w");
-  if (program != nullptr) std::fputs(dot.c_str(), program);
-  if (program == nullptr || ::pclose(program) != 0) {
-    throw EnvironmentError(options.svg + ": dot could not draw it (package graphviz)");
-  }
+  if (!options.svg.empty()) draw_svg(dot, options.svg);
 }
 
 int check(Options& options) {

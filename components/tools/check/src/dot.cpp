@@ -6,6 +6,9 @@
 #include <set>
 #include <sstream>
 
+#include "command_line/run_to_end.hpp"
+#include "foundation/error.hpp"
+
 namespace tocsin::check {
 namespace {
 
@@ -111,6 +114,16 @@ class Drawing {
 std::string to_dot(const Graph& graph, bool all) {
   const Graph shown = all ? graph : without_observers(graph);
   return Drawing(shown, all).text();
+}
+
+void draw_svg(const std::string& dot, const std::string& path) {
+  Ended drawn;
+  try {
+    drawn = run_to_end({"dot", "-Tsvg", "-o", path}, {dot, ""});
+  } catch (const EnvironmentError& error) {
+    throw EnvironmentError(path + ": is not drawn without dot (package graphviz): " + error.what());
+  }
+  if (drawn.code != 0) throw EnvironmentError(path + ": dot could not draw it: " + drawn.output);
 }
 
 }  // namespace tocsin::check

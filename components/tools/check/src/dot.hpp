@@ -12,4 +12,8 @@ namespace tocsin::check {
 /// write nothing (recorders, views), the gates, and topics without a reader are left out.
 [[nodiscard]] std::string to_dot(const Graph& graph, bool all);
 
+/// Draws the text of to_dot to the file `path`. Throws EnvironmentError when dot is not there
+/// (package graphviz) or cannot do it.
+void draw_svg(const std::string& dot, const std::string& path);
+
 }  // namespace tocsin::check

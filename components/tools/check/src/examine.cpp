@@ -7,6 +7,7 @@
 #include <set>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 
 namespace tocsin::check {
 namespace {
@@ -29,12 +30,6 @@ std::map<std::string, Ends> by_topic(const Graph& graph) {
 
 bool reaches(const End& writer, const End& reader) {
   return writer.port->scope == Scope::link || writer.node->host == reader.node->host;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 const char* name_of(Scope scope) { return scope == Scope::link ? "link" : "host"; }

@@ -4,6 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
+
 #include "graphs.hpp"
 
 namespace tocsin::check {
@@ -43,6 +48,23 @@ TEST(Dot, AHostTopicIsDrawnOnEachHost) {
   const std::string dot = to_dot(graph, true);
   EXPECT_THAT(dot, HasSubstr("\"uxv:log\" -> \"uxv/drive/b\""));
   EXPECT_THAT(dot, HasSubstr("\"gcs:log\" -> \"gcs/desk/d\""));
+}
+
+TEST(DrawSvg, TakesEveryFileName) {
+  if (std::system("command -v dot >/dev/null") != 0) GTEST_SKIP() << "no dot here";
+  const TemporaryFolder folder;
+  (void)folder.write("it's $(echo here)/note", "");
+  draw_svg(to_dot(mission, false), folder.path("it's $(echo here)/a b.svg"));
+  EXPECT_THAT(folder.read("it's $(echo here)/a b.svg"), HasSubstr("</svg>"));
+}
+
+TEST(DrawSvg, SaysWhichFileItCouldNotWrite) {
+  try {
+    draw_svg(to_dot(mission, false), "/nowhere/a.svg");
+    FAIL() << "no error";
+  } catch (const EnvironmentError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/nowhere/a.svg: "));
+  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "foundation/printable.hpp"
 #include "plot.hpp"
+#include "report/gnuplot.hpp"
 
 namespace tocsin::tools {
 namespace {
@@ -180,7 +181,8 @@ std::string to_csv(const DecidedTrace& decided) {
 std::string decide_plot(const DecidedTrace& decided) {
   std::string script = "$d << EOD\n" + series(decided) +
                        "EOD\nset multiplot layout 2,1\nset lmargin 10\nset rmargin 16\n";
-  script += "set title " + quoted("policy " + decided.policy + ", " + decided.trace.path) + "\n";
+  script += "set title " +
+            report::gnuplot_text("policy " + decided.policy + ", " + decided.trace.path) + "\n";
   script += "set xlabel 's'\nset ylabel 'QNI'\nset yrange [0:100]\nset key outside\n";
   script +=
       "plot $d using 1:5 with filledcurves y1=0 fs solid 0.25 noborder lc rgb '#c04020' title "

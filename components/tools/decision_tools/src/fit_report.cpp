@@ -9,6 +9,7 @@
 
 #include "foundation/error.hpp"
 #include "plot.hpp"
+#include "report/gnuplot.hpp"
 
 namespace tocsin::tools {
 namespace {
@@ -65,11 +66,12 @@ std::string curve(const Density& law) {
 }
 
 std::string half(const FitReport& report, const std::string& block, const std::string& title) {
-  return "set title " + quoted(title) + "\nplot $" + block +
+  return "set title " + report::gnuplot_text(title) + "\nplot $" + block +
          "_data with boxes fs solid 0.4 lc rgb '#4878a8' title " +
-         quoted(report.trace.path + ", n = " + std::to_string(report.data.sorted.size())) + ", $" +
-         block + "_law with lines lw 3 lc rgb '#c04020' title " + quoted(describe(report.chosen)) +
-         "\n";
+         report::gnuplot_text(report.trace.path +
+                              ", n = " + std::to_string(report.data.sorted.size())) +
+         ", $" + block + "_law with lines lw 3 lc rgb '#c04020' title " +
+         report::gnuplot_text(describe(report.chosen)) + "\n";
 }
 
 }  // namespace

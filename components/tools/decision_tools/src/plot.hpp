@@ -9,7 +9,4 @@ namespace tocsin::tools {
 /// PREFIX.png and PREFIX.svg. Throws EnvironmentError when gnuplot is missing or fails.
 void draw(const std::string& script, const std::string& prefix);
 
-/// `text` as a gnuplot string in double quotes.
-[[nodiscard]] std::string quoted(const std::string& text);
-
 }  // namespace tocsin::tools

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/yaml_file.hpp"
@@ -127,11 +128,8 @@ std::string to_text(const PolicySettings& settings) {
 }
 
 std::string source_names(const PolicySettings& settings) {
-  std::string text;
-  for (const ParameterSource& source : settings.sources) {
-    text += (text.empty() ? "" : ", ") + source.name;
-  }
-  return text.empty() ? "the defaults" : text;
+  if (settings.sources.empty()) return "the defaults";
+  return joined_of(settings.sources, [](const ParameterSource& source) { return source.name; });
 }
 
 }  // namespace tocsin::tools

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "csv_table.hpp"
 #include "decision/qni.hpp"
+#include "foundation/csv_table.hpp"
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/numbers.hpp"
 #include "foundation/printable.hpp"
 #include "recorded_decisions.hpp"
@@ -136,11 +137,9 @@ void read_network_quality(const CsvTable& table, const TraceOptions& options, Qu
 }
 
 [[noreturn]] void reject(const CsvTable& table) {
-  std::string known;
-  for (const std::string& name : table.columns()) known += (known.empty() ? "" : ", ") + name;
   throw ConfigError(table.path() +
                     ": has no column qni, per_percent or rssi_dbm (--column names another), has: " +
-                    printable(known));
+                    printable(joined(table.columns())));
 }
 
 }  // namespace
@@ -154,7 +153,7 @@ std::vector<double> QualityTrace::measured() const {
 }
 
 QualityTrace read_quality_trace(const std::string& path, const TraceOptions& options) {
-  CsvTable table(path);
+  CsvTable table = CsvTable::load(path);
   QualityTrace trace;
   trace.path = path;
   trace.role = keep_one_role(table, options.role);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "csv_table.hpp"
+#include "foundation/csv_table.hpp"
 #include "quality_trace.hpp"
 
 namespace tocsin::tools {

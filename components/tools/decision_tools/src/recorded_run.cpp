@@ -9,6 +9,7 @@
 
 #include "decision/policy_params.hpp"
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/yaml_file.hpp"
 
@@ -65,9 +66,8 @@ bool decide_alike(const std::vector<Controller>& all, const std::string& file) {
 }
 
 std::string joined_roles(const std::vector<Controller>& all) {
-  std::string text;
-  for (const Controller& one : all) text += (text.empty() ? "" : " and ") + one.role;
-  return text;
+  return joined_of(
+      all, [](const Controller& one) { return one.role; }, " and ");
 }
 
 std::optional<fs::path> deployment_beside(const fs::path& recording) {

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/plot.hpp"
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <string>
 
-#include "foundation/error.hpp"
+#include "report/gnuplot.hpp"
 #include "report/summary.hpp"
 
 namespace tocsin::report {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Colours that people with red-green blindness tell apart (Okabe and Ito).
-constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73",
-                                   "#cc79a7", "#e69f00", "#56b4e9"};
 
 void write_series(const Recording& recording, const fs::path& folder) {
   std::ofstream qni(folder / "qni.dat");
@@ -59,8 +54,8 @@ std::string traffic_lines(const Recording& recording) {
   for (const auto& [name, arrivals] : recording.arrivals) {
     if (index > 0) text += ", ";
     text += "'traffic.dat' index " + std::to_string(index) +
-            " with lines linewidth 1.5 linecolor rgb '" + colours[index % std::size(colours)] +
-            "' title '" + name + "'";
+            " with lines linewidth 1.5 linecolor " + gnuplot_colour(index) + " title " +
+            gnuplot_text(name);
     ++index;
   }
   return index > 0 ? text + "\n" : "";
@@ -70,13 +65,16 @@ std::string script(const Recording& recording) {
   const std::string policy =
       recording.decisions.empty() ? "" : ", policy " + recording.decisions.back().policy;
   std::string panels =
-      "set multiplot layout 2,1 title 'Mission " + recording.mission.name + policy +
-      " (grey: paused)' noenhanced\n" + pause_boxes(recording) +
+      "set multiplot layout 2,1 title " +
+      gnuplot_text("Mission " + recording.mission.name + policy + " (grey: paused)") +
+      " noenhanced\n" + pause_boxes(recording) +
       "set xrange [0:" + std::to_string(recording.end_s - recording.begin_s) +
       "]\nset grid\nset lmargin 10\nset rmargin 22\nset key outside right\n"
       "set yrange [0:100]\nset ylabel 'QNI, PER [%]'\n"
-      "plot 'qni.dat' with lines linewidth 1.5 linecolor rgb '#0072b2' title 'QNI', "
-      "'per.dat' with lines linewidth 1.5 linecolor rgb '#d55e00' title 'PER'\n"
+      "plot 'qni.dat' with lines linewidth 1.5 linecolor " +
+      gnuplot_colour(0) + " title 'QNI', 'per.dat' with lines linewidth 1.5 linecolor " +
+      gnuplot_colour(1) +
+      " title 'PER'\n"
       "set ylabel 'received [kbit/s]'\nset xlabel 'time [s]'\n"
       "set yrange [0.1:*]\nset logscale y\n" +
       traffic_lines(recording) + "unset multiplot\nunset logscale y\nreset\n";
@@ -91,12 +89,9 @@ void draw_plot(const Recording& recording) {
   fs::create_directories(folder);
   write_series(recording, folder);
   write_traffic(recording, folder);
-  std::ofstream(folder / "plot.gnuplot") << script(recording);
-  const std::string command = "cd '" + folder.string() + "' && gnuplot plot.gnuplot 2>gnuplot.log";
-  if (std::system(command.c_str()) != 0) {
-    throw EnvironmentError("the plot could not be drawn; is gnuplot there? See " +
-                           (folder / "gnuplot.log").string());
-  }
+  const std::string commands = script(recording);
+  std::ofstream(folder / "plot.gnuplot") << commands;
+  run_gnuplot(commands, folder.string());
 }
 
 }  // namespace tocsin::report

@@ -12,8 +12,8 @@
 
 #include "deployment/deployment.hpp"
 #include "deployment/traffic_file.hpp"
+#include "foundation/csv_table.hpp"
 #include "foundation/error.hpp"
-#include "report/csv_table.hpp"
 #include "report/link_log.hpp"
 
 namespace tocsin::report {

@@ -67,8 +67,8 @@ Child start_child(const ChildSetup& setup) {
   arguments.push_back(nullptr);
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw EnvironmentError("cannot make a pipe");
-  Child child{-1, UniqueFd(ends[0])};
-  const UniqueFd write_end(ends[1]);
+  Child child{-1, FileDescriptor(ends[0])};
+  const FileDescriptor write_end(ends[1]);
   ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
   const pid_t parent = ::getpid();
   child.pid = ::fork();

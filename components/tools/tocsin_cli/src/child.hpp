@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "unique_fd.hpp"
+#include "foundation/file_descriptor.hpp"
 
 namespace tocsin::cli {
 
@@ -20,8 +20,8 @@ struct ChildSetup {
 
 /// A started process.
 struct Child {
-  pid_t pid = -1;   ///< also the id of its process group
-  UniqueFd output;  ///< its stdout and stderr (only stderr with `terminal`), non-blocking
+  pid_t pid = -1;         ///< also the id of its process group
+  FileDescriptor output;  ///< its stdout and stderr (only stderr with `terminal`), non-blocking
 };
 
 /// Starts a process that the kernel kills when this one dies. When the program cannot be executed

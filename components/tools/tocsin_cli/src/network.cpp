@@ -34,7 +34,7 @@ bool write_file(const std::string& path, const std::string& text) {
 }
 
 void require_tun() {
-  const UniqueFd tun(::open("/dev/net/tun", O_RDWR | O_CLOEXEC));
+  const FileDescriptor tun(::open("/dev/net/tun", O_RDWR | O_CLOEXEC));
   if (!tun) fail("needs /dev/net/tun to carry packets over the emulated link");
 }
 
@@ -83,8 +83,8 @@ HostNetwork::HostNetwork() {
   std::thread maker([&] {
     try {
       if (::unshare(CLONE_NEWNET) != 0) fail("cannot make a network namespace");
-      namespace_ = UniqueFd(::open("/proc/thread-self/ns/net", O_RDONLY | O_CLOEXEC));
-      socket_ = UniqueFd(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+      namespace_ = FileDescriptor(::open("/proc/thread-self/ns/net", O_RDONLY | O_CLOEXEC));
+      socket_ = FileDescriptor(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
       if (!namespace_ || !socket_) fail("cannot open the network namespace");
       set_up_loopback(socket_.get());
       allow_echo_sockets();

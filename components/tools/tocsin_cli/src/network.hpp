@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "unique_fd.hpp"
+#include "foundation/file_descriptor.hpp"
 
 namespace tocsin::cli {
 
@@ -24,8 +24,8 @@ class HostNetwork {
   [[nodiscard]] bool has_link(const std::string& address) const;
 
  private:
-  UniqueFd namespace_;
-  UniqueFd socket_;  ///< made inside, so that it sees the interfaces there
+  FileDescriptor namespace_;
+  FileDescriptor socket_;  ///< made inside, so that it sees the interfaces there
 };
 
 }  // namespace tocsin::cli

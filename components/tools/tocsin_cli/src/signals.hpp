@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "unique_fd.hpp"
+#include "foundation/file_descriptor.hpp"
 
 namespace tocsin::cli {
 
@@ -14,7 +14,7 @@ class Signals {
   [[nodiscard]] int take();
 
  private:
-  UniqueFd fd_;
+  FileDescriptor fd_;
 };
 
 }  // namespace tocsin::cli

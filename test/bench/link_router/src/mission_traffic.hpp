@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "foundation/time.hpp"
+#include "geometry/wall.hpp"
 #include "link_router/transmission.hpp"
 #include "radio_channel/radio_channel.hpp"
 

@@ -12,8 +12,15 @@ struct Ended {
   std::string output;  ///< all that it wrote to stdout and stderr, in the order of its writes
 };
 
-/// Runs a program, the path in front of its arguments, to its end; it has no input. Throws
-/// EnvironmentError when it cannot be executed.
-[[nodiscard]] Ended run_to_end(const std::vector<std::string>& command);
+/// What a program finds when it starts.
+struct ProgramInput {
+  std::string text;    ///< what it reads from stdin
+  std::string folder;  ///< where it runs; empty: where this process does
+};
+
+/// Runs a program to its end, without a shell: its path, or a name that is looked for in PATH, and
+/// its arguments. Blocks until then. Throws EnvironmentError when it cannot be executed.
+[[nodiscard]] Ended run_to_end(const std::vector<std::string>& command,
+                               const ProgramInput& input = {});
 
 }  // namespace tocsin

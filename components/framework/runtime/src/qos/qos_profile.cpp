@@ -5,6 +5,7 @@
 
 #include "command_line/programs.hpp"
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/yaml_extends.hpp"
 #include "foundation/yaml_file.hpp"
@@ -131,10 +132,9 @@ void QosProfiles::read_overrides(const YAML::Node& node) {
 QosProfile QosProfiles::of(const std::string& profile, const std::string& topic) const {
   const auto found = profiles_.find(profile);
   if (found == profiles_.end()) {
-    std::string known;
-    for (const auto& entry : profiles_) known += (known.empty() ? "" : ", ") + entry.first;
-    throw ConfigError("topic " + topic + ": QoS profile '" + profile + "' is not in " + path_ +
-                      "; it has: " + known);
+    throw ConfigError(
+        "topic " + topic + ": QoS profile '" + profile + "' is not in " + path_ +
+        "; it has: " + joined_of(profiles_, [](const auto& known) { return known.first; }));
   }
   QosProfile qos = found->second;
   const auto own = overrides_.find(topic);

@@ -4,19 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "foundation/error.hpp"
+#include "report/gnuplot.hpp"
 #include "report/statistics.hpp"
 
 namespace tocsin::experiment {
 namespace {
-
-/// Colours that people with red-green blindness tell apart (Okabe and Ito).
-constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                   "#e69f00", "#56b4e9", "#000000"};
 
 std::string number(double value) {
   if (!std::isfinite(value)) return "NaN";
@@ -36,18 +32,11 @@ bool any_finite(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-std::string quoted(std::string text) {
-  for (char& c : text) {
-    if (c == '\'') c = ' ';
-  }
-  return "'" + text + "'";
-}
-
 }  // namespace
 
 Figure& Figure::axes(const std::string& x, const std::string& y) {
-  if (!x.empty()) commands_ += "set xlabel " + quoted(x) + " noenhanced\n";
-  commands_ += "set ylabel " + quoted(y) + " noenhanced\n";
+  if (!x.empty()) commands_ += "set xlabel " + report::gnuplot_text(x) + " noenhanced\n";
+  commands_ += "set ylabel " + report::gnuplot_text(y) + " noenhanced\n";
   return *this;
 }
 
@@ -62,17 +51,13 @@ std::string Figure::block(const std::string& rows) {
   return name;
 }
 
-std::string Figure::colour() const {
-  return std::string("rgb '") + colours[static_cast<std::size_t>(colours_) % std::size(colours)] +
-         "'";
-}
-
 Figure& Figure::line(const std::string& title, const std::vector<double>& y, double x_step) {
   if (!any_finite(y)) return *this;
   std::string rows;
   for (std::size_t i = 0; i < y.size(); ++i) rows += row({static_cast<double>(i) * x_step, y[i]});
-  plots_.push_back(block(rows) + " using 1:2 with lines lw 2 lc " + colour() +
-                   (title.empty() ? " notitle" : " title " + quoted(title)));
+  plots_.push_back(block(rows) + " using 1:2 with lines lw 2 lc " +
+                   report::gnuplot_colour(colours_) +
+                   (title.empty() ? " notitle" : " title " + report::gnuplot_text(title)));
   ++colours_;
   return *this;
 }
@@ -87,7 +72,7 @@ Figure& Figure::band(const std::vector<double>& low, const std::vector<double>& 
   plots_.push_back(block(rows) +
                    " using 1:2:3 with filledcurves fs transparent solid 0.18 "
                    "noborder lc " +
-                   colour() + " notitle");
+                   report::gnuplot_colour(colours_) + " notitle");
   return *this;
 }
 
@@ -101,10 +86,10 @@ Figure& Figure::box(const std::string& label, const std::vector<double>& values)
   if (finite.empty()) return *this;
   const auto at = [&](double share) { return report::percentile(finite, share); };
   const std::string name = block(row({place, at(0.25), at(0.05), at(0.95), at(0.75), at(0.5)}));
-  plots_.push_back(name + " using 1:2:3:4:5:(0.5) with candlesticks lw 1.5 lc " + colour() +
-                   " fs solid 0.25 notitle whiskerbars 0.5");
-  plots_.push_back(name + " using 1:6:6:6:6:(0.5) with candlesticks lw 3 lc " + colour() +
-                   " notitle");
+  plots_.push_back(name + " using 1:2:3:4:5:(0.5) with candlesticks lw 1.5 lc " +
+                   report::gnuplot_colour(colours_) + " fs solid 0.25 notitle whiskerbars 0.5");
+  plots_.push_back(name + " using 1:6:6:6:6:(0.5) with candlesticks lw 3 lc " +
+                   report::gnuplot_colour(colours_) + " notitle");
   ++colours_;
   return *this;
 }
@@ -136,8 +121,8 @@ Figure& Figure::marks(const std::string& title, const std::vector<Estimate>& mea
                  known ? one.high : one.mean});
   }
   if (rows.empty()) return *this;
-  plots_.push_back(block(rows) + " using 1:2:3:4 with yerrorbars pt 7 ps 0.8 lw 2 lc " + colour() +
-                   " title " + quoted(title));
+  plots_.push_back(block(rows) + " using 1:2:3:4 with yerrorbars pt 7 ps 0.8 lw 2 lc " +
+                   report::gnuplot_colour(colours_) + " title " + report::gnuplot_text(title));
   ++colours_;
   return *this;
 }
@@ -152,8 +137,9 @@ Figure& Figure::points(const std::string& title, const std::vector<double>& x,
   if (!any_finite(x) || !any_finite(y)) return *this;
   std::string rows;
   for (std::size_t i = 0; i < x.size() && i < y.size(); ++i) rows += row({x[i], y[i]});
-  plots_.push_back(block(rows) + " using 1:2 with points pt 7 ps 0.8 lc " + colour() +
-                   (title.empty() ? " notitle" : " title " + quoted(title)));
+  plots_.push_back(block(rows) + " using 1:2 with points pt 7 ps 0.8 lc " +
+                   report::gnuplot_colour(colours_) +
+                   (title.empty() ? " notitle" : " title " + report::gnuplot_text(title)));
   ++colours_;
   return *this;
 }
@@ -163,41 +149,38 @@ std::string Figure::labels() const {
   std::string text =
       "set xrange [0.3:" + number(static_cast<double>(labels_.size()) + 0.7) + "]\nset xtics (";
   for (std::size_t i = 0; i < labels_.size(); ++i) {
-    text += (i > 0 ? ", " : "") + quoted(labels_[i]) + " " + std::to_string(i + 1);
+    text += (i > 0 ? ", " : "") + report::gnuplot_text(labels_[i]) + " " + std::to_string(i + 1);
   }
   return text + ") noenhanced" + (labels_.size() > 5 ? " rotate by -30" : "") + "\nset rmargin 9\n";
 }
 
-std::string Figure::script(const std::string& folder) const {
+std::string Figure::script() const {
   std::string plot = "plot ";
   for (std::size_t i = 0; i < plots_.size(); ++i) plot += (i > 0 ? ", \\\n  " : "") + plots_[i];
   if (plots_.empty()) plot += "[0:1] [0:1] 2 notitle";
-  const std::string body = "set title " + quoted(title_) +
+  const std::string body = "set title " + report::gnuplot_text(title_) +
                            " noenhanced\nset grid lc rgb '#dddddd'\n"
                            "set key outside top center horizontal noenhanced\nset border 3\n"
                            "set tics nomirror\n" +
                            labels() + commands_ + plot + "\n";
-  const std::string path = folder + "/" + name_;
-  return "reset session\n" + data_ + "set terminal svg size 760,420 dynamic font 'sans,13' name '" +
-         name_ + "'\nset output '" + path + ".svg'\n" + body +
-         "set terminal pngcairo size 1140,630 font 'sans,14'\nset output '" + path + ".png'\n" +
-         body + "unset output\n";
+  return "reset session\n" + data_ + "set terminal svg size 760,420 dynamic font 'sans,13' name " +
+         report::gnuplot_text(name_) + "\nset output " + report::gnuplot_text(name_ + ".svg") +
+         "\n" + body + "set terminal pngcairo size 1140,630 font 'sans,14'\nset output " +
+         report::gnuplot_text(name_ + ".png") + "\n" + body + "unset output\n";
 }
 
 void draw(const std::vector<Figure>& figures, const std::string& folder) {
   namespace fs = std::filesystem;
   std::error_code error;
   fs::create_directories(folder, error);
-  const std::string script = folder + "/figures.gnuplot";
-  std::ofstream file(script);
-  for (const Figure& figure : figures) file << figure.script(folder);
+  std::string script;
+  for (const Figure& figure : figures) script += figure.script();
+  const std::string path = folder + "/figures.gnuplot";
+  std::ofstream file(path);
+  file << script;
   file.close();
-  if (!file) throw EnvironmentError(script + ": cannot be written (disk full?)");
-  const std::string log = folder + "/gnuplot.log";
-  const std::string command = "gnuplot '" + script + "' >'" + log + "' 2>&1";
-  if (std::system(command.c_str()) != 0) {
-    throw EnvironmentError("the figures could not be drawn; is gnuplot there? See " + log);
-  }
+  if (!file) throw EnvironmentError(path + ": cannot be written (disk full?)");
+  report::run_gnuplot(script, folder);
 }
 
 }  // namespace tocsin::experiment

@@ -39,12 +39,11 @@ class Figure {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::string& title() const { return title_; }
-  /// The whole gnuplot program that writes `<folder>/<name>.svg` and `.png`.
-  [[nodiscard]] std::string script(const std::string& folder) const;
+  /// The whole gnuplot program that writes `<name>.svg` and `.png`.
+  [[nodiscard]] std::string script() const;
 
  private:
   [[nodiscard]] std::string block(const std::string& rows);
-  [[nodiscard]] std::string colour() const;
   [[nodiscard]] std::string labels() const;
   std::string name_;
   std::string title_;
@@ -53,7 +52,7 @@ class Figure {
   std::vector<std::string> plots_;
   std::vector<std::string> labels_;
   int blocks_ = 0;
-  int colours_ = 0;
+  std::size_t colours_ = 0;
 };
 
 /// Draws all figures into `folder` as name.svg and name.png. Throws EnvironmentError when gnuplot

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "page/inference.hpp"
 
+#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
 
@@ -8,15 +9,7 @@ namespace tocsin::experiment {
 
 double t_quantile_975(int degrees) {
   assert(degrees >= 1);
-  constexpr double exact[] = {12.7062, 4.30265, 3.18245, 2.77645};
-  if (degrees <= 4) return exact[degrees - 1];
-  const double v = degrees;
-  const double z = 1.959963985;
-  const double z2 = z * z;
-  const double g1 = z * (z2 + 1) / 4;
-  const double g2 = z * (5 * z2 * z2 + 16 * z2 + 3) / 96;
-  const double g3 = z * (3 * z2 * z2 * z2 + 19 * z2 * z2 + 17 * z2 - 15) / 384;
-  return z + g1 / v + g2 / (v * v) + g3 / (v * v * v);
+  return quantile(boost::math::students_t(degrees), 0.975);
 }
 
 Estimate estimate(const std::vector<double>& values) {

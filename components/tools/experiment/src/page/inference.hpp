@@ -22,8 +22,7 @@ struct Estimate {
 [[nodiscard]] Estimate paired_difference(const std::vector<double>& a,
                                          const std::vector<double>& b);
 
-/// 97.5 % quantile of Student's t with `degrees` of freedom, at least 1; within 0.1 % (a table up
-/// to 4, beyond it Abramowitz and Stegun 26.7.5).
+/// 97.5 % quantile of Student's t with `degrees` of freedom, at least 1.
 [[nodiscard]] double t_quantile_975(int degrees);
 
 }  // namespace tocsin::experiment

@@ -9,10 +9,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "foundation/csv_table.hpp"
 #include "foundation/error.hpp"
 #include "foundation/yaml_file.hpp"
 #include "page/inference.hpp"
-#include "report/csv_table.hpp"
 #include "report/statistics.hpp"
 #include "results/result_store.hpp"
 
@@ -32,7 +32,7 @@ bool same_round(const Group& a, const Group& b) {
          a.payload == b.payload;
 }
 
-Group group_of(const report::CsvTable& table, std::size_t row) {
+Group group_of(const CsvTable& table, std::size_t row) {
   Group group;
   group.set = table.text(row, "set");
   group.mission = table.text(row, "mission");
@@ -50,7 +50,7 @@ std::string id_of(const Group& group, int index) {
 /// Adds the runs of one table to `groups`; rows of a group follow each other.
 void add_runs(const std::string& folder, const std::string& table_name, const std::string& kind,
               std::vector<Group>& groups, Results& results) {
-  const auto table = report::CsvTable::read(folder + "/" + table_name);
+  const auto table = CsvTable::read(folder + "/" + table_name);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     Group group = group_of(table, row);
     const int index = static_cast<int>(table.number(row, "index"));

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/yaml_file.hpp"
 
@@ -68,16 +69,12 @@ class Reader {
   void resolve(const std::vector<Entry>& entries, const std::string& set, const char* key,
                std::vector<std::string>& names) const {
     std::vector<std::string> known;
-    std::string allowed;
-    for (const Entry& entry : entries) {
-      known.push_back(entry.name);
-      allowed += (allowed.empty() ? "" : ", ") + entry.name;
-    }
+    for (const Entry& entry : entries) known.push_back(entry.name);
     if (names.empty()) names = known;
     for (const std::string& name : names) {
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
       fail(node_of_set(set)[key],
-           "sets." + set + "." + key + ": '" + name + "' is not one of [" + allowed + "]");
+           "sets." + set + "." + key + ": '" + name + "' is not one of [" + joined(known) + "]");
     }
   }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::experiment {
@@ -68,9 +69,7 @@ std::string fitted_text(const Fitted& fitted, const std::string& comment) {
   for (const auto& [mission, policies] : fitted) {
     text += mission + ":\n";
     for (const auto& [policy, settings] : policies) {
-      text += "  " + policy + ": [";
-      for (std::size_t i = 0; i < settings.size(); ++i) text += (i > 0 ? ", " : "") + settings[i];
-      text += "]\n";
+      text += "  " + policy + ": [" + joined(settings) + "]\n";
     }
   }
   return text;

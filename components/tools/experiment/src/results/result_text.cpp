@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "report/csv_table.hpp"
+#include "foundation/csv_table.hpp"
 #include "results/result_store.hpp"
 
 namespace tocsin::experiment {
@@ -23,11 +23,9 @@ std::string number(double value) {
 
 std::vector<double> numbers(const std::string& line) {
   std::vector<double> values;
-  std::istringstream cells(line);
-  for (std::string cell; std::getline(cells, cell, ',');) {
-    values.push_back(report::number_of(cell));
-  }
-  if (!line.empty() && line.back() == ',') values.push_back(std::nan(""));
+  const auto row = CsvReader(line).next();
+  if (!row) return values;
+  for (const std::string& cell : row->cells) values.push_back(csv_number(cell));
   return values;
 }
 

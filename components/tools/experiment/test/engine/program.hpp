@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "foundation/csv_table.hpp"
 #include "plan/toy.hpp"
-#include "report/csv_table.hpp"
 
 namespace tocsin::experiment {
 
@@ -69,8 +69,8 @@ class ExperimentTest : public ::testing::Test {
     const std::string file = folder_.write("experiment.yaml", text_of(slice));
     return call("run " + file + " --jobs 2 --out " + folder_.path(out), before);
   }
-  [[nodiscard]] report::CsvTable table(const std::string& name) const {
-    return report::CsvTable::read(folder_.path(name));
+  [[nodiscard]] CsvTable table(const std::string& name) const {
+    return CsvTable::read(folder_.path(name));
   }
   TemporaryFolder folder_;
 };

@@ -19,13 +19,13 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 Figure figure() { return {"name", "Title"}; }
-std::string script(const Figure& figure) { return figure.script("/out"); }
+std::string script(const Figure& figure) { return figure.script(); }
 
 TEST(FigureScript, WritesBothKindsOfFile) {
   const std::string sut = script(figure());
-  EXPECT_THAT(sut, AllOf(HasSubstr("set terminal svg"), HasSubstr("set output '/out/name.svg'"),
-                         HasSubstr("set terminal pngcairo"),
-                         HasSubstr("set output '/out/name.png'"), HasSubstr("unset output\n")));
+  EXPECT_THAT(sut, AllOf(HasSubstr("set terminal svg"), HasSubstr("set output \"name.svg\""),
+                         HasSubstr("set terminal pngcairo"), HasSubstr("set output \"name.png\""),
+                         HasSubstr("unset output\n")));
 }
 
 TEST(FigureScript, BeginsAnewForEachFigure) {
@@ -37,10 +37,10 @@ TEST(FigureScript, DrawsAnEmptyPlotOfNothing) {
   EXPECT_THAT(script(figure().line("", {NAN, NAN}, 1)), HasSubstr("plot [0:1] [0:1] 2 notitle"));
 }
 
-TEST(FigureScript, NamesAxesAndKeepsQuotesOut) {
+TEST(FigureScript, NamesAxesWithTheirQuotes) {
   const std::string sut = script(figure().axes("time's [s]", "QNI [%]"));
-  EXPECT_THAT(sut, HasSubstr("set xlabel 'time s [s]' noenhanced\n"));
-  EXPECT_THAT(sut, HasSubstr("set ylabel 'QNI [%]' noenhanced\n"));
+  EXPECT_THAT(sut, HasSubstr("set xlabel \"time's [s]\" noenhanced\n"));
+  EXPECT_THAT(sut, HasSubstr("set ylabel \"QNI [%]\" noenhanced\n"));
 }
 
 TEST(FigureScript, HasNoNameOfAnAxisThatHasNone) {
@@ -57,27 +57,27 @@ TEST(FigureLine, HasAPointEachStepAndAGapWhereNothingIs) {
 }
 
 TEST(FigureLine, IsInTheLegendOnlyWithATitle) {
-  EXPECT_THAT(script(figure().line("one", {1}, 1)), HasSubstr(" title 'one'"));
+  EXPECT_THAT(script(figure().line("one", {1}, 1)), HasSubstr(" title \"one\""));
   EXPECT_THAT(script(figure().line("", {1}, 1)), HasSubstr(" notitle"));
 }
 
 TEST(FigureLine, HasAColourOfItsOwn) {
   const std::string sut = script(figure().line("a", {1}, 1).line("b", {2}, 1));
-  EXPECT_THAT(
-      sut, AllOf(HasSubstr("lc rgb '#0072b2' title 'a'"), HasSubstr("lc rgb '#d55e00' title 'b'")));
+  EXPECT_THAT(sut, AllOf(HasSubstr("lc rgb '#0072b2' title \"a\""),
+                         HasSubstr("lc rgb '#d55e00' title \"b\"")));
 }
 
 TEST(FigureLine, TakesTheFirstColourAgainAfterTheLast) {
   Figure sut = figure();
   for (int i = 0; i < 8; ++i) sut.line("line " + std::to_string(i), {1}, 1);
-  EXPECT_THAT(script(sut), HasSubstr("lc rgb '#0072b2' title 'line 7'"));
+  EXPECT_THAT(script(sut), HasSubstr("lc rgb '#0072b2' title \"line 7\""));
 }
 
 TEST(FigureBand, IsInTheColourOfTheLineThatFollows) {
   const std::string sut = script(figure().band({1, 2}, {3, 4}, 10).line("one", {2, 3}, 10));
   EXPECT_THAT(sut, HasSubstr("0 1 3 \n10 2 4 \n"));
   EXPECT_THAT(sut, HasSubstr("noborder lc rgb '#0072b2' notitle"));
-  EXPECT_THAT(sut, HasSubstr("lc rgb '#0072b2' title 'one'"));
+  EXPECT_THAT(sut, HasSubstr("lc rgb '#0072b2' title \"one\""));
 }
 
 TEST(FigureBand, EndsWithTheShorterOfItsBounds) {
@@ -102,7 +102,7 @@ TEST(FigureBox, LeavesOutRunsWithoutAnAnswer) {
 
 TEST(FigureBox, KeepsThePlaceOfAPolicyWithoutValues) {
   const std::string sut = script(figure().box("none", {}).box("b", {4}));
-  EXPECT_THAT(sut, HasSubstr("'none' 1, 'b' 2"));
+  EXPECT_THAT(sut, HasSubstr("\"none\" 1, \"b\" 2"));
   EXPECT_THAT(sut, HasSubstr("<< EOD\n2 4 4 4 4 4 \nEOD"));
 }
 
@@ -137,8 +137,8 @@ TEST(FigureMarks, OfNothingTakeNoColour) {
                                      .categories({"a"})
                                      .marks("one", {{NAN, NAN, NAN, 0}}, 0)
                                      .marks("two", {{3, 2, 4, 9}}, 0));
-  EXPECT_THAT(sut, Not(HasSubstr("title 'one'")));
-  EXPECT_THAT(sut, HasSubstr("lc rgb '#0072b2' title 'two'"));
+  EXPECT_THAT(sut, Not(HasSubstr("title \"one\"")));
+  EXPECT_THAT(sut, HasSubstr("lc rgb '#0072b2' title \"two\""));
 }
 
 TEST(FigurePoints, ArePairs) {

@@ -14,10 +14,10 @@ const double none = std::nan("");
 TEST(TQuantile, AgreesWithTheTables) {
   EXPECT_NEAR(t_quantile_975(1), 12.7062, 1e-4);
   EXPECT_NEAR(t_quantile_975(4), 2.77645, 1e-5);
-  EXPECT_NEAR(t_quantile_975(5), 2.57058, 3e-3);
-  EXPECT_NEAR(t_quantile_975(10), 2.22814, 5e-4);
-  EXPECT_NEAR(t_quantile_975(30), 2.04227, 1e-4);
-  EXPECT_NEAR(t_quantile_975(1000), 1.96234, 1e-4);
+  EXPECT_NEAR(t_quantile_975(5), 2.57058, 1e-5);
+  EXPECT_NEAR(t_quantile_975(10), 2.22814, 1e-5);
+  EXPECT_NEAR(t_quantile_975(30), 2.04227, 1e-5);
+  EXPECT_NEAR(t_quantile_975(1000), 1.96234, 1e-5);
 }
 
 TEST(Estimate, HasMeanAndInterval) {

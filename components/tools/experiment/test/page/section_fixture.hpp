@@ -69,7 +69,7 @@ class SectionTest : public ::testing::Test {
     scripts_.clear();
     for (const Figure& figure : document.figures()) {
       figures_ += figure.title() + "\n";
-      scripts_ += figure.script("/out");
+      scripts_ += figure.script();
     }
     return document.text();
   }

@@ -35,7 +35,7 @@ TEST_F(ThesisSectionTest, NumbersTheFiguresOfBothMissionsAsTheThesisDid) {
   four("b");
   (void)text(add_thesis);
   for (int number = 43; number <= 52; ++number) {
-    EXPECT_THAT(scripts_, HasSubstr("'/out/fig" + std::to_string(number) + "_main_")) << number;
+    EXPECT_THAT(scripts_, HasSubstr("\"fig" + std::to_string(number) + "_main_")) << number;
   }
   EXPECT_THAT(scripts_, Not(HasSubstr("fig42")));
   EXPECT_THAT(scripts_, Not(HasSubstr("fig53")));
@@ -216,7 +216,7 @@ TEST_F(SensitivityTest, DrawsThreeMetricsWithTheirIntervals) {
             "Mission A: high_latency_p99 of the variants\n"
             "Mission A: silent_in_good of the variants\n"
             "Mission A: sent_in_poor of the variants\n");
-  EXPECT_THAT(scripts_, HasSubstr("'tocp_dsp' 1, 'alpha_2' 2"));
+  EXPECT_THAT(scripts_, HasSubstr("\"tocp_dsp\" 1, \"alpha_2\" 2"));
 }
 
 }  // namespace

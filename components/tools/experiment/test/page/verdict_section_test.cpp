@@ -124,7 +124,7 @@ TEST_F(DistributionTest, HasBoxesOfTheRunsOfEachPolicy) {
   kind("thesis");
   pair(30, 20, 900, 500);
   (void)text(add_distributions);
-  EXPECT_THAT(scripts_, HasSubstr("'no policy' 1, 'TOCP-DSP' 2"));
+  EXPECT_THAT(scripts_, HasSubstr("\"no policy\" 1, \"TOCP-DSP\" 2"));
   // Quartiles of 30.01 to 30.05, whiskers at the ends of five runs.
   EXPECT_THAT(scripts_, HasSubstr("1 30.02 30.01 30.05 30.04 30.03 \n"));
 }
@@ -134,7 +134,7 @@ TEST_F(DistributionTest, PutsPoliciesSideBySideAtEachClass) {
   set(add("none"), "critical_lost", 0.97);
   set(add("tocp_dsp"), "critical_lost", 1.97);
   (void)text(add_distributions);
-  EXPECT_THAT(scripts_, HasSubstr("'critical' 1, 'high' 2, 'low, no camera' 3"));
+  EXPECT_THAT(scripts_, HasSubstr("\"critical\" 1, \"high\" 2, \"low, no camera\" 3"));
   EXPECT_THAT(scripts_, HasSubstr("0.7 1 "));
   EXPECT_THAT(scripts_, HasSubstr("1 2 "));
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "foundation/datagram_socket.hpp"
 #include "simulator_control.hpp"
 
 namespace tocsin::kobuki {
@@ -11,18 +12,14 @@ namespace tocsin::kobuki {
 /// Asks the control socket of a running kobuki_simulator.
 class ControlClient final : public SimulatorControl {
  public:
-  /// Throws EnvironmentError when no socket can be made.
+  /// Throws when no socket can be made to be answered at.
   explicit ControlClient(std::string path);
-  ~ControlClient() override;
-  ControlClient(const ControlClient&) = delete;
-  ControlClient& operator=(const ControlClient&) = delete;
 
   [[nodiscard]] std::optional<std::string> ask(const std::string& line) override;
 
  private:
   std::string path_;
-  std::string own_path_;
-  int socket_;
+  DatagramSocket socket_;
 };
 
 }  // namespace tocsin::kobuki

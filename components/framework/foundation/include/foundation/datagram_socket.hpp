@@ -5,12 +5,14 @@
 
 #include <optional>
 #include <string>
+#include <system_error>
 
-#include "file_descriptor.hpp"
+#include "foundation/file_descriptor.hpp"
 
-namespace tocsin::kobuki {
+namespace tocsin {
 
-/// A Unix datagram socket without blocking.
+/// A Unix datagram socket with a pathname, so that programs in any network namespace reach it.
+/// Nothing blocks.
 class DatagramSocket {
  public:
   struct Message {
@@ -20,22 +22,22 @@ class DatagramSocket {
 
   /// A socket that only sends.
   DatagramSocket();
-  /// A socket bound to `path`. Replaces a socket that a dead process left there. Throws ConfigError
-  /// when the path is in use, too long or cannot be created.
+  /// A socket bound to `path`, which goes with it. Replaces a socket that a dead process left
+  /// there. Throws ConfigError when the path is in use, too long or cannot be created.
   explicit DatagramSocket(const std::string& path);
   ~DatagramSocket();
   DatagramSocket(const DatagramSocket&) = delete;
   DatagramSocket& operator=(const DatagramSocket&) = delete;
 
   [[nodiscard]] int descriptor() const { return socket_.get(); }
-  /// The next message that waits; empty when none does.
+  /// The next message that waits; empty when none does. A longer one is cut at 2048 bytes.
   [[nodiscard]] std::optional<Message> receive();
-  /// Lost without notice when nobody listens at `path`.
-  void send(const std::string& path, const std::string& text);
+  /// What hindered it, such as that nobody listens at `path`.
+  std::error_code send(const std::string& path, const std::string& text);
 
  private:
   FileDescriptor socket_;
   std::string path_;
 };
 
-}  // namespace tocsin::kobuki
+}  // namespace tocsin

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "datagram_socket.hpp"
+#include "foundation/datagram_socket.hpp"
 
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 
 #include "foundation/error.hpp"
 
-namespace tocsin::kobuki {
+namespace tocsin {
 namespace {
 
 FileDescriptor open_socket() {
@@ -75,11 +75,12 @@ std::optional<DatagramSocket::Message> DatagramSocket::receive() {
   return message;
 }
 
-void DatagramSocket::send(const std::string& path, const std::string& text) {
+std::error_code DatagramSocket::send(const std::string& path, const std::string& text) {
   const auto address = address_of(path);
-  if (!address) return;
-  ::sendto(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL, generic(*address),
-           sizeof *address);
+  if (!address) return std::make_error_code(std::errc::filename_too_long);
+  const auto sent = ::sendto(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL,
+                             generic(*address), sizeof *address);
+  return sent < 0 ? std::error_code(errno, std::system_category()) : std::error_code();
 }
 
-}  // namespace tocsin::kobuki
+}  // namespace tocsin
