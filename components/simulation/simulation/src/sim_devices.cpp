@@ -87,15 +87,14 @@ std::unique_ptr<SerialDevice> SimDevices::open_serial(const std::string& path, R
   return nullptr;
 }
 
-std::unique_ptr<EchoDevice> SimDevices::open_echo(const std::string& target,
-                                                  std::size_t payload_bytes, Readable readable) {
+std::unique_ptr<EchoDevice> SimDevices::open_echo(const EchoTarget& target, Readable readable) {
   in_addr address{};
-  if (inet_pton(AF_INET, target.c_str(), &address) != 1) {
-    throw ConfigError("target: '" + target + "' is not an IPv4 address");
+  if (inet_pton(AF_INET, target.address.c_str(), &address) != 1) {
+    throw ConfigError("target: '" + target.address + "' is not an IPv4 address");
   }
-  const bool answered = std::find(peers_.begin(), peers_.end(), target) != peers_.end();
-  const SimEcho::Probe probe{&place_.host, &link_, place_.direction,
-                             ip_and_icmp_bytes + payload_bytes, answered};
+  const bool answered = std::find(peers_.begin(), peers_.end(), target.address) != peers_.end();
+  const SimEcho::Probe probe{&place_.host, &link_, Way(place_.direction, target.dscp),
+                             ip_and_icmp_bytes + target.payload_bytes, answered};
   return std::make_unique<SimEcho>(core_, probe, std::move(readable));
 }
 

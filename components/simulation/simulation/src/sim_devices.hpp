@@ -32,8 +32,7 @@ class SimDevices final : public Devices {
 
   std::unique_ptr<SerialDevice> open_serial(const std::string& path, Readable readable) override;
   /// Throws ConfigError when `target` is no IPv4 address, as the real one does.
-  std::unique_ptr<EchoDevice> open_echo(const std::string& target, std::size_t payload_bytes,
-                                        Readable readable) override;
+  std::unique_ptr<EchoDevice> open_echo(const EchoTarget& target, Readable readable) override;
   /// /proc/meminfo and /proc/stat of an invented computer: 1 GB, a quarter of one core busy.
   std::optional<std::string> read_text(const std::string& path) override;
 

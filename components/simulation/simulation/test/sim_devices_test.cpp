@@ -54,7 +54,7 @@ class SimDevicesTest : public ::testing::Test {
 };
 
 TEST_F(SimDevicesTest, EchoComesBackAfterTheRoundTrip) {
-  const auto echo = sut_.open_echo("10.77.0.2", 64, count_);
+  const auto echo = sut_.open_echo({"10.77.0.2", 64}, count_);
   const Time sent = core_.now;
   EXPECT_EQ(echo->send(5), 0);
   EXPECT_FALSE(echo->receive());
@@ -67,8 +67,29 @@ TEST_F(SimDevicesTest, EchoComesBackAfterTheRoundTrip) {
   EXPECT_EQ(link_.pushed(), 2U);
 }
 
+/// Keeps what the channel told last.
+class ChannelWatch : public Observer {
+ public:
+  void on_channel(const radio::LinkReport& report, Time) override { last = report; }
+  radio::LinkReport last{};
+};
+
+TEST_F(SimDevicesTest, EchoesGoBothWaysWithTheDscpOfTheirTarget) {
+  ChannelWatch watch;
+  core_.observer = &watch;
+  (void)sut_.open_echo({"10.77.0.2", 64, 8}, count_)->send(5);
+  (void)sut_.open_echo({"10.77.0.2", 64}, count_)->send(6);
+  run_for(2);
+  constexpr auto background = static_cast<std::size_t>(radio::AccessCategory::background);
+  constexpr auto best_effort = static_cast<std::size_t>(radio::AccessCategory::best_effort);
+  for (const auto& direction : {watch.last.uplink, watch.last.downlink}) {
+    EXPECT_EQ(direction.categories[background].delivered, 1U);
+    EXPECT_EQ(direction.categories[best_effort].delivered, 1U);
+  }
+}
+
 TEST_F(SimDevicesTest, EchoOfADeadLinkDoesNotComeBack) {
-  const auto echo = sut_.open_echo("10.77.0.2", 64, count_);
+  const auto echo = sut_.open_echo({"10.77.0.2", 64}, count_);
   run_for(11);
   (void)echo->send(5);
   run_for(9);
@@ -76,20 +97,20 @@ TEST_F(SimDevicesTest, EchoOfADeadLinkDoesNotComeBack) {
 }
 
 TEST_F(SimDevicesTest, EchoToAnAddressThatNobodyHasDoesNotComeBack) {
-  const auto echo = sut_.open_echo("10.77.0.3", 64, count_);
+  const auto echo = sut_.open_echo({"10.77.0.3", 64}, count_);
   (void)echo->send(5);
   run_for(1);
   EXPECT_EQ(readable_, 0);
 }
 
 TEST_F(SimDevicesTest, ReplyToAnEchoThatWasClosedHarmsNobody) {
-  (void)sut_.open_echo("10.77.0.2", 64, count_)->send(5);
+  (void)sut_.open_echo({"10.77.0.2", 64}, count_)->send(5);
   run_for(1);
   EXPECT_EQ(readable_, 0);
 }
 
 TEST_F(SimDevicesTest, RefusesATargetThatIsNoAddress) {
-  EXPECT_THROW((void)sut_.open_echo("", 64, count_), ConfigError);
+  EXPECT_THROW((void)sut_.open_echo({"", 64}, count_), ConfigError);
 }
 
 TEST_F(SimDevicesTest, HasOnlyThePortsOfItsBases) {

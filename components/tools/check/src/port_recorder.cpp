@@ -90,10 +90,8 @@ std::unique_ptr<SerialDevice> SilentDevices::open_serial(const std::string& path
   return std::make_unique<DeadLine>();
 }
 
-std::unique_ptr<EchoDevice> SilentDevices::open_echo(const std::string& target,
-                                                     std::size_t payload_bytes, Readable readable) {
+std::unique_ptr<EchoDevice> SilentDevices::open_echo(const EchoTarget& target, Readable readable) {
   (void)target;
-  (void)payload_bytes;
   (void)readable;
   return std::make_unique<NoEcho>();
 }

@@ -37,8 +37,7 @@ class SilentDevices final : public Devices {
  public:
   [[nodiscard]] std::unique_ptr<SerialDevice> open_serial(const std::string& path,
                                                           Readable readable) override;
-  [[nodiscard]] std::unique_ptr<EchoDevice> open_echo(const std::string& target,
-                                                      std::size_t payload_bytes,
+  [[nodiscard]] std::unique_ptr<EchoDevice> open_echo(const EchoTarget& target,
                                                       Readable readable) override;
   [[nodiscard]] std::optional<std::string> read_text(const std::string& path) override;
 };

@@ -74,7 +74,7 @@ TEST(SilentDevices, OpenAndSayNothing) {
   std::uint8_t byte = 0;
   EXPECT_EQ(port->read(&byte, 1), std::optional<std::size_t>(0));
   EXPECT_TRUE(port->write(&byte, 1));
-  EXPECT_NE(sut.open_echo("10.0.0.1", 64, [] {})->send(1), 0);
+  EXPECT_NE(sut.open_echo({"10.0.0.1", 64}, [] {})->send(1), 0);
   EXPECT_FALSE(sut.read_text("/proc/meminfo").has_value());
 }
 

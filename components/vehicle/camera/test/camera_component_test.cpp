@@ -165,9 +165,7 @@ class NoDevices : public Devices {
   std::unique_ptr<SerialDevice> open_serial(const std::string&, Readable) override {
     return nullptr;
   }
-  std::unique_ptr<EchoDevice> open_echo(const std::string&, std::size_t, Readable) override {
-    return nullptr;
-  }
+  std::unique_ptr<EchoDevice> open_echo(const EchoTarget&, Readable) override { return nullptr; }
   std::optional<std::string> read_text(const std::string&) override { return std::nullopt; }
 };
 

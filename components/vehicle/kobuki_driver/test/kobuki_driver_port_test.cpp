@@ -22,9 +22,7 @@ class ModelDevices final : public Devices {
     if (path != "/dev/kobuki") return nullptr;
     return std::make_unique<Line>(base_);
   }
-  std::unique_ptr<EchoDevice> open_echo(const std::string&, std::size_t, Readable) override {
-    return nullptr;
-  }
+  std::unique_ptr<EchoDevice> open_echo(const EchoTarget&, Readable) override { return nullptr; }
   std::optional<std::string> read_text(const std::string&) override { return std::nullopt; }
   Readable readable;
 

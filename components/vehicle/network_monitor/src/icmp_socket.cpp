@@ -63,13 +63,15 @@ std::optional<Echo> decode(const std::uint8_t* data, std::size_t size, bool raw)
 
 }  // namespace
 
-IcmpSocket::IcmpSocket(const std::string& target, std::size_t payload_bytes)
+IcmpSocket::IcmpSocket(const std::string& target, std::size_t payload_bytes, std::uint8_t dscp)
     : target_(parse_target(target)), payload_bytes_(std::max(payload_bytes, min_echo_payload)) {
   open_datagram();
   if (fd_ < 0) open_raw();
   const int on = 1;
   // Without the kernel's stamp the time of reading is used: no reason to fail.
   (void)setsockopt(fd_, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on);
+  const int tos = dscp << 2;  // a kernel that refuses it costs the priority only
+  (void)setsockopt(fd_, IPPROTO_IP, IP_TOS, &tos, sizeof tos);
 }
 
 IcmpSocket::~IcmpSocket() { close(fd_); }

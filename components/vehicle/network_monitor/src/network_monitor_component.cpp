@@ -69,11 +69,12 @@ using Params = NetworkMonitorComponent::Params;
 std::unique_ptr<network::EchoPort> open_port(const Context& context, const Params& params,
                                              Component& owner) {
   const auto payload_bytes = static_cast<std::size_t>(params.payload_bytes);
+  const auto dscp = static_cast<std::uint8_t>(params.dscp);
   if (context.devices == nullptr) {
-    return std::make_unique<network::IcmpSocket>(params.target, payload_bytes);
+    return std::make_unique<network::IcmpSocket>(params.target, payload_bytes, dscp);
   }
   return std::make_unique<SimulatedEcho>(
-      context.bus, context.devices->open_echo(params.target, payload_bytes,
+      context.bus, context.devices->open_echo({params.target, payload_bytes, dscp},
                                               [&owner] { owner.schedule().input_arrived(); }));
 }
 

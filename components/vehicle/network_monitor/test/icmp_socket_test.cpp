@@ -6,16 +6,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <net/if.h>
+#include <netinet/in.h>
 #include <poll.h>
 #include <sched.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstring>
 #include <fstream>
 #include <functional>
 #include <thread>
+#include <utility>
 
 #include "foundation/error.hpp"
 #include "network_monitor/probe_window.hpp"
@@ -67,6 +70,34 @@ void expect_answers(IcmpSocket& sut) {
     EXPECT_LE(reply->received_at, std::chrono::steady_clock::now());
   }
   EXPECT_FALSE(sut.receive());
+}
+
+/// TOS bytes of the next request and its reply that a raw socket hears.
+std::pair<int, int> tos_of_request_and_reply(int raw) {
+  std::pair<int, int> tos{-1, -1};
+  std::array<std::uint8_t, 256> packet{};
+  for (int i = 0; i < 2; ++i) {
+    pollfd wait{raw, POLLIN, 0};
+    if (poll(&wait, 1, 5000) != 1 || recv(raw, packet.data(), packet.size(), 0) < 28) break;
+    const bool is_request = packet[20] == 8;
+    (is_request ? tos.first : tos.second) = packet[1];
+  }
+  return tos;
+}
+
+TEST(IcmpSocket, SendsRequestsWithItsDscpAndRepliesHaveTheSame) {
+  const bool allowed = in_namespace([] {
+    bring_loopback_up();
+    const int raw = socket(AF_INET, SOCK_RAW | SOCK_CLOEXEC, IPPROTO_ICMP);
+    ASSERT_GE(raw, 0);
+    IcmpSocket sut("127.0.0.1", 64, 8);
+    ASSERT_EQ(sut.send(1).error, 0);
+    const auto [request, reply] = tos_of_request_and_reply(raw);
+    EXPECT_EQ(request, 8 << 2);
+    EXPECT_EQ(reply, 8 << 2);
+    close(raw);
+  });
+  if (!allowed) GTEST_SKIP() << "network namespaces are not allowed here";
 }
 
 TEST(IcmpSocket, IsAnsweredOnLoopback) {

@@ -171,8 +171,9 @@ class ScriptedDevices : public Devices {
   std::unique_ptr<SerialDevice> open_serial(const std::string&, Readable) override {
     return nullptr;
   }
-  std::unique_ptr<EchoDevice> open_echo(const std::string&, std::size_t, Readable on) override {
+  std::unique_ptr<EchoDevice> open_echo(const EchoTarget& target, Readable on) override {
     readable = std::move(on);
+    echo_target = target;
     return std::make_unique<Echo>(*this);
   }
   std::optional<std::string> read_text(const std::string& path) override {
@@ -182,6 +183,7 @@ class ScriptedDevices : public Devices {
   std::deque<EchoDevice::Reply> replies;
   Readable readable;
   std::string asked;
+  EchoTarget echo_target;
   int sent = 0;
 
  private:
@@ -222,6 +224,20 @@ TEST(NetworkMonitorOnASimulatedComputer, UsesItsDevices) {
   EXPECT_EQ(got.back().probes_received(), 1U);
   EXPECT_NEAR(got.back().rtt_max_ms(), 3.5, 0.5);
   EXPECT_GT(got.back().per_percent(), 50.0F);  // all later ones were refused
+}
+
+TEST(NetworkMonitorOnASimulatedComputer, SendsProbesWithTheDscpOfClassLowUnlessToldOtherwise) {
+  SimBus bus;
+  ScriptedDevices devices;
+  Context context{bus, "network_monitor", "uxv", ""};
+  context.devices = &devices;
+  NetworkMonitorComponent::Params params;
+  const NetworkMonitorComponent by_default(context, params);
+  EXPECT_EQ(devices.echo_target.dscp, dscp(TrafficClass::low));
+  EXPECT_EQ(devices.echo_target.payload_bytes, 64U);
+  params.dscp = 46;
+  const NetworkMonitorComponent told(context, params);
+  EXPECT_EQ(devices.echo_target.dscp, 46);
 }
 
 TEST(NetworkMonitor, RefusesATargetThatIsNoAddress) {

@@ -82,9 +82,7 @@ TEST_F(TelemetryTest, ReadsTheFilesOfASimulatedComputer) {
     std::unique_ptr<SerialDevice> open_serial(const std::string&, Readable) override {
       return nullptr;
     }
-    std::unique_ptr<EchoDevice> open_echo(const std::string&, std::size_t, Readable) override {
-      return nullptr;
-    }
+    std::unique_ptr<EchoDevice> open_echo(const EchoTarget&, Readable) override { return nullptr; }
     std::optional<std::string> read_text(const std::string& path) override {
       if (path.find("meminfo") == std::string::npos) return std::nullopt;
       return "MemTotal: 8000 kB\nMemAvailable: 6000 kB\n";

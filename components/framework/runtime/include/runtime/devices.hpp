@@ -36,6 +36,13 @@ class EchoDevice {
   [[nodiscard]] virtual std::optional<Reply> receive() = 0;
 };
 
+/// The echo requests of one device.
+struct EchoTarget {
+  std::string address;            ///< IPv4, dotted
+  std::size_t payload_bytes = 0;  ///< a packet has 28 more
+  std::uint8_t dscp = 0;          ///< of requests, 0 to 63; replies have the same
+};
+
 /// The devices of a simulated computer. A component whose context has them uses them in place of
 /// the real ones; it keeps its own code for those. Instead of a descriptor there is `readable`,
 /// called when something came; the component passes `schedule().input_arrived()`.
@@ -46,9 +53,8 @@ class Devices {
   /// Null when there is no such port.
   [[nodiscard]] virtual std::unique_ptr<SerialDevice> open_serial(const std::string& path,
                                                                   Readable readable) = 0;
-  /// Requests of 28 + `payload_bytes` bytes to the IPv4 address `target`. Never null.
-  [[nodiscard]] virtual std::unique_ptr<EchoDevice> open_echo(const std::string& target,
-                                                              std::size_t payload_bytes,
+  /// Never null.
+  [[nodiscard]] virtual std::unique_ptr<EchoDevice> open_echo(const EchoTarget& target,
                                                               Readable readable) = 0;
   /// The text of a device file, as in /proc; empty when there is none.
   [[nodiscard]] virtual std::optional<std::string> read_text(const std::string& path) = 0;

@@ -17,8 +17,9 @@ namespace tocsin::network {
 class IcmpSocket final : public EchoPort {
  public:
   /// `target` is a dotted IPv4 address: ConfigError otherwise. EnvironmentError when the process
-  /// may open neither kind of socket. `payload_bytes` is that of `ping -s`.
-  IcmpSocket(const std::string& target, std::size_t payload_bytes);
+  /// may open neither kind of socket. `payload_bytes` is that of `ping -s`; requests carry `dscp`,
+  /// 0 to 63, and so do the replies of most hosts.
+  IcmpSocket(const std::string& target, std::size_t payload_bytes, std::uint8_t dscp = 0);
   ~IcmpSocket() override;
   IcmpSocket(const IcmpSocket&) = delete;
   IcmpSocket& operator=(const IcmpSocket&) = delete;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "foundation/traffic_class.hpp"
 #include "network_monitor/echo_port.hpp"
 #include "network_monitor/probe_window.hpp"
 #include "network_monitor/wireless_reader.hpp"
@@ -21,6 +22,7 @@ class NetworkMonitorComponent final : public Component {
   struct Params {
     std::string target;
     int payload_bytes = 64;
+    int dscp = tocsin::dscp(TrafficClass::low);
     std::string interface_name = "wlan0";
     std::string wireless_file = "/proc/net/wireless";
     network::ProbeParams probe;
@@ -29,6 +31,8 @@ class NetworkMonitorComponent final : public Component {
     void visit(Visitor& v) {
       v("target", target, "IPv4 address to probe: the access point, or the other side; required");
       v("payload_bytes", payload_bytes, {8, 1400}, "[byte] payload of a probe, as of ping -s");
+      v("dscp", dscp, {0, 63},
+        "[1] DSCP of probes: class low's, so that the PER is what class low meets");
       v("interface_name", interface_name, "wireless interface to read; empty: the radio is absent");
       v("wireless_file", wireless_file, "second source, in the format of /proc/net/wireless");
       probe.visit(v);
