@@ -54,8 +54,10 @@ const std::vector<std::string> compared{"user_cost",
                                         "completion"};
 
 const std::vector<std::string> boxed{
-    "telemetry_per_max", "probe_per_max", "high_latency_p99", "location_age_p95", "silence_mean",
-    "silence_max",       "detect",        "resume",           "completion"};
+    "user_cost",         "critical_late", "high_late",        "location_age_p99",
+    "telemetry_per_max", "probe_per_max", "high_latency_p99", "location_age_p95",
+    "silence_mean",      "silence_max",   "detect",           "resume",
+    "completion"};
 
 void add_means(const std::vector<const Group*>& round, Document& document) {
   std::vector<std::vector<std::string>> rows{{"mean over runs"}};
@@ -134,6 +136,17 @@ const Board ages{
      {"camera (low)", "camera_age_mean"}},
     "Age of the newest received sample of each topic, mean over time and runs with its "
     "95 % interval. Network quality is measured every six seconds."};
+const Board lateness{"lateness",
+                     "too late or never",
+                     "late or lost [%]",
+                     {{"critical, 250 ms", "critical_late"},
+                      {"critical, 1 s", "critical_very_late"},
+                      {"critical, never", "critical_lost"},
+                      {"high, 250 ms", "high_late"},
+                      {"high, 1 s", "high_very_late"},
+                      {"high, never", "high_lost"}},
+                     "Share of samples put on the link that came later than that or never, mean "
+                     "over runs with its 95 % interval."};
 const Board losses{"losses",
                    "lost of what was sent, by class",
                    "lost [%]",
@@ -186,7 +199,7 @@ void add_distributions(const Results& results, Document& document) {
   for (const RunSet* set : sets) {
     for (const auto& round : rounds_of(results.groups, set->name)) {
       document.heading(3, round_title(*round.front()));
-      for (const Board* board : {&ages, &losses}) add_board(round, *board, document);
+      for (const Board* board : {&lateness, &ages, &losses}) add_board(round, *board, document);
       for (const std::string& metric : boxed) add_boxes(round, metric, document);
     }
   }

@@ -107,8 +107,9 @@ TEST_F(SectionTest, ShowsAgesAndLossesOfTheThesisSet) {
   results_.experiment.sets[0].kind = "thesis";
   pair(30, 20, 900, 500);
   (void)text(add_distributions);
-  EXPECT_THAT(figures_, AllOf(HasSubstr("age of information at the ground station"),
-                              HasSubstr("lost of what was sent, by class")));
+  EXPECT_THAT(figures_,
+              AllOf(HasSubstr("age of information at the ground station"),
+                    HasSubstr("too late or never"), HasSubstr("lost of what was sent, by class")));
 }
 
 /// A real group of the same runs, QNI a point lower; the first was not done.
@@ -145,6 +146,18 @@ TEST_F(SectionTest, VerdictsGoThroughAllOtherPolicies) {
   const std::string sut = text(add_verdicts);
   EXPECT_THAT(sut, HasSubstr("beats</span> no policy on telemetry_per_max"));
   EXPECT_THAT(sut, HasSubstr("beats</span> no policy on high_latency_p99"));
+  EXPECT_EQ(sut.find("user_cost"), std::string::npos) << "nobody has an answer";
+}
+
+TEST_F(SectionTest, VerdictsBeginWithWhatUsersFeel) {
+  results_.experiment.sets[0].kind = "thesis";
+  pair(30, 20, 900, 500);
+  set(results_.groups[0], "user_cost", 100);
+  set(results_.groups[1], "user_cost", 120);
+  const std::string sut = text(add_verdicts);
+  const std::size_t cost = sut.find("loses to</span> no policy on user_cost");
+  ASSERT_NE(cost, std::string::npos);
+  EXPECT_LT(cost, sut.find("no policy on telemetry_per_max"));
 }
 
 }  // namespace
