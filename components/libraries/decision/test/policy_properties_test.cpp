@@ -100,7 +100,7 @@ TEST_P(EveryPolicy, TellsChangesStateAndDeadlineThatFitTogether) {
   Player sut(params());
   RandomEvents events(1);
   State before = State::active;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 6'000; ++i) {
     const Evidence evidence = sut.play(events.next());
     ASSERT_EQ(evidence.changed, evidence.state != before) << i;
     ASSERT_EQ(evidence.state, sut.policy->state());
@@ -119,7 +119,7 @@ TEST_P(EveryPolicy, IsNeverSilentForMoreSamplesThanItMay) {
   Player sut(params());
   RandomEvents events(2);
   int silent = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 6'000; ++i) {
     const Event event = events.next();
     const Evidence evidence = sut.play(event);
     if (event.is_deadline && !evidence.changed) continue;
@@ -132,7 +132,7 @@ TEST_P(EveryPolicy, SpeaksAgainAtTheDeadlineThatItTold) {
   Player sut(params());
   RandomEvents events(3);
   int deadlines = 0;
-  for (int i = 0; i < 5'000; ++i) {
+  for (int i = 0; i < 2'000; ++i) {
     Event event = events.next();
     event.is_deadline = false;
     const Evidence evidence = sut.play(event);
@@ -153,7 +153,7 @@ TEST_P(EveryPolicy, DecidesTheSameAgain) {
   Player one(params());
   Player other(params());
   RandomEvents events(4);
-  for (int i = 0; i < 5'000; ++i) {
+  for (int i = 0; i < 2'000; ++i) {
     const Event event = events.next();
     const Evidence a = one.play(event);
     const Evidence b = other.play(event);
