@@ -18,14 +18,15 @@ constexpr Duration aged = std::chrono::seconds(2);
 }  // namespace
 
 LinkReceiver::LinkReceiver(const LinkRouterParams& params, Incarnation self)
-    : params_(params), self_(self) {}
+    : params_(params), self_(self) {
+  check(params);
+}
 
 void LinkReceiver::on_peer(const std::string& peer, Incarnation incarnation) {
   Peer& known = peers_.try_emplace(peer, seconds(params_.clock_window_s)).first->second;
   if (known.incarnation == incarnation) return;
   known.incarnation = incarnation;
   known.streams.clear();
-  known.bytes = 0;
   known.receipts = 0;
   known.receipt_due = Time::min();
 }
@@ -56,7 +57,6 @@ Verdict LinkReceiver::on_arrived(const std::string& peer, const Arrived& arrived
   const auto found = from.streams.find(arrived.stream);
   if (found == from.streams.end()) return Verdict::unknown_stream;
   note(found->second, arrived.number, now);
-  from.bytes += arrived.bytes;
   ask_for_receipt(from, now);
   return judge(from, found->second.rule, arrived.origin, now);
 }
@@ -130,7 +130,7 @@ std::optional<LinkReceiver::Addressed> LinkReceiver::take_receipt(Time now) {
 }
 
 LinkReceipt LinkReceiver::make_receipt(Peer& peer, Time now) const {
-  LinkReceipt receipt{self_, peer.incarnation.value_or(0), ++peer.receipts, now, peer.bytes, {}};
+  LinkReceipt receipt{self_, peer.incarnation.value_or(0), ++peer.receipts, now, {}};
   // After a silence everything is told once more.
   const bool idle = !peer.receipt_sent || now - *peer.receipt_sent >= told_for;
   for (const auto& [id, stream] : peer.streams) {

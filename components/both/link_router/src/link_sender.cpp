@@ -30,7 +30,9 @@ LinkSender::LinkSender(const LinkRouterParams& params, Incarnation self)
       self_(self),
       queue_(static_cast<std::size_t>(params.queue_bytes)),
       log_(patience_of(params)),
-      scale_(params) {}
+      scale_(params) {
+  check(params);
+}
 
 void LinkSender::add_stream(StreamId stream, const StreamRule& rule) {
   assert(rule.depth > 0);

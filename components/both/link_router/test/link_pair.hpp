@@ -96,8 +96,7 @@ class LinkPair {
     while (!air_.empty() && air_.front().first <= now) {
       const Transmission& one = air_.front().second;
       const Verdict verdict = receiver.on_arrived(
-          "vehicle", {one.stream, one.number, one.sample.origin, one.sample.bytes},
-          now + clock_difference);
+          "vehicle", {one.stream, one.number, one.sample.origin}, now + clock_difference);
       if (verdict == Verdict::deliver) {
         delivered[one.stream].push_back(one.sample.origin.sequence);
       }

@@ -105,14 +105,14 @@ class RadioPair {
     const WireCost cost = wire_cost(one.sample.bytes);
     push(radio::Direction::uplink, cost, [this, one](Time at) {
       const Origin& origin = one.sample.origin;
-      if (receiver.on_arrived("vehicle", {one.stream, one.number, origin, one.sample.bytes}, at) ==
+      if (receiver.on_arrived("vehicle", {one.stream, one.number, origin}, at) ==
           Verdict::deliver) {
         streams_[one.stream].samples[origin.sequence - 1].second = at;
       }
     });
   }
   void put(const LinkReceipt& receipt) {
-    push(radio::Direction::downlink, wire_cost(36 + 18 * receipt.streams.size()),
+    push(radio::Direction::downlink, wire_cost(28 + 18 * receipt.streams.size()),
          [this, receipt](Time at) { sender.on_receipt("station", receipt, at); });
   }
   void push(radio::Direction direction, const WireCost& cost, std::function<void(Time)> arrive) {

@@ -147,8 +147,8 @@ class RandomLink {
     for (; !air_.empty() && air_.begin()->first <= now_; air_.erase(air_.begin())) {
       const Transmission& one = air_.begin()->second;
       const Origin& origin = one.sample.origin;
-      const Verdict verdict = receiver_->on_arrived(
-          "vehicle", {one.stream, one.number, origin, one.sample.bytes}, now_);
+      const Verdict verdict =
+          receiver_->on_arrived("vehicle", {one.stream, one.number, origin}, now_);
       if (verdict != Verdict::deliver) continue;
       ++deliveries_;
       const StreamRule& rule = rules_[one.stream];

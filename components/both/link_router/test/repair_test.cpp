@@ -7,12 +7,12 @@ namespace {
 
 using Sequences = std::vector<std::uint64_t>;
 
-TEST(Repair, RepairsALostSampleAfterATenthOfASecond) {
+TEST(Repair, RepairsALostSampleAfterTheFirstWait) {
   LinkPair link;
   link.add(1, rule_of(TrafficClass::critical));
   link.dead = true;
   link.offer(1, 1);
-  link.run(100 * ms);
+  link.run(seconds(LinkRouterParams{}.repair_first_s));
   EXPECT_EQ(link.sent.size(), 1U);
   link.dead = false;
   link.run(20 * ms);
@@ -41,11 +41,11 @@ TEST(Repair, BacksOffWhileNothingIsAcknowledged) {
   link.add(1, rule);
   link.dead = true;
   link.offer(1, 1);
-  link.run(350 * ms);
-  EXPECT_EQ(link.sent.size(), 3U) << "at 0, 100, 300 ms";
-  link.run(4650 * ms);
-  EXPECT_LE(link.sent.size(), 13U) << "then twice a second";
-  EXPECT_GE(link.sent.size(), 11U);
+  link.run(330 * ms);
+  EXPECT_EQ(link.sent.size(), 3U) << "at 0, 70, 175 ms; next at 332.5 ms";
+  link.run(4670 * ms);
+  EXPECT_LE(link.sent.size(), 15U) << "then twice a second";
+  EXPECT_GE(link.sent.size(), 12U);
 }
 
 TEST(Repair, NeverRepairsWhatANewerOneHasFollowed) {
@@ -83,7 +83,7 @@ TEST(Repair, RepairsOnlyWithinTheLifespan) {
   link.dead = true;
   link.offer(1, 1);
   link.run(5000 * ms);
-  EXPECT_EQ(link.sent.size(), 2U) << "at 0 and 100 ms; 300 ms is too late";
+  EXPECT_EQ(link.sent.size(), 3U) << "at 0, 70 and 175 ms; 332.5 ms is too late";
 }
 
 TEST(Repair, GivesUpASampleWithoutALifespanAfterABoundUnlessItIsDurable) {
@@ -107,7 +107,7 @@ TEST(Repair, LostReceiptsCostARepairAndNoSecondDelivery) {
   link.add(1, rule_of(TrafficClass::critical));
   link.receipts_lost = true;
   link.offer(1, 1);
-  link.run(90 * ms);
+  link.run(60 * ms);
   link.receipts_lost = false;
   link.run(300 * ms);
   EXPECT_EQ(link.sent.size(), 2U);

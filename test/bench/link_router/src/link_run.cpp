@@ -16,7 +16,7 @@ constexpr Duration warm_up = std::chrono::seconds(12);
 constexpr Duration late_after = std::chrono::milliseconds(250);
 constexpr Duration age_period = std::chrono::milliseconds(100);
 /// Share of the shrinking that is done by size; the rest by rate.
-constexpr double size_share = 0.75;
+constexpr double size_share = 0.9;
 
 std::size_t side_of(radio::Direction direction) {
   return direction == radio::Direction::uplink ? 0 : 1;

@@ -13,7 +13,7 @@ constexpr const char* peer = "peer";
 constexpr std::size_t origin_bytes = 32;  // as in wire_cost()
 constexpr std::size_t echo_bytes = 92;
 /// A receipt as CDR with 32 bits for numbers and 16 for ages.
-constexpr std::size_t receipt_bytes = 36;
+constexpr std::size_t receipt_bytes = 28;
 constexpr std::size_t stream_receipt_bytes = 18;
 
 }  // namespace
@@ -38,7 +38,7 @@ void RouterRadio::add_stream(std::size_t side, router::StreamId stream,
 }
 
 void RouterRadio::send_echo(Time now) {
-  send({Echo{true}, 1, TrafficClass::normal, 1}, {echo_bytes}, now);
+  send({Echo{true}, 1, TrafficClass::low, 1}, {echo_bytes}, now);
 }
 
 void RouterRadio::send(Cargo cargo, const std::vector<std::size_t>& packets, Time now) {
@@ -97,12 +97,12 @@ void RouterRadio::arrive(const Cargo& cargo, Time now, const Deliver& deliver) {
     return senders_[cargo.to]->on_receipt(peer, *receipt, now);
   }
   if (const auto* echo = std::get_if<Echo>(&cargo.what)) {
-    if (echo->is_request) send({Echo{false}, 0, TrafficClass::normal, 1}, {echo_bytes}, now);
+    if (echo->is_request) send({Echo{false}, 0, TrafficClass::low, 1}, {echo_bytes}, now);
     return;
   }
   const auto& one = std::get<router::Transmission>(cargo.what);
-  const auto verdict = receivers_[cargo.to]->on_arrived(
-      peer, {one.stream, one.number, one.sample.origin, one.sample.bytes}, now);
+  const auto verdict =
+      receivers_[cargo.to]->on_arrived(peer, {one.stream, one.number, one.sample.origin}, now);
   if (verdict == router::Verdict::deliver) {
     deliver(cargo.to, one.stream, one.sample.origin, now);
   }

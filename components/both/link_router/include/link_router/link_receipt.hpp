@@ -22,13 +22,12 @@ struct StreamReceipt {
 ///
 /// A stream is in it when something of it came, and again in later receipts for a while, so that a
 /// lost receipt loses nothing. Of the clocks only differences are used. Coded with 32 bits for
-/// numbers and 16 for ages in units of 100 us it takes 32 bytes and 18 a stream.
+/// numbers and 16 for ages in units of 100 us it takes 24 bytes and 18 a stream.
 struct LinkReceipt {
   Incarnation from = 0;     ///< life of the router that made it
   Incarnation to = 0;       ///< life of the router whose transmissions are meant
   std::uint32_t count = 0;  ///< rises by 1 with each receipt to this life
   Time made{};              ///< by the clock of who made it
-  std::uint64_t bytes = 0;  ///< serialised, that came since the begin of both lives
   std::vector<StreamReceipt> streams;
 };
 

@@ -20,7 +20,6 @@ struct Arrived {
   StreamId stream = 0;
   TransmissionNumber number = 0;  ///< of the link writer
   Origin origin;
-  std::size_t bytes = 0;  ///< serialised
 };
 
 /// What to do with it.
@@ -41,7 +40,8 @@ enum class Verdict : std::uint8_t {
 /// clocks differ. Pure; `now` never decreases.
 class LinkReceiver {
  public:
-  /// `self` is this life of the router.
+  /// `self` is this life of the router. Throws ConfigError for parameters that do not fit each
+  /// other.
   LinkReceiver(const LinkRouterParams& params, Incarnation self);
 
   /// A peer, or its next life: numbers start afresh. The same life again changes nothing.
@@ -83,7 +83,6 @@ class LinkReceiver {
     std::map<std::pair<std::string, SourceId>, Given> given;  ///< by name of the stream
     WindowedMinimum age;                                      ///< of samples that came
     int aged_in_row = 0;
-    std::uint64_t bytes = 0;
     std::uint32_t receipts = 0;
     std::optional<Time> receipt_sent;
     Time receipt_due = Time::min();

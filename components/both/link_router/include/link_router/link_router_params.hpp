@@ -12,11 +12,11 @@ struct LinkRouterParams {
   int bulk_under_way = 2;
   double hold_backlog_s = 0.25;
   double late_after_s = 0.25;
-  double receipt_delay_s = 0.04;
-  double receipt_period_s = 0.06;
+  double receipt_delay_s = 0.02;
+  double receipt_period_s = 0.05;
   double receipt_idle_s = 1.0;
-  double repair_first_s = 0.1;
-  double repair_backoff = 2;
+  double repair_first_s = 0.07;
+  double repair_backoff = 1.5;
   double repair_max_s = 0.5;
   double repair_share = 0.1;
   double repair_lifespan_s = 5;
@@ -86,5 +86,9 @@ struct LinkRouterParams {
     v("scale_step", scale_step, {0, 0.5}, "[1] smaller changes of the scale are not told");
   }
 };
+
+/// Rules across parameters. Throws ConfigError that names one; the constructors of LinkSender and
+/// LinkReceiver call it.
+void check(const LinkRouterParams& params);
 
 }  // namespace tocsin::router

@@ -37,7 +37,8 @@ namespace tocsin::router {
 /// Pure; `now` never decreases.
 class LinkSender {
  public:
-  /// `self` is this life of the router.
+  /// `self` is this life of the router. Throws ConfigError for parameters that do not fit each
+  /// other.
   LinkSender(const LinkRouterParams& params, Incarnation self);
   LinkSender(const LinkSender&) = delete;
   LinkSender& operator=(const LinkSender&) = delete;

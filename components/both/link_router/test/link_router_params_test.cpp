@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link_router/link_router_params.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
+#include "link_router/link_receiver.hpp"
+#include "link_router/link_sender.hpp"
+
+namespace tocsin::router {
+namespace {
+
+TEST(LinkRouterParams, DefaultsAreInOrder) { EXPECT_NO_THROW(check({})); }
+
+TEST(LinkRouterParams, RefusesWhatIsOutOfOrderAndNamesIt) {
+  LinkRouterParams params;
+  params.repair_max_s = 0.05;
+  EXPECT_THROW(LinkSender(params, 1), ConfigError);
+  params = {};
+  params.receipt_idle_s = 0.01;
+  EXPECT_THROW(LinkReceiver(params, 1), ConfigError);
+  params = {};
+  params.hold_backlog_s = 0;
+  try {
+    check(params);
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("link_router.hold_backlog_s: 0 is below"));
+  }
+}
+
+TEST(LinkRouterReadme, ShowsTheParameters) {
+  std::ifstream file(TOCSIN_SOURCE_DIR "/README.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(text, ::testing::HasSubstr(default_yaml<LinkRouterParams>()));
+}
+
+}  // namespace
+}  // namespace tocsin::router
