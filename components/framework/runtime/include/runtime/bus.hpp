@@ -13,6 +13,7 @@
 #include "idl_support/type_info.hpp"
 #include "runtime/middleware/accounts.hpp"
 #include "runtime/middleware/endpoint_facts.hpp"
+#include "runtime/middleware/link_bus.hpp"
 
 namespace tocsin {
 
@@ -93,6 +94,9 @@ class Bus {
   virtual void set_gate(bool open) = 0;
   /// What the link writers of this process did so far. Thread-safe.
   [[nodiscard]] virtual std::vector<TopicTraffic> link_traffic() const = 0;
+  /// The way over the radio, for the one component that owns it; null: there is none. `on_event`
+  /// is called from any thread when it has something to take.
+  virtual std::unique_ptr<LinkBus> open_link(std::function<void()> /*on_event*/) { return nullptr; }
   /// Every DDS endpoint of this process. Thread-safe.
   [[nodiscard]] virtual std::vector<EndpointHealth> health() const { return {}; }
 };

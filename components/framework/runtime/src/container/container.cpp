@@ -26,6 +26,7 @@ int processes_of(const deployment::Deployment& deployment) {
 BusOptions bus_options(const deployment::Deployment& deployment, const deployment::Host& host,
                        const deployment::Container& container) {
   return {host.name + "_" + container.name,
+          host.name,
           host.role,
           deployment.ros_namespace,
           deployment.qos,

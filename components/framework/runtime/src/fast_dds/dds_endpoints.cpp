@@ -5,6 +5,7 @@
 
 #include "fast_dds/cdr_topic_type.hpp"
 #include "foundation/error.hpp"
+#include "link/origin.hpp"
 
 namespace tocsin {
 namespace {
@@ -13,25 +14,16 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
 
-/// FNV-1a over the GUID of the writer.
-std::uint64_t source_of(const rtps::GUID_t& guid) {
-  std::uint64_t hash = 1469598103934665603ULL;
-  const auto add = [&hash](const auto& bytes, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 1099511628211ULL;
-  };
-  add(guid.guidPrefix.value, guid.guidPrefix.size);
-  add(guid.entityId.value, guid.entityId.size);
-  return hash;
-}
-
 Sample sample_of(IncomingSample& incoming, const dds::SampleInfo& info) {
   Sample sample;
   sample.message = std::move(incoming.message);
   sample.received = std::chrono::steady_clock::now();
   sample.sent_wall_ns = info.source_timestamp.to_ns();
   sample.received_wall_ns = info.reception_timestamp.to_ns();
-  sample.sequence = info.sample_identity.sequence_number().to64long();
-  sample.source = source_of(info.sample_identity.writer_guid());
+  const auto origin = origin_in(info.related_sample_identity);  // a router carried it here
+  sample.sequence =
+      origin ? origin->sequence : info.sample_identity.sequence_number().to64long();
+  sample.source = origin ? origin->source : source_of(info.sample_identity.writer_guid());
   sample.bytes = incoming.bytes;
   return sample;
 }
@@ -92,11 +84,19 @@ void DdsReader::drain(Reader* reader) {
     if (!info.valid_data || incoming.skip) continue;
     if (skips_own_ && participant_.owns(info.sample_identity.writer_guid())) continue;
     if (incoming.valid && !has_other_layout(info.sample_identity.writer_guid())) {
+      note_origin(info);
       exchange_.deliver(sample_of(incoming, info));
     } else {
       account_.on_undecodable(incoming.bytes);
     }
   }
+}
+
+void DdsReader::note_origin(const dds::SampleInfo& info) {
+  const auto origin = origin_in(info.related_sample_identity);
+  if (!origin) return;
+  const std::lock_guard<std::mutex> lock(sources_mutex_);
+  sources_[origin->source] = info.sample_identity.writer_guid();
 }
 
 std::optional<WriterInfo> DdsReader::writer(std::uint64_t source) const {
@@ -124,12 +124,18 @@ void DdsReader::on_subscription_matched(Reader*, const dds::SubscriptionMatchedS
     return;
   }
   account_.on_matched(status.current_count_change);
-  const std::uint64_t source = source_of(writer);
   const std::lock_guard<std::mutex> lock(sources_mutex_);
   if (status.current_count_change > 0) {
-    sources_[source] = writer;
-  } else if (sources_.erase(source) > 0) {
-    exchange_.forget(source);
+    sources_[source_of(writer)] = writer;
+    return;
+  }
+  for (auto it = sources_.begin(); it != sources_.end();) {
+    if (it->second != writer) {
+      ++it;
+      continue;
+    }
+    exchange_.forget(it->first);
+    it = sources_.erase(it);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -48,6 +49,8 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
       Reader* reader, const eprosima::fastdds::dds::LivelinessChangedStatus& status) override;
   [[nodiscard]] bool next_is_own(Reader* reader) const;
   [[nodiscard]] bool has_other_layout(const RemoteEnds::Guid& writer);
+  /// A sample that a router has carried: its writer is known by the router's writer.
+  void note_origin(const eprosima::fastdds::dds::SampleInfo& info);
 
   FastDdsParticipant& participant_;
   TopicExchange& exchange_;
@@ -59,7 +62,8 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   RemoteEnds::Guid last_writer_;    // touched by the one that drains
   bool last_has_other_layout_ = false;
   mutable std::mutex sources_mutex_;
-  std::map<std::uint64_t, RemoteEnds::Guid> sources_;  // the writers that it is matched with
+  /// The writers that it is matched with, and those for whom one of these writes.
+  std::map<std::uint64_t, RemoteEnds::Guid> sources_;
   MessagePool pool_;
   Reader* reader_;
 };

@@ -51,7 +51,8 @@ AnnouncedEnd end_of(const Data& data, bool writer) {
   const std::string user_data(bytes.begin(), bytes.end());
   return {data.topicName().to_string(), data.typeName().to_string(),
           layout_in(user_data),         writer,
-          contract_of(data.m_qos),      user_data};
+          contract_of(data.m_qos),      user_data,
+          seconds_of(data.m_qos.m_lifespan.duration)};
 }
 
 }  // namespace

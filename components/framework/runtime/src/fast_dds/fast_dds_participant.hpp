@@ -49,7 +49,7 @@ class FastDdsParticipant {
   eprosima::fastdds::dds::Subscriber* subscriber(const Partition& partition);
 
   const ParticipantOptions options_;
-  RemoteEnds remote_ends_;
+  RemoteEnds remote_ends_{options_.on_end, options_.on_participant};
   DiscoveryListener discovery_listener_{remote_ends_};
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastrtps::rtps::GuidPrefix_t prefix_;

@@ -17,8 +17,6 @@ namespace rtps = eprosima::fastrtps::rtps;
 using eprosima::fastdds::rtps::SharedMemTransportDescriptor;
 using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
 
-/// RTPS messages that fit one 1500-byte IP packet: IP never fragments on the radio.
-constexpr std::uint32_t radio_message_bytes = 1400;
 /// Fast DDS's own 512 KiB make a message of 1 MiB take 10 ms.
 constexpr std::uint32_t segment_bytes = 32U << 20U;
 /// A picture of a few MB in one burst must fit; the kernel caps it at net.core.rmem_max.
@@ -35,6 +33,12 @@ std::shared_ptr<UDPv4TransportDescriptor> udp_of(const ParticipantOptions& optio
     transport->receiveBufferSize = host_socket_bytes;
   }
   return transport;
+}
+
+std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(
+    const ParticipantOptions& options) {
+  if (options.marks == nullptr) return udp_of(options);
+  return marked(udp_of(options), options.marks);
 }
 
 std::shared_ptr<SharedMemTransportDescriptor> shared_memory_transport() {
@@ -70,7 +74,7 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   dds::DomainParticipantQos qos;
   qos.name(options.name);
   qos.transport().use_builtin_transports = false;
-  qos.transport().user_transports = {hold(udp_of(options), options.reception)};
+  qos.transport().user_transports = {hold(transport_of(options), options.reception)};
   if (options.shared_memory) {
     qos.transport().user_transports.push_back(shared_memory_transport());
     auto& own = qos.wire_protocol().default_unicast_locator_list;

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "fast_dds/deferred_reception.hpp"
+#include "fast_dds/remote_ends.hpp"
+#include "link/radio_transport.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 
 namespace tocsin {
@@ -21,7 +23,11 @@ struct ParticipantOptions {
   int peer_participants = 4;       ///< [1, 100] participant ids that are asked at each of them
   bool radio = false;              ///< small RTPS messages, asynchronous writers, patient lease
   bool shared_memory = false;      ///< samples go by shared memory where the peer has it, too
-  std::map<std::string, FlowController> flow_controllers;
+  std::map<std::string, FlowController> flow_controllers = {};
+  /// Called by discovery with what others announce; must not call Fast DDS.
+  RemoteEnds::OnEnd on_end = {};
+  RemoteEnds::OnParticipant on_participant = {};
+  std::shared_ptr<RadioMarks> marks = {};  ///< of the packets of a radio; null: none
   /// Released when the participant is complete.
   std::shared_ptr<DeferredReception> reception = std::make_shared<DeferredReception>();
 };

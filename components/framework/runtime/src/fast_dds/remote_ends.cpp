@@ -53,26 +53,47 @@ std::string layout_in(const std::string& user_data) {
 }
 
 void RemoteEnds::add(const Participant& participant, const std::string& name) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  names_[participant] = name;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    names_[participant] = name;
+  }
+  if (on_participant_) on_participant_(participant, name, true);
 }
 
 void RemoteEnds::add(const Guid& guid, AnnouncedEnd end) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  ends_[guid] = std::move(end);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ends_[guid] = end;
+  }
+  if (on_end_) on_end_(guid, end, true);
 }
 
 void RemoteEnds::remove(const Participant& participant) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  names_.erase(participant);
-  for (auto it = ends_.begin(); it != ends_.end();) {
-    it = it->first.guidPrefix == participant ? ends_.erase(it) : std::next(it);
+  std::vector<Guid> left;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const auto& entry : ends_) {
+      if (entry.first.guidPrefix == participant) left.push_back(entry.first);
+    }
   }
+  for (const Guid& guid : left) remove(guid);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    names_.erase(participant);
+  }
+  if (on_participant_) on_participant_(participant, "", false);
 }
 
 void RemoteEnds::remove(const Guid& guid) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  ends_.erase(guid);
+  AnnouncedEnd end;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = ends_.find(guid);
+    if (found == ends_.end()) return;
+    end = std::move(found->second);
+    ends_.erase(found);
+  }
+  if (on_end_) on_end_(guid, end, false);
 }
 
 std::string RemoteEnds::other_type(const AnnouncedEnd& own) const {

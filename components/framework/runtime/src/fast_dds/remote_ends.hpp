@@ -3,6 +3,8 @@
 
 #include <fastdds/rtps/common/Guid.h>
 
+#include <functional>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <string>
@@ -21,6 +23,7 @@ struct AnnouncedEnd {
   bool writer = false;
   QosContract qos = {};        ///< what it offers or requests
   std::string user_data = "";  ///< all of it, with the layout
+  double lifespan_s = std::numeric_limits<double>::infinity();  ///< of a writer's samples
 };
 
 /// The user data of an endpoint: what the profile asks for, and the layout, as "key=value;" like
@@ -36,6 +39,13 @@ class RemoteEnds {
  public:
   using Guid = eprosima::fastrtps::rtps::GUID_t;
   using Participant = eprosima::fastrtps::rtps::GuidPrefix_t;
+
+  /// Whoever wants to know what comes and goes. Called without a lock held.
+  using OnEnd = std::function<void(const Guid&, const AnnouncedEnd&, bool there)>;
+  using OnParticipant = std::function<void(const Participant&, const std::string& name, bool there)>;
+  RemoteEnds() = default;
+  RemoteEnds(OnEnd on_end, OnParticipant on_participant)
+      : on_end_(std::move(on_end)), on_participant_(std::move(on_participant)) {}
 
   void add(const Participant& participant, const std::string& name);
   void add(const Guid& guid, AnnouncedEnd end);
@@ -56,6 +66,8 @@ class RemoteEnds {
 
  private:
   [[nodiscard]] std::string owner_of(const Guid& guid) const;
+  OnEnd on_end_;
+  OnParticipant on_participant_;
   mutable std::mutex mutex_;
   std::map<Participant, std::string> names_;
   std::map<Guid, AnnouncedEnd> ends_;

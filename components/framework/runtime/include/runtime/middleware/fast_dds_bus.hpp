@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "runtime/bus.hpp"
+#include "runtime/middleware/link_bus.hpp"
 
 namespace tocsin {
 
 /// What one process needs to join the two DDS domains of its side.
 struct BusOptions {
   std::string name;                     ///< participant name, shown by discovery tools
+  std::string host;                     ///< name of this side, as its peers know it
   std::string role;                     ///< uxv or gcs: which rules of traffic.yaml hold
   std::string ros_namespace;            ///< of all topics; empty for none
   std::string qos_file;                 ///< empty: the profiles that are built in
@@ -38,5 +40,11 @@ struct BusOptions {
 ///
 /// Throws ConfigError for bad files, EnvironmentError when a participant cannot be created.
 [[nodiscard]] std::unique_ptr<Bus> make_fast_dds_bus(const BusOptions& options);
+
+/// The way of a host's router over the radio, on two participants of its own. While no interface
+/// with `link_address` is up, flows of the link wait. Throws EnvironmentError when a participant
+/// cannot be created.
+[[nodiscard]] std::unique_ptr<LinkBus> make_fast_dds_link_bus(const BusOptions& options,
+                                                              std::function<void()> on_event);
 
 }  // namespace tocsin

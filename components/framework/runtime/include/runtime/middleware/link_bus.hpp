@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "foundation/time.hpp"
+#include "idl_support/type_info.hpp"
+#include "runtime/middleware/traffic_rules.hpp"
+
+namespace tocsin {
+
+/// What the writers of a topic announce, without their C++ type. All writers of a host that
+/// announce the same are one flow, and cross the link as one writer.
+struct Flow {
+  std::string topic;            ///< ROS name without leading slash and namespace
+  std::string type;             ///< wire name: `std_msgs::msg::dds_::Bool_`
+  bool reliable = false;        ///< what they offer to readers on their host
+  bool transient_local = false; ///< a late reader gets the last samples
+  int depth = 1;                ///< [1, 10000] samples that count; 1: only the newest
+  double lifespan_s = std::numeric_limits<double>::infinity();  ///< older ones are not delivered
+  std::string user_data;        ///< announced with them, such as the layout of the type
+};
+[[nodiscard]] bool operator==(const Flow& one, const Flow& other);
+[[nodiscard]] inline bool operator!=(const Flow& one, const Flow& other) { return !(one == other); }
+
+/// A sample on its way between the host and the link, of any type.
+struct CarriedSample {
+  std::shared_ptr<const void> content;  ///< encoded; in a simulation the message itself
+  std::uint32_t bytes = 0;              ///< serialised, encapsulation header included
+  std::uint64_t source = 0;             ///< who wrote it, as in Sample, on whatever host
+  std::uint64_t sequence = 0;           ///< of that writer
+  std::int64_t sent_wall_ns = 0;        ///< [ns] since the Unix epoch, that writer's clock
+};
+
+/// Given by the bus; never used again.
+using FlowId = std::uint32_t;
+/// One life of a peer's router.
+using PeerId = std::uint64_t;
+
+/// What happens at a LinkBus.
+namespace link_event {
+struct HostFlow {  ///< somebody on this host begins to write
+  FlowId flow;
+  Flow what;
+};
+struct HostFlowGone {
+  FlowId flow;
+};
+struct HostSample {
+  FlowId flow;
+  CarriedSample sample;
+  Time received{};
+};
+struct PeerFound {
+  PeerId peer;
+  std::string name;  ///< of its host
+};
+struct PeerLost {
+  PeerId peer;
+};
+struct PeerFlow {  ///< a peer's router begins to write on the link
+  FlowId flow;
+  PeerId peer;
+  Flow what;
+};
+struct PeerFlowGone {
+  FlowId flow;
+};
+struct PeerListens {  ///< a peer's router has begun to read what is sent on a flow of `open`
+  FlowId flow;
+  PeerId peer;
+};
+struct LinkSample {
+  FlowId flow;           ///< of the peer
+  std::uint64_t number;  ///< of this transmission within the flow, from 1 without gaps
+  CarriedSample sample;
+  Time received{};
+};
+}  // namespace link_event
+using LinkEvent = std::variant<link_event::HostFlow, link_event::HostFlowGone,
+                               link_event::HostSample, link_event::PeerFound, link_event::PeerLost,
+                               link_event::PeerFlow, link_event::PeerFlowGone,
+                               link_event::PeerListens, link_event::LinkSample>;
+
+/// IP packets that a host's router has put on the link since its start, by what is in them.
+struct LinkPackets {
+  std::uint64_t packets = 0;
+  std::uint64_t bytes = 0;            ///< with IP and UDP headers
+  std::uint64_t discovery_packets = 0;  ///< of participants and endpoints
+  std::uint64_t discovery_bytes = 0;
+};
+
+/// What the one process that owns the radio of a host needs of the middleware: topics of any type
+/// between the host's domain and the link's. Nothing repairs a loss on the link: each transmission
+/// has a number, and whoever wants it repaired sends it again.
+///
+/// One thread calls everything. Its maker is told, from any thread, when `take` has something.
+class LinkBus {
+ public:
+  virtual ~LinkBus() = default;
+
+  /// The oldest thing that happened and was not taken yet.
+  [[nodiscard]] virtual std::optional<LinkEvent> take() = 0;
+  /// Makes a writer on the link. `dscp` [0, 63]: what its packets bear (RFC 2474).
+  virtual FlowId open(const Flow& flow, int dscp) = 0;
+  /// Nothing of it is sent any more.
+  virtual void close(FlowId flow) = 0;
+  /// One transmission on a flow of `open`. Returns its number, the next of the flow; nothing when
+  /// the middleware refused it, or the link is not up.
+  [[nodiscard]] virtual std::optional<std::uint64_t> send(FlowId flow,
+                                                          const CarriedSample& sample) = 0;
+  /// Makes the writer on this host of a peer's flow.
+  virtual void offer(FlowId peer_flow) = 0;
+  /// Writes there, as from the sample's own writer.
+  virtual void give(FlowId peer_flow, const CarriedSample& sample) = 0;
+
+  /// A message of a type that is known here, and back. Null when it is no such message.
+  [[nodiscard]] virtual CarriedSample pack(const TypeInfo& type,
+                                           std::shared_ptr<const void> message) const = 0;
+  [[nodiscard]] virtual std::shared_ptr<const void> unpack(const TypeInfo& type,
+                                                           const CarriedSample& sample) const = 0;
+  /// The topics of this host that cross, and how.
+  [[nodiscard]] virtual const TrafficRules& rules() const = 0;
+  [[nodiscard]] virtual LinkPackets packets() const = 0;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/fast_dds_link_bus.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "link/flow_text.hpp"
+#include "foundation/error.hpp"
+#include "link/raw_type.hpp"
+
+namespace tocsin {
+namespace {
+
+const char* const loopback = "127.0.0.1";
+/// The link's participant of a host has the host's name and this.
+const std::string router_suffix = "_link_router";
+
+Time steady_now() { return std::chrono::steady_clock::now(); }
+
+std::string host_in(const std::string& participant) {
+  const std::size_t end = participant.rfind(router_suffix);
+  const bool router = end != std::string::npos && end + router_suffix.size() == participant.size();
+  return router ? participant.substr(0, end) : participant;
+}
+
+/// What a flow's writer offers on the host.
+QosProfile offered(const Flow& flow) {
+  QosProfile profile;
+  profile.reliability = flow.reliable ? "reliable" : "best_effort";
+  profile.durability = flow.transient_local ? "transient_local" : "volatile";
+  profile.depth = flow.depth;
+  profile.lifespan_s = flow.lifespan_s;
+  profile.user_data = flow.user_data;
+  return profile;
+}
+
+/// On the link each sample is sent once, when the router says so.
+QosProfile offered_on_link(const Flow& flow) {
+  QosProfile profile;
+  profile.reliability = "best_effort";
+  profile.publish_mode = "synchronous";
+  profile.user_data = announcement_of(flow);
+  return profile;
+}
+
+}  // namespace
+
+FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> on_event)
+    : options_(options),
+      rules_(options.traffic_file, options.role),
+      table_(options.ros_namespace, rules_, std::move(on_event)),
+      host_(host_options()) {
+  if (interface_is_running(options_.link_address)) {
+    join_link();
+    return;
+  }
+  log_.warn("no interface with {} is up; link topics wait for it", options_.link_address);
+  late_ = std::make_unique<LateInterface>(options_.link_address, [this] {
+    interface_is_up_ = true;
+    table_.wake();
+    return true;
+  });
+}
+
+ParticipantOptions FastDdsLinkBus::host_options() {
+  ParticipantOptions host{options_.name + "_router", options_.host_domain, loopback, {loopback},
+                          options_.processes + 2};
+  host.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
+    table_.on_host_end(guid, end, there);
+  };
+  return host;
+}
+
+ParticipantOptions FastDdsLinkBus::link_options() {
+  ParticipantOptions link{options_.host + router_suffix, options_.link_domain,
+                          options_.link_address, options_.link_peers, 2, true};
+  link.marks = marks_;
+  link.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
+    table_.on_link_end(guid, end, there);
+  };
+  link.on_participant = [this](const auto& prefix, const std::string& name, bool there) {
+    table_.on_peer(prefix, host_in(name), there);
+  };
+  return link;
+}
+
+void FastDdsLinkBus::join_link() {
+  link_ = std::make_unique<FastDdsParticipant>(link_options());
+  for (auto& entry : sending_) connect(entry.first, entry.second);
+}
+
+void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
+  const std::string topic = table_.names().on_wire(sending.flow.topic);
+  sending.writer = std::make_unique<FlowWriter>(
+      *link_, topic, sending.flow.type, offered_on_link(sending.flow), [this, id](const auto& peer) {
+        table_.push(link_event::PeerListens{id, FlowTable::peer_of(peer)});
+      });
+  marks_->set(sending.writer->entity(), sending.dscp);
+}
+
+std::optional<LinkEvent> FastDdsLinkBus::take() {
+  if (interface_is_up_.exchange(false)) {
+    join_link();
+    log_.info("the interface with {} is up; link topics cross it", options_.link_address);
+  }
+  auto event = table_.pop();
+  if (!event) return event;
+  if (const auto* host = std::get_if<link_event::HostFlow>(&*event)) listen_on_host(host->what);
+  if (const auto* peer = std::get_if<link_event::PeerFlow>(&*event)) listen_on_link(peer->what);
+  if (const auto* gone = std::get_if<link_event::PeerFlowGone>(&*event)) giving_.erase(gone->flow);
+  return event;
+}
+
+void FastDdsLinkBus::listen_on_host(const Flow& flow) {
+  const ReaderKey key{table_.names().on_wire(flow.topic), flow.type, flow.reliable,
+                      flow.transient_local};
+  auto& reader = host_readers_[key];
+  if (reader) return;
+  reader = std::make_unique<FlowReader>(
+      host_, key, [this, key](TakenSample&& taken) { on_host_sample(key, std::move(taken)); });
+}
+
+void FastDdsLinkBus::listen_on_link(const Flow& flow) {
+  const ReaderKey key{table_.names().on_wire(flow.topic), flow.type};
+  auto& reader = link_readers_[key];
+  if (reader) return;
+  reader = std::make_unique<FlowReader>(
+      *link_, key, [this](TakenSample&& taken) { on_link_sample(std::move(taken)); });
+}
+
+/// A best-effort reader also hears writers that offer more, which have a reader of their own.
+void FastDdsLinkBus::on_host_sample(const ReaderKey& key, TakenSample&& taken) {
+  const auto id = table_.flow_of(taken.writer);
+  const auto flow = id ? table_.find(*id) : std::nullopt;
+  if (!flow || flow->reliable != key.reliable || flow->transient_local != key.transient_local) {
+    return;
+  }
+  table_.push(link_event::HostSample{*id, std::move(taken.sample), steady_now()});
+}
+
+void FastDdsLinkBus::on_link_sample(TakenSample&& taken) {
+  const auto id = table_.flow_of(taken.writer);
+  if (!id) return;
+  table_.push(link_event::LinkSample{*id, taken.number, std::move(taken.sample), steady_now()});
+}
+
+FlowId FastDdsLinkBus::open(const Flow& flow, int dscp) {
+  const FlowId id = table_.fresh_id();
+  Sending& sending = sending_[id];
+  sending.flow = flow;
+  sending.dscp = dscp;
+  if (link_) connect(id, sending);
+  return id;
+}
+
+void FastDdsLinkBus::close(FlowId flow) {
+  const auto found = sending_.find(flow);
+  if (found == sending_.end()) return;
+  if (found->second.writer) marks_->forget(found->second.writer->entity());
+  sending_.erase(found);
+}
+
+std::optional<std::uint64_t> FastDdsLinkBus::send(FlowId flow, const CarriedSample& sample) {
+  const auto found = sending_.find(flow);
+  if (found == sending_.end() || !found->second.writer) return std::nullopt;
+  return found->second.writer->write(sample);
+}
+
+void FastDdsLinkBus::offer(FlowId peer_flow) {
+  const auto flow = table_.find(peer_flow);
+  if (!flow) return;  // it has left meanwhile
+  giving_[peer_flow] =
+      std::make_unique<FlowWriter>(host_, table_.names().on_wire(flow->topic), flow->type,
+                                   offered(*flow), [](const auto&) {});
+}
+
+void FastDdsLinkBus::give(FlowId peer_flow, const CarriedSample& sample) {
+  const auto found = giving_.find(peer_flow);
+  if (found != giving_.end()) (void)found->second->write(sample);
+}
+
+CarriedSample FastDdsLinkBus::pack(const TypeInfo& type,
+                                   std::shared_ptr<const void> message) const {
+  auto encoded = std::make_shared<EncodedMessage>();
+  encoded->bytes.resize(type.serialized_size(message.get()));
+  const std::size_t bytes =
+      type.serialize(message.get(), encoded->bytes.data(), encoded->bytes.size());
+  encoded->bytes.resize(bytes);
+  CarriedSample sample;
+  sample.content = std::move(encoded);
+  sample.bytes = static_cast<std::uint32_t>(bytes);
+  return sample;
+}
+
+std::shared_ptr<const void> FastDdsLinkBus::unpack(const TypeInfo& type,
+                                                   const CarriedSample& sample) const {
+  const auto& bytes = static_cast<const EncodedMessage*>(sample.content.get())->bytes;
+  auto message = type.create();
+  return type.deserialize(bytes.data(), bytes.size(), message.get()) ? message : nullptr;
+}
+
+std::unique_ptr<LinkBus> make_fast_dds_link_bus(const BusOptions& options,
+                                                std::function<void()> on_event) {
+  return std::make_unique<FastDdsLinkBus>(options, std::move(on_event));
+}
+
+}  // namespace tocsin

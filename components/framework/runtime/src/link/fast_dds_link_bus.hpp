@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "link/flow_ends.hpp"
+#include "link/flow_table.hpp"
+#include "fast_dds/late_interface.hpp"
+#include "link/radio_transport.hpp"
+#include "runtime/logger.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
+#include "runtime/middleware/link_bus.hpp"
+
+namespace tocsin {
+
+/// The two participants of a host's router: one on the host's domain, an ordinary peer of all that
+/// is there, and the only one on the link. The one on the link is made when its interface is up.
+class FastDdsLinkBus final : public LinkBus {
+ public:
+  /// Throws EnvironmentError when a participant cannot be created.
+  FastDdsLinkBus(const BusOptions& options, std::function<void()> on_event);
+
+  [[nodiscard]] std::optional<LinkEvent> take() override;
+  FlowId open(const Flow& flow, int dscp) override;
+  void close(FlowId flow) override;
+  [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow,
+                                                  const CarriedSample& sample) override;
+  void offer(FlowId peer_flow) override;
+  void give(FlowId peer_flow, const CarriedSample& sample) override;
+  [[nodiscard]] CarriedSample pack(const TypeInfo& type,
+                                   std::shared_ptr<const void> message) const override;
+  [[nodiscard]] std::shared_ptr<const void> unpack(const TypeInfo& type,
+                                                   const CarriedSample& sample) const override;
+  [[nodiscard]] const TrafficRules& rules() const override { return rules_; }
+  [[nodiscard]] LinkPackets packets() const override { return marks_->packets(); }
+
+ private:
+  struct Sending {
+    Flow flow;
+    int dscp;
+    std::unique_ptr<FlowWriter> writer;  ///< null while the link is not up
+  };
+  using Readers = std::map<ReaderKey, std::unique_ptr<FlowReader>>;
+
+  [[nodiscard]] ParticipantOptions host_options();
+  [[nodiscard]] ParticipantOptions link_options();
+  void join_link();
+  void connect(FlowId id, Sending& sending);
+  void listen_on_host(const Flow& flow);
+  void listen_on_link(const Flow& flow);
+  void on_host_sample(const ReaderKey& key, TakenSample&& taken);
+  void on_link_sample(TakenSample&& taken);
+
+  const BusOptions options_;
+  Logger log_{"link"};
+  const TrafficRules rules_;
+  FlowTable table_;
+  const std::shared_ptr<RadioMarks> marks_ = std::make_shared<RadioMarks>();
+  std::atomic<bool> interface_is_up_{false};
+  FastDdsParticipant host_;
+  std::unique_ptr<FastDdsParticipant> link_;
+  Readers host_readers_;  // after the participants: destroyed first
+  Readers link_readers_;
+  std::map<FlowId, Sending> sending_;
+  std::map<FlowId, std::unique_ptr<FlowWriter>> giving_;
+  std::unique_ptr<LateInterface> late_;  // last: destroyed first, as it calls back
+};
+
+}  // namespace tocsin

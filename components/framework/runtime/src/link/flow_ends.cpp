@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/flow_ends.hpp"
+
+#include <tuple>
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "link/origin.hpp"
+#include "link/raw_type.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
+
+/// Samples of a burst that wait until a thread of Fast DDS has handed them on.
+constexpr int reader_depth = 32;
+
+QosProfile profile_of(const ReaderKey& key) {
+  QosProfile profile;
+  profile.reliability = key.reliable ? "reliable" : "best_effort";
+  profile.durability = key.transient_local ? "transient_local" : "volatile";
+  profile.depth = reader_depth;
+  return profile;
+}
+
+TakenSample taken(IncomingSample& incoming, const dds::SampleInfo& info) {
+  TakenSample result;
+  result.writer = info.sample_identity.writer_guid();
+  result.number = info.sample_identity.sequence_number().to64long();
+  const auto origin = origin_in(info.related_sample_identity);
+  result.sample.content = std::move(incoming.message);
+  result.sample.bytes = incoming.bytes;
+  result.sample.source = origin ? origin->source : source_of(result.writer);
+  result.sample.sequence = origin ? origin->sequence : result.number;
+  result.sample.sent_wall_ns = info.source_timestamp.to_ns();
+  return result;
+}
+
+}  // namespace
+
+bool operator<(const ReaderKey& one, const ReaderKey& other) {
+  const auto all = [](const ReaderKey& key) {
+    return std::tie(key.topic, key.type, key.reliable, key.transient_local);
+  };
+  return all(one) < all(other);
+}
+
+FlowReader::FlowReader(FastDdsParticipant& participant, const ReaderKey& key, OnSample on_sample)
+    : participant_(participant),
+      type_(raw_type(key.type)),
+      on_sample_(std::move(on_sample)),
+      pool_(type_),
+      reader_(participant.create_reader(key.topic, type_, profile_of(key), *this)) {
+  if (reader_ == nullptr) {
+    throw EnvironmentError("DDS reader of " + key.topic + " cannot be created");
+  }
+}
+
+FlowReader::~FlowReader() { participant_.remove(reader_); }
+
+void FlowReader::on_data_available(Reader* reader) {
+  unsigned seen = calls_.fetch_add(1) + 1;
+  if (seen != 1) return;
+  do {
+    drain(reader);
+  } while (!calls_.compare_exchange_weak(seen, 0));
+}
+
+void FlowReader::drain(Reader* reader) {
+  IncomingSample incoming;
+  incoming.pool = &pool_;
+  dds::SampleInfo info;
+  while (reader->take_next_sample(&incoming, &info) == ReturnCode::RETCODE_OK) {
+    if (!info.valid_data || participant_.owns(info.sample_identity.writer_guid())) continue;
+    if (incoming.valid) on_sample_(taken(incoming, info));
+  }
+}
+
+FlowWriter::FlowWriter(FastDdsParticipant& participant, const std::string& topic,
+                       const std::string& type, const QosProfile& qos, OnReader on_reader)
+    : participant_(participant),
+      on_reader_(std::move(on_reader)),
+      writer_(participant.create_writer(topic, raw_type(type), qos, *this)) {
+  if (writer_ == nullptr) throw EnvironmentError("DDS writer of " + topic + " cannot be created");
+}
+
+FlowWriter::~FlowWriter() { participant_.remove(writer_); }
+
+std::optional<std::uint64_t> FlowWriter::write(const CarriedSample& sample) {
+  OutgoingSample outgoing{sample.content.get()};
+  rtps::WriteParams params = on_behalf_of({sample.source, sample.sequence}, sample.sent_wall_ns);
+  if (!writer_->write(&outgoing, params)) return std::nullopt;
+  return params.sample_identity().sequence_number().to64long();
+}
+
+rtps::EntityId_t FlowWriter::entity() const { return writer_->guid().entityId; }
+
+void FlowWriter::on_publication_matched(Writer*, const dds::PublicationMatchedStatus& status) {
+  const auto reader = rtps::iHandle2GUID(status.last_subscription_handle);
+  if (status.current_count_change > 0) on_reader_(reader.guidPrefix);
+}
+
+}  // namespace tocsin

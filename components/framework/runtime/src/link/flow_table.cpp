@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/flow_table.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "link/flow_text.hpp"
+
+namespace tocsin {
+namespace {
+
+/// Events that wait for a component that does not look; beyond them samples are lost.
+constexpr std::size_t most_events = 4096;
+
+bool is_sample(const LinkEvent& event) {
+  return std::holds_alternative<link_event::HostSample>(event) ||
+         std::holds_alternative<link_event::LinkSample>(event);
+}
+
+}  // namespace
+
+TopicNames::TopicNames(const std::string& ros_namespace)
+    : prefix_(ros_namespace.empty() ? "rt/" : "rt/" + ros_namespace + "/") {}
+
+std::optional<std::string> TopicNames::of_people(const std::string& on_wire) const {
+  const bool ours = on_wire.compare(0, prefix_.size(), prefix_) == 0;
+  return ours ? std::optional(on_wire.substr(prefix_.size())) : std::nullopt;
+}
+
+FlowTable::FlowTable(const std::string& ros_namespace, const TrafficRules& rules,
+                     std::function<void()> on_event)
+    : names_(ros_namespace), rules_(rules), on_event_(std::move(on_event)) {}
+
+std::optional<Flow> FlowTable::flow_in(const AnnouncedEnd& end, bool on_link) const {
+  const auto topic = names_.of_people(end.topic);
+  if (!end.writer || !topic) return std::nullopt;
+  if (!on_link && rules_.all().count(*topic) == 0) return std::nullopt;
+  Flow flow;
+  flow.topic = *topic;
+  flow.type = end.type;
+  flow.user_data = end.user_data;
+  flow.lifespan_s = end.lifespan_s;
+  flow.reliable = end.qos.reliable();
+  flow.transient_local = end.qos.keeps_last();
+  if (on_link) read_announcement(flow);
+  return flow;
+}
+
+void FlowTable::add(const Guid& guid, const Flow& flow, bool on_link) {
+  if (by_writer_.count(guid) != 0) return;  // announced again
+  const auto found = std::find_if(flows_.begin(), flows_.end(), [&](const auto& entry) {
+    return !on_link && !entry.second.on_link && entry.second.flow == flow;
+  });
+  const FlowId id = found == flows_.end() ? ++last_id_ : found->first;
+  by_writer_[guid] = id;
+  flows_[id].writers.insert(guid);
+  if (found != flows_.end()) return;
+  flows_[id].flow = flow;
+  flows_[id].on_link = on_link;
+  if (on_link) {
+    events_.push_back(link_event::PeerFlow{id, peer_of(guid.guidPrefix), flow});
+  } else {
+    events_.push_back(link_event::HostFlow{id, flow});
+  }
+}
+
+void FlowTable::remove(const Guid& guid) {
+  const auto found = by_writer_.find(guid);
+  if (found == by_writer_.end()) return;
+  const FlowId id = found->second;
+  by_writer_.erase(found);
+  Known& known = flows_[id];
+  known.writers.erase(guid);
+  if (!known.writers.empty()) return;
+  if (known.on_link) {
+    events_.push_back(link_event::PeerFlowGone{id});
+  } else {
+    events_.push_back(link_event::HostFlowGone{id});
+  }
+  flows_.erase(id);
+}
+
+void FlowTable::remove_peer(const Participant& participant) {
+  std::vector<Guid> writers;
+  for (const auto& entry : by_writer_) {
+    if (entry.first.guidPrefix == participant) writers.push_back(entry.first);
+  }
+  for (const Guid& writer : writers) remove(writer);
+  if (peers_.erase(participant) > 0) events_.push_back(link_event::PeerLost{peer_of(participant)});
+}
+
+void FlowTable::on_host_end(const Guid& guid, const AnnouncedEnd& end, bool there) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto flow = flow_in(end, false);
+    if (!flow) return;
+    there ? add(guid, *flow, false) : remove(guid);
+  }
+  on_event_();
+}
+
+void FlowTable::on_link_end(const Guid& guid, const AnnouncedEnd& end, bool there) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto flow = flow_in(end, true);
+    if (!flow) return;
+    there ? add(guid, *flow, true) : remove(guid);
+  }
+  on_event_();
+}
+
+void FlowTable::on_peer(const Participant& participant, const std::string& name, bool there) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!there) {
+      remove_peer(participant);
+    } else if (peers_.count(participant) == 0) {
+      // A peer has one life at a time: the one that was killed is not waited for.
+      const auto before = std::find_if(peers_.begin(), peers_.end(),
+                                       [&](const auto& entry) { return entry.second == name; });
+      if (before != peers_.end()) remove_peer(Participant(before->first));
+      peers_[participant] = name;
+      events_.push_back(link_event::PeerFound{peer_of(participant), name});
+    }
+  }
+  on_event_();
+}
+
+void FlowTable::push(LinkEvent event) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (events_.size() >= most_events && is_sample(event)) return;
+    events_.push_back(std::move(event));
+  }
+  on_event_();
+}
+
+std::optional<LinkEvent> FlowTable::pop() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (events_.empty()) return std::nullopt;
+  LinkEvent event = std::move(events_.front());
+  events_.pop_front();
+  return event;
+}
+
+FlowId FlowTable::fresh_id() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return ++last_id_;
+}
+
+std::optional<FlowId> FlowTable::flow_of(const Guid& writer) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = by_writer_.find(writer);
+  return found == by_writer_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<Flow> FlowTable::find(FlowId id) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = flows_.find(id);
+  return found == flows_.end() ? std::nullopt : std::optional(found->second.flow);
+}
+
+PeerId FlowTable::peer_of(const Participant& participant) {
+  PeerId id = 1469598103934665603ULL;  // FNV-1a
+  for (std::size_t i = 0; i < Participant::size; ++i) {
+    id = (id ^ participant.value[i]) * 1099511628211ULL;
+  }
+  return id;
+}
+
+}  // namespace tocsin

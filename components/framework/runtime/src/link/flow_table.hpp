@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/rtps/common/Guid.h>
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "fast_dds/remote_ends.hpp"
+#include "runtime/middleware/link_bus.hpp"
+
+namespace tocsin {
+
+/// A flow's topic in both worlds: `rt/ns/location` on the wire, `location` for people.
+class TopicNames {
+ public:
+  explicit TopicNames(const std::string& ros_namespace);
+  [[nodiscard]] std::string on_wire(const std::string& topic) const { return prefix_ + topic; }
+  /// Nothing when the name is of another namespace, or of no topic.
+  [[nodiscard]] std::optional<std::string> of_people(const std::string& on_wire) const;
+
+ private:
+  std::string prefix_;
+};
+
+/// Which flows there are on a host and on the link, from what discovery tells, and what has
+/// happened to them. Any thread; `on_event` is called without a lock held.
+class FlowTable {
+ public:
+  using Guid = eprosima::fastrtps::rtps::GUID_t;
+  using Participant = eprosima::fastrtps::rtps::GuidPrefix_t;
+
+  FlowTable(const std::string& ros_namespace, const TrafficRules& rules,
+            std::function<void()> on_event);
+
+  /// Somebody on the host has begun or ended to write.
+  void on_host_end(const Guid& guid, const AnnouncedEnd& end, bool there);
+  /// The same on the link.
+  void on_link_end(const Guid& guid, const AnnouncedEnd& end, bool there);
+  void on_peer(const Participant& participant, const std::string& name, bool there);
+  /// Samples that come when 4096 events wait are lost.
+  void push(LinkEvent event);
+  [[nodiscard]] std::optional<LinkEvent> pop();
+  void wake() const { on_event_(); }
+
+  [[nodiscard]] FlowId fresh_id();
+  [[nodiscard]] std::optional<FlowId> flow_of(const Guid& writer) const;
+  /// What is known of a flow of the host or of a peer.
+  [[nodiscard]] std::optional<Flow> find(FlowId id) const;
+  [[nodiscard]] static PeerId peer_of(const Participant& participant);
+  [[nodiscard]] const TopicNames& names() const { return names_; }
+
+ private:
+  struct Known {
+    Flow flow;
+    bool on_link = false;
+    std::set<Guid> writers;
+  };
+  [[nodiscard]] std::optional<Flow> flow_in(const AnnouncedEnd& end, bool on_link) const;
+  void add(const Guid& guid, const Flow& flow, bool on_link);
+  void remove(const Guid& guid);
+  void remove_peer(const Participant& participant);
+
+  const TopicNames names_;
+  const TrafficRules& rules_;
+  const std::function<void()> on_event_;
+  mutable std::mutex mutex_;
+  FlowId last_id_ = 0;
+  std::map<FlowId, Known> flows_;
+  std::map<Guid, FlowId> by_writer_;
+  std::map<Participant, std::string> peers_;
+  std::deque<LinkEvent> events_;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/flow_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace tocsin {
+namespace {
+
+const std::string key = "tocsin_flow=";
+constexpr int largest_depth = 10000;
+
+/// What stands between the key and the next semicolon.
+struct Words {
+  char reliability[16] = "";
+  char durability[16] = "";
+  int depth = 0;
+  double lifespan_s = 0;
+};
+
+std::optional<Words> words_in(const std::string& text) {
+  Words words;
+  const int found = std::sscanf(text.c_str(), "%15[a-z_],%15[a-z_],%d,%lf", words.reliability,
+                                words.durability, &words.depth, &words.lifespan_s);
+  const bool sensible =
+      found == 4 && words.depth >= 1 && words.depth <= largest_depth && words.lifespan_s > 0;
+  return sensible ? std::optional(words) : std::nullopt;
+}
+
+}  // namespace
+
+std::string announcement_of(const Flow& flow) {
+  const bool separate = !flow.user_data.empty() && flow.user_data.back() != ';';
+  return flow.user_data + (separate ? ";" : "") +
+         fmt::format("{}{},{},{},{};", key, flow.reliable ? "reliable" : "best_effort",
+                     flow.transient_local ? "transient_local" : "volatile", flow.depth,
+                     flow.lifespan_s);
+}
+
+void read_announcement(Flow& flow) {
+  const std::size_t at = flow.user_data.find(key);
+  if (at == std::string::npos) return;
+  const std::size_t end = std::min(flow.user_data.find(';', at), flow.user_data.size() - 1);
+  const auto words = words_in(flow.user_data.substr(at + key.size(), end - at - key.size()));
+  flow.user_data.erase(at, end - at + 1);
+  if (!words) return;
+  flow.reliable = words->reliability == std::string("reliable");
+  flow.transient_local = words->durability == std::string("transient_local");
+  flow.depth = words->depth;
+  flow.lifespan_s = words->lifespan_s;
+}
+
+bool operator==(const Flow& one, const Flow& other) {
+  return one.topic == other.topic && one.type == other.type && one.reliable == other.reliable &&
+         one.transient_local == other.transient_local && one.depth == other.depth &&
+         one.lifespan_s == other.lifespan_s && one.user_data == other.user_data;
+}
+
+}  // namespace tocsin

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/origin.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace tocsin {
+namespace {
+
+namespace rtps = eprosima::fastrtps::rtps;
+
+constexpr std::array<rtps::octet, 4> mark{'t', 'c', 's', 'n'};
+constexpr std::size_t source_bytes = 8;
+
+}  // namespace
+
+std::uint64_t source_of(const rtps::GUID_t& guid) {
+  std::uint64_t hash = 1469598103934665603ULL;
+  const auto add = [&hash](const auto& bytes, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 1099511628211ULL;
+  };
+  add(guid.guidPrefix.value, guid.guidPrefix.size);
+  add(guid.entityId.value, guid.entityId.size);
+  return hash;
+}
+
+rtps::SampleIdentity identity_of(const Origin& origin) {
+  rtps::GUID_t guid;
+  for (std::size_t i = 0; i < source_bytes; ++i) {
+    guid.guidPrefix.value[i] = static_cast<rtps::octet>(origin.source >> (8 * i));
+  }
+  std::copy(mark.begin(), mark.end(), guid.guidPrefix.value + source_bytes);
+  guid.entityId = rtps::EntityId_t(0x00000003);  // a writer without key, RTPS 2.2 section 9.3.1.2
+  rtps::SampleIdentity identity;
+  identity.writer_guid(guid);
+  identity.sequence_number(rtps::SequenceNumber_t(static_cast<std::int32_t>(origin.sequence >> 32U),
+                                                  static_cast<std::uint32_t>(origin.sequence)));
+  return identity;
+}
+
+std::optional<Origin> origin_in(const rtps::SampleIdentity& identity) {
+  const rtps::octet* const bytes = identity.writer_guid().guidPrefix.value;
+  if (!std::equal(mark.begin(), mark.end(), bytes + source_bytes)) return std::nullopt;
+  Origin origin;
+  for (std::size_t i = 0; i < source_bytes; ++i) {
+    origin.source |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
+  }
+  origin.sequence = identity.sequence_number().to64long();
+  return origin;
+}
+
+rtps::WriteParams on_behalf_of(const Origin& origin, std::int64_t sent_wall_ns) {
+  constexpr std::int64_t second_ns = 1'000'000'000;
+  rtps::WriteParams params;
+  params.related_sample_identity(identity_of(origin));
+  params.source_timestamp(rtps::Time_t(static_cast<std::int32_t>(sent_wall_ns / second_ns),
+                                       static_cast<std::uint32_t>(sent_wall_ns % second_ns)));
+  return params;
+}
+
+}  // namespace tocsin

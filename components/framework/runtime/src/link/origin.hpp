@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/rtps/common/SampleIdentity.h>
+#include <fastdds/rtps/common/WriteParams.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace tocsin {
+
+/// Who wrote a sample that a router carries, and which of his it is. It travels as the sample's
+/// related identity (PID_RELATED_SAMPLE_IDENTITY), which ROS 2 and others use for services only;
+/// the name of this stack in the GUID tells ours from theirs.
+struct Origin {
+  std::uint64_t source = 0;
+  std::uint64_t sequence = 0;
+};
+
+/// Source of what a DDS writer writes itself, see Sample: FNV-1a over its GUID.
+[[nodiscard]] std::uint64_t source_of(const eprosima::fastrtps::rtps::GUID_t& writer);
+
+[[nodiscard]] eprosima::fastrtps::rtps::SampleIdentity identity_of(const Origin& origin);
+/// Nothing when the identity is not one of `identity_of`.
+[[nodiscard]] std::optional<Origin> origin_in(
+    const eprosima::fastrtps::rtps::SampleIdentity& identity);
+/// For a write on behalf of `origin`, who wrote at `sent_wall_ns` [ns since the Unix epoch].
+[[nodiscard]] eprosima::fastrtps::rtps::WriteParams on_behalf_of(const Origin& origin,
+                                                                 std::int64_t sent_wall_ns);
+
+}  // namespace tocsin

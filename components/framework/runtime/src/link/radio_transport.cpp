@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/radio_transport.hpp"
+
+#include <arpa/inet.h>
+#include <fastdds/rtps/transport/ChainingTransport.h>
+#include <fastrtps/utils/IPLocator.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+#include <utility>
+
+namespace tocsin {
+namespace {
+
+namespace rtps = eprosima::fastrtps::rtps;
+using namespace eprosima::fastdds::rtps;
+using Deadline = std::chrono::steady_clock::time_point;
+
+constexpr std::uint32_t largest_datagram = 65500;
+constexpr std::size_t ip_and_udp_bytes = 28;
+
+/// Where the sender's entity id stands in a submessage, after its header of four bytes; nothing for
+/// kinds that name none. Kinds: RTPS 2.2 section 9.4.5.1.1.
+std::optional<std::size_t> place_of_sender(std::uint8_t kind) {
+  constexpr std::size_t first = 0;
+  constexpr std::size_t second = 4;
+  constexpr std::size_t in_data = 8;  // after extra flags, octets to inline QoS, reader
+  switch (kind) {
+    case 0x15:
+    case 0x16:
+      return in_data;  // DATA, DATA_FRAG
+    case 0x06:
+    case 0x12:
+      return first;  // ACKNACK, NACK_FRAG: from a reader
+    case 0x07:
+    case 0x08:
+    case 0x13:
+      return second;  // HEARTBEAT, GAP, HEARTBEAT_FRAG
+    default:
+      return std::nullopt;
+  }
+}
+
+/// A UDP socket bound to the address of the radio's interface.
+class RadioSocket {
+ public:
+  explicit RadioSocket(const std::string& address)
+      : descriptor_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in own{};
+    own.sin_family = AF_INET;
+    usable_ = descriptor_ >= 0 && inet_pton(AF_INET, address.c_str(), &own.sin_addr) == 1 &&
+              ::bind(descriptor_, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;
+  }
+  ~RadioSocket() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  RadioSocket(const RadioSocket&) = delete;
+  RadioSocket& operator=(const RadioSocket&) = delete;
+
+  [[nodiscard]] bool usable() const { return usable_; }
+  /// A full socket loses the packet, as the radio would.
+  [[nodiscard]] bool send(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to,
+                          int dscp) const {
+    sockaddr_in peer{};
+    peer.sin_family = AF_INET;
+    peer.sin_port = htons(rtps::IPLocator::getPhysicalPort(to));
+    std::memcpy(&peer.sin_addr, rtps::IPLocator::getIPv4(to), sizeof peer.sin_addr);
+    iovec data{const_cast<rtps::octet*>(bytes), size};
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
+    msghdr message{};
+    message.msg_name = &peer;
+    message.msg_namelen = sizeof peer;
+    message.msg_iov = &data;
+    message.msg_iovlen = 1;
+    message.msg_control = control.data();
+    message.msg_controllen = control.size();
+    cmsghdr* const header = CMSG_FIRSTHDR(&message);
+    header->cmsg_level = IPPROTO_IP;
+    header->cmsg_type = IP_TOS;
+    header->cmsg_len = CMSG_LEN(sizeof(int));
+    const int tos = dscp << 2;  // the lower two bits are ECN (RFC 3168)
+    std::memcpy(CMSG_DATA(header), &tos, sizeof tos);
+    return ::sendmsg(descriptor_, &message, MSG_DONTWAIT) == static_cast<ssize_t>(size);
+  }
+
+ private:
+  int descriptor_;
+  bool usable_ = false;
+};
+
+class MarkingSender : public rtps::SenderResource {
+ public:
+  MarkingSender(const std::string& address, std::shared_ptr<RadioMarks> marks)
+      : SenderResource(LOCATOR_KIND_UDPv4), socket_(address), marks_(std::move(marks)) {
+    send_lambda_ = [this](const rtps::octet* bytes, std::uint32_t size,
+                          rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
+                          const Deadline&) { return send_to_all(bytes, size, *first, *last); };
+  }
+  [[nodiscard]] bool usable() const { return socket_.usable(); }
+
+ private:
+  bool send_to_all(const rtps::octet* bytes, std::uint32_t size, rtps::LocatorsIterator& next,
+                   const rtps::LocatorsIterator& last) {
+    bool all = true;
+    for (; next != last; ++next) {
+      const rtps::Locator_t& to = *next;
+      if (to.kind != LOCATOR_KIND_UDPv4 || rtps::IPLocator::isMulticast(to)) continue;
+      all = socket_.send(bytes, size, to, marks_->mark(bytes, size)) && all;
+    }
+    return all;
+  }
+
+  RadioSocket socket_;
+  std::shared_ptr<RadioMarks> marks_;
+};
+
+struct MarkingDescriptor : ChainingTransportDescriptor {
+  MarkingDescriptor(std::shared_ptr<TransportDescriptorInterface> low, std::string its_address,
+                    std::shared_ptr<RadioMarks> its_marks)
+      : ChainingTransportDescriptor(std::move(low)),
+        address(std::move(its_address)),
+        marks(std::move(its_marks)) {
+    maxMessageSize = radio_message_bytes;
+  }
+  [[nodiscard]] TransportInterface* create_transport() const override;
+  [[nodiscard]] std::uint32_t max_message_size() const override { return radio_message_bytes; }
+  std::string address;
+  std::shared_ptr<RadioMarks> marks;
+};
+
+class MarkingTransport : public ChainingTransport {
+ public:
+  explicit MarkingTransport(MarkingDescriptor descriptor)
+      : ChainingTransport(descriptor), descriptor_(std::move(descriptor)) {}
+
+  [[nodiscard]] TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
+  bool OpenInputChannel(const rtps::Locator_t& at, TransportReceiverInterface* receiver,
+                        std::uint32_t) override {
+    return ChainingTransport::OpenInputChannel(at, receiver, largest_datagram);
+  }
+  void receive(TransportReceiverInterface* next, const rtps::octet* bytes, std::uint32_t size,
+               const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
+    next->OnDataReceived(bytes, size, local, remote);
+  }
+  /// One socket sends to all peers.
+  bool OpenOutputChannel(SendResourceList& channels, const rtps::Locator_t& to) override {
+    if (to.kind != kind()) return false;
+    for (const auto& one : channels) {
+      if (dynamic_cast<const MarkingSender*>(one.get()) != nullptr) return true;
+    }
+    auto sender = std::make_unique<MarkingSender>(descriptor_.address, descriptor_.marks);
+    if (!sender->usable()) return false;
+    channels.push_back(std::move(sender));
+    return true;
+  }
+  // NOLINTNEXTLINE(readability-function-size): the signature is that of Fast DDS
+  bool send(rtps::SenderResource* channel, const rtps::octet* bytes, std::uint32_t size,
+            rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
+            const Deadline& deadline) override {
+    return channel->send(bytes, size, first, last, deadline);
+  }
+
+ private:
+  MarkingDescriptor descriptor_;
+};
+
+TransportInterface* MarkingDescriptor::create_transport() const {
+  return new MarkingTransport(*this);
+}
+
+bool is_builtin(const rtps::EntityId_t& endpoint) {
+  constexpr rtps::octet builtin = 0xc0;  // RTPS 2.2 section 9.3.1.2
+  return (endpoint.value[3] & builtin) == builtin;
+}
+
+}  // namespace
+
+std::optional<rtps::EntityId_t> sender_in(const std::uint8_t* message, std::size_t size) {
+  constexpr std::size_t header_bytes = 20;
+  constexpr std::size_t submessage_header_bytes = 4;
+  constexpr std::size_t entity_bytes = 4;
+  std::size_t at = header_bytes;
+  while (at + submessage_header_bytes <= size) {
+    const std::size_t content = at + submessage_header_bytes;
+    if (const auto place = place_of_sender(message[at])) {
+      if (content + *place + entity_bytes > size) return std::nullopt;
+      rtps::EntityId_t endpoint;
+      std::copy_n(message + content + *place, entity_bytes, endpoint.value);
+      return endpoint;
+    }
+    const bool little_endian = (message[at + 1] & 1U) != 0;
+    const std::size_t length = little_endian ? message[at + 2] | (message[at + 3] << 8U)
+                                             : message[at + 3] | (message[at + 2] << 8U);
+    if (length == 0) return std::nullopt;  // until the end of the message
+    at = content + length;
+  }
+  return std::nullopt;
+}
+
+void RadioMarks::set(const Endpoint& endpoint, int dscp) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  marks_[endpoint] = dscp;
+}
+
+void RadioMarks::forget(const Endpoint& endpoint) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  marks_.erase(endpoint);
+}
+
+int RadioMarks::mark(const std::uint8_t* message, std::size_t size) {
+  const auto endpoint = sender_in(message, size);
+  const bool discovery = !endpoint || is_builtin(*endpoint);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++packets_.packets;
+  packets_.bytes += size + ip_and_udp_bytes;
+  if (discovery) {
+    ++packets_.discovery_packets;
+    packets_.discovery_bytes += size + ip_and_udp_bytes;
+    return network_control;
+  }
+  const auto found = marks_.find(*endpoint);
+  return found == marks_.end() ? network_control : found->second;
+}
+
+LinkPackets RadioMarks::packets() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return packets_;
+}
+
+std::shared_ptr<TransportDescriptorInterface> marked(std::shared_ptr<UDPv4TransportDescriptor> udp,
+                                                     std::shared_ptr<RadioMarks> marks) {
+  const std::string address =
+      udp->interfaceWhiteList.empty() ? "0.0.0.0" : udp->interfaceWhiteList.front();
+  udp->maxMessageSize = largest_datagram;
+  return std::make_shared<MarkingDescriptor>(std::move(udp), address, std::move(marks));
+}
+
+}  // namespace tocsin

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/rtps/common/EntityId_t.hpp>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "runtime/middleware/link_bus.hpp"
+
+namespace tocsin {
+
+/// RTPS messages that fit one 1500-byte IP packet: IP never fragments on the radio.
+constexpr std::uint32_t radio_message_bytes = 1400;
+
+/// The endpoint that an RTPS message comes from: the writer of its first DATA, HEARTBEAT or GAP,
+/// the reader of its first ACKNACK (RTPS 2.2 section 8.3.7). Nothing when there is none, or the
+/// bytes are no such message.
+[[nodiscard]] std::optional<eprosima::fastrtps::rtps::EntityId_t> sender_in(
+    const std::uint8_t* message, std::size_t size);
+
+/// Which differentiated services code point (RFC 2474) the packets of an endpoint bear, and how
+/// many were sent. Discovery and what is not known bear CS6: little, and all else depends on it.
+/// Thread-safe.
+class RadioMarks {
+ public:
+  static constexpr int network_control = 48;  ///< CS6 (RFC 4594 section 3.1)
+
+  /// `dscp` [0, 63].
+  void set(const eprosima::fastrtps::rtps::EntityId_t& endpoint, int dscp);
+  void forget(const eprosima::fastrtps::rtps::EntityId_t& endpoint);
+  /// Notes a message that is sent, and returns its code point.
+  [[nodiscard]] int mark(const std::uint8_t* message, std::size_t size);
+  [[nodiscard]] LinkPackets packets() const;
+
+ private:
+  using Endpoint = eprosima::fastrtps::rtps::EntityId_t;
+  mutable std::mutex mutex_;
+  std::map<Endpoint, int> marks_;
+  LinkPackets packets_;
+};
+
+/// A UDP transport that sends through a socket of its own, each packet with the code point that
+/// `marks` has for it, in RTPS messages of at most `radio_message_bytes`; it receives any size.
+[[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> marked(
+    std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp,
+    std::shared_ptr<RadioMarks> marks);
+
+}  // namespace tocsin
