@@ -26,7 +26,6 @@ int processes_of(const deployment::Deployment& deployment) {
 BusOptions bus_options(const deployment::Deployment& deployment, const deployment::Host& host,
                        const deployment::Container& container) {
   return {host.name + "_" + container.name,
-          host.name,
           host.role,
           deployment.ros_namespace,
           deployment.qos,
@@ -35,7 +34,9 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
           deployment.link_domain,
           host.address,
           host.peers,
-          processes_of(deployment)};
+          processes_of(deployment),
+          false,
+          host.name};
 }
 
 }  // namespace

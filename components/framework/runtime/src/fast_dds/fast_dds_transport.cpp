@@ -5,6 +5,10 @@
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
 #include <random>
 
 #include "fast_dds/fast_dds_qos.hpp"
@@ -48,12 +52,63 @@ std::shared_ptr<SharedMemTransportDescriptor> shared_memory_transport() {
   return transport;
 }
 
-rtps::Locator_t udp_locator(const std::string& address) {
+rtps::Locator_t udp_locator(const std::string& address, int port = 0) {
   rtps::Locator_t locator;
   locator.kind = LOCATOR_KIND_UDPv4;
   rtps::IPLocator::setIPv4(locator, address);
-  locator.port = 0;
+  locator.port = static_cast<std::uint32_t>(port);
   return locator;
+}
+
+/// The well-known port for discovery of a domain's participant, RTPS 2.2 section 9.6.1.1; the one
+/// for data follows it.
+int discovery_port(int domain, int participant) { return 7410 + 250 * domain + 2 * participant; }
+
+/// Routers that may share one address; more than one only where a test needs no second interface.
+constexpr int most_at_one_address = 2;
+
+bool is_free(const std::string& address, int port) {
+  const int descriptor = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_in own{};
+  own.sin_family = AF_INET;
+  own.sin_port = htons(static_cast<std::uint16_t>(port));
+  inet_pton(AF_INET, address.c_str(), &own.sin_addr);
+  const bool free = ::bind(descriptor, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;
+  ::close(descriptor);
+  return free;
+}
+
+/// A router's ports are known, so that one announcement finds it; participants without a known
+/// number are asked for at each number that they might have.
+void locate_router(const ParticipantOptions& options, dds::DomainParticipantQos& qos) {
+  rtps::BuiltinAttributes& builtin = qos.wire_protocol().builtin;
+  int own = 0;
+  while (own + 1 < most_at_one_address &&
+         !is_free(options.address, discovery_port(options.domain, own))) {
+    ++own;
+  }
+  const int port = discovery_port(options.domain, own);
+  builtin.metatrafficUnicastLocatorList.push_back(udp_locator(options.address, port));
+  qos.wire_protocol().default_unicast_locator_list.push_back(
+      udp_locator(options.address, port + 1));
+  for (const std::string& peer : options.peers) {
+    for (int i = 0; i < (peer == options.address ? most_at_one_address : 1); ++i) {
+      builtin.initialPeersList.push_back(udp_locator(peer, discovery_port(options.domain, i)));
+    }
+  }
+  // Patient: a peer that was out of reach for minutes is still known, and hears at once.
+  builtin.discovery_config.leaseDuration = dds_duration(300);
+  builtin.discovery_config.leaseDuration_announcementperiod = dds_duration(1);
+}
+
+void locate(const ParticipantOptions& options, dds::DomainParticipantQos& qos) {
+  rtps::BuiltinAttributes& builtin = qos.wire_protocol().builtin;
+  builtin.metatrafficUnicastLocatorList.push_back(udp_locator(options.address));
+  for (const std::string& peer : options.peers) {
+    builtin.initialPeersList.push_back(udp_locator(peer));
+  }
+  builtin.discovery_config.leaseDuration = dds_duration(options.radio ? 60 : 5);
+  builtin.discovery_config.leaseDuration_announcementperiod = dds_duration(options.radio ? 5 : 1);
 }
 
 /// A shared-memory port that no other process has, nor had: when a process was killed, its peers
@@ -83,12 +138,7 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   }
   rtps::BuiltinAttributes& builtin = qos.wire_protocol().builtin;
   builtin.avoid_builtin_multicast = true;
-  builtin.metatrafficUnicastLocatorList.push_back(udp_locator(options.address));
-  for (const std::string& peer : options.peers) {
-    builtin.initialPeersList.push_back(udp_locator(peer));
-  }
-  builtin.discovery_config.leaseDuration = dds_duration(options.radio ? 60 : 5);
-  builtin.discovery_config.leaseDuration_announcementperiod = dds_duration(options.radio ? 5 : 1);
+  options.marks == nullptr ? locate(options, qos) : locate_router(options, qos);
   builtin.discovery_config.initial_announcements.count = 10;
   builtin.discovery_config.initial_announcements.period = dds_duration(0.1);
   for (const auto& [name, controller] : options.flow_controllers) {

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <utility>
 
-#include "link/flow_text.hpp"
 #include "foundation/error.hpp"
+#include "link/flow_text.hpp"
 #include "link/raw_type.hpp"
 
 namespace tocsin {
@@ -63,7 +63,10 @@ FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> 
 }
 
 ParticipantOptions FastDdsLinkBus::host_options() {
-  ParticipantOptions host{options_.name + "_router", options_.host_domain, loopback, {loopback},
+  ParticipantOptions host{options_.name + "_router",
+                          options_.host_domain,
+                          loopback,
+                          {loopback},
                           options_.processes + 2};
   host.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_host_end(guid, end, there);
@@ -72,8 +75,12 @@ ParticipantOptions FastDdsLinkBus::host_options() {
 }
 
 ParticipantOptions FastDdsLinkBus::link_options() {
-  ParticipantOptions link{options_.host + router_suffix, options_.link_domain,
-                          options_.link_address, options_.link_peers, 2, true};
+  ParticipantOptions link{options_.host + router_suffix,
+                          options_.link_domain,
+                          options_.link_address,
+                          options_.link_peers,
+                          2,
+                          true};
   link.marks = marks_;
   link.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_link_end(guid, end, there);
@@ -92,7 +99,8 @@ void FastDdsLinkBus::join_link() {
 void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
   const std::string topic = table_.names().on_wire(sending.flow.topic);
   sending.writer = std::make_unique<FlowWriter>(
-      *link_, topic, sending.flow.type, offered_on_link(sending.flow), [this, id](const auto& peer) {
+      *link_, topic, sending.flow.type, offered_on_link(sending.flow),
+      [this, id](const auto& peer) {
         table_.push(link_event::PeerListens{id, FlowTable::peer_of(peer)});
       });
   marks_->set(sending.writer->entity(), sending.dscp);
@@ -169,9 +177,8 @@ std::optional<std::uint64_t> FastDdsLinkBus::send(FlowId flow, const CarriedSamp
 void FastDdsLinkBus::offer(FlowId peer_flow) {
   const auto flow = table_.find(peer_flow);
   if (!flow) return;  // it has left meanwhile
-  giving_[peer_flow] =
-      std::make_unique<FlowWriter>(host_, table_.names().on_wire(flow->topic), flow->type,
-                                   offered(*flow), [](const auto&) {});
+  giving_[peer_flow] = std::make_unique<FlowWriter>(host_, table_.names().on_wire(flow->topic),
+                                                    flow->type, offered(*flow), [](const auto&) {});
 }
 
 void FastDdsLinkBus::give(FlowId peer_flow, const CarriedSample& sample) {

@@ -10,9 +10,9 @@
 #include <optional>
 #include <string>
 
+#include "exchange/message_pool.hpp"
 #include "fast_dds/cdr_topic_type.hpp"
 #include "fast_dds/fast_dds_participant.hpp"
-#include "exchange/message_pool.hpp"
 #include "runtime/middleware/link_bus.hpp"
 
 namespace tocsin {

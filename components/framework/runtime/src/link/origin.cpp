@@ -50,11 +50,9 @@ std::optional<Origin> origin_in(const rtps::SampleIdentity& identity) {
 }
 
 rtps::WriteParams on_behalf_of(const Origin& origin, std::int64_t sent_wall_ns) {
-  constexpr std::int64_t second_ns = 1'000'000'000;
   rtps::WriteParams params;
   params.related_sample_identity(identity_of(origin));
-  params.source_timestamp(rtps::Time_t(static_cast<std::int32_t>(sent_wall_ns / second_ns),
-                                       static_cast<std::uint32_t>(sent_wall_ns % second_ns)));
+  params.source_timestamp().from_ns(sent_wall_ns);
   return params;
 }
 

@@ -105,6 +105,7 @@ void RtpsCapture::parse(const std::uint8_t* packet, std::size_t size) {
   CapturedSubmessage common{};
   common.port = static_cast<std::uint16_t>(packet[ip + 2] << 8U | packet[ip + 3]);
   common.packet_bytes = static_cast<std::uint32_t>(size);
+  common.dscp = packet[1] >> 2U;
   parse_submessages(rtps + rtps_header, size - ip - udp - rtps_header, common);
 }
 

@@ -13,7 +13,6 @@ namespace tocsin {
 /// What one process needs to join the two DDS domains of its side.
 struct BusOptions {
   std::string name;                     ///< participant name, shown by discovery tools
-  std::string host;                     ///< name of this side, as its peers know it
   std::string role;                     ///< uxv or gcs: which rules of traffic.yaml hold
   std::string ros_namespace;            ///< of all topics; empty for none
   std::string qos_file;                 ///< empty: the profiles that are built in
@@ -29,6 +28,7 @@ struct BusOptions {
   /// Samples go to other processes of this host by shared memory instead of loopback UDP. A
   /// process that is killed leaves files in /dev/shm; the next start removes them.
   bool shared_memory = false;
+  std::string host = "";  ///< name of this side, as the peers of its router know it
 };
 
 /// The bus on Fast DDS in real time. Host topics use loopback only; link topics also use the

@@ -17,13 +17,13 @@ namespace tocsin {
 /// What the writers of a topic announce, without their C++ type. All writers of a host that
 /// announce the same are one flow, and cross the link as one writer.
 struct Flow {
-  std::string topic;            ///< ROS name without leading slash and namespace
-  std::string type;             ///< wire name: `std_msgs::msg::dds_::Bool_`
-  bool reliable = false;        ///< what they offer to readers on their host
-  bool transient_local = false; ///< a late reader gets the last samples
-  int depth = 1;                ///< [1, 10000] samples that count; 1: only the newest
+  std::string topic;             ///< ROS name without leading slash and namespace
+  std::string type;              ///< wire name: `std_msgs::msg::dds_::Bool_`
+  bool reliable = false;         ///< what they offer to readers on their host
+  bool transient_local = false;  ///< a late reader gets the last samples
+  int depth = 1;                 ///< [1, 10000] samples that count; 1: only the newest
   double lifespan_s = std::numeric_limits<double>::infinity();  ///< older ones are not delivered
-  std::string user_data;        ///< announced with them, such as the layout of the type
+  std::string user_data;  ///< announced with them, such as the layout of the type
 };
 [[nodiscard]] bool operator==(const Flow& one, const Flow& other);
 [[nodiscard]] inline bool operator!=(const Flow& one, const Flow& other) { return !(one == other); }
@@ -82,15 +82,15 @@ struct LinkSample {
   Time received{};
 };
 }  // namespace link_event
-using LinkEvent = std::variant<link_event::HostFlow, link_event::HostFlowGone,
-                               link_event::HostSample, link_event::PeerFound, link_event::PeerLost,
-                               link_event::PeerFlow, link_event::PeerFlowGone,
-                               link_event::PeerListens, link_event::LinkSample>;
+using LinkEvent =
+    std::variant<link_event::HostFlow, link_event::HostFlowGone, link_event::HostSample,
+                 link_event::PeerFound, link_event::PeerLost, link_event::PeerFlow,
+                 link_event::PeerFlowGone, link_event::PeerListens, link_event::LinkSample>;
 
 /// IP packets that a host's router has put on the link since its start, by what is in them.
 struct LinkPackets {
   std::uint64_t packets = 0;
-  std::uint64_t bytes = 0;            ///< with IP and UDP headers
+  std::uint64_t bytes = 0;              ///< with IP and UDP headers
   std::uint64_t discovery_packets = 0;  ///< of participants and endpoints
   std::uint64_t discovery_bytes = 0;
 };

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two routers' ways over the link and ordinary peers on both hosts, by real UDP on loopback.
+#include "runtime/middleware/link_bus.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "fast_dds/bus_fixture.hpp"
+#include "fast_dds/rtps_capture.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+namespace {
+
+constexpr int priority_dscp = 32;
+
+/// A router that carries everything at once, as it comes.
+class Relay {
+ public:
+  explicit Relay(const BusOptions& options)
+      : thread_([this, options] { run(options); }) {}
+  ~Relay() {
+    stopping_ = true;
+    thread_.join();
+  }
+  [[nodiscard]] std::vector<link_event::LinkSample> crossed() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return crossed_;
+  }
+  [[nodiscard]] std::vector<Flow> peer_flows() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return peer_flows_;
+  }
+  [[nodiscard]] std::vector<std::string> peers() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return peers_;
+  }
+  [[nodiscard]] int lost_peers() const { return lost_peers_; }
+  [[nodiscard]] LinkPackets packets() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return packets_;
+  }
+
+ private:
+  void run(const BusOptions& options) {
+    const auto bus = make_fast_dds_link_bus(options, [] {});
+    while (!stopping_) {
+      while (auto event = bus->take()) {
+        std::visit([&](auto& what) { on(*bus, what); }, *event);
+      }
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        packets_ = bus->packets();
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  void on(LinkBus& bus, const link_event::HostFlow& event) {
+    sending_[event.flow] = bus.open(event.what, priority_dscp);
+  }
+  void on(LinkBus& bus, const link_event::HostFlowGone& event) {
+    bus.close(sending_[event.flow]);
+    sending_.erase(event.flow);
+  }
+  void on(LinkBus& bus, const link_event::HostSample& event) {
+    (void)bus.send(sending_.at(event.flow), event.sample);
+  }
+  void on(LinkBus&, const link_event::PeerFound& event) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    peers_.push_back(event.name);
+  }
+  void on(LinkBus&, const link_event::PeerLost&) { ++lost_peers_; }
+  void on(LinkBus& bus, const link_event::PeerFlow& event) {
+    bus.offer(event.flow);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    peer_flows_.push_back(event.what);
+  }
+  void on(LinkBus&, const link_event::PeerFlowGone& event) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    gone_.push_back(event.flow);
+  }
+  void on(LinkBus&, const link_event::PeerListens&) {}
+  void on(LinkBus& bus, const link_event::LinkSample& event) {
+    bus.give(event.flow, event.sample);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    crossed_.push_back(event);
+  }
+
+  std::mutex mutex_;
+  std::map<FlowId, FlowId> sending_;
+  std::vector<link_event::LinkSample> crossed_;
+  std::vector<Flow> peer_flows_;
+  std::vector<std::string> peers_;
+  std::vector<FlowId> gone_;
+  LinkPackets packets_;
+  std::atomic<int> lost_peers_{0};
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+class LinkBusTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { deliver_by_packets(); }
+  LinkBusTest() : first_(next_domain()) {}
+
+  [[nodiscard]] BusOptions options(const std::string& role) const {
+    BusOptions options;
+    options.name = options.host = options.role = role;
+    options.qos_file = std::string(TOCSIN_REPOSITORY) + "/config/qos.yaml";
+    options.traffic_file = std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml";
+    options.host_domain = first_ + (role == "uxv" ? 0 : 1);
+    options.link_domain = first_ + 2;
+    options.link_address = "127.0.0.1";
+    options.link_peers = {"127.0.0.1"};
+    options.processes = 40;
+    return options;
+  }
+  /// An ordinary process of a host: it knows nothing of the link.
+  [[nodiscard]] std::unique_ptr<Bus> process(const std::string& role) const {
+    BusOptions ordinary = options(role);
+    ordinary.link_address.clear();
+    return make_fast_dds_bus(ordinary);
+  }
+  template <class Topic>
+  [[nodiscard]] static Endpoint endpoint(const char* user_data = "") {
+    return {Topic::info, &type_info<typename Topic::Message>(), Writers::needed, user_data};
+  }
+  template <class Topic>
+  [[nodiscard]] static bool write_until_heard(Publication& publication, Samples& samples) {
+    return eventually([&] {
+      (void)publication.write(std::make_shared<const typename Topic::Message>());
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      return !samples.all().empty();
+    });
+  }
+
+ private:
+  static int next_domain() {
+    static int next = 160;
+    return next += 3;
+  }
+  const int first_;
+};
+
+TEST_F(LinkBusTest, ASampleCrossesToAnOrdinaryReaderOfTheOtherHostWithItsWriterNumberAndTime) {
+  const Relay uxv(options("uxv"));
+  Relay gcs(options("gcs"));
+  const auto vehicle = process("uxv");
+  const auto station = process("gcs");
+  Samples there;
+  const auto far = station->subscribe(endpoint<topic::Location>(), there);
+  const auto writer = vehicle->advertise(endpoint<topic::Location>());
+  ASSERT_TRUE(write_until_heard<topic::Location>(*writer, there)) << "not discovered";
+  const auto crossed = gcs.crossed();
+  const Sample sample = there.all().front();
+  const auto same = std::find_if(crossed.begin(), crossed.end(), [&](const auto& one) {
+    return one.sample.sequence == sample.sequence;
+  });
+  ASSERT_NE(same, crossed.end());
+  EXPECT_EQ(sample.source, same->sample.source);
+  EXPECT_EQ(sample.sent_wall_ns, same->sample.sent_wall_ns);
+  EXPECT_LE(sample.sent_wall_ns, sample.received_wall_ns);
+  EXPECT_GT(sample.bytes, 300U);
+}
+
+TEST_F(LinkBusTest, EachTransmissionHasTheNextNumberOfItsFlow) {
+  const Relay uxv(options("uxv"));
+  Relay gcs(options("gcs"));
+  const auto vehicle = process("uxv");
+  const auto station = process("gcs");
+  Samples there;
+  const auto far = station->subscribe(endpoint<topic::Location>(), there);
+  const auto writer = vehicle->advertise(endpoint<topic::Location>());
+  ASSERT_TRUE(write_until_heard<topic::Location>(*writer, there));
+  ASSERT_TRUE(eventually([&] {
+    (void)writer->write(std::make_shared<const topic::Location::Message>());
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return gcs.crossed().size() > 20;
+  }));
+  const auto crossed = gcs.crossed();
+  for (std::size_t i = 1; i < crossed.size(); ++i) {
+    EXPECT_EQ(crossed[i].number, crossed[i - 1].number + 1);
+    EXPECT_EQ(crossed[i].sample.source, crossed[0].sample.source);
+  }
+}
+
+TEST_F(LinkBusTest, WhatAWriterAnnouncesAndOffersIsKnownOnTheOtherHost) {
+  const Relay uxv(options("uxv"));
+  Relay gcs(options("gcs"));
+  const auto station = process("gcs");
+  const auto vehicle = process("uxv");
+  Samples there;
+  const auto far = vehicle->subscribe(endpoint<topic::EmergencyStop>(), there);
+  const auto writer =
+      station->advertise(endpoint<topic::EmergencyStop>(topic::EmergencyStop::station));
+  ASSERT_TRUE(write_until_heard<topic::EmergencyStop>(*writer, there));
+  const auto known = far->writer(there.all().front().source);
+  ASSERT_TRUE(known);
+  EXPECT_THAT(known->user_data, ::testing::HasSubstr(topic::EmergencyStop::station));
+  EXPECT_THAT(known->user_data, ::testing::HasSubstr("tocsin_layout="));
+  EXPECT_THAT(known->user_data, ::testing::Not(::testing::HasSubstr("tocsin_flow=")));
+}
+
+TEST_F(LinkBusTest, ALateReaderOfTheOtherHostGetsTheLastSampleOfAState) {
+  const Relay uxv(options("uxv"));
+  Relay gcs(options("gcs"));
+  const auto vehicle = process("uxv");
+  const auto writer = vehicle->advertise(endpoint<topic::NavigationStatus>());
+  ASSERT_TRUE(eventually([&] {
+    (void)writer->write(std::make_shared<const topic::NavigationStatus::Message>());
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return !gcs.crossed().empty();
+  }));
+  const auto station = process("gcs");
+  Samples late;
+  const auto far = station->subscribe(endpoint<topic::NavigationStatus>(), late);
+  EXPECT_TRUE(late.wait_for(1));
+}
+
+TEST_F(LinkBusTest, PeersKnowEachOtherByTheNameOfTheirHostAndAreMissedWhenTheyLeave) {
+  Relay uxv(options("uxv"));
+  {
+    Relay gcs(options("gcs"));
+    ASSERT_TRUE(eventually([&] { return !uxv.peers().empty() && !gcs.peers().empty(); }));
+    EXPECT_THAT(uxv.peers(), ::testing::ElementsAre("gcs"));
+    EXPECT_THAT(gcs.peers(), ::testing::ElementsAre("uxv"));
+  }
+  EXPECT_TRUE(eventually([&] { return uxv.lost_peers() == 1; }));
+}
+
+TEST_F(LinkBusTest, WhatIsNotInTheTrafficFileStaysOnItsHost) {
+  const Relay uxv(options("uxv"));
+  Relay gcs(options("gcs"));
+  const auto vehicle = process("uxv");
+  Samples there;
+  const auto station = process("gcs");
+  const auto far = station->subscribe(endpoint<topic::Location>(), there);
+  const auto kept = vehicle->advertise(endpoint<topic::Odom>());
+  const auto carried = vehicle->advertise(endpoint<topic::Location>());
+  ASSERT_TRUE(write_until_heard<topic::Location>(*carried, there));
+  for (const Flow& flow : gcs.peer_flows()) EXPECT_NE(flow.topic, "odom");
+}
+
+TEST_F(LinkBusTest, EveryPacketBearsItsMarkAndNoneIsAbove1400Bytes) {
+  RtpsCapture capture;
+  if (!capture.ok()) GTEST_SKIP() << "no packet socket: CAP_NET_RAW is needed";
+  Relay uxv(options("uxv"));
+  Relay gcs(options("gcs"));
+  const auto vehicle = process("uxv");
+  const auto writer = vehicle->advertise(endpoint<topic::CameraImage>());
+  const auto image = std::make_shared<topic::CameraImage::Message>();
+  image->data().resize(10000);
+  ASSERT_TRUE(eventually([&] {
+    (void)writer->write(image);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return gcs.crossed().size() > 3;
+  }));
+  const int port = 7400 + 250 * options("uxv").link_domain;
+  std::size_t fragments = 0;
+  for (const CapturedSubmessage& one : capture.take()) {
+    if (one.port < port || one.port >= port + 250) continue;
+    EXPECT_LE(one.packet_bytes, 1428U);
+    EXPECT_EQ(one.dscp, one.builtin() ? 48 : priority_dscp);
+    fragments += one.kind == 0x16 ? 1 : 0;
+    EXPECT_NE(one.kind == 0x07 && !one.builtin(), true) << "a heartbeat";
+  }
+  EXPECT_GT(fragments, 7U);
+  const LinkPackets packets = uxv.packets();
+  EXPECT_GT(packets.discovery_packets, 0U);
+  EXPECT_GT(packets.bytes, packets.discovery_bytes);
+}
+
+}  // namespace
+}  // namespace tocsin
