@@ -265,6 +265,15 @@ const Host* find_host(const Deployment& deployment, const std::string& name) {
   return nullptr;
 }
 
+bool is_routed(const Host& host) {
+  for (const Container& container : host.containers) {
+    for (const ComponentInstance& one : container.components) {
+      if (one.component == "link_router") return true;
+    }
+  }
+  return false;
+}
+
 const Container* find_container(const Host& host, const std::string& name) {
   for (const Container& container : host.containers) {
     if (container.name == name) return &container;

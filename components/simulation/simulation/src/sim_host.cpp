@@ -6,6 +6,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/file_cache.hpp"
+#include "sim_link_bus.hpp"
 
 namespace tocsin::simulation {
 namespace {
@@ -65,12 +66,20 @@ std::optional<WriterInfo> LinkEndpoints::writer(const std::string& topic,
   return std::nullopt;
 }
 
+SimLinkBus* Network::find_router(PeerId life) const {
+  for (const auto& entry : routers) {
+    if (entry.second->self() == life) return entry.second;
+  }
+  return nullptr;
+}
+
 SimHost::SimHost(Network& network, std::string name, std::string role,
-                 const std::string& traffic_file)
+                 const std::string& traffic_file, bool routed)
     : network_(network),
       name_(std::move(name)),
       role_(std::move(role)),
-      rules_(rules_of(traffic_file, role_)) {}
+      rules_(rules_of(traffic_file, role_)),
+      routed_(routed) {}
 
 radio::Direction SimHost::direction() const {
   return role_ == "uxv" ? radio::Direction::uplink : radio::Direction::downlink;
@@ -96,6 +105,43 @@ void SimHost::attach(SimProcess::Topic& topic) {
   }
   all.processes.push_back(&topic);
   if (all.last.message) topic.deliver(all.last);
+}
+
+void SimHost::set_router(SimLinkBus* router) {
+  router_ = router;
+  if (router == nullptr) return;
+  for (const auto& entry : topics_) {
+    const HostTopic& all = entry.second;
+    for (const SimProcess::Topic* topic : all.processes) {
+      if (!topic->writes) continue;
+      router->on_writer(*topic);
+      if (all.last.message && all.last.source == topic->source) {
+        router->on_written(*topic, all.last);
+      }
+    }
+  }
+}
+
+void SimHost::give(const Flow& flow, const CarriedSample& carried, const Freight& freight) {
+  HostTopic& all = topics_[flow.topic];
+  Sample sample;
+  sample.message = freight.message;
+  sample.received = network_.core.now;
+  sample.sent_wall_ns = carried.sent_wall_ns;
+  sample.received_wall_ns = Core::wall_ns(network_.core.now) + clock_offset_.count();
+  sample.sequence = carried.sequence;
+  sample.source = carried.source;
+  sample.bytes = carried.bytes;
+  all.carried[carried.source] = {freight.from->host, flow.user_data};
+  if (flow.transient_local) all.last = sample;
+  for (SimProcess::Topic* topic : all.processes) {
+    if (network_.core.observer != nullptr && topic->reads()) {
+      network_.core.observer->on_delivered(
+          {*freight.from, topic->end, carried.sequence, freight.written, freight.written_at,
+           freight.written_at, network_.core.now, carried.bytes, freight.message.get()});
+    }
+    topic->deliver(sample);
+  }
 }
 
 bool SimHost::has_readers(const SimProcess::Topic& topic) {

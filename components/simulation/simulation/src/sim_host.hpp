@@ -18,6 +18,8 @@
 namespace tocsin::simulation {
 
 class SimHost;
+class SimLinkBus;
+struct Freight;
 struct HostTopic;
 
 /// All link endpoints of the world, so that they find each other; in the order of their making.
@@ -58,6 +60,10 @@ struct Network {
   RadioLink& link;
   QosProfiles qos;
   LinkEndpoints endpoints;
+  std::map<std::string, SimLinkBus*> routers;  ///< that live, by the name of their host
+  PeerId router_lives = 0;
+  /// The living router with this life; null: it has died.
+  [[nodiscard]] SimLinkBus* find_router(PeerId life) const;
 };
 
 /// The bus of one simulated process (container).
@@ -74,6 +80,7 @@ class SimProcess final : public Bus {
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
   [[nodiscard]] Time now() const override { return network_.core.now; }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
+  std::unique_ptr<LinkBus> open_link(std::function<void()> on_event) override;
   void set_gate(bool open) override;
   [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override;
 
@@ -96,6 +103,8 @@ class SimProcess final : public Bus {
     RtpsWriter* writer = nullptr;  ///< owned by `gated`
     std::unique_ptr<GatedWriter> gated;
     std::uint64_t source = 0;
+    bool writes = false;
+    [[nodiscard]] bool reads() const { return !receivers.empty(); }
     std::uint64_t written = 0;
     std::string label;  ///< host/process/topic
   };
@@ -111,6 +120,7 @@ class SimProcess final : public Bus {
   void receive(Topic& topic, const Change& change, std::uint64_t source);
   void make_reader(Topic& topic);
   void make_writer(Topic& topic);
+  void begin_to_write(Topic& topic);
   [[nodiscard]] Pacer* pacer(const QosProfile& qos);
   Network& network_;
   SimHost& host_;
@@ -126,17 +136,27 @@ struct HostTopic {
   const TypeInfo* type = nullptr;
   std::vector<SimProcess::Topic*> processes;
   Sample last;
+  std::map<std::uint64_t, WriterInfo> carried = {};  ///< writers on other hosts, by source
 };
 
 /// One side of the radio link: its processes and what they tell each other.
 class SimHost {
  public:
-  SimHost(Network& network, std::string name, std::string role, const std::string& traffic_file);
+  /// `routed`: its router alone speaks on the link.
+  SimHost(Network& network, std::string name, std::string role, const std::string& traffic_file,
+          bool routed = false);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::string& role() const { return role_; }
   [[nodiscard]] const TrafficRules& rules() const { return rules_; }
   [[nodiscard]] radio::Direction direction() const;
+
+  [[nodiscard]] bool routed() const { return routed_; }
+  /// Null: it has none now. A new one learns of the writers and of the last samples of states.
+  void set_router(SimLinkBus* router);
+  [[nodiscard]] SimLinkBus* router() const { return router_; }
+  /// To all readers of this host what a router has carried here.
+  void give(const Flow& flow, const CarriedSample& sample, const Freight& freight);
 
   SimProcess& add_process(const std::string& name, int life = 0);
   /// Sets the wall clock of this host so much on.
@@ -156,6 +176,8 @@ class SimHost {
   std::string name_;
   std::string role_;
   TrafficRules rules_;
+  const bool routed_;
+  SimLinkBus* router_ = nullptr;
   std::map<std::string, HostTopic> topics_;
   std::list<SimProcess> processes_;  ///< the dead too, since packets on the air refer to them
   Duration clock_offset_{0};

@@ -6,6 +6,7 @@
 #include "foundation/error.hpp"
 #include "foundation/hash.hpp"
 #include "sim_host.hpp"
+#include "sim_link_bus.hpp"
 
 namespace tocsin::simulation {
 namespace {
@@ -35,7 +36,8 @@ class OpenWriter final : public Publication {
     return process_.write(topic_, message);
   }
   [[nodiscard]] bool has_readers() const override {
-    return topic_.gated || topic_.keeps_last || SimHost::has_readers(topic_);
+    return topic_.gated || topic_.keeps_last || topic_.end.traffic_class ||
+           SimHost::has_readers(topic_);
   }
 
  private:
@@ -100,15 +102,28 @@ SimProcess::Topic& SimProcess::topic(const Endpoint& endpoint) {
 std::unique_ptr<Subscription> SimProcess::subscribe(const Endpoint& endpoint, Receiver& receiver) {
   Topic& its = topic(endpoint);
   auto attached = std::make_unique<Attached>(*this, its, receiver);
-  if (endpoint.topic.scope == Scope::link && !its.reader) make_reader(its);
+  const bool crosses = endpoint.topic.scope == Scope::link && !host_.routed();
+  if (crosses && !its.reader) make_reader(its);
   return attached;
 }
 
 std::unique_ptr<Publication> SimProcess::advertise(const Endpoint& endpoint) {
   Topic& its = topic(endpoint);
   if (*endpoint.user_data != 0) its.end.user_data = endpoint.user_data;
-  if (endpoint.topic.scope == Scope::link && !its.gated) make_writer(its);
+  if (host_.routed()) {
+    begin_to_write(its);
+  } else if (endpoint.topic.scope == Scope::link && !its.gated) {
+    make_writer(its);
+  }
   return std::make_unique<OpenWriter>(*this, its);
+}
+
+void SimProcess::begin_to_write(Topic& its) {
+  const auto& rules = host_.rules().all();
+  const auto rule = rules.find(its.endpoint.topic.name);
+  if (rule != rules.end()) its.end.traffic_class = rule->second.traffic_class;
+  if (std::exchange(its.writes, true)) return;
+  if (SimLinkBus* const router = host_.router()) router->on_writer(its);
 }
 
 void SimProcess::receive(Topic& its, const Change& change, std::uint64_t source) {
@@ -183,6 +198,7 @@ Status SimProcess::write(Topic& its, const std::shared_ptr<const void>& message)
   sample.sequence = ++its.written;
   sample.source = its.source;
   SimHost::deliver(its, sample);
+  if (SimLinkBus* const router = host_.router()) router->on_written(its, sample);
   if (its.gated) its.origin = {message, its.written, core.now};
   const Status status = its.gated ? its.gated->write(message) : Status::ok;
   if (core.observer != nullptr) report(its, message.get(), status);
@@ -193,12 +209,15 @@ std::optional<WriterInfo> SimProcess::writer(const Topic& its, std::uint64_t sou
   for (const Topic* one : its.on_host->processes) {
     if (one->source == source) return WriterInfo{host_.name(), one->end.user_data};
   }
+  const auto carried = its.on_host->carried.find(source);
+  if (carried != its.on_host->carried.end()) return carried->second;
   return network_.endpoints.writer(its.endpoint.topic.name, source);
 }
 
 void SimProcess::report(const Topic& its, const void* message, Status status) const {
   const Core& core = network_.core;
-  const std::size_t bytes = its.gated ? its.endpoint.type->serialized_size(message) : 0;
+  const bool crosses = its.gated != nullptr || its.end.traffic_class.has_value();
+  const std::size_t bytes = crosses ? its.endpoint.type->serialized_size(message) : 0;
   core.observer->on_written({its.end, core.now, its.written, bytes, message, status});
 }
 
@@ -209,6 +228,7 @@ std::int64_t SimProcess::wall_ns(Time t) const {
 void SimProcess::die() {
   for (const auto& [name, its] : topics_) {
     SimHost::detach(*its);
+    if (SimLinkBus* const router = host_.router()) router->on_writer_gone(*its);
     if (its->reader) {
       its->reader->die();
       network_.endpoints.remove(name, *its->reader);
@@ -217,6 +237,10 @@ void SimProcess::die() {
     its->writer->die();
     network_.endpoints.remove(name, *its->writer);
   }
+}
+
+std::unique_ptr<LinkBus> SimProcess::open_link(std::function<void()> on_event) {
+  return std::make_unique<SimLinkBus>(network_, host_, std::move(on_event));
 }
 
 void SimProcess::set_gate(bool open) {

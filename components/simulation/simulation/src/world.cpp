@@ -85,7 +85,8 @@ World::~World() {
 
 void World::add(const deployment::Host& host) {
   Side& side = sides_.emplace_back();
-  side.host = std::make_unique<SimHost>(network_, host.name, host.role, deployment_.traffic);
+  side.host = std::make_unique<SimHost>(network_, host.name, host.role, deployment_.traffic,
+                                        deployment::is_routed(host));
   side.devices = std::make_unique<SimDevices>(core, link_,
                                               SimDevices::Place{host.name, side.host->direction()},
                                               deployment_.run_dir + "/wireless");

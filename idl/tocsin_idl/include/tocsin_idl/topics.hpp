@@ -196,6 +196,17 @@ struct TrafficReport {
   static constexpr TopicInfo info{"traffic_report", "telemetry", Scope::link};
 };
 
+/// Of the host's router: what crosses, what is lost, late, repaired, and why what was dropped.
+struct LinkState {
+  using Message = tocsin_msgs::msg::LinkState;
+  static constexpr TopicInfo info{"link_state", "telemetry", Scope::link};
+};
+/// Of the host's router: what writers of adaptive topics may send.
+struct LinkBudget {
+  using Message = tocsin_msgs::msg::LinkBudget;
+  static constexpr TopicInfo info{"link_budget", "state", Scope::host};
+};
+
 // Of every container process.
 
 struct ContainerCommand {
@@ -210,11 +221,12 @@ struct ContainerState {
 using AllLinkTopics =
     List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage, CpuLoad,
          CpuTemperature, CameraImage, Goal, MissionStatus, EmergencyStop, SafetyStatus,
-         DockingStatus, TeleopCmdVel, DockingCommand, Heartbeat, TransmissionState, TrafficReport>;
+         DockingStatus, TeleopCmdVel, DockingCommand, Heartbeat, TransmissionState, TrafficReport, LinkState>;
 
 using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation, CmdVelDocking,
          CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs, MuxSetInputs,
-         SafetyEnable, EmergencyStopRequest, EmergencyStopState, ContainerCommand, ContainerState>;
+         SafetyEnable, EmergencyStopRequest, EmergencyStopState, LinkBudget, ContainerCommand,
+         ContainerState>;
 
 }  // namespace tocsin::topic

@@ -142,5 +142,8 @@ void write_resolved(const Deployment& deployment, const std::string& path);
 /// Null when there is no such host or container.
 [[nodiscard]] const Host* find_host(const Deployment& deployment, const std::string& name);
 [[nodiscard]] const Container* find_container(const Host& host, const std::string& name);
+/// Whether one of the host's containers has the component `link_router`: then that alone speaks on
+/// the link.
+[[nodiscard]] bool is_routed(const Host& host);
 
 }  // namespace tocsin::deployment

@@ -36,6 +36,7 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
           host.peers,
           processes_of(deployment),
           false,
+          deployment::is_routed(host),
           host.name};
 }
 

@@ -57,7 +57,7 @@ class FastDdsBus : public Bus {
                false,
                options.shared_memory,
                profiles_.flow_controllers()}) {
-    if (options.link_address.empty()) return;
+    if (options.link_address.empty() || options.routed) return;
     if (interface_is_running(options.link_address)) {
       link_ = make_link();
       return;
@@ -165,7 +165,8 @@ bool FastDdsBus::join_link() {
 
 std::unique_ptr<TopicChannel> FastDdsBus::make_channel(const Endpoint& endpoint) {
   const std::string name = endpoint.topic.name;
-  const bool crosses = endpoint.topic.scope == Scope::link && !options_.link_address.empty();
+  const bool crosses = endpoint.topic.scope == Scope::link && !options_.link_address.empty() &&
+                       !options_.routed;
   const std::string prefix =
       options_.ros_namespace.empty() ? "rt/" : "rt/" + options_.ros_namespace + "/";
   ChannelOptions options{endpoint, prefix + name, profiles_.of(endpoint.topic.qos, name), crosses};

@@ -39,6 +39,7 @@ class FastDdsParticipant {
   [[nodiscard]] bool owns(const eprosima::fastrtps::rtps::GUID_t& writer) const {
     return writer.guidPrefix == prefix_;
   }
+  [[nodiscard]] const eprosima::fastrtps::rtps::GuidPrefix_t& prefix() const { return prefix_; }
   [[nodiscard]] bool radio() const { return options_.radio; }
   [[nodiscard]] const RemoteEnds& remote_ends() const { return remote_ends_; }
 

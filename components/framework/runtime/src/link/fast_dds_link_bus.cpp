@@ -6,6 +6,7 @@
 
 #include "foundation/error.hpp"
 #include "link/flow_text.hpp"
+#include "link/origin.hpp"
 #include "link/raw_type.hpp"
 
 namespace tocsin {
@@ -159,6 +160,12 @@ FlowId FastDdsLinkBus::open(const Flow& flow, int dscp) {
   sending.dscp = dscp;
   if (link_) connect(id, sending);
   return id;
+}
+
+std::uint32_t FastDdsLinkBus::wire_id(FlowId flow) const {
+  const auto found = sending_.find(flow);
+  const bool known = found != sending_.end() && found->second.writer;
+  return known ? wire_id_of(found->second.writer->entity()) : 0;
 }
 
 void FastDdsLinkBus::close(FlowId flow) {

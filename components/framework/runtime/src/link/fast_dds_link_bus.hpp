@@ -24,7 +24,11 @@ class FastDdsLinkBus final : public LinkBus {
   FastDdsLinkBus(const BusOptions& options, std::function<void()> on_event);
 
   [[nodiscard]] std::optional<LinkEvent> take() override;
+  [[nodiscard]] PeerId self() const override {
+    return link_ ? FlowTable::peer_of(link_->prefix()) : 0;
+  }
   FlowId open(const Flow& flow, int dscp) override;
+  [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override;
   void close(FlowId flow) override;
   [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow,
                                                   const CarriedSample& sample) override;

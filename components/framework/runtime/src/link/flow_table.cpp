@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "link/flow_text.hpp"
+#include "link/origin.hpp"
 
 namespace tocsin {
 namespace {
@@ -58,7 +59,8 @@ void FlowTable::add(const Guid& guid, const Flow& flow, bool on_link) {
   flows_[id].flow = flow;
   flows_[id].on_link = on_link;
   if (on_link) {
-    events_.push_back(link_event::PeerFlow{id, peer_of(guid.guidPrefix), flow});
+    events_.push_back(
+        link_event::PeerFlow{id, peer_of(guid.guidPrefix), wire_id_of(guid.entityId), flow});
   } else {
     events_.push_back(link_event::HostFlow{id, flow});
   }
@@ -116,11 +118,12 @@ void FlowTable::on_peer(const Participant& participant, const std::string& name,
       remove_peer(participant);
     } else if (peers_.count(participant) == 0) {
       // A peer has one life at a time: the one that was killed is not waited for.
-      const auto before = std::find_if(peers_.begin(), peers_.end(),
-                                       [&](const auto& entry) { return entry.second == name; });
-      if (before != peers_.end()) remove_peer(Participant(before->first));
+      const auto found = std::find_if(peers_.begin(), peers_.end(),
+                                      [&](const auto& entry) { return entry.second == name; });
+      const auto before = found == peers_.end() ? std::nullopt : std::optional(found->first);
       peers_[participant] = name;
       events_.push_back(link_event::PeerFound{peer_of(participant), name});
+      if (before) remove_peer(*before);
     }
   }
   on_event_();

@@ -24,6 +24,12 @@ std::uint64_t source_of(const rtps::GUID_t& guid) {
   return hash;
 }
 
+std::uint32_t wire_id_of(const rtps::EntityId_t& entity) {
+  std::uint32_t id = 0;
+  for (const rtps::octet byte : entity.value) id = id << 8U | byte;
+  return id;
+}
+
 rtps::SampleIdentity identity_of(const Origin& origin) {
   rtps::GUID_t guid;
   for (std::size_t i = 0; i < source_bytes; ++i) {

@@ -20,6 +20,9 @@ struct Origin {
 /// Source of what a DDS writer writes itself, see Sample: FNV-1a over its GUID.
 [[nodiscard]] std::uint64_t source_of(const eprosima::fastrtps::rtps::GUID_t& writer);
 
+/// An entity id as a number, its first byte the highest.
+[[nodiscard]] std::uint32_t wire_id_of(const eprosima::fastrtps::rtps::EntityId_t& entity);
+
 [[nodiscard]] eprosima::fastrtps::rtps::SampleIdentity identity_of(const Origin& origin);
 /// Nothing when the identity is not one of `identity_of`.
 [[nodiscard]] std::optional<Origin> origin_in(

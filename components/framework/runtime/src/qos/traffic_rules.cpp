@@ -18,10 +18,15 @@ namespace {
 struct ClassEntry {
   std::string while_poor = "send";
   std::vector<std::string> topics;
+  std::vector<std::string> adaptive;
+  double min_rate_hz = 0;
   template <class Visitor>
   void visit(Visitor& v) {
     v("while_poor", while_poor, {"send", "latest", "drop"}, "what the gate does with new samples");
     v("topics", topics, "ROS names of the topics of this class");
+    v("adaptive", adaptive, "those of them whose writers follow the link's budget");
+    v("min_rate_hz", min_rate_hz, {0, 1000},
+      "[1/s] its topics may be thinned to this while the budget is short; 0: never");
   }
 };
 
@@ -91,9 +96,11 @@ TrafficRules::TrafficRules(const std::string& path, const std::string& role)
     const std::string name = to_string(traffic_class);
     const auto loaded = load_parameters<ClassEntry>(entry.second, role + "." + name, sources);
     for (const std::string& topic : loaded.topics) {
-      const bool added =
-          rules_.insert({topic, {traffic_class, to_while_poor(loaded.while_poor)}}).second;
-      if (!added) {
+      const auto& adaptive = loaded.adaptive;
+      const bool follows = std::find(adaptive.begin(), adaptive.end(), topic) != adaptive.end();
+      const TrafficRule rule{traffic_class, to_while_poor(loaded.while_poor), follows,
+                             loaded.min_rate_hz};
+      if (!rules_.insert({topic, rule}).second) {
         throw ConfigError(role + "." + name + ".topics: " + topic + " is in two classes" +
                           yaml_place(sources, entry.first));
       }

@@ -66,6 +66,7 @@ struct PeerLost {
 struct PeerFlow {  ///< a peer's router begins to write on the link
   FlowId flow;
   PeerId peer;
+  std::uint32_t wire_id;  ///< by which both sides know it, see LinkBus::wire_id
   Flow what;
 };
 struct PeerFlowGone {
@@ -106,8 +107,13 @@ class LinkBus {
 
   /// The oldest thing that happened and was not taken yet.
   [[nodiscard]] virtual std::optional<LinkEvent> take() = 0;
+  /// This router's own life, as its peers see it; zero while the link is not up.
+  [[nodiscard]] virtual PeerId self() const = 0;
   /// Makes a writer on the link. `dscp` [0, 63]: what its packets bear (RFC 2474).
   virtual FlowId open(const Flow& flow, int dscp) = 0;
+  /// The number by which the peers know a flow of `open`: the entity id of its writer. Zero while
+  /// the link is not up.
+  [[nodiscard]] virtual std::uint32_t wire_id(FlowId flow) const = 0;
   /// Nothing of it is sent any more.
   virtual void close(FlowId flow) = 0;
   /// One transmission on a flow of `open`. Returns its number, the next of the flow; nothing when

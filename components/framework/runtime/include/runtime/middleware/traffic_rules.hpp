@@ -18,6 +18,8 @@ enum class WhilePoor {
 struct TrafficRule {
   TrafficClass traffic_class = TrafficClass::normal;
   WhilePoor while_poor = WhilePoor::send;
+  bool adaptive = false;   ///< its writer follows the link's budget
+  double min_rate_hz = 0;  ///< [1/s] may be thinned to this while the budget is short; 0: never
 };
 
 /// A file such as config/traffic.yaml for one role: which class each link topic is in, and the DSCP

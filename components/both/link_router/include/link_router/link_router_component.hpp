@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "link_router/link_receiver.hpp"
+#include "link_router/link_sender.hpp"
+#include "runtime/component.hpp"
+#include "runtime/middleware/gate_keeper.hpp"
+#include "runtime/middleware/link_bus.hpp"
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// The one owner of the link on its host. It takes what the traffic file names from the host and
+/// puts it on the link, in the order, at the time and as often as `router::LinkSender` decides;
+/// what comes from the link it gives to the host once. It follows its role's transmission state:
+/// while that is passive, the classes that the traffic file pauses are silent.
+class LinkRouterComponent final : public Component {
+ public:
+  struct Params {
+    router::LinkRouterParams link;
+    double silence_limit_s = 5.0;
+    double report_period_s = 1.0;
+    double budget_period_s = 0.2;
+    template <class Visitor>
+    void visit(Visitor& v) {
+      link.visit(v);
+      v("silence_limit_s", silence_limit_s, {1, 600},
+        "[s] without a transmission state for longer the gate opens");
+      v("report_period_s", report_period_s, {0.1, 60}, "[s] between link states");
+      v("budget_period_s", budget_period_s, {0.02, 10}, "[s] between budgets of adaptive topics");
+    }
+  };
+
+  /// Throws ConfigError when the process has no way over the link.
+  LinkRouterComponent(Context& context, const Params& params);
+  void tick(Time now) override;
+
+ private:
+  /// A flow of this host on its way to the link.
+  struct Outgoing {
+    FlowId on_link = 0;
+    std::string topic;
+    router::StreamRule rule;
+    std::uint64_t written = 0;
+    std::uint64_t sent = 0;
+    std::uint64_t sent_bytes = 0;
+  };
+  /// A flow of a peer on its way to the host.
+  struct Incoming {
+    PeerId peer = 0;
+    std::uint32_t wire_id = 0;
+    bool is_receipt = false;
+  };
+
+  void take_events(Time now);
+  void on(const link_event::HostFlow& event, Time now);
+  void on(const link_event::HostFlowGone& event, Time now);
+  void on(const link_event::HostSample& event, Time now);
+  void on(const link_event::PeerFound& event, Time now);
+  void on(const link_event::PeerLost& event, Time now);
+  void on(const link_event::PeerFlow& event, Time now);
+  void on(const link_event::PeerFlowGone& event, Time now);
+  void on(const link_event::PeerListens& event, Time now);
+  void on(const link_event::LinkSample& event, Time now);
+
+  void follow_gate(Time now);
+  void send(Time now);
+  void answer(Time now);
+  void take_receipt(const Incoming& from, const CarriedSample& sample, Time now);
+  void tell_budgets(Time now);
+  void report(Time now);
+  void report_traffic(Time now);
+  [[nodiscard]] std::optional<router::StreamId> stream_of(std::uint32_t wire_id) const;
+
+  OptionalInput<topic::TransmissionState> state_{*this};
+  Output<topic::LinkState> link_state_{*this};
+  Output<topic::LinkBudget> budget_{*this};
+  Output<topic::TrafficReport> traffic_{*this};
+  const Params params_;
+  GateKeeper keeper_;
+  router::LinkSender sender_;
+  router::LinkReceiver receiver_;
+  std::unique_ptr<LinkBus> link_;
+  FlowId receipts_;
+  std::map<FlowId, Outgoing> outgoing_;  ///< by the flow on the host
+  std::map<FlowId, Outgoing*> by_link_;  ///< by the flow on the link
+  std::map<FlowId, Incoming> incoming_;  ///< by the peer's flow
+  std::map<PeerId, std::string> peers_;
+  std::map<std::string, PeerId> lives_;
+  bool open_ = true;
+  Time next_report_{};
+  Time next_budget_{};
+};
+
+}  // namespace tocsin

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "router_messages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tocsin {
+namespace {
+
+using std::chrono::microseconds;
+
+constexpr Duration age_unit = microseconds(100);
+constexpr std::uint16_t oldest = std::numeric_limits<std::uint16_t>::max();
+
+router::Priority priority_of(TrafficClass traffic_class) {
+  switch (traffic_class) {
+    case TrafficClass::critical:
+      return router::Priority::critical;
+    case TrafficClass::high:
+      return router::Priority::high;
+    case TrafficClass::normal:
+      return router::Priority::normal;
+    case TrafficClass::low:
+      break;
+  }
+  return router::Priority::low;
+}
+
+const char* name_of(router::Priority priority) {
+  constexpr std::array classes{TrafficClass::critical, TrafficClass::high, TrafficClass::normal,
+                               TrafficClass::low};
+  return to_string(classes[router::index_of(priority)]);
+}
+
+router::WhilePaused while_paused(WhilePoor rule) {
+  if (rule == WhilePoor::send) return router::WhilePaused::send;
+  return rule == WhilePoor::latest ? router::WhilePaused::latest : router::WhilePaused::drop;
+}
+
+std::uint16_t to_units(Duration age) {
+  const auto units = std::max(age, Duration::zero()) / age_unit;
+  return static_cast<std::uint16_t>(std::min<std::int64_t>(units, oldest));
+}
+
+std::uint64_t dropped(const router::ClassCounts& counts, router::DropReason reason) {
+  return counts.dropped[static_cast<std::size_t>(reason)];
+}
+
+tocsin_msgs::msg::LinkClass to_message(router::Priority priority,
+                                       const router::ClassCounts& counts) {
+  using router::DropReason;
+  tocsin_msgs::msg::LinkClass message;
+  message.traffic_class(name_of(priority));
+  message.offered(counts.offered);
+  message.sent(counts.sent);
+  message.delivered(counts.delivered);
+  message.late(counts.late);
+  message.lost(counts.lost);
+  message.repaired(counts.repaired);
+  message.repairs(counts.repairs);
+  message.dropped_paused(dropped(counts, DropReason::paused));
+  message.dropped_superseded(dropped(counts, DropReason::superseded));
+  message.dropped_thinned(dropped(counts, DropReason::thinned));
+  message.dropped_expired(dropped(counts, DropReason::expired));
+  message.dropped_overflow(dropped(counts, DropReason::overflow));
+  message.bytes(counts.bytes);
+  message.queue_samples(static_cast<std::uint32_t>(counts.waiting_samples));
+  message.queue_bytes(static_cast<std::uint32_t>(counts.waiting_bytes));
+  message.delay_s(counts.delay ? static_cast<float>(to_seconds(*counts.delay))
+                               : std::numeric_limits<float>::quiet_NaN());
+  return message;
+}
+
+}  // namespace
+
+router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule) {
+  router::StreamRule stream;
+  stream.name = flow.topic + "|" + flow.user_data;
+  stream.priority = priority_of(rule.traffic_class);
+  stream.while_paused = while_paused(rule.while_poor);
+  stream.depth = static_cast<std::size_t>(flow.depth);
+  stream.lifespan = std::isfinite(flow.lifespan_s) ? seconds(flow.lifespan_s) : Duration::max();
+  stream.repaired = router::repairs_by_default(stream.priority);
+  stream.durable = flow.transient_local;
+  stream.adaptive = rule.adaptive;
+  stream.min_rate_hz = rule.min_rate_hz;
+  return stream;
+}
+
+tocsin_msgs::msg::LinkReceipt to_message(const router::LinkReceipt& receipt) {
+  tocsin_msgs::msg::LinkReceipt message;
+  message.made_ns(receipt.made.time_since_epoch().count());
+  message.bytes(receipt.bytes);
+  message.count(receipt.count);
+  for (const router::StreamReceipt& stream : receipt.streams) {
+    message.streams().push_back(stream.stream);
+    message.highest().push_back(static_cast<std::uint32_t>(stream.highest));
+    message.age_100us().push_back(to_units(stream.age));
+    message.before().push_back(stream.before);
+  }
+  return message;
+}
+
+std::optional<router::LinkReceipt> to_receipt(
+    const tocsin_msgs::msg::LinkReceipt& message,
+    const std::function<std::optional<router::StreamId>(std::uint32_t)>& stream_of) {
+  const std::size_t count = message.streams().size();
+  if (message.highest().size() != count || message.age_100us().size() != count ||
+      message.before().size() != count) {
+    return std::nullopt;
+  }
+  router::LinkReceipt receipt;
+  receipt.made = Time(Duration(message.made_ns()));
+  receipt.bytes = message.bytes();
+  receipt.count = message.count();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto stream = stream_of(message.streams()[i]);
+    if (!stream) continue;
+    receipt.streams.push_back(
+        {*stream, message.highest()[i], message.age_100us()[i] * age_unit, message.before()[i]});
+  }
+  return receipt;
+}
+
+tocsin_msgs::msg::LinkState to_message(const router::LinkStateValues& values) {
+  tocsin_msgs::msg::LinkState message;
+  message.paused(values.paused);
+  message.live_peers(static_cast<std::uint32_t>(values.live_peers));
+  message.silent_peers(static_cast<std::uint32_t>(values.silent_peers));
+  message.capacity_bytes_per_s(static_cast<float>(values.capacity_bytes_per_s));
+  message.backlog_s(static_cast<float>(to_seconds(values.backlog)));
+  message.loss(static_cast<float>(values.loss));
+  message.scale(static_cast<float>(values.scale));
+  message.repair_share(static_cast<float>(values.repair_share));
+  for (const router::Priority priority : router::all_priorities) {
+    message.classes().push_back(to_message(priority, values.classes[router::index_of(priority)]));
+  }
+  return message;
+}
+
+}  // namespace tocsin

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_link_bus.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace tocsin::simulation {
+namespace {
+
+/// Until routers or a new flow know each other; on the real link a few exchanges of packets.
+constexpr Duration discovery_takes = std::chrono::milliseconds(100);
+/// A participant's announcement (518 bytes measured, with IP and UDP) and its period.
+constexpr std::size_t announcement_bytes = 546;
+constexpr Duration announcement_period = std::chrono::seconds(1);
+constexpr int network_control_dscp = 48;  // CS6
+/// Inline QoS of each packet: the origin (PID_RELATED_SAMPLE_IDENTITY, 28 bytes) and the sentinel.
+constexpr std::size_t origin_bytes = 32;
+
+/// A transmission on its way to one peer, which gets it when all its packets have come.
+class Transmission final : public Cargo {
+ public:
+  Transmission(std::function<void()> on_whole, std::size_t packets)
+      : on_whole_(std::move(on_whole)), missing_(packets, true), left_(packets) {}
+  void arrive(std::size_t packet) override {
+    if (!missing_[packet]) return;
+    missing_[packet] = false;
+    if (--left_ == 0) on_whole_();
+  }
+  [[nodiscard]] bool waits_after(std::size_t packet) const override {
+    return left_ > 1 || !missing_[packet];
+  }
+
+ private:
+  std::function<void()> on_whole_;
+  std::vector<bool> missing_;
+  std::size_t left_;
+};
+
+const Freight& freight(const CarriedSample& sample) {
+  return *static_cast<const Freight*>(sample.content.get());
+}
+
+std::string key_of(const Flow& flow) { return flow.topic + "|" + flow.user_data; }
+
+}  // namespace
+
+SimLinkBus::SimLinkBus(Network& network, SimHost& host, std::function<void()> on_event)
+    : network_(network),
+      host_(host),
+      on_event_(std::move(on_event)),
+      life_(++network.router_lives) {
+  const auto others = network_.routers;
+  network_.routers[host_.name()] = this;
+  for (const auto& entry : others) {
+    if (entry.first == host_.name()) continue;
+    network_.core.events.at(network_.core.now + discovery_takes,
+                            [&network, own = life_, other = entry.second->life_] {
+                              SimLinkBus* const one = network.find_router(own);
+                              SimLinkBus* const two = network.find_router(other);
+                              if (one == nullptr || two == nullptr) return;
+                              one->meet(*two);
+                              two->meet(*one);
+                            });
+  }
+  host_.set_router(this);
+  announce();
+}
+
+SimLinkBus::~SimLinkBus() {
+  const auto found = network_.routers.find(host_.name());
+  if (found == network_.routers.end() || found->second != this) return;
+  network_.routers.erase(found);
+  host_.set_router(nullptr);
+}
+
+void SimLinkBus::announce() {
+  if (!peers_.empty()) {
+    network_.link.send(host_.direction(), announcement_bytes, [] {});
+    ++packets_.packets;
+    packets_.bytes += announcement_bytes;
+    ++packets_.discovery_packets;
+    packets_.discovery_bytes += announcement_bytes;
+  }
+  network_.core.events.at(network_.core.now + announcement_period,
+                          [&network = network_, own = life_] {
+                            if (SimLinkBus* const self = network.find_router(own)) self->announce();
+                          });
+}
+
+void SimLinkBus::push(LinkEvent event) {
+  events_.push_back(std::move(event));
+  on_event_();
+}
+
+std::optional<LinkEvent> SimLinkBus::take() {
+  if (events_.empty()) return std::nullopt;
+  LinkEvent event = std::move(events_.front());
+  events_.pop_front();
+  return event;
+}
+
+void SimLinkBus::meet(SimLinkBus& peer) {
+  const auto before = peers_.find(peer.host_.name());
+  const PeerId old = before == peers_.end() ? 0 : before->second;
+  peers_[peer.host_.name()] = peer.life_;
+  push(link_event::PeerFound{peer.life_, peer.host_.name()});
+  if (old != 0) forget(old);
+  for (const auto& entry : peer.sending_) learn(peer, entry.first);
+}
+
+void SimLinkBus::forget(PeerId peer) {
+  for (auto it = peer_flows_.begin(); it != peer_flows_.end();) {
+    if (it->first.first != peer) {
+      ++it;
+      continue;
+    }
+    known_.erase(it->second);
+    push(link_event::PeerFlowGone{it->second});
+    it = peer_flows_.erase(it);
+  }
+  push(link_event::PeerLost{peer});
+}
+
+void SimLinkBus::learn(SimLinkBus& peer, FlowId flow) {
+  const auto found = peer.sending_.find(flow);
+  if (found == peer.sending_.end() || peer_flows_.count({peer.life_, flow}) != 0) return;
+  const FlowId id = ++last_flow_;
+  peer_flows_[{peer.life_, flow}] = id;
+  known_[id] = found->second.flow;
+  push(link_event::PeerFlow{id, peer.life_, flow, found->second.flow});
+  peer.push(link_event::PeerListens{flow, life_});
+}
+
+FlowId SimLinkBus::open(const Flow& flow, int dscp) {
+  const FlowId id = ++last_flow_;
+  sending_[id] = {flow, dscp, 0};
+  for (const auto& peer : peers_) {
+    network_.core.events.at(network_.core.now + discovery_takes,
+                            [&network = network_, own = life_, other = peer.second, id] {
+                              SimLinkBus* const one = network.find_router(own);
+                              SimLinkBus* const two = network.find_router(other);
+                              if (one != nullptr && two != nullptr) two->learn(*one, id);
+                            });
+  }
+  return id;
+}
+
+void SimLinkBus::close(FlowId flow) {
+  sending_.erase(flow);
+  for (const auto& peer : peers_) {
+    SimLinkBus* const other = network_.find_router(peer.second);
+    if (other == nullptr) continue;
+    const auto found = other->peer_flows_.find({life_, flow});
+    if (found == other->peer_flows_.end()) continue;
+    other->known_.erase(found->second);
+    other->push(link_event::PeerFlowGone{found->second});
+    other->peer_flows_.erase(found);
+  }
+}
+
+std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& sample) {
+  const auto found = sending_.find(flow);
+  if (found == sending_.end()) return std::nullopt;
+  Sending& sending = found->second;
+  const std::uint64_t number = ++sending.last;
+  const Freight& cargo = freight(sample);
+  if (network_.core.observer != nullptr && cargo.from != nullptr) {
+    network_.core.observer->on_sent(
+        {*cargo.from, network_.core.now, number, cargo.written, sample.bytes});
+  }
+  const auto packets =
+      rtps::packets_of(sample.bytes, 1, rtps::wire::largest_payload - origin_bytes);
+  for (const auto& peer : peers_) {
+    auto on_whole = [&network = network_, own = life_, other = peer.second, flow, number, sample] {
+      if (SimLinkBus* const to = network.find_router(other)) {
+        to->on_arrived(own, flow, number, sample);
+      }
+    };
+    const auto transmission = std::make_shared<Transmission>(std::move(on_whole), packets.size());
+    for (std::size_t i = 0; i < packets.size(); ++i) {
+      const std::size_t bytes = packets[i] + origin_bytes;
+      network_.link.send(host_.direction(), bytes, transmission, i);
+      ++packets_.packets;
+      packets_.bytes += bytes;
+    }
+  }
+  return number;
+}
+
+void SimLinkBus::on_arrived(PeerId peer, FlowId flow, std::uint64_t number,
+                            const CarriedSample& sample) {
+  const auto found = peer_flows_.find({peer, flow});
+  if (found == peer_flows_.end()) return;
+  push(link_event::LinkSample{found->second, number, sample, network_.core.now});
+}
+
+void SimLinkBus::offer(FlowId) {}
+
+void SimLinkBus::give(FlowId peer_flow, const CarriedSample& sample) {
+  const auto flow = known_.find(peer_flow);
+  if (flow != known_.end()) host_.give(flow->second, sample, freight(sample));
+}
+
+CarriedSample SimLinkBus::pack(const TypeInfo& type, std::shared_ptr<const void> message) const {
+  CarriedSample sample;
+  sample.bytes = static_cast<std::uint32_t>(type.serialized_size(message.get()));
+  sample.content = std::make_shared<Freight>(Freight{std::move(message), nullptr, 0, {}});
+  return sample;
+}
+
+std::shared_ptr<const void> SimLinkBus::unpack(const TypeInfo&, const CarriedSample& sample) const {
+  return freight(sample).message;
+}
+
+Flow SimLinkBus::flow_of(const SimProcess::Topic& topic) {
+  Flow flow;
+  flow.topic = topic.endpoint.topic.name;
+  flow.type = topic.endpoint.type->name;
+  flow.reliable = topic.qos.reliable();
+  flow.transient_local = topic.qos.keeps_last();
+  flow.depth = topic.qos.depth;
+  flow.lifespan_s = topic.qos.lifespan_s;
+  flow.user_data = topic.end.user_data;
+  return flow;
+}
+
+void SimLinkBus::on_writer(const SimProcess::Topic& topic) {
+  const Flow flow = flow_of(topic);
+  if (host_.rules().all().count(flow.topic) == 0) return;
+  HostFlow& known = host_flows_[key_of(flow)];
+  known.writers.push_back(&topic);
+  if (known.writers.size() > 1) return;
+  known.id = ++last_flow_;
+  push(link_event::HostFlow{known.id, flow});
+}
+
+void SimLinkBus::on_writer_gone(const SimProcess::Topic& topic) {
+  const auto found = host_flows_.find(key_of(flow_of(topic)));
+  if (found == host_flows_.end()) return;
+  auto& writers = found->second.writers;
+  writers.erase(std::remove(writers.begin(), writers.end(), &topic), writers.end());
+  if (!writers.empty()) return;
+  push(link_event::HostFlowGone{found->second.id});
+  host_flows_.erase(found);
+}
+
+void SimLinkBus::on_written(const SimProcess::Topic& topic, const Sample& sample) {
+  const auto found = host_flows_.find(key_of(flow_of(topic)));
+  if (found == host_flows_.end()) return;
+  CarriedSample carried;
+  carried.bytes =
+      static_cast<std::uint32_t>(topic.endpoint.type->serialized_size(sample.message.get()));
+  carried.content = std::make_shared<Freight>(
+      Freight{sample.message, &topic.end, sample.sequence, sample.received});
+  carried.source = sample.source;
+  carried.sequence = sample.sequence;
+  carried.sent_wall_ns = sample.sent_wall_ns;
+  push(link_event::HostSample{found->second.id, std::move(carried), network_.core.now});
+}
+
+}  // namespace tocsin::simulation

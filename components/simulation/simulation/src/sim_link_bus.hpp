@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rtps.hpp"
+#include "runtime/middleware/link_bus.hpp"
+#include "sim_host.hpp"
+
+namespace tocsin::simulation {
+
+/// What a router carries: the message itself, and who wrote it.
+struct Freight {
+  std::shared_ptr<const void> message;
+  const TopicEnd* from = nullptr;  ///< null: a message between routers
+  std::uint64_t written = 0;       ///< as in Written::sequence
+  Time written_at{};
+};
+
+/// The way of a simulated host's router over the radio. Routers find each other 0.1 s after the
+/// later one is made, and a new flow after as long.
+///
+/// A router that dies is not missed by its peers until its successor speaks: then what was known of
+/// it is forgotten, as on the real link.
+class SimLinkBus final : public LinkBus {
+ public:
+  SimLinkBus(Network& network, SimHost& host, std::function<void()> on_event);
+  ~SimLinkBus() override;
+
+  [[nodiscard]] std::optional<LinkEvent> take() override;
+  [[nodiscard]] PeerId self() const override { return life_; }
+  FlowId open(const Flow& flow, int dscp) override;
+  [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override { return flow; }
+  void close(FlowId flow) override;
+  [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow,
+                                                  const CarriedSample& sample) override;
+  void offer(FlowId peer_flow) override;
+  void give(FlowId peer_flow, const CarriedSample& sample) override;
+  [[nodiscard]] CarriedSample pack(const TypeInfo& type,
+                                   std::shared_ptr<const void> message) const override;
+  [[nodiscard]] std::shared_ptr<const void> unpack(const TypeInfo& type,
+                                                   const CarriedSample& sample) const override;
+  [[nodiscard]] const TrafficRules& rules() const override { return host_.rules(); }
+  [[nodiscard]] LinkPackets packets() const override { return packets_; }
+
+  /// A component of this host has begun to write, or has written.
+  void on_writer(const SimProcess::Topic& topic);
+  void on_writer_gone(const SimProcess::Topic& topic);
+  void on_written(const SimProcess::Topic& topic, const Sample& sample);
+  /// A transmission of that life of a peer has come.
+  void on_arrived(PeerId peer, FlowId flow, std::uint64_t number, const CarriedSample& sample);
+
+ private:
+  struct Sending {
+    Flow flow;
+    int dscp = 0;
+    std::uint64_t last = 0;
+  };
+  struct HostFlow {
+    FlowId id;
+    std::vector<const SimProcess::Topic*> writers;
+  };
+  void push(LinkEvent event);
+  void meet(SimLinkBus& peer);
+  void learn(SimLinkBus& peer, FlowId flow);
+  void announce();
+  void forget(PeerId peer);
+  [[nodiscard]] static Flow flow_of(const SimProcess::Topic& topic);
+
+  Network& network_;
+  SimHost& host_;
+  const std::function<void()> on_event_;
+  const PeerId life_;
+  FlowId last_flow_ = 0;
+  std::deque<LinkEvent> events_;
+  std::map<FlowId, Sending> sending_;
+  std::map<std::string, HostFlow> host_flows_;              ///< by topic and user data
+  std::map<std::string, PeerId> peers_;                     ///< by the name of the host
+  std::map<std::pair<PeerId, FlowId>, FlowId> peer_flows_;  ///< by the peer's number
+  std::map<FlowId, Flow> known_;                            ///< flows of peers
+  LinkPackets packets_;
+};
+
+}  // namespace tocsin::simulation
