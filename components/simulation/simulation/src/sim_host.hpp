@@ -60,7 +60,7 @@ struct Network {
   RadioLink& link;
   QosProfiles qos;
   LinkEndpoints endpoints;
-  std::map<std::string, SimLinkBus*> routers;  ///< that live, by the name of their host
+  std::map<std::string, SimLinkBus*> routers = {};  ///< that live, by the name of their host
   PeerId router_lives = 0;
   /// The living router with this life; null: it has died.
   [[nodiscard]] SimLinkBus* find_router(PeerId life) const;

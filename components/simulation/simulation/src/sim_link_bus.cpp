@@ -60,6 +60,8 @@ SimLinkBus::SimLinkBus(Network& network, SimHost& host, std::function<void()> on
                               if (one == nullptr || two == nullptr) return;
                               one->meet(*two);
                               two->meet(*one);
+                              one->learn_all(*two);
+                              two->learn_all(*one);
                             });
   }
   host_.set_router(this);
@@ -105,6 +107,9 @@ void SimLinkBus::meet(SimLinkBus& peer) {
   peers_[peer.host_.name()] = peer.life_;
   push(link_event::PeerFound{peer.life_, peer.host_.name()});
   if (old != 0) forget(old);
+}
+
+void SimLinkBus::learn_all(SimLinkBus& peer) {
   for (const auto& entry : peer.sending_) learn(peer, entry.first);
 }
 

@@ -70,6 +70,7 @@ class SimLinkBus final : public LinkBus {
   void push(LinkEvent event);
   void meet(SimLinkBus& peer);
   void learn(SimLinkBus& peer, FlowId flow);
+  void learn_all(SimLinkBus& peer);
   void announce();
   void forget(PeerId peer);
   [[nodiscard]] static Flow flow_of(const SimProcess::Topic& topic);

@@ -2,6 +2,7 @@
 #include "camera/camera_component.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -52,12 +53,13 @@ double CameraComponent::expected_bytes() const {
 }
 
 void CameraComponent::tick(Time now) {
+  take_budget(now);
   take_location(now);
   const bool fresh = view_ && now - view_time_ <= pose_timeout_;
   if (!fresh) return;  // the next location wakes
   if (now >= next_picture_) {
     next_picture_ = next_instant(period_, now);
-    publish(now);
+    if (const auto size = stream_.next(now)) publish(*size, now);
   }
   wake_at(next_picture_);
 }
@@ -70,12 +72,21 @@ void CameraComponent::take_location(Time now) {
   view_time_ = now;
 }
 
-void CameraComponent::publish(Time now) {
+void CameraComponent::take_budget(Time now) {
+  const auto message = budget_.take_latest();
+  if (!message) return;
+  for (const auto& stream : message->streams()) {
+    if (stream.topic() != topic::CameraImage::info.name) continue;
+    stream_.set_budget(static_cast<double>(stream.scale()), stream.hold(), now);
+  }
+}
+
+void CameraComponent::publish(double size, Time now) {
   const std::shared_ptr<Picture> picture = unused_picture();
   picture->header().stamp(wall(now));
   picture->header().frame_id("camera");
   picture->format("jpeg");
-  fill(*picture);
+  fill(*picture, size);
   if (image_.write(picture) == Status::failed) log().warn("a picture was not sent");
 }
 
@@ -91,16 +102,31 @@ std::shared_ptr<CameraComponent::Picture> CameraComponent::unused_picture() {
   return pictures_.emplace_back(std::move(fresh));
 }
 
-void CameraComponent::fill(Picture& picture) {
+void CameraComponent::fill(Picture& picture, double size) {
   if (renderer_) {
-    picture.data(draw());
+    picture.data(draw(size));
   } else {
     size_picture(picture.data());
+    picture.data().resize(
+        static_cast<std::size_t>(size * static_cast<double>(picture.data().size())));
   }
 }
 
-std::vector<std::uint8_t> CameraComponent::draw() {
-  return camera::encode_jpeg(renderer_->render(*view_, frame_++), params_.quality);
+std::vector<std::uint8_t> CameraComponent::draw(double size) {
+  const camera::Picture picture = renderer_->render(*view_, frame_++);
+  return camera::encode_jpeg(picture, size < 1 ? quality_for(size, picture) : params_.quality);
+}
+
+/// The law is that of the first picture which must be smaller.
+int CameraComponent::quality_for(double size, const camera::Picture& picture) {
+  constexpr std::array parts{0.05, 0.15, 0.3, 0.5, 0.75, 1.0};
+  if (qualities_.empty()) {
+    for (const double part : parts) {
+      const int quality = std::max(1, static_cast<int>(part * params_.quality));
+      qualities_.add(quality, camera::encode_jpeg(picture, quality).size());
+    }
+  }
+  return qualities_.quality_for(size);
 }
 
 /// With other parameters than those of the law the first one is drawn to fit the size to them.
@@ -116,7 +142,7 @@ void CameraComponent::size_picture(std::vector<std::uint8_t>& data) {
 
 std::vector<std::uint8_t> CameraComponent::calibrate() {
   renderer_.emplace(params_.camera, walls_);
-  std::vector<std::uint8_t> first = draw();
+  std::vector<std::uint8_t> first = draw(1);
   renderer_.reset();
   size_->calibrate(*view_, first.size());
   return first;

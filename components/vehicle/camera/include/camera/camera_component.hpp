@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "camera/adaptive_stream.hpp"
 #include "camera/picture_size.hpp"
 #include "camera/renderer.hpp"
 #include "geometry/wall.hpp"
@@ -16,7 +17,8 @@
 namespace tocsin {
 
 /// A simulated camera: pictures of the map from where the vehicle reports to be. In simulated time,
-/// where drawing would take most of the computing, pictures are zeros, as many as the JPEG had.
+/// where drawing would take most of the computing, pictures are zeros, as many as the JPEG had. It
+/// follows the budget of the link in rate and size.
 class CameraComponent final : public Component {
  public:
   struct Params {
@@ -46,15 +48,18 @@ class CameraComponent final : public Component {
  private:
   [[nodiscard]] double expected_bytes() const;
   void take_location(Time now);
-  void publish(Time now);
+  void take_budget(Time now);
+  void publish(double size, Time now);
   using Picture = topic::CameraImage::Message;
   [[nodiscard]] std::shared_ptr<Picture> unused_picture();
-  void fill(Picture& picture);
+  void fill(Picture& picture, double size);
   void size_picture(std::vector<std::uint8_t>& data);
   [[nodiscard]] std::vector<std::uint8_t> calibrate();
-  [[nodiscard]] std::vector<std::uint8_t> draw();
+  [[nodiscard]] std::vector<std::uint8_t> draw(double size);
+  [[nodiscard]] int quality_for(double size, const camera::Picture& picture);
 
   Input<topic::Location> location_{*this};
+  OptionalInput<topic::LinkBudget> budget_{*this, WakeMode::time_triggered};
   Output<topic::CameraImage> image_{*this};
   const Params params_;
   std::vector<geometry::Wall> walls_;
@@ -62,6 +67,8 @@ class CameraComponent final : public Component {
   Duration pose_timeout_;
   std::optional<camera::Renderer> renderer_;  ///< when something is drawn
   std::optional<camera::PictureSize> size_;   ///< when they are not
+  camera::AdaptiveStream stream_;
+  camera::QualityLaw qualities_;
   std::optional<geometry::Pose> view_;
   Time view_time_{};
   Time next_picture_ = Time::min();
