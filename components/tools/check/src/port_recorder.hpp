@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "graph.hpp"
 #include "runtime/bus.hpp"
 #include "runtime/devices.hpp"
+#include "runtime/middleware/idle_link_bus.hpp"
 
 namespace tocsin::check {
 
@@ -18,6 +20,9 @@ class PortRecorder final : public Bus {
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
   [[nodiscard]] Time now() const override { return {}; }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override { return t.time_since_epoch().count(); }
+  std::unique_ptr<LinkBus> open_link(std::function<void()>) override {
+    return std::make_unique<IdleLinkBus>(TrafficRules());
+  }
   void set_gate(bool open) override { (void)open; }
   [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override { return {}; }
 

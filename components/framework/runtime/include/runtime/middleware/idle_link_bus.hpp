@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "runtime/middleware/link_bus.hpp"
+
+namespace tocsin {
+
+/// A link on which nothing happens, for those who examine a router without running it.
+class IdleLinkBus final : public LinkBus {
+ public:
+  explicit IdleLinkBus(TrafficRules rules) : rules_(std::move(rules)) {}
+
+  [[nodiscard]] std::optional<LinkEvent> take() override { return std::nullopt; }
+  [[nodiscard]] PeerId self() const override { return 0; }
+  FlowId open(const Flow&, int) override { return ++last_; }
+  [[nodiscard]] std::uint32_t wire_id(FlowId) const override { return 0; }
+  void close(FlowId) override {}
+  [[nodiscard]] std::optional<std::uint64_t> send(FlowId, const CarriedSample&) override {
+    return std::nullopt;
+  }
+  void offer(FlowId) override {}
+  void give(FlowId, const CarriedSample&) override {}
+  [[nodiscard]] CarriedSample pack(const TypeInfo&, std::shared_ptr<const void>) const override {
+    return {};
+  }
+  [[nodiscard]] std::shared_ptr<const void> unpack(const TypeInfo&,
+                                                   const CarriedSample&) const override {
+    return nullptr;
+  }
+  [[nodiscard]] const TrafficRules& rules() const override { return rules_; }
+  [[nodiscard]] LinkPackets packets() const override { return {}; }
+
+ private:
+  const TrafficRules rules_;
+  FlowId last_ = 0;
+};
+
+}  // namespace tocsin
