@@ -202,7 +202,7 @@ void LinkRouterComponent::answer(Time now) {
 }
 
 void LinkRouterComponent::tell_budgets(Time now) {
-  next_budget_ = now + seconds(params_.budget_period_s);
+  next_budget_ = next_instant(seconds(params_.budget_period_s), now);
   tocsin_msgs::msg::LinkBudget message;
   message.stamp(wall(now));
   message.role(context().role);
@@ -219,7 +219,7 @@ void LinkRouterComponent::tell_budgets(Time now) {
 }
 
 void LinkRouterComponent::report(Time now) {
-  next_report_ = now + seconds(params_.report_period_s);
+  next_report_ = next_instant(seconds(params_.report_period_s), now);
   tocsin_msgs::msg::LinkState message = to_message(sender_.state(now));
   message.stamp(wall(now));
   message.role(context().role);

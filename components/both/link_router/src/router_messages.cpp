@@ -14,26 +14,6 @@ using std::chrono::microseconds;
 constexpr Duration age_unit = microseconds(100);
 constexpr std::uint16_t oldest = std::numeric_limits<std::uint16_t>::max();
 
-router::Priority priority_of(TrafficClass traffic_class) {
-  switch (traffic_class) {
-    case TrafficClass::critical:
-      return router::Priority::critical;
-    case TrafficClass::high:
-      return router::Priority::high;
-    case TrafficClass::normal:
-      return router::Priority::normal;
-    case TrafficClass::low:
-      break;
-  }
-  return router::Priority::low;
-}
-
-const char* name_of(router::Priority priority) {
-  constexpr std::array classes{TrafficClass::critical, TrafficClass::high, TrafficClass::normal,
-                               TrafficClass::low};
-  return to_string(classes[router::index_of(priority)]);
-}
-
 router::WhilePaused while_paused(WhilePoor rule) {
   if (rule == WhilePoor::send) return router::WhilePaused::send;
   return rule == WhilePoor::latest ? router::WhilePaused::latest : router::WhilePaused::drop;
@@ -48,11 +28,11 @@ std::uint64_t dropped(const router::ClassCounts& counts, router::DropReason reas
   return counts.dropped[static_cast<std::size_t>(reason)];
 }
 
-tocsin_msgs::msg::LinkClass to_message(router::Priority priority,
+tocsin_msgs::msg::LinkClass to_message(TrafficClass traffic_class,
                                        const router::ClassCounts& counts) {
   using router::DropReason;
   tocsin_msgs::msg::LinkClass message;
-  message.traffic_class(name_of(priority));
+  message.traffic_class(to_string(traffic_class));
   message.offered(counts.offered);
   message.sent(counts.sent);
   message.delivered(counts.delivered);
@@ -78,11 +58,11 @@ tocsin_msgs::msg::LinkClass to_message(router::Priority priority,
 router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule) {
   router::StreamRule stream;
   stream.name = flow.topic + "|" + flow.user_data;
-  stream.priority = priority_of(rule.traffic_class);
+  stream.traffic_class = rule.traffic_class;
   stream.while_paused = while_paused(rule.while_poor);
   stream.depth = static_cast<std::size_t>(flow.depth);
   stream.lifespan = std::isfinite(flow.lifespan_s) ? seconds(flow.lifespan_s) : Duration::max();
-  stream.repaired = router::repairs_by_default(stream.priority);
+  stream.repaired = router::repairs_by_default(stream.traffic_class);
   stream.durable = flow.transient_local;
   stream.adaptive = rule.adaptive;
   stream.min_rate_hz = rule.min_rate_hz;
@@ -134,8 +114,8 @@ tocsin_msgs::msg::LinkState to_message(const router::LinkStateValues& values) {
   message.loss(static_cast<float>(values.loss));
   message.scale(static_cast<float>(values.scale));
   message.repair_share(static_cast<float>(values.repair_share));
-  for (const router::Priority priority : router::all_priorities) {
-    message.classes().push_back(to_message(priority, values.classes[router::index_of(priority)]));
+  for (const TrafficClass one : traffic_classes) {
+    message.classes().push_back(to_message(one, values.classes[router::index_of(one)]));
   }
   return message;
 }

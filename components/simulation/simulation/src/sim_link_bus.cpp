@@ -12,7 +12,7 @@ constexpr Duration discovery_takes = std::chrono::milliseconds(100);
 /// A participant's announcement (518 bytes measured, with IP and UDP) and its period.
 constexpr std::size_t announcement_bytes = 546;
 constexpr Duration announcement_period = std::chrono::seconds(1);
-constexpr int network_control_dscp = 48;  // CS6
+constexpr std::uint8_t network_control_dscp = 48;  // CS6
 /// Inline QoS of each packet: the origin (PID_RELATED_SAMPLE_IDENTITY, 28 bytes) and the sentinel.
 constexpr std::size_t origin_bytes = 32;
 
@@ -77,7 +77,7 @@ SimLinkBus::~SimLinkBus() {
 
 void SimLinkBus::announce() {
   if (!peers_.empty()) {
-    network_.link.send(host_.direction(), announcement_bytes, [] {});
+    network_.link.send({host_.direction(), network_control_dscp}, announcement_bytes, [] {});
     ++packets_.packets;
     packets_.bytes += announcement_bytes;
     ++packets_.discovery_packets;
@@ -184,7 +184,8 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
     const auto transmission = std::make_shared<Transmission>(std::move(on_whole), packets.size());
     for (std::size_t i = 0; i < packets.size(); ++i) {
       const std::size_t bytes = packets[i] + origin_bytes;
-      network_.link.send(host_.direction(), bytes, transmission, i);
+      network_.link.send({host_.direction(), static_cast<std::uint8_t>(sending.dscp)}, bytes,
+                         transmission, i);
       ++packets_.packets;
       packets_.bytes += bytes;
     }

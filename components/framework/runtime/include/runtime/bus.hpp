@@ -35,7 +35,7 @@ struct Sample {
   std::uint32_t bytes = 0;     ///< serialised size; 0 when it was handed over unserialised
 };
 
-/// Takes samples off a bus. `receive` may be called from any thread, and must not block.
+/// Takes samples off a bus. Called from any thread; must not block.
 struct Receiver {
   virtual ~Receiver() = default;
   virtual void receive(const Sample& sample) = 0;
@@ -69,8 +69,7 @@ class Publication {
   virtual Status write(const std::shared_ptr<const void>& message) = 0;
   /// False: nobody would notice a write, now or as a late joiner. Thread-safe.
   [[nodiscard]] virtual bool has_readers() const { return true; }
-  /// Asks `load` what will be written; only a bus that examines components without running them
-  /// wants to know.
+  /// Asks `load` what will be written, if this bus wants to know.
   virtual void expect(const std::function<ExpectedLoad()>& load) { (void)load; }
 };
 
@@ -86,18 +85,16 @@ class Bus {
 
   /// The clock of this bus: real, or virtual in a simulation.
   [[nodiscard]] virtual Time now() const = 0;
-  /// Wall time at `t` [ns since the Unix epoch], for stamps only.
-  [[nodiscard]] virtual std::int64_t wall_ns(Time t) const = 0;
+  [[nodiscard]] virtual std::int64_t wall_ns(Time t) const = 0;  ///< [ns], for stamps only
 
   /// Opens or closes the gate of all pausable link writers of this process. Returns when a closed
   /// gate's writers have fallen silent. Thread-safe.
   virtual void set_gate(bool open) = 0;
   /// What the link writers of this process did so far. Thread-safe.
   [[nodiscard]] virtual std::vector<TopicTraffic> link_traffic() const = 0;
-  /// The way over the radio, for the one component that owns it; null: there is none. `on_event`
-  /// is called from any thread when it has something to take.
+  /// For link_router: its way over the radio, which calls `on_event`. Null: there is none.
   virtual std::unique_ptr<LinkBus> open_link(std::function<void()> /*on_event*/) { return nullptr; }
-  /// Every DDS endpoint of this process. Thread-safe.
+  /// Of every DDS endpoint of this process. Thread-safe.
   [[nodiscard]] virtual std::vector<EndpointHealth> health() const { return {}; }
 };
 
