@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+// The router on a scripted link, in virtual time.
+#include "link_router/link_router_component.hpp"
+
+#include <gtest/gtest.h>
+
+#include "foundation/error.hpp"
+#include "router_messages.hpp"
+#include "scripted_link.hpp"
+
+namespace tocsin {
+namespace {
+
+using Receipt = tocsin_msgs::msg::LinkReceipt;
+constexpr FlowId host_flow = 500;
+constexpr FlowId peer_flow = 600;
+constexpr FlowId receipt_flow = 601;
+constexpr PeerId station = 77;
+
+class LinkRouterTest : public ::testing::Test {
+ protected:
+  LinkRouterTest() {
+    script_.rules = TrafficRules(std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", "uxv");
+    sut_ = std::make_unique<LinkRouterComponent>(context_, LinkRouterComponent::Params{});
+    bus_.add(*sut_);
+    bus_.run_for(seconds(0));
+  }
+
+  static Flow flow(const std::string& topic) {
+    Flow flow;
+    flow.topic = topic;
+    flow.type = "some_msgs::msg::dds_::Type_";
+    return flow;
+  }
+  /// A component of this host begins to write `topic`. Returns the link's flow for it.
+  FlowId begin(const std::string& topic, FlowId id = host_flow) {
+    script_.happen(link_event::HostFlow{id, flow(topic)});
+    run(0);
+    return script_.opened_for(topic);
+  }
+  void meet(PeerId life = station) {
+    script_.happen(link_event::PeerFound{life, "gcs"});
+    run(0);
+  }
+  void listen(FlowId on_link) {
+    script_.happen(link_event::PeerListens{on_link, station});
+    run(0);
+  }
+  void write(std::uint64_t sequence, FlowId id = host_flow, std::uint32_t bytes = 100) {
+    CarriedSample sample;
+    sample.content = std::make_shared<int>(static_cast<int>(sequence));
+    sample.bytes = bytes;
+    sample.source = 9;
+    sample.sequence = sequence;
+    sample.sent_wall_ns = bus_.wall_ns(bus_.now());
+    script_.happen(link_event::HostSample{id, sample, bus_.now()});
+    run(0);
+  }
+  /// A peer's flow and one transmission on it.
+  void hear(std::uint64_t number, std::uint64_t sequence) {
+    CarriedSample sample;
+    sample.bytes = 100;
+    sample.source = 3;
+    sample.sequence = sequence;
+    sample.sent_wall_ns = bus_.wall_ns(bus_.now());
+    script_.happen(link_event::LinkSample{peer_flow, number, sample, bus_.now()});
+    run(0);
+  }
+  void begin_peer_flow(const std::string& topic, FlowId id = peer_flow) {
+    script_.happen(link_event::PeerFlow{id, station, id + 1, flow(topic)});
+    run(0);
+  }
+  void acknowledge(FlowId on_link, std::uint64_t highest, std::uint32_t count = 1) {
+    auto receipt = std::make_shared<Receipt>();
+    receipt->from_life(station);
+    receipt->to_life(ScriptedLink::own_life);
+    receipt->count(count);
+    receipt->made_ns(bus_.now().time_since_epoch().count());
+    receipt->streams({1000 + on_link});
+    receipt->highest({static_cast<std::uint32_t>(highest)});
+    receipt->age_100us({10});
+    receipt->before({0});
+    tell(receipt);
+  }
+  void tell(const std::shared_ptr<Receipt>& receipt) {
+    CarriedSample sample;
+    sample.content = receipt;
+    script_.happen(link_event::LinkSample{receipt_flow, 1, sample, bus_.now()});
+    run(0);
+  }
+  void set_active(bool active, const std::string& role = "uxv") {
+    tocsin_msgs::msg::TransmissionState state;
+    state.role(role);
+    state.active(active);
+    bus_.publish<topic::TransmissionState>(state);
+    run(0);
+  }
+  void run(double s) { bus_.run_for(seconds(s)); }
+
+  ScriptedLink script_;
+  RoutedSimBus bus_{script_};
+  Context context_{bus_, "link_router", "uxv", ""};
+  SimReader<topic::LinkState> states_{bus_};
+  SimReader<topic::LinkBudget> budgets_{bus_};
+  SimReader<topic::TrafficReport> reports_{bus_};
+  std::unique_ptr<LinkRouterComponent> sut_;
+};
+
+TEST_F(LinkRouterTest, AFlowOfTheHostIsOpenedWithTheCodePointOfItsClass) {
+  const FlowId critical = begin("heartbeat");
+  const FlowId low = begin("camera/image_raw/compressed", host_flow + 1);
+  EXPECT_EQ(script_.opened.at(critical).dscp, 48);
+  EXPECT_EQ(script_.opened.at(low).dscp, 8);
+}
+
+TEST_F(LinkRouterTest, ASampleOfTheHostGoesOnTheLinkAsItIs) {
+  const FlowId on_link = begin("heartbeat");
+  write(5);
+  ASSERT_EQ(script_.sent_on(on_link), 1U);
+  const CarriedSample& sample = script_.sent.back().sample;
+  EXPECT_EQ(sample.source, 9U);
+  EXPECT_EQ(sample.sequence, 5U);
+  EXPECT_EQ(sample.bytes, 100U);
+  EXPECT_EQ(*static_cast<const int*>(sample.content.get()), 5);
+}
+
+TEST_F(LinkRouterTest, AFlowThatHasLeftIsClosed) {
+  const FlowId on_link = begin("heartbeat");
+  script_.happen(link_event::HostFlowGone{host_flow});
+  run(0);
+  EXPECT_TRUE(script_.opened.at(on_link).closed);
+  write(1);
+  EXPECT_EQ(script_.sent_on(on_link), 0U);
+}
+
+TEST_F(LinkRouterTest, ASampleOfAPeerIsGivenToTheHostOnce) {
+  meet();
+  begin_peer_flow("goal");
+  EXPECT_EQ(script_.offered, std::vector<FlowId>{peer_flow});
+  hear(1, 10);
+  hear(2, 10);  // a repair of what had come
+  hear(3, 11);
+  ASSERT_EQ(script_.given.size(), 2U);
+  EXPECT_EQ(script_.given[0].sample.sequence, 10U);
+  EXPECT_EQ(script_.given[1].sample.sequence, 11U);
+}
+
+TEST_F(LinkRouterTest, TellsThePeerWhatCame) {
+  meet();
+  begin_peer_flow("goal");
+  hear(1, 10);
+  run(0.2);
+  const FlowId receipts = script_.opened_for("link_receipt");
+  ASSERT_GE(script_.sent_on(receipts), 1U);
+  EXPECT_EQ(script_.opened.at(receipts).dscp, 48);
+  const auto& receipt = *static_cast<const Receipt*>(script_.sent.back().sample.content.get());
+  EXPECT_EQ(receipt.from_life(), ScriptedLink::own_life);
+  EXPECT_EQ(receipt.to_life(), station);
+  ASSERT_EQ(receipt.streams().size(), 1U);
+  EXPECT_EQ(receipt.streams()[0], peer_flow + 1);
+  EXPECT_EQ(receipt.highest()[0], 1U);
+}
+
+TEST_F(LinkRouterTest, WhatIsNotAcknowledgedIsSentAgain) {
+  meet();
+  const FlowId on_link = begin("heartbeat");
+  listen(on_link);
+  write(1);
+  run(0.3);
+  EXPECT_GE(script_.sent_on(on_link), 2U);
+}
+
+TEST_F(LinkRouterTest, WhatIsAcknowledgedIsNot) {
+  meet();
+  begin_peer_flow("link_receipt", receipt_flow);
+  const FlowId on_link = begin("heartbeat");
+  listen(on_link);
+  write(1);
+  run(0.05);
+  acknowledge(on_link, 1);
+  run(2);
+  EXPECT_EQ(script_.sent_on(on_link), 1U);
+}
+
+TEST_F(LinkRouterTest, AReceiptForAnotherLifeOrWithoutSenseIsIgnored) {
+  meet();
+  begin_peer_flow("link_receipt", receipt_flow);
+  const FlowId on_link = begin("heartbeat");
+  listen(on_link);
+  write(1);
+  auto other = std::make_shared<Receipt>();
+  other->to_life(12);
+  other->streams({1000 + on_link});
+  other->highest({1});
+  other->age_100us({0});
+  other->before({0});
+  tell(other);
+  auto odd = std::make_shared<Receipt>(*other);
+  odd->to_life(ScriptedLink::own_life);
+  odd->highest({});
+  tell(odd);
+  run(0.3);
+  EXPECT_GE(script_.sent_on(on_link), 2U) << "it was taken for an acknowledgement";
+}
+
+TEST_F(LinkRouterTest, WhileTheStateOfItsRoleIsPassiveClassLowIsSilent) {
+  const FlowId low = begin("battery_state");
+  const FlowId critical = begin("heartbeat", host_flow + 1);
+  set_active(false, "gcs");  // not this side
+  write(1);
+  EXPECT_EQ(script_.sent_on(low), 1U);
+  set_active(false);
+  write(2);
+  write(2, host_flow + 1);
+  EXPECT_EQ(script_.sent_on(low), 1U);
+  EXPECT_EQ(script_.sent_on(critical), 1U);
+  set_active(true);
+  write(3);
+  EXPECT_EQ(script_.sent_on(low), 2U);
+}
+
+TEST_F(LinkRouterTest, OpensWhenTheControllerFallsSilent) {
+  const FlowId low = begin("battery_state");
+  set_active(false);
+  write(1);
+  run(4.9);
+  EXPECT_EQ(script_.sent_on(low), 0U);
+  run(0.2);
+  write(2);
+  EXPECT_EQ(script_.sent_on(low), 1U);
+}
+
+TEST_F(LinkRouterTest, TellsTheWritersOfAdaptiveTopicsTheirBudget) {
+  begin("camera/image_raw/compressed");
+  begin("heartbeat", host_flow + 1);
+  run(1);
+  const auto budgets = budgets_.take();
+  ASSERT_FALSE(budgets.empty());
+  ASSERT_EQ(budgets.back().streams().size(), 1U);
+  EXPECT_EQ(budgets.back().streams()[0].topic(), "camera/image_raw/compressed");
+  EXPECT_FLOAT_EQ(budgets.back().streams()[0].scale(), 1);
+}
+
+TEST_F(LinkRouterTest, TellsTheStateOfTheLinkAndOfEachTopicOnceASecond) {
+  begin("battery_state");
+  set_active(false);
+  write(1);
+  run(2.5);
+  const auto states = states_.take();
+  ASSERT_GE(states.size(), 2U);
+  EXPECT_EQ(states.back().role(), "uxv");
+  EXPECT_TRUE(states.back().paused());
+  EXPECT_EQ(states.back().packets(), 7U);
+  EXPECT_EQ(states.back().discovery_bytes(), 200U);
+  EXPECT_EQ(states.back().classes()[3].dropped_paused(), 1U);
+  const auto reports = reports_.take();
+  ASSERT_FALSE(reports.empty());
+  ASSERT_EQ(reports.back().topics().size(), 1U);
+  EXPECT_TRUE(reports.back().topics()[0].paused());
+  EXPECT_EQ(reports.back().topics()[0].written(), 1U);
+  EXPECT_EQ(reports.back().topics()[0].dropped(), 1U);
+}
+
+TEST_F(LinkRouterTest, ARestartedPeerIsAnsweredInItsNewLife) {
+  meet();
+  begin_peer_flow("goal");
+  hear(1, 10);
+  run(0.2);
+  meet(station + 1);
+  script_.happen(link_event::PeerFlowGone{peer_flow});
+  script_.happen(link_event::PeerLost{station});
+  script_.happen(link_event::PeerFlow{peer_flow, station + 1, 5, flow("goal")});
+  run(0);
+  hear(1, 10);  // what the host has from its former life
+  hear(2, 11);
+  EXPECT_EQ(script_.given.size(), 2U);
+  run(0.2);
+  const auto& receipt = *static_cast<const Receipt*>(script_.sent.back().sample.content.get());
+  EXPECT_EQ(receipt.to_life(), station + 1);
+}
+
+TEST_F(LinkRouterTest, APeerThatHasLeftGetsNoReceipts) {
+  meet();
+  begin_peer_flow("goal");
+  hear(1, 10);
+  run(0.2);
+  script_.happen(link_event::PeerFlowGone{peer_flow});
+  script_.happen(link_event::PeerLost{station});
+  run(0);
+  const std::size_t before = script_.sent.size();
+  run(5);
+  EXPECT_EQ(script_.sent.size(), before);
+}
+
+TEST_F(LinkRouterTest, WhileTheLinkIsNotUpItGoesOn) {
+  script_.is_up = false;
+  meet();
+  const FlowId on_link = begin("heartbeat");
+  write(1);
+  script_.is_up = true;
+  write(2);
+  EXPECT_EQ(script_.sent_on(on_link), 1U);
+  EXPECT_EQ(script_.sent.back().sample.sequence, 2U);
+}
+
+TEST(LinkRouter, IsRefusedWhereThereIsNoLink) {
+  SimBus bus;
+  Context context{bus, "link_router", "uxv", ""};
+  EXPECT_THROW(LinkRouterComponent(context, {}), ConfigError);
+}
+
+}  // namespace
+}  // namespace tocsin

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/middleware/link_bus.hpp"
+#include "runtime/sim_bus.hpp"
+
+namespace tocsin {
+
+/// A link whose events a test makes up, and which notes what the router does.
+class ScriptedLink {
+ public:
+  static constexpr PeerId own_life = 41;
+
+  struct Opened {
+    Flow flow;
+    int dscp;
+    bool closed = false;
+  };
+  struct Sent {
+    FlowId flow;
+    CarriedSample sample;
+  };
+  struct Given {
+    FlowId flow;
+    CarriedSample sample;
+  };
+
+  void happen(LinkEvent event) {
+    events.push_back(std::move(event));
+    on_event();
+  }
+  /// The flow that was opened for a topic.
+  [[nodiscard]] FlowId opened_for(const std::string& topic) const {
+    for (const auto& entry : opened) {
+      if (entry.second.flow.topic == topic) return entry.first;
+    }
+    return 0;
+  }
+  [[nodiscard]] std::size_t sent_on(FlowId flow) const {
+    std::size_t count = 0;
+    for (const Sent& one : sent) count += one.flow == flow ? 1 : 0;
+    return count;
+  }
+
+  std::deque<LinkEvent> events;
+  std::function<void()> on_event = [] {};
+  std::map<FlowId, Opened> opened;
+  std::vector<Sent> sent;
+  std::vector<Given> given;
+  std::vector<FlowId> offered;
+  bool is_up = true;
+  TrafficRules rules;
+};
+
+/// What a router holds of it.
+class ScriptedLinkBus final : public LinkBus {
+ public:
+  explicit ScriptedLinkBus(ScriptedLink& script) : script_(script) {}
+
+  [[nodiscard]] std::optional<LinkEvent> take() override {
+    if (script_.events.empty()) return std::nullopt;
+    LinkEvent event = std::move(script_.events.front());
+    script_.events.pop_front();
+    return event;
+  }
+  [[nodiscard]] PeerId self() const override { return ScriptedLink::own_life; }
+  FlowId open(const Flow& flow, int dscp) override {
+    script_.opened[++last_] = {flow, dscp};
+    return last_;
+  }
+  [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override { return 1000 + flow; }
+  void close(FlowId flow) override { script_.opened[flow].closed = true; }
+  [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow,
+                                                  const CarriedSample& sample) override {
+    if (!script_.is_up) return std::nullopt;
+    script_.sent.push_back({flow, sample});
+    return ++numbers_[flow];
+  }
+  void offer(FlowId flow) override { script_.offered.push_back(flow); }
+  void give(FlowId flow, const CarriedSample& sample) override {
+    script_.given.push_back({flow, sample});
+  }
+  [[nodiscard]] CarriedSample pack(const TypeInfo& type,
+                                   std::shared_ptr<const void> message) const override {
+    CarriedSample sample;
+    sample.bytes = static_cast<std::uint32_t>(type.serialized_size(message.get()));
+    sample.content = std::move(message);
+    return sample;
+  }
+  [[nodiscard]] std::shared_ptr<const void> unpack(const TypeInfo&,
+                                                   const CarriedSample& sample) const override {
+    return sample.content;
+  }
+  [[nodiscard]] const TrafficRules& rules() const override { return script_.rules; }
+  [[nodiscard]] LinkPackets packets() const override { return {7, 700, 2, 200}; }
+
+ private:
+  ScriptedLink& script_;
+  FlowId last_ = 0;
+  std::map<FlowId, std::uint64_t> numbers_;
+};
+
+/// The bus of a host whose router has a scripted link.
+class RoutedSimBus final : public SimBus {
+ public:
+  explicit RoutedSimBus(ScriptedLink& script) : script_(script) {}
+  std::unique_ptr<LinkBus> open_link(std::function<void()> on_event) override {
+    script_.on_event = std::move(on_event);
+    return std::make_unique<ScriptedLinkBus>(script_);
+  }
+
+ private:
+  ScriptedLink& script_;
+};
+
+}  // namespace tocsin
