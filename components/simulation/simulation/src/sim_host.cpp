@@ -135,6 +135,7 @@ void SimHost::give(const Flow& flow, const CarriedSample& carried, const Freight
   all.carried[carried.source] = {freight.from->host, flow.user_data};
   if (flow.transient_local) all.last = sample;
   for (SimProcess::Topic* topic : all.processes) {
+    if (!topic->carried.is_first(sample.source, sample.sequence)) continue;
     if (network_.core.observer != nullptr && topic->reads()) {
       network_.core.observer->on_delivered(
           {*freight.from, topic->end, carried.sequence, freight.written, freight.written_at,

@@ -12,6 +12,7 @@
 #include "rtps.hpp"
 #include "runtime/bus.hpp"
 #include "runtime/middleware/qos_profile.hpp"
+#include "runtime/middleware/replay_filter.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
 #include "runtime/middleware/traffic_rules.hpp"
 
@@ -104,6 +105,7 @@ class SimProcess final : public Bus {
     std::unique_ptr<GatedWriter> gated;
     std::uint64_t source = 0;
     bool writes = false;
+    ReplayFilter carried;  ///< what routers have brought
     [[nodiscard]] bool reads() const { return !receivers.empty(); }
     std::uint64_t written = 0;
     std::string label;  ///< host/process/topic

@@ -21,8 +21,7 @@ Sample sample_of(IncomingSample& incoming, const dds::SampleInfo& info) {
   sample.sent_wall_ns = info.source_timestamp.to_ns();
   sample.received_wall_ns = info.reception_timestamp.to_ns();
   const auto origin = origin_in(info.related_sample_identity);  // a router carried it here
-  sample.sequence =
-      origin ? origin->sequence : info.sample_identity.sequence_number().to64long();
+  sample.sequence = origin ? origin->sequence : info.sample_identity.sequence_number().to64long();
   sample.source = origin ? origin->source : source_of(info.sample_identity.writer_guid());
   sample.bytes = incoming.bytes;
   return sample;
@@ -84,19 +83,19 @@ void DdsReader::drain(Reader* reader) {
     if (!info.valid_data || incoming.skip) continue;
     if (skips_own_ && participant_.owns(info.sample_identity.writer_guid())) continue;
     if (incoming.valid && !has_other_layout(info.sample_identity.writer_guid())) {
-      note_origin(info);
-      exchange_.deliver(sample_of(incoming, info));
+      if (is_first(info)) exchange_.deliver(sample_of(incoming, info));
     } else {
       account_.on_undecodable(incoming.bytes);
     }
   }
 }
 
-void DdsReader::note_origin(const dds::SampleInfo& info) {
+bool DdsReader::is_first(const dds::SampleInfo& info) {
   const auto origin = origin_in(info.related_sample_identity);
-  if (!origin) return;
+  if (!origin) return true;
   const std::lock_guard<std::mutex> lock(sources_mutex_);
   sources_[origin->source] = info.sample_identity.writer_guid();
+  return carried_.is_first(origin->source, origin->sequence);
 }
 
 std::optional<WriterInfo> DdsReader::writer(std::uint64_t source) const {

@@ -14,6 +14,7 @@
 #include "fast_dds/endpoint_account.hpp"
 #include "fast_dds/fast_dds_participant.hpp"
 #include "runtime/middleware/gated_writer.hpp"
+#include "runtime/middleware/replay_filter.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
 
 namespace tocsin {
@@ -49,8 +50,9 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
       Reader* reader, const eprosima::fastdds::dds::LivelinessChangedStatus& status) override;
   [[nodiscard]] bool next_is_own(Reader* reader) const;
   [[nodiscard]] bool has_other_layout(const RemoteEnds::Guid& writer);
-  /// A sample that a router has carried: its writer is known by the router's writer.
-  void note_origin(const eprosima::fastdds::dds::SampleInfo& info);
+  /// False for a sample that a router has carried here once already. Its writer is known by the
+  /// router's from then on.
+  [[nodiscard]] bool is_first(const eprosima::fastdds::dds::SampleInfo& info);
 
   FastDdsParticipant& participant_;
   TopicExchange& exchange_;
@@ -64,6 +66,7 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   mutable std::mutex sources_mutex_;
   /// The writers that it is matched with, and those for whom one of these writes.
   std::map<std::uint64_t, RemoteEnds::Guid> sources_;
+  ReplayFilter carried_;
   MessagePool pool_;
   Reader* reader_;
 };
