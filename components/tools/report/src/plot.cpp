@@ -29,10 +29,11 @@ void write_series(const Recording& recording, const fs::path& folder) {
 void write_traffic(const Recording& recording, const fs::path& folder) {
   std::ofstream traffic(folder / "traffic.dat");
   for (const auto& [name, arrivals] : recording.arrivals) {
-    double second = 0.5;
+    const double bin_s = rate_bin_s(recording.begin_s, recording.end_s);
+    double middle_s = bin_s / 2;
     for (const double rate : byte_rates(arrivals, recording.begin_s, recording.end_s)) {
-      traffic << second << " " << rate * 8e-3 << "\n";
-      second += 1;
+      traffic << middle_s << " " << rate * 8e-3 << "\n";
+      middle_s += bin_s;
     }
     traffic << "\n\n";
   }

@@ -117,7 +117,8 @@ void add_mission(Recording& recording) {
   const std::size_t last = table.rows() - 1;
   const auto whole = [&](const char* column) {
     const double value = table.number(last, column);
-    return std::isfinite(value) ? static_cast<int>(value) : 0;
+    constexpr double most = 1e9;  // what a peer sent may be any number
+    return std::isfinite(value) ? static_cast<int>(std::clamp(value, 0.0, most)) : 0;
   };
   recording.mission = {table.text(last, "mission"), table.text(last, "state"),
                        whole("waypoint"),           whole("waypoints"),

@@ -7,6 +7,12 @@
 #include <utility>
 
 namespace tocsin::report {
+namespace {
+
+constexpr double most_steps = 1e6;
+constexpr double most_bins = 1e5;
+
+}  // namespace
 
 double percentile(std::vector<double> values, double share) {
   if (values.empty()) return std::nan("");
@@ -50,6 +56,8 @@ std::vector<double> ages(std::vector<Arrival> arrivals, double end_s, double ste
   const double begin_s = arrivals.front().received_s;
   double newest_s = arrivals.front().sent_s;
   auto next = arrivals.begin();
+  if (!std::isfinite(end_s - begin_s)) return result;
+  step_s = std::max(step_s, (end_s - begin_s) / most_steps);
   const auto steps = static_cast<long>((end_s - begin_s) / step_s + 1e-9);
   for (long i = 0; i <= steps; ++i) {
     const double now_s = begin_s + static_cast<double>(i) * step_s;
@@ -61,12 +69,18 @@ std::vector<double> ages(std::vector<Arrival> arrivals, double end_s, double ste
   return result;
 }
 
+double rate_bin_s(double begin_s, double end_s) {
+  return std::max(1.0, std::ceil((end_s - begin_s) / most_bins));
+}
+
 std::vector<double> byte_rates(const std::vector<Arrival>& arrivals, double begin_s, double end_s) {
-  if (!(end_s > begin_s)) return {};
-  std::vector<double> rates(static_cast<std::size_t>(std::ceil(end_s - begin_s)));
+  if (!(end_s > begin_s) || !std::isfinite(end_s - begin_s)) return {};
+  const double bin_s = rate_bin_s(begin_s, end_s);
+  std::vector<double> rates(static_cast<std::size_t>(std::ceil((end_s - begin_s) / bin_s)));
   for (const Arrival& arrival : arrivals) {
     if (arrival.received_s < begin_s || arrival.received_s >= end_s) continue;
-    rates[static_cast<std::size_t>(arrival.received_s - begin_s)] += arrival.bytes;
+    rates[static_cast<std::size_t>((arrival.received_s - begin_s) / bin_s)] +=
+        arrival.bytes / bin_s;
   }
   return rates;
 }

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "toy_run.hpp"
 
@@ -54,6 +55,26 @@ TEST_F(ReportTest, RejectsBadUsage) {
   EXPECT_EQ(run("--compare " + run_.path()), 2);
   EXPECT_THAT(output(), HasSubstr("--compare needs two run folders"));
   EXPECT_EQ(run(run_.path() + " " + run_.path()), 2);
+}
+
+TEST_F(ReportTest, DrawsNothingWhenNoPlotIsWanted) {
+  EXPECT_EQ(run("--no-plot " + run_.path(), "PATH=/nowhere"), 0) << output();
+  EXPECT_THAT(output(), ::testing::Not(HasSubstr("Plot")));
+  EXPECT_EQ(run_.read("plot.svg"), "");
+  EXPECT_EQ(run_.read("summary.txt"), output()) << "what it prints is what it writes";
+}
+
+TEST_F(ReportTest, ReportsARunWhoseClockWasSet) {
+  std::ofstream(run_.path("gcs/messages.csv"), std::ios::app)
+      << "1800000000,1800000000,camera/image,1,6,1000\n";
+  EXPECT_EQ(run("--no-plot " + run_.path(), "ulimit -v 2000000;"), 0) << output();
+  EXPECT_THAT(output(), HasSubstr("uxv low                                 4      2   33.3"));
+}
+
+TEST_F(ReportTest, AHalfWrittenRowIsLeftOut) {
+  std::ofstream(run_.path("gcs/messages.csv"), std::ios::app) << "1006.5,1006.0,camera/im";
+  EXPECT_EQ(run("--no-plot " + run_.path()), 0) << output();
+  EXPECT_THAT(output(), HasSubstr("uxv low                                 3      2   40.0"));
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 namespace tocsin::report {
 namespace {
@@ -77,6 +79,97 @@ TEST(ByteRates, SumTheBytesOfEachSecond) {
 TEST(ByteRates, LeaveOutWhatIsOutside) {
   EXPECT_THAT(byte_rates({arrival(0, 9.9), arrival(0, 12)}, 10, 12), ElementsAre(0, 0));
   EXPECT_THAT(byte_rates({arrival(0, 9.9)}, 10, 10), IsEmpty());
+}
+
+constexpr double born_s = 1.0;         // the clock of a computer without a battery
+constexpr double corrected_s = 1.8e9;  // after NTP
+
+TEST(Ages, AClockThatIsSetByYearsCostsNoMemory) {
+  const auto sut =
+      ages({arrival(born_s, born_s), arrival(corrected_s, corrected_s)}, corrected_s + 100, 0.1);
+  EXPECT_LE(sut.size(), 1'000'001U);
+  EXPECT_EQ(sut.front(), 0);
+  EXPECT_LT(sut.back(), 3600) << "of the newest one";
+}
+
+TEST(Ages, TimesThatAreNoneHaveNoAge) {
+  EXPECT_THAT(ages({arrival(-1e308, -1e308)}, 1e308, 0.1), IsEmpty());
+}
+
+TEST(ByteRates, AClockThatIsSetByYearsCostsNoMemory) {
+  const auto sut = byte_rates({arrival(born_s, born_s), arrival(corrected_s, corrected_s)}, born_s,
+                              corrected_s + 1);
+  EXPECT_LE(sut.size(), 100'000U);
+  const double bin_s = rate_bin_s(born_s, corrected_s + 1);
+  EXPECT_NEAR(std::accumulate(sut.begin(), sut.end(), 0.0) * bin_s, 200, 1e-6) << "no byte is lost";
+}
+
+TEST(ByteRates, BinsAreSecondsForMoreThanADay) {
+  EXPECT_EQ(rate_bin_s(0, 1e5), 1);
+  EXPECT_EQ(rate_bin_s(0, 1e5 + 1), 2);
+}
+
+/// Samples of one writer, sent each second; some are lost, some late, some overtake others.
+std::vector<Arrival> random_arrivals(unsigned seed) {
+  std::minstd_rand random(seed);
+  std::vector<Arrival> arrivals;
+  for (std::uint64_t i = 1; i <= 60; ++i) {
+    const double sent_s = 1000 + static_cast<double>(i);
+    const double late_s = static_cast<double>(random() % 4000) / 1000;
+    if (random() % 4 != 0) arrivals.push_back(arrival(sent_s, sent_s + late_s, i));
+  }
+  std::shuffle(arrivals.begin(), arrivals.end(), random);
+  return arrivals;
+}
+
+TEST(Ages, AreThoseThatLookingAtEveryArrivalGives) {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    const auto arrivals = random_arrivals(seed);
+    const auto earliest = std::min_element(
+        arrivals.begin(), arrivals.end(),
+        [](const Arrival& a, const Arrival& b) { return a.received_s < b.received_s; });
+    const auto sut = ages(arrivals, 1070, 0.5);
+    for (std::size_t i = 0; i < sut.size(); ++i) {
+      const double now_s = earliest->received_s + 0.5 * static_cast<double>(i);
+      double newest_s = 0;
+      for (const Arrival& one : arrivals) {
+        if (one.received_s <= now_s) newest_s = std::max(newest_s, one.sent_s);
+      }
+      ASSERT_NEAR(sut[i], now_s - newest_s, 1e-9) << seed;
+    }
+  }
+}
+
+TEST(Lost, IsWhatIsMissingBetweenTheFirstAndTheLastInAnyOrder) {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    const auto arrivals = random_arrivals(seed);
+    std::uint64_t first = 1000;
+    std::uint64_t last = 0;
+    for (const Arrival& one : arrivals) {
+      first = std::min(first, one.sequence);
+      last = std::max(last, one.sequence);
+    }
+    ASSERT_EQ(lost(arrivals), last - first + 1 - arrivals.size()) << seed;
+  }
+}
+
+TEST(Lost, ASampleThatCameTwiceHidesNoneOfAnotherWriter) {
+  EXPECT_EQ(
+      lost({arrival(0, 0, 1), arrival(0, 0, 1), arrival(0, 0, 4, "x"), arrival(0, 0, 6, "x")}), 1U);
+}
+
+TEST(Percentile, IsTheSameAsInASortedList) {
+  std::minstd_rand random(3);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<double> values(1 + random() % 50);
+    for (double& value : values) value = static_cast<double>(random() % 100);
+    std::vector<double> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    const double share = static_cast<double>(1 + random() % 100) / 100;
+    const double found = percentile(values, share);
+    const auto below = std::upper_bound(sorted.begin(), sorted.end(), found) - sorted.begin();
+    ASSERT_GE(static_cast<double>(below), share * static_cast<double>(values.size()) - 1e-9);
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include "report/print.hpp"
 #include "toy_run.hpp"
@@ -125,6 +126,26 @@ TEST(Print, ComparesTwoRunsRowByRow) {
   EXPECT_THAT(sut, HasSubstr("| tocp_dsp"));
   EXPECT_THAT(sut, HasSubstr("\nuxv low            |    500    500"));
   EXPECT_THAT(sut, HasSubstr("\ngoals              |      -      -      -      -      -  |"));
+}
+
+TEST(Print, ColumnsKeepTheirWidthWhateverTheNumbers) {
+  Summary summary;
+  for (const double value : {0.0, 0.04, 99.94, 99.96, 1234.5, -7.0, 9.9e5, 1e6, 1e300}) {
+    Traffic row;
+    row.name = "topic";
+    row.received = 1;
+    row.latency_s = {value / 1000, value / 1000};
+    row.age_s = {std::nan(""), value / 1000};
+    row.bytes_per_s = value * 1000;
+    summary.topics.push_back(row);
+  }
+  const std::string text = to_text(summary);
+  std::istringstream lines(text.substr(text.find("\ntopic") + 1));
+  std::size_t width = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (width == 0) width = line.size();
+    EXPECT_EQ(line.size(), width) << line;
+  }
 }
 
 }  // namespace

@@ -32,10 +32,14 @@ struct Spread {
 [[nodiscard]] std::uint64_t lost(const std::vector<Arrival>& arrivals);
 
 /// How old [s] the newest sample of one topic was at the receiver, looked at every `step_s` from
-/// the first arrival to `end_s`.
+/// the first arrival to `end_s`; less often where that were more than a million times, as when the
+/// clock was set by years during the run.
 [[nodiscard]] std::vector<double> ages(std::vector<Arrival> arrivals, double end_s, double step_s);
 
-/// Received bytes per second in bins of one second from `begin_s` to `end_s`.
+/// Width [s] of the bins of `byte_rates`: one second, more where that were more than 100,000.
+[[nodiscard]] double rate_bin_s(double begin_s, double end_s);
+
+/// Received bytes per second in bins of `rate_bin_s` from `begin_s` to `end_s`.
 [[nodiscard]] std::vector<double> byte_rates(const std::vector<Arrival>& arrivals, double begin_s,
                                              double end_s);
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is drawn: the data and the script that gnuplot gets.
+#include "report/plot.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "foundation/error.hpp"
+#include "toy_run.hpp"
+
+namespace tocsin::report {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class PlotTest : public ::testing::Test {
+ protected:
+  /// With or without gnuplot on this computer.
+  void draw() {
+    try {
+      draw_plot(load_recording(run_.path()));
+    } catch (const EnvironmentError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("gnuplot"));
+    }
+  }
+  [[nodiscard]] std::string text(const std::string& name) const {
+    return run_.read("plot/" + name);
+  }
+  ToyRun run_;
+};
+
+TEST_F(PlotTest, TimesAreSecondsSinceTheRunBegan) {
+  draw();
+  EXPECT_THAT(text("qni.dat"), StartsWith("0 90\n20 30\n30 70\n60 nan\n"));
+  EXPECT_EQ(text("per.dat"), "0 0\n20 40\n");
+}
+
+TEST_F(PlotTest, TrafficHasABlockForEachClassAndAPointForEachSecond) {
+  draw();
+  const std::string traffic = text("traffic.dat");
+  std::size_t blocks = 0;
+  for (std::size_t at = 0; (at = traffic.find("\n\n\n", at)) != std::string::npos; ++at) ++blocks;
+  EXPECT_EQ(blocks, 3U) << "gcs high, uxv critical, uxv low";
+  EXPECT_THAT(traffic, AllOf(HasSubstr("\n0.5 8\n"), HasSubstr("\n99.5 0\n")))
+      << "1000 bytes in the first second are 8 kbit/s";
+  EXPECT_THAT(text("plot.gnuplot"),
+              AllOf(HasSubstr("index 0 "), HasSubstr("index 2 "), Not(HasSubstr("index 3 "))));
+}
+
+TEST_F(PlotTest, PausesAreBoxesAndTheLastOneEndsWithTheRun) {
+  draw();
+  EXPECT_THAT(text("plot.gnuplot"),
+              AllOf(HasSubstr("from 20.000000, graph 0 to 30.000000, graph 1"),
+                    HasSubstr("from 60.000000, graph 0 to 100.000000, graph 1")));
+}
+
+TEST_F(PlotTest, AMissionsNameIsTextAndNoCommand) {
+  std::ofstream(run_.path("gcs/mission_status.csv"), std::ios::app)
+      << "1101,1101,\"`touch made`'; system 'touch made'\",done,8,9,12,99.5\n";
+  draw();
+  EXPECT_FALSE(std::filesystem::exists(run_.path("plot/made")));
+  EXPECT_THAT(text("plot.gnuplot"), Not(HasSubstr("`")));
+}
+
+TEST_F(PlotTest, NumbersOfAPeerMayBeAnything) {
+  std::ofstream(run_.path("gcs/mission_status.csv"), std::ios::app)
+      << "1101,1101,m,done,4294967295,1e300,-7,nan\n";
+  const Recording recording = load_recording(run_.path());
+  EXPECT_EQ(recording.mission.waypoint, 1'000'000'000);
+  EXPECT_EQ(recording.mission.waypoints, 1'000'000'000);
+  EXPECT_EQ(recording.mission.goals_sent, 0);
+}
+
+TEST_F(PlotTest, AClockThatWasSetDuringTheRunIsDrawnAllTheSame) {
+  std::ofstream(run_.path("gcs/messages.csv"), std::ios::app)
+      << "1800000000,1800000000,camera/image,1,6,1000\n";
+  draw();
+  EXPECT_LT(text("traffic.dat").size(), 10'000'000U);
+}
+
+}  // namespace
+}  // namespace tocsin::report
