@@ -39,17 +39,14 @@ bool ends_with_newline(const std::string& path) {
 }  // namespace
 
 CsvFile::CsvFile(const std::string& path, const std::vector<std::string>& columns)
-    : descriptor_(::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644)) {
-  if (descriptor_ < 0) throw ConfigError(path + ": cannot be written: " + std::strerror(errno));
+    : file_(::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644)) {
+  if (!file_) throw ConfigError(path + ": cannot be written: " + std::strerror(errno));
   std::error_code none;
   is_cut_ = !ends_with_newline(path);
   if (std::filesystem::file_size(path, none) == 0 || none) waiting_ = row_of(columns);
 }
 
-CsvFile::~CsvFile() {
-  (void)flush();
-  ::close(descriptor_);
-}
+CsvFile::~CsvFile() { (void)flush(); }
 
 void CsvFile::write(const std::vector<std::string>& cells) {
   waiting_ += row_of(cells);
@@ -61,7 +58,7 @@ bool CsvFile::flush() {
   if (is_cut_) waiting_.insert(waiting_.begin(), '\n');
   std::string_view rest = waiting_;
   while (!rest.empty()) {
-    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    const ssize_t written = ::write(file_.get(), rest.data(), rest.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) break;
     rest.remove_prefix(static_cast<std::size_t>(written));

@@ -30,7 +30,7 @@ void BringupOptions::declare(CLI::App& app) {
 
 void BringupOptions::locate() {
   overrides.share = share_folder(own_program()).string();
-  if (domain >= 0) overrides.domain = domain;
+  if (domain) overrides.domain = domain;
   const fs::path shared = fs::path(overrides.share) / "bringup" / file;
   const bool bare = file.find('/') == std::string::npos;
   if (bare && !fs::exists(file) && fs::exists(shared)) file = shared.string();
@@ -45,7 +45,7 @@ std::vector<std::string> BringupOptions::arguments() const {
   for (const std::string& setting : overrides.set) add("--set", setting);
   for (const std::string& process : overrides.without) add("--without", process);
   if (!overrides.channel.empty()) add("--channel", overrides.channel);
-  if (domain >= 0) add("--domain", std::to_string(domain));
+  if (domain) add("--domain", std::to_string(*domain));
   return words;
 }
 

@@ -20,7 +20,7 @@ std::string located(const std::string& process, const std::string& program,
 std::vector<ProcessSpec> plan_processes(const deployment::Deployment& deployment,
                                         const ResolvedFile& file, const Folders& folders) {
   std::vector<ProcessSpec> specs;
-  int index = 0;
+  std::size_t index = 0;
   for (const deployment::Host& host : deployment.hosts) {
     for (const deployment::Program& program : host.programs) {
       ProcessSpec spec{host.name + "/" + program.name, program.command, index, false, false};
@@ -45,7 +45,8 @@ std::vector<ProcessSpec> plan_processes(const deployment::Deployment& deployment
 ProcessSpec plan_radio(const deployment::Deployment& deployment,
                        const std::vector<int>& descriptors, const Folders& folders) {
   assert(deployment.radio && descriptors.size() == deployment.hosts.size());
-  ProcessSpec spec{"radio", {located("radio", "link_emulator", folders)}, -1, false, true};
+  ProcessSpec spec{
+      "radio", {located("radio", "link_emulator", folders)}, std::nullopt, false, true};
   const auto add = [&](const std::string& option, const std::string& value) {
     spec.command.push_back(option);
     spec.command.push_back(value);

@@ -41,8 +41,8 @@ TEST_F(PlanTest, StartsProgramsBeforeContainersHostByHost) {
   EXPECT_EQ(specs[0].name, "robot/base");
   EXPECT_EQ(specs[1].name, "robot/drive");
   EXPECT_EQ(specs[2].name, "desk/mission");
-  EXPECT_EQ(specs[1].host, 0);
-  EXPECT_EQ(specs[2].host, 1);
+  EXPECT_EQ(specs[1].host, 0U);
+  EXPECT_EQ(specs[2].host, 1U);
 }
 
 TEST_F(PlanTest, LocatesProgramsAndKeepsTheirArguments) {
@@ -71,7 +71,7 @@ TEST_F(PlanTest, RejectsAProgramThatIsNotFound) {
 TEST_F(PlanTest, JoinsTheHostsByTheirRoles) {
   const ProcessSpec sut = plan_radio(deployment_, {5, 6}, folders_);
   EXPECT_EQ(sut.name, "radio");
-  EXPECT_EQ(sut.host, -1);
+  EXPECT_FALSE(sut.host);
   EXPECT_THAT(
       sut.command,
       ElementsAre(folder_.path("link_emulator"), "--channel", "/c.yaml", "--walls", "/w.yaml",

@@ -11,6 +11,7 @@
 
 #include "deployment/running_host.hpp"
 #include "foundation/error.hpp"
+#include "foundation/file_descriptor.hpp"
 
 namespace tocsin::deployment {
 namespace {
@@ -26,24 +27,19 @@ bool same_namespace(const std::string& process, const char* kind) {
          ::stat(path_of(process, kind).c_str(), &other) == 0 && own.st_ino == other.st_ino;
 }
 
-/// -1 when this program is in it already.
-int open_namespace(const std::string& process, const char* kind) {
-  if (same_namespace(process, kind)) return -1;
-  const int descriptor = ::open(path_of(process, kind).c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor >= 0) return descriptor;
+/// None when this program is in it already.
+FileDescriptor open_namespace(const std::string& process, const char* kind) {
+  if (same_namespace(process, kind)) return {};
+  FileDescriptor descriptor(::open(path_of(process, kind).c_str(), O_RDONLY | O_CLOEXEC));
+  if (descriptor) return descriptor;
   throw EnvironmentError("cannot look into process " + process + ": " +
                          std::system_category().message(errno) + "; run as who launched it");
 }
 
-void enter(int descriptor, int kind) {
-  if (descriptor < 0) return;
-  const bool entered = ::setns(descriptor, kind) == 0;
-  const int reason = errno;
-  ::close(descriptor);
-  if (!entered) {
-    throw EnvironmentError("cannot enter the emulated host: " +
-                           std::system_category().message(reason) + "; run as who launched it");
-  }
+void enter(const FileDescriptor& descriptor, int kind) {
+  if (!descriptor || ::setns(descriptor.get(), kind) == 0) return;
+  throw EnvironmentError("cannot enter the emulated host: " +
+                         std::system_category().message(errno) + "; run as who launched it");
 }
 
 }  // namespace
@@ -53,10 +49,10 @@ void enter_namespaces(pid_t process) {
   const std::filesystem::path folder = std::filesystem::current_path(ignored);
   const std::string its = std::to_string(process);
   // All are opened first: from inside, /proc may show other processes.
-  const int net = open_namespace(its, "net");
-  if (net < 0) return;
-  const int user = open_namespace(its, "user");
-  const int mount = open_namespace(its, "mnt");
+  const FileDescriptor net = open_namespace(its, "net");
+  if (!net) return;
+  const FileDescriptor user = open_namespace(its, "user");
+  const FileDescriptor mount = open_namespace(its, "mnt");
   enter(user, CLONE_NEWUSER);
   enter(net, CLONE_NEWNET);
   enter(mount, CLONE_NEWNS);  // the working folder is now /

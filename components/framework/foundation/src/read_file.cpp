@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "foundation/error.hpp"
+#include "foundation/file_descriptor.hpp"
 
 namespace tocsin {
 namespace {
@@ -21,18 +22,16 @@ namespace {
 }  // namespace
 
 std::string read_file(const std::string& path, std::size_t longest) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(path, "cannot be read: " + std::system_category().message(errno));
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file) fail(path, "cannot be read: " + std::system_category().message(errno));
   std::string bytes;
   std::array<char, 65536> part;
   ssize_t got = 0;
   do {
-    got = ::read(descriptor, part.data(), part.size());
+    got = ::read(file.get(), part.data(), part.size());
     if (got > 0) bytes.append(part.data(), static_cast<std::size_t>(got));
   } while ((got > 0 && bytes.size() <= longest) || (got < 0 && errno == EINTR));
-  const int reason = errno;
-  ::close(descriptor);
-  if (got < 0) fail(path, "cannot be read: " + std::system_category().message(reason));
+  if (got < 0) fail(path, "cannot be read: " + std::system_category().message(errno));
   if (bytes.size() > longest) fail(path, "has more than " + std::to_string(longest) + " bytes");
   return bytes;
 }

@@ -78,25 +78,17 @@ bool fill(int descriptor) {
 
 }  // namespace
 
-StateFile::~StateFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 std::optional<std::string> StateFile::load() const {
   auto slot = newest(path_);
   return slot ? std::optional(std::move(slot->text)) : std::nullopt;
 }
 
 bool StateFile::open() {
-  if (descriptor_ >= 0) return true;
+  if (file_) return true;
   const auto last = newest(path_);
-  const int descriptor = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (descriptor < 0) return false;
-  if (!fill(descriptor)) {
-    ::close(descriptor);
-    return false;
-  }
-  descriptor_ = descriptor;
+  FileDescriptor file(::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+  if (!file || !fill(file.get())) return false;
+  file_ = std::move(file);
   sequence_ = last ? last->sequence : 0;
   return true;
 }
@@ -105,7 +97,7 @@ bool StateFile::save(const std::string& text) {
   if (path_.empty()) return true;
   if (text.size() > longest || !open()) return false;
   const std::uint64_t next = sequence_ + 1;
-  if (!write_at(descriptor_, to_bytes({next, text}), next % 2 * slot_bytes)) return false;
+  if (!write_at(file_.get(), to_bytes({next, text}), next % 2 * slot_bytes)) return false;
   sequence_ = next;
   return true;
 }

@@ -57,15 +57,14 @@ TemporaryFolder::TemporaryFolder() {
   path_ = name;
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return;  // the destructor alone removes it
-  lifeline_ = ends[1];
-  (void)spawn_remover(name, ends[0]);
-  ::close(ends[0]);
+  const FileDescriptor reading(ends[0]);
+  lifeline_.reset(ends[1]);
+  (void)spawn_remover(name, reading.get());
 }
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;  // nothing can be done about it here
   std::filesystem::remove_all(path_, ignored);
-  if (lifeline_ >= 0) ::close(lifeline_);
 }
 
 std::string TemporaryFolder::write(const std::string& name, const std::string& text) const {

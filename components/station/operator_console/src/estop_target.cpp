@@ -31,14 +31,12 @@ BusOptions bus_of(const deployment::Deployment& deployment, const deployment::Ho
 }
 
 /// Where no station is, so that an order for the vehicle itself reaches no other station.
-int nobodys_domain(int link_domain) { return link_domain == 231 ? 230 : 231; }
+int nobodys_domain(std::optional<int> link_domain) { return link_domain == 231 ? 230 : 231; }
 
-bool names_domains(const EstopOptions& options) {
-  return options.domain >= 0 || options.link_domain >= 0;
-}
+bool names_domains(const EstopOptions& options) { return options.domain || options.link_domain; }
 
 EstopTarget target_of(const EstopOptions& options) {
-  const bool has_link = options.link_domain >= 0;
+  const bool has_link = options.link_domain.has_value();
   if (has_link == options.address.empty() || has_link == options.peers.empty()) {
     throw ConfigError("--link-domain, --address and --peer belong together");
   }
@@ -46,10 +44,10 @@ EstopTarget target_of(const EstopOptions& options) {
   bus.name = "estop";
   bus.role = options.join.host;
   bus.ros_namespace = options.ros_namespace;
-  bus.host_domain = options.domain >= 0 ? options.domain : nobodys_domain(options.link_domain);
+  bus.host_domain = options.domain.value_or(nobodys_domain(options.link_domain));
   bus.processes = processes;
   if (has_link) {
-    bus.link_domain = options.link_domain;
+    bus.link_domain = *options.link_domain;
     bus.link_address = options.address;
     bus.link_peers = options.peers;
   }

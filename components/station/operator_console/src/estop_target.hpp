@@ -23,9 +23,9 @@ struct EstopTarget {
 struct EstopOptions {
   JoinOptions join;
   // In place of a run: names one by its DDS domains.
-  int domain = -1;       ///< of the station's host; -1: none
-  int link_domain = -1;  ///< of the topics that cross the radio; -1: none
-  std::string address;   ///< own IPv4 on the link
+  std::optional<int> domain;       ///< of the station's host
+  std::optional<int> link_domain;  ///< of the topics that cross the radio
+  std::string address;             ///< own IPv4 on the link
   std::vector<std::string> peers;
   std::string ros_namespace;
 

@@ -12,6 +12,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "foundation/file_descriptor.hpp"
+
 namespace tocsin::doctor {
 namespace {
 
@@ -47,17 +49,6 @@ std::uint32_t now_ms() {
   const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(since).count();
   return static_cast<std::uint32_t>(ms % day_ms);
 }
-
-/// Closes a socket at the end of its scope.
-struct Socket {
-  int descriptor = ::socket(AF_INET, SOCK_RAW | SOCK_CLOEXEC, IPPROTO_ICMP);
-  Socket() = default;
-  ~Socket() {
-    if (descriptor >= 0) ::close(descriptor);
-  }
-  Socket(const Socket&) = delete;
-  Socket& operator=(const Socket&) = delete;
-};
 
 /// The first reply that comes within a second.
 std::optional<double> wait_for_reply(int descriptor, std::uint16_t id) {
@@ -115,8 +106,8 @@ Advice judge_clock(const std::string& peer, double ahead_ms) {
 }
 
 Advice compare_clock(const std::string& peer) {
-  const Socket socket;
-  if (socket.descriptor < 0) {
+  const FileDescriptor socket(::socket(AF_INET, SOCK_RAW | SOCK_CLOEXEC, IPPROTO_ICMP));
+  if (!socket) {
     return {Fitness::unknown, "clock of " + peer + ": not compared, needs root", ""};
   }
   sockaddr_in to{};
@@ -124,11 +115,11 @@ Advice compare_clock(const std::string& peer) {
   ::inet_pton(AF_INET, peer.c_str(), &to.sin_addr);
   const auto id = static_cast<std::uint16_t>(::getpid());
   const IcmpTimestamp request = timestamp_request(id, now_ms());
-  if (::sendto(socket.descriptor, request.data(), request.size(), 0,
+  if (::sendto(socket.get(), request.data(), request.size(), 0,
                reinterpret_cast<const sockaddr*>(&to), sizeof to) < 0) {
     return {Fitness::bad, "peer " + peer + ": " + std::strerror(errno), "is the radio up?"};
   }
-  const auto ahead = wait_for_reply(socket.descriptor, id);
+  const auto ahead = wait_for_reply(socket.get(), id);
   if (ahead) return judge_clock(peer, *ahead);
   return {Fitness::bad, "peer " + peer + " does not answer within 1 s",
           "is it on, in reach, and free to answer ICMP timestamps?"};

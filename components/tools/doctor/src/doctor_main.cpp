@@ -14,6 +14,7 @@
 #include "command_line/command.hpp"
 #include "domain_ports.hpp"
 #include "foundation/error.hpp"
+#include "foundation/file_descriptor.hpp"
 #include "interfaces.hpp"
 #include "leftovers.hpp"
 #include "limits.hpp"
@@ -36,10 +37,7 @@ std::optional<std::string> read_sysctl(std::string name) {
 
 /// 0 when it can be opened for reading and writing, else the errno.
 int error_of_opening(const char* device) {
-  const int descriptor = ::open(device, O_RDWR | O_CLOEXEC);
-  if (descriptor < 0) return errno;
-  ::close(descriptor);
-  return 0;
+  return FileDescriptor(::open(device, O_RDWR | O_CLOEXEC)) ? 0 : errno;
 }
 
 Advice judge_shared_memory(bool clean) {

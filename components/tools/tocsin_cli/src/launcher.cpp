@@ -63,13 +63,13 @@ int Launcher::run() {
 }
 
 void Launcher::start(Process& process, Time now) {
-  const int host = process.spec().host;
+  const auto host = process.spec().host;
   std::vector<int> inherited;
   int network = -1;
-  if (host < 0) {
+  if (!host) {
     for (const HostNetwork& each : networks_) inherited.push_back(each.descriptor());
   } else if (!networks_.empty()) {
-    network = networks_[static_cast<std::size_t>(host)].descriptor();
+    network = networks_[*host].descriptor();
   }
   process.start(network, inherited, now);
   write_processes();

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "foundation/file_descriptor.hpp"
 #include "port_holder.hpp"
 
 namespace tocsin::kobuki {
@@ -18,28 +19,25 @@ namespace {
 
 class SerialPort final : public BytePort {
  public:
-  explicit SerialPort(int fd) : fd_(fd) {}
-  ~SerialPort() override {
-    ::ioctl(fd_, TIOCNXCL);
-    ::close(fd_);
-  }
+  explicit SerialPort(FileDescriptor port) : port_(std::move(port)) {}
+  ~SerialPort() override { ::ioctl(port_.get(), TIOCNXCL); }
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  int descriptor() const override { return fd_; }
+  int descriptor() const override { return port_.get(); }
   std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override {
-    const auto count = ::read(fd_, to, size);
+    const auto count = ::read(port_.get(), to, size);
     if (count > 0) return static_cast<std::size_t>(count);
     if (count < 0 && (errno == EAGAIN || errno == EINTR)) return 0;
     return std::nullopt;  // 0 is a hang-up: VMIN is 1
   }
   bool write(ByteView bytes) override {
-    const auto count = ::write(fd_, bytes.data, bytes.size);
+    const auto count = ::write(port_.get(), bytes.data, bytes.size);
     return count >= 0 || errno == EAGAIN || errno == EINTR;
   }
 
  private:
-  int fd_;
+  FileDescriptor port_;
 };
 
 bool lock(int fd) {
@@ -84,20 +82,14 @@ Opened absent(const std::string& path, const std::string& why) {
 }  // namespace
 
 Opened open_serial_port(const std::string& path) {
-  const int fd = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (fd < 0 && errno == EBUSY) return busy(path);
-  if (fd < 0) return absent(path, std::strerror(errno));
-  if (::isatty(fd) == 0) {
-    ::close(fd);
-    return absent(path, "is not a serial port");
-  }
-  if (!lock(fd)) {
-    ::close(fd);
-    return busy(path);
-  }
-  auto port = std::make_unique<SerialPort>(fd);
-  if (!configure(fd)) return absent(path, "cannot be set to 115200 baud");
-  ask_for_low_latency(fd);
+  FileDescriptor file(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  if (!file && errno == EBUSY) return busy(path);
+  if (!file) return absent(path, std::strerror(errno));
+  if (::isatty(file.get()) == 0) return absent(path, "is not a serial port");
+  if (!lock(file.get())) return busy(path);
+  auto port = std::make_unique<SerialPort>(std::move(file));
+  if (!configure(port->descriptor())) return absent(path, "cannot be set to 115200 baud");
+  ask_for_low_latency(port->descriptor());
   return {Opened::Result::open, std::move(port), {}, false};
 }
 

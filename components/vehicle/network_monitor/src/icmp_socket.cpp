@@ -66,28 +66,25 @@ std::optional<Echo> decode(const std::uint8_t* data, std::size_t size, bool raw)
 IcmpSocket::IcmpSocket(const std::string& target, std::size_t payload_bytes, std::uint8_t dscp)
     : target_(parse_target(target)), payload_bytes_(std::max(payload_bytes, min_echo_payload)) {
   open_datagram();
-  if (fd_ < 0) open_raw();
+  if (!socket_) open_raw();
   const int on = 1;
   // Without the kernel's stamp the time of reading is used: no reason to fail.
-  (void)setsockopt(fd_, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on);
+  (void)setsockopt(socket_.get(), SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on);
   const int tos = dscp << 2;  // a kernel that refuses it costs the priority only
-  (void)setsockopt(fd_, IPPROTO_IP, IP_TOS, &tos, sizeof tos);
+  (void)setsockopt(socket_.get(), IPPROTO_IP, IP_TOS, &tos, sizeof tos);
 }
 
-IcmpSocket::~IcmpSocket() { close(fd_); }
-
 void IcmpSocket::open_datagram() {
-  fd_ = socket(AF_INET, SOCK_DGRAM | flags, IPPROTO_ICMP);
-  if (fd_ < 0) return;
+  socket_.reset(socket(AF_INET, SOCK_DGRAM | flags, IPPROTO_ICMP));
+  if (!socket_) return;
   sockaddr_in own{};
   own.sin_family = AF_INET;
   socklen_t size = sizeof own;
   // The kernel replaces the identifier of a request by this "port", and filters replies by it.
-  const bool bound = bind(fd_, reinterpret_cast<sockaddr*>(&own), size) == 0 &&
-                     getsockname(fd_, reinterpret_cast<sockaddr*>(&own), &size) == 0;
+  const bool bound = bind(socket_.get(), reinterpret_cast<sockaddr*>(&own), size) == 0 &&
+                     getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&own), &size) == 0;
   if (!bound) {
-    close(fd_);
-    fd_ = -1;
+    socket_.reset();
     return;
   }
   identify();
@@ -95,8 +92,8 @@ void IcmpSocket::open_datagram() {
 }
 
 void IcmpSocket::open_raw() {
-  fd_ = socket(AF_INET, SOCK_RAW | flags, IPPROTO_ICMP);
-  if (fd_ < 0) {
+  socket_.reset(socket(AF_INET, SOCK_RAW | flags, IPPROTO_ICMP));
+  if (!socket_) {
     throw EnvironmentError(
         "ICMP echo needs a group of this process in net.ipv4.ping_group_range (sysctl -w "
         "net.ipv4.ping_group_range='0 2147483647'), or the capability CAP_NET_RAW: " +
@@ -105,7 +102,7 @@ void IcmpSocket::open_raw() {
   raw_ = true;
   icmp_filter filter{};
   filter.data = ~(1U << ICMP_ECHOREPLY);
-  (void)setsockopt(fd_, SOL_RAW, ICMP_FILTER, &filter, sizeof filter);
+  (void)setsockopt(socket_.get(), SOL_RAW, ICMP_FILTER, &filter, sizeof filter);
   identify();
 }
 
@@ -119,7 +116,7 @@ SendResult IcmpSocket::send(std::uint16_t sequence) {
   const auto packet = encode_echo_request({id_, sequence, token_}, payload_bytes_);
   SendResult result;
   result.at = std::chrono::steady_clock::now();
-  const ssize_t sent = sendto(fd_, packet.data(), packet.size(), 0,
+  const ssize_t sent = sendto(socket_.get(), packet.data(), packet.size(), 0,
                               reinterpret_cast<const sockaddr*>(&target_), sizeof target_);
   if (sent < 0) result.error = errno;
   return result;
@@ -135,7 +132,7 @@ std::optional<EchoReply> IcmpSocket::receive() {
     message.msg_iovlen = 1;
     message.msg_control = control.data();
     message.msg_controllen = control.size();
-    const ssize_t size = recvmsg(fd_, &message, 0);
+    const ssize_t size = recvmsg(socket_.get(), &message, 0);
     if (size < 0) return std::nullopt;
     const auto echo = decode(packet.data(), static_cast<std::size_t>(size), raw_);
     if (!echo || echo->id != id_ || echo->token != token_) continue;

@@ -12,6 +12,8 @@
 #include <sstream>
 #include <utility>
 
+#include "foundation/file_descriptor.hpp"
+
 namespace tocsin::network {
 namespace {
 
@@ -28,9 +30,8 @@ std::string why_dead(const std::string& interface) {
   if (if_nametoindex(interface.c_str()) == 0) return "there is no interface " + interface;
   ifreq request{};
   interface.copy(request.ifr_name, IFNAMSIZ - 1);
-  const int descriptor = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  const bool told = ioctl(descriptor, SIOCGIFFLAGS, &request) == 0;
-  close(descriptor);
+  const FileDescriptor any(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  const bool told = ioctl(any.get(), SIOCGIFFLAGS, &request) == 0;
   return told && (request.ifr_flags & IFF_UP) == 0 ? interface + " is down" : "";
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "foundation/file_descriptor.hpp"
+
 namespace tocsin {
 
 /// A CSV file that only grows: each run appends, the first row names the columns.
@@ -26,7 +28,7 @@ class CsvFile {
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
 
  private:
-  int descriptor_;
+  FileDescriptor file_;
   std::string waiting_;
   bool is_cut_ = false;  ///< the file ends in the middle of a row
   std::uint64_t lost_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace tocsin {
 struct BringupOptions {
   std::string file;
   deployment::Overrides overrides;
-  int domain = -1;  ///< in place of the file's; -1: the file's
+  std::optional<int> domain;  ///< in place of the file's
 
   /// Adds FILE, --set, --without, --seed, --channel and --domain to a command.
   void declare(CLI::App& app);

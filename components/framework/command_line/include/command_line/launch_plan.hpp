@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +15,7 @@ namespace tocsin {
 struct ProcessSpec {
   std::string name;                  ///< "host/process", or "radio"
   std::vector<std::string> command;  ///< the program's path and its arguments
-  int host = -1;                     ///< index of its host; -1 runs outside of all hosts
+  std::optional<std::size_t> host;   ///< index of its host; none: it runs outside of all hosts
   bool terminal = false;             ///< its stdout is the launcher's
   /// A program of the stack that with `--check` behind its arguments only looks at them and the
   /// files that they name: exit code 0, or one line and 2.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "deployment/deployment.hpp"
+#include "foundation/file_descriptor.hpp"
 
 namespace tocsin::deployment {
 
@@ -13,15 +14,12 @@ class ResolvedCopy {
  public:
   /// Throws EnvironmentError when there is no memory for it.
   explicit ResolvedCopy(const Deployment& deployment);
-  ~ResolvedCopy();
-  ResolvedCopy(const ResolvedCopy&) = delete;
-  ResolvedCopy& operator=(const ResolvedCopy&) = delete;
 
   /// Where this process, and those that it starts, read it.
   [[nodiscard]] std::string path() const;
 
  private:
-  int descriptor_;
+  FileDescriptor file_;
 };
 
 }  // namespace tocsin::deployment

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include "foundation/file_descriptor.hpp"
+
 namespace tocsin {
 
 /// Keeps a folder for one process as long as this lives; the kernel gives it back when the process
@@ -13,14 +15,9 @@ class FolderLock {
   /// Throws ConfigError when another process has the folder, EnvironmentError when it cannot be
   /// opened. On a file system that knows no locks nothing is kept.
   explicit FolderLock(const std::filesystem::path& folder);
-  ~FolderLock();
-  FolderLock(FolderLock&& other) noexcept;
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  FolderLock& operator=(FolderLock&&) = delete;
 
  private:
-  int descriptor_;  ///< -1: moved from
+  FileDescriptor folder_;
 };
 
 }  // namespace tocsin

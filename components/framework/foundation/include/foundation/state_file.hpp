@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "foundation/file_descriptor.hpp"
+
 namespace tocsin {
 
 /// A short text that a process keeps for its successor: a file with two slots, written in turn.
@@ -18,9 +20,6 @@ class StateFile {
 
   /// An empty path keeps nothing. Opens nothing yet.
   explicit StateFile(std::string path) : path_(std::move(path)) {}
-  ~StateFile();
-  StateFile(const StateFile&) = delete;
-  StateFile& operator=(const StateFile&) = delete;
 
   /// False: it keeps nothing, so that a text need not be made.
   [[nodiscard]] bool keeps() const { return !path_.empty(); }
@@ -33,7 +32,7 @@ class StateFile {
   [[nodiscard]] bool open();
 
   std::string path_;
-  int descriptor_ = -1;
+  FileDescriptor file_;
   std::uint64_t sequence_ = 0;  ///< of the last write
 };
 

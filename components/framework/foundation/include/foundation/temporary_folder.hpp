@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "foundation/file_descriptor.hpp"
+
 namespace tocsin {
 
 /// A folder in the temporary directory ($TMPDIR, else /tmp) that is removed with everything in it:
@@ -28,7 +30,7 @@ class TemporaryFolder {
 
  private:
   std::filesystem::path path_;
-  int lifeline_ = -1;  ///< end of a pipe; when it closes, the shell removes the folder
+  FileDescriptor lifeline_;  ///< end of a pipe; when it closes, the shell removes the folder
 };
 
 }  // namespace tocsin

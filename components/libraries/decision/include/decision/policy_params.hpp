@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "decision/costs.hpp"
+#include "foundation/parameters.hpp"
 
 namespace tocsin::decision {
 
@@ -14,6 +15,10 @@ struct PolicyLimits {
   double th_max_s = 180;    ///< longest silence in seconds
   double gap_reset_s = 60;  ///< a longer gap in samples voids the evidence for "turned bad"
 };
+
+/// Every policy that make_policy knows.
+inline constexpr Choices policy_names{"none",         "threshold", "tocp",  "tocp_dsp",
+                                      "tocp_reverse", "belief",    "legacy"};
 
 /// Which policy decides, and its settings. Defaults: the thesis's laws at one sample per 6 s
 /// (20 echoes, 0.3 s apart), a false alarm per 3600 good samples, silence of at most 3 minutes.
@@ -53,9 +58,7 @@ struct PolicyParams {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v("policy", policy,
-      {"none", "threshold", "tocp", "tocp_dsp", "tocp_reverse", "belief", "legacy"},
-      "who decides when to fall silent and when to resume");
+    v("policy", policy, policy_names, "who decides when to fall silent and when to resume");
     visit_limits(v);
     visit_laws(v);
     visit_detector(v);

@@ -115,7 +115,7 @@ std::size_t Pool::busy() const {
 void Pool::start(std::size_t job) {
   Worker& worker = free_worker();
   worker.job = job;
-  (void)tell(worker.socket, job);  // of one that has died meanwhile wait() will tell
+  (void)tell(worker.socket.get(), job);  // of one that has died meanwhile wait() will tell
 }
 
 Pool::Worker& Pool::free_worker() {
@@ -128,6 +128,8 @@ Pool::Worker& Pool::make_worker() {
   std::fflush(nullptr);
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) cannot_start("socketpair");
+  FileDescriptor ours(ends[0]);
+  const FileDescriptor theirs(ends[1]);
   const pid_t parent = ::getpid();
   pid_t child = 0;
   {
@@ -136,16 +138,12 @@ Pool::Worker& Pool::make_worker() {
     if (child == 0) leave_signals_to(parent);
   }
   if (child == 0) {
-    ::close(ends[0]);
-    for (const Worker& other : workers_) ::close(other.socket);  // or it would never see its end
-    work(ends[1]);
+    ours.reset();
+    workers_.clear();  // or it would never see their end
+    work(theirs.get());
   }
-  ::close(ends[1]);
-  if (child < 0) {
-    ::close(ends[0]);
-    cannot_start("fork");
-  }
-  return workers_.emplace_back(Worker{child, ends[0], std::nullopt});
+  if (child < 0) cannot_start("fork");
+  return workers_.emplace_back(Worker{child, std::move(ours), std::nullopt});
 }
 
 void Pool::work(int socket) {
@@ -159,7 +157,7 @@ void Pool::work(int socket) {
 Pool::Workers::iterator Pool::next_ready() {
   std::vector<pollfd> sockets;
   for (const Worker& worker : workers_) {
-    sockets.push_back({worker.job ? worker.socket : -1, POLLIN, 0});
+    sockets.push_back({worker.job ? worker.socket.get() : -1, POLLIN, 0});
   }
   if (::poll(sockets.data(), sockets.size(), -1) <= 0) return workers_.end();
   auto worker = workers_.begin();
@@ -172,32 +170,30 @@ Pool::Workers::iterator Pool::next_ready() {
 
 JobEnd Pool::take(Workers::iterator worker) {
   const std::size_t job = *worker->job;
-  const auto code = hear<int>(worker->socket);
+  const auto code = hear<int>(worker->socket.get());
   if (code) {
     worker->job.reset();
     return {job, *code, 0};
   }
   const int status = wait_for(worker->process);
-  ::close(worker->socket);
   workers_.erase(worker);
   return {job, WIFEXITED(status) ? WEXITSTATUS(status) : 0,
           WIFSIGNALED(status) ? WTERMSIG(status) : 0};
 }
 
-bool Pool::wait(JobEnd& end) {
+std::optional<JobEnd> Pool::wait() {
   while (!idle() && !interrupted()) {
     const auto worker = next_ready();
     if (worker == workers_.end()) continue;
-    end = take(worker);
-    return true;
+    return take(worker);
   }
-  return false;
+  return std::nullopt;
 }
 
 void Pool::stop() {
-  for (const Worker& worker : workers_) {
+  for (Worker& worker : workers_) {
     if (worker.job) ::kill(worker.process, SIGTERM);
-    ::close(worker.socket);
+    worker.socket.reset();
   }
   for (const Worker& worker : workers_) wait_for(worker.process);
   workers_.clear();

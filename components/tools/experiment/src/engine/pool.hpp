@@ -9,6 +9,8 @@
 #include <list>
 #include <optional>
 
+#include "foundation/file_descriptor.hpp"
+
 namespace tocsin::experiment {
 
 /// How a job ended.
@@ -35,8 +37,8 @@ class Pool {
   [[nodiscard]] bool idle() const { return busy() == 0; }
   /// Throws EnvironmentError when no process can be made.
   void start(std::size_t job);
-  /// Waits for the next job to end; true and `end` filled. False when interrupted or idle.
-  [[nodiscard]] bool wait(JobEnd& end);
+  /// Waits for the next job to end; none when interrupted or idle.
+  [[nodiscard]] std::optional<JobEnd> wait();
   [[nodiscard]] bool interrupted() const;
   /// Ends all jobs and workers and waits for them.
   void stop();
@@ -44,7 +46,7 @@ class Pool {
  private:
   struct Worker {
     pid_t process;
-    int socket;  ///< jobs go in, exit codes come out
+    FileDescriptor socket;  ///< jobs go in, exit codes come out
     std::optional<std::size_t> job;
   };
   using Workers = std::list<Worker>;

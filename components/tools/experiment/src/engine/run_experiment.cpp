@@ -144,9 +144,9 @@ int Session::run() {
   auto next = pending_.begin();
   while (!pool.interrupted()) {
     while (next != pending_.end() && pool.has_room()) pool.start(*next++);
-    JobEnd end{};
-    if (!pool.wait(end)) break;
-    finish(end);
+    const auto end = pool.wait();
+    if (!end) break;
+    finish(*end);
     progress.advance();
   }
   const bool interrupted = pool.interrupted();

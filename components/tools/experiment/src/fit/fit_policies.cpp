@@ -175,8 +175,7 @@ MissionFit fit_policies(const std::vector<Trace>& traces, const std::string& mis
                  text("bad_sd", params.bad_sd),
                  text("mean_good_samples", params.mean_good_samples),
                  text("mean_bad_samples", params.mean_bad_samples)};
-  for (const char* policy :
-       {"none", "threshold", "tocp", "tocp_dsp", "tocp_reverse", "belief", "legacy"}) {
+  for (const char* policy : decision::policy_names) {
     result.policies.push_back(tune(traces, params, policy));
   }
   return result;

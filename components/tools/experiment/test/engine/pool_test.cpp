@@ -27,11 +27,10 @@ TEST(Pool, RunsJobsInProcessesOfTheirOwn) {
   sut.start(4);
   EXPECT_FALSE(sut.has_room());
   std::set<int> codes;
-  JobEnd end{};
-  while (sut.wait(end)) {
-    EXPECT_EQ(end.exit_code, static_cast<int>(end.job));
-    EXPECT_EQ(end.signal, 0);
-    codes.insert(end.exit_code);
+  while (const auto end = sut.wait()) {
+    EXPECT_EQ(end->exit_code, static_cast<int>(end->job));
+    EXPECT_EQ(end->signal, 0);
+    codes.insert(end->exit_code);
   }
   EXPECT_EQ(codes, (std::set<int>{3, 4}));
   EXPECT_TRUE(sut.idle());
@@ -40,9 +39,9 @@ TEST(Pool, RunsJobsInProcessesOfTheirOwn) {
 TEST(Pool, SurvivesAJobThatCrashes) {
   Pool sut(1, [](std::size_t) -> int { std::abort(); });
   sut.start(0);
-  JobEnd end{};
-  ASSERT_TRUE(sut.wait(end));
-  EXPECT_EQ(end.signal, SIGABRT);
+  const auto end = sut.wait();
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->signal, SIGABRT);
   EXPECT_TRUE(sut.has_room());
 }
 
@@ -51,9 +50,9 @@ std::vector<int> one_by_one(Pool& pool, std::initializer_list<std::size_t> jobs)
   std::vector<int> codes;
   for (const std::size_t job : jobs) {
     pool.start(job);
-    JobEnd end{};
-    if (!pool.wait(end)) return codes;
-    codes.push_back(end.signal != 0 ? -end.signal : end.exit_code);
+    const auto end = pool.wait();
+    if (!end) return codes;
+    codes.push_back(end->signal != 0 ? -end->signal : end->exit_code);
   }
   return codes;
 }
@@ -82,8 +81,9 @@ TEST(Pool, LosesNoOtherJobToACrash) {
   sut.start(0);
   sut.start(7);
   std::map<std::size_t, int> ends;
-  JobEnd end{};
-  while (sut.wait(end)) ends[end.job] = end.signal != 0 ? -end.signal : end.exit_code;
+  while (const auto end = sut.wait()) {
+    ends[end->job] = end->signal != 0 ? -end->signal : end->exit_code;
+  }
   EXPECT_EQ(ends, (std::map<std::size_t, int>{{0, -SIGABRT}, {7, 7}}));
 }
 
@@ -116,8 +116,7 @@ TEST(Pool, IsIdleAndWaitsForNothingAtFirst) {
   Pool sut(1, forever);
   EXPECT_TRUE(sut.idle());
   EXPECT_TRUE(sut.has_room());
-  JobEnd end{};
-  EXPECT_FALSE(sut.wait(end));
+  EXPECT_FALSE(sut.wait());
 }
 
 TEST(Pool, NotesAnInterruptInsteadOfDying) {
@@ -125,8 +124,7 @@ TEST(Pool, NotesAnInterruptInsteadOfDying) {
   sut.start(0);
   std::raise(SIGINT);
   EXPECT_TRUE(sut.interrupted());
-  JobEnd end{};
-  EXPECT_FALSE(sut.wait(end));
+  EXPECT_FALSE(sut.wait());
   sut.stop();
   EXPECT_TRUE(sut.idle());
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "foundation/file_descriptor.hpp"
 #include "network_monitor/echo_port.hpp"
 
 namespace tocsin::network {
@@ -20,15 +21,12 @@ class IcmpSocket final : public EchoPort {
   /// may open neither kind of socket. `payload_bytes` is that of `ping -s`; requests carry `dscp`,
   /// 0 to 63, and so do the replies of most hosts.
   IcmpSocket(const std::string& target, std::size_t payload_bytes, std::uint8_t dscp = 0);
-  ~IcmpSocket() override;
-  IcmpSocket(const IcmpSocket&) = delete;
-  IcmpSocket& operator=(const IcmpSocket&) = delete;
 
   [[nodiscard]] SendResult send(std::uint16_t sequence) override;
   /// Everything that is not a reply to this socket (other processes' replies, damaged packets) is
   /// skipped.
   [[nodiscard]] std::optional<EchoReply> receive() override;
-  [[nodiscard]] int fd() const override { return fd_; }
+  [[nodiscard]] int fd() const override { return socket_.get(); }
   [[nodiscard]] bool is_raw() const { return raw_; }
 
  private:
@@ -36,7 +34,7 @@ class IcmpSocket final : public EchoPort {
   void open_raw();
   void identify();
 
-  int fd_ = -1;
+  FileDescriptor socket_;
   bool raw_ = false;
   sockaddr_in target_{};
   std::size_t payload_bytes_;
