@@ -72,7 +72,6 @@ router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule) {
 tocsin_msgs::msg::LinkReceipt to_message(const router::LinkReceipt& receipt) {
   tocsin_msgs::msg::LinkReceipt message;
   message.made_ns(receipt.made.time_since_epoch().count());
-  message.bytes(receipt.bytes);
   message.count(receipt.count);
   for (const router::StreamReceipt& stream : receipt.streams) {
     message.streams().push_back(stream.stream);
@@ -93,7 +92,6 @@ std::optional<router::LinkReceipt> to_receipt(
   }
   router::LinkReceipt receipt;
   receipt.made = Time(Duration(message.made_ns()));
-  receipt.bytes = message.bytes();
   receipt.count = message.count();
   for (std::size_t i = 0; i < count; ++i) {
     const auto stream = stream_of(message.streams()[i]);

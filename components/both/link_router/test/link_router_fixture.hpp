@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "link_router/link_router_component.hpp"
+#include "scripted_link.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+using Receipt = tocsin_msgs::msg::LinkReceipt;
+inline constexpr FlowId host_flow = 500;
+inline constexpr FlowId peer_flow = 600;
+inline constexpr FlowId receipt_flow = 601;
+inline constexpr PeerId station = 77;
+
+/// A router of the vehicle on a scripted link, in virtual time.
+class LinkRouterTest : public ::testing::Test {
+ protected:
+  LinkRouterTest() {
+    script_.rules = TrafficRules(std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", "uxv");
+    sut_ = std::make_unique<LinkRouterComponent>(context_, LinkRouterComponent::Params{});
+    bus_.add(*sut_);
+    bus_.run_for(seconds(0));
+  }
+
+  static Flow flow(const std::string& topic) {
+    Flow flow;
+    flow.topic = topic;
+    flow.type = "some_msgs::msg::dds_::Type_";
+    return flow;
+  }
+  /// A component of this host begins to write `topic`. Returns the link's flow for it.
+  FlowId begin(const std::string& topic, FlowId id = host_flow) {
+    script_.happen(link_event::HostFlow{id, flow(topic)});
+    run(0);
+    return script_.opened_for(topic);
+  }
+  void meet(PeerId life = station) {
+    script_.happen(link_event::PeerFound{life, "gcs"});
+    run(0);
+  }
+  void listen(FlowId on_link) {
+    script_.happen(link_event::PeerListens{on_link, station});
+    run(0);
+  }
+  void write(std::uint64_t sequence, FlowId id = host_flow, std::uint32_t bytes = 100) {
+    CarriedSample sample;
+    sample.content = std::make_shared<int>(static_cast<int>(sequence));
+    sample.bytes = bytes;
+    sample.source = 9;
+    sample.sequence = sequence;
+    sample.sent_wall_ns = bus_.wall_ns(bus_.now());
+    script_.happen(link_event::HostSample{id, sample, bus_.now()});
+    run(0);
+  }
+  /// A peer's flow and one transmission on it.
+  void hear(std::uint64_t number, std::uint64_t sequence) {
+    CarriedSample sample;
+    sample.bytes = 100;
+    sample.source = 3;
+    sample.sequence = sequence;
+    sample.sent_wall_ns = bus_.wall_ns(bus_.now());
+    script_.happen(link_event::LinkSample{peer_flow, number, sample, bus_.now()});
+    run(0);
+  }
+  void begin_peer_flow(const std::string& topic, FlowId id = peer_flow) {
+    script_.happen(link_event::PeerFlow{id, station, id + 1, flow(topic)});
+    run(0);
+  }
+  void acknowledge(FlowId on_link, std::uint64_t highest, std::uint32_t count = 1) {
+    auto receipt = std::make_shared<Receipt>();
+    receipt->from_life(station);
+    receipt->to_life(ScriptedLink::own_life);
+    receipt->count(count);
+    receipt->made_ns(bus_.now().time_since_epoch().count());
+    receipt->streams({1000 + on_link});
+    receipt->highest({static_cast<std::uint32_t>(highest)});
+    receipt->age_100us({10});
+    receipt->before({0});
+    tell(receipt);
+  }
+  void tell(const std::shared_ptr<Receipt>& receipt) {
+    CarriedSample sample;
+    sample.content = receipt;
+    script_.happen(link_event::LinkSample{receipt_flow, 1, sample, bus_.now()});
+    run(0);
+  }
+  void set_active(bool active, const std::string& role = "uxv") {
+    tocsin_msgs::msg::TransmissionState state;
+    state.role(role);
+    state.active(active);
+    bus_.publish<topic::TransmissionState>(state);
+    run(0);
+  }
+  void run(double s) { bus_.run_for(seconds(s)); }
+
+  ScriptedLink script_;
+  RoutedSimBus bus_{script_};
+  Context context_{bus_, "link_router", "uxv", ""};
+  SimReader<topic::LinkState> states_{bus_};
+  SimReader<topic::LinkBudget> budgets_{bus_};
+  SimReader<topic::TrafficReport> reports_{bus_};
+  std::unique_ptr<LinkRouterComponent> sut_;
+};
+
+}  // namespace tocsin
