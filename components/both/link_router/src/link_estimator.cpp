@@ -79,6 +79,7 @@ void LinkEstimator::learn_capacity(const Received& received, Time arrived) {
   const Time turn = std::max(received.sent, bulk_arrived_);
   bulk_arrived_ = std::max(bulk_arrived_, arrived);
   drained_ += arrived - received.expected;
+  measured_ = true;
   const Duration service = std::max(arrived - turn, shortest_service);
   const double measured = std::clamp(static_cast<double>(received.cost.bytes) / to_seconds(service),
                                      least_capacity_bytes_per_s, most_capacity_bytes_per_s);
@@ -100,7 +101,10 @@ bool LinkEstimator::is_silent(Time now) const {
 }
 
 void LinkEstimator::start_over(Time now) {
-  capacity_bytes_per_s_ = std::max(capacity_bytes_per_s_ / 2, least_capacity_bytes_per_s);
+  // Once for each measurement: several outages in a row say no more about the link than one.
+  if (measured_)
+    capacity_bytes_per_s_ = std::max(capacity_bytes_per_s_ / 2, least_capacity_bytes_per_s);
+  measured_ = false;
   drained_ = now;
   delay_s_ = 0;
   deviation_s_ = 0;

@@ -66,7 +66,8 @@ class LinkEstimator {
   [[nodiscard]] bool is_silent(Time now) const;
   /// Nothing that was sent waits for a receipt.
   void on_all_settled() { waiting_since_.reset(); }
-  /// The link is back: what was learned of its queue is void, what is known of its capacity halved.
+  /// The link is back: what was learned of its queue is void, what was measured of its capacity
+  /// since the last time halved.
   void start_over(Time now);
 
  private:
@@ -75,6 +76,7 @@ class LinkEstimator {
   LinkRouterParams params_;
   WindowedMinimum least_;  ///< of small samples: by the peer's clock, from sending to arrival
   double capacity_bytes_per_s_;
+  bool measured_ = false;  ///< the capacity, since the last start_over()
   double loss_ = 0;
   double delay_s_ = 0;                 ///< smoothed, RFC 6298
   double deviation_s_ = 0;             ///< smoothed
