@@ -47,5 +47,27 @@ TEST(Topics, AreKnownWithTheirType) {
   FAIL() << "not known";
 }
 
+TEST(Topics, TheStateOfTheLinkCrossesItAndItsBudgetDoesNot) {
+  EXPECT_EQ(topic::LinkState::info.scope, Scope::link);
+  EXPECT_EQ(topic::LinkBudget::info.scope, Scope::host);
+}
+
+TEST(Messages, AStateOfTheLinkComesBackFromItsBytes) {
+  tocsin_msgs::msg::LinkState state;
+  state.role("uxv");
+  state.scale(0.5F);
+  state.classes().resize(2);
+  state.classes()[1].traffic_class("high");
+  state.classes()[1].dropped_expired(7);
+  const TypeInfo& type = type_info<tocsin_msgs::msg::LinkState>();
+  std::vector<std::uint8_t> bytes(type.serialized_size(&state));
+  ASSERT_EQ(type.serialize(&state, bytes.data(), bytes.size()), bytes.size());
+  tocsin_msgs::msg::LinkState back;
+  ASSERT_TRUE(type.deserialize(bytes.data(), bytes.size(), &back));
+  EXPECT_EQ(back.role(), "uxv");
+  EXPECT_EQ(back.scale(), 0.5F);
+  EXPECT_EQ(back.classes().at(1).dropped_expired(), 7U);
+}
+
 }  // namespace
 }  // namespace tocsin

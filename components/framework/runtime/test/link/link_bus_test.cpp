@@ -20,8 +20,7 @@ constexpr int priority_dscp = 32;
 /// A router that carries everything at once, as it comes.
 class Relay {
  public:
-  explicit Relay(const BusOptions& options)
-      : thread_([this, options] { run(options); }) {}
+  explicit Relay(const BusOptions& options) : thread_([this, options] { run(options); }) {}
   ~Relay() {
     stopping_ = true;
     thread_.join();

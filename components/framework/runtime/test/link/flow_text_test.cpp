@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/flow_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace tocsin {
+namespace {
+
+Flow flow() {
+  Flow flow;
+  flow.topic = "goal";
+  flow.type = "Goal";
+  flow.reliable = true;
+  flow.transient_local = true;
+  flow.depth = 3;
+  flow.lifespan_s = 2.5;
+  flow.user_data = "tocsin_layout=0a1b;";
+  return flow;
+}
+
+/// What a peer reads of an announcement.
+Flow read(const std::string& announcement) {
+  Flow flow;
+  flow.user_data = announcement;
+  read_announcement(flow);
+  return flow;
+}
+
+TEST(FlowText, TellsWhatTheWritersOfferAndAnnounce) {
+  EXPECT_EQ(announcement_of(flow()),
+            "tocsin_layout=0a1b;tocsin_flow=reliable,transient_local,3,2.5;");
+}
+
+TEST(FlowText, APeerReadsWhatWasAnnounced) {
+  Flow back = read(announcement_of(flow()));
+  back.topic = "goal";
+  back.type = "Goal";
+  EXPECT_EQ(back, flow());
+}
+
+TEST(FlowText, ALifespanWithoutEndComesBack) {
+  Flow endless;
+  const Flow back = read(announcement_of(endless));
+  EXPECT_EQ(back.lifespan_s, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(back.user_data, "");
+}
+
+TEST(FlowText, UserDataWithoutItsSemicolonStaysApart) {
+  Flow odd = flow();
+  odd.user_data = "mine";
+  const Flow back = read(announcement_of(odd));
+  EXPECT_EQ(back.user_data, "mine;");
+  EXPECT_EQ(back.depth, 3);
+}
+
+TEST(FlowText, WhatStandsBehindItIsKept) {
+  const Flow back = read("a=1;tocsin_flow=reliable,volatile,1,inf;b=2;");
+  EXPECT_EQ(back.user_data, "a=1;b=2;");
+  EXPECT_TRUE(back.reliable);
+  EXPECT_FALSE(back.transient_local);
+}
+
+TEST(FlowText, AForeignWriterIsBestEffortAndVolatile) {
+  const Flow back = read("typehash=RIHS01_ab;");
+  EXPECT_FALSE(back.reliable);
+  EXPECT_FALSE(back.transient_local);
+  EXPECT_EQ(back.depth, 1);
+  EXPECT_EQ(back.user_data, "typehash=RIHS01_ab;");
+}
+
+TEST(FlowText, WhatMakesNoSenseChangesNothing) {
+  for (const char* text :
+       {"tocsin_flow=", "tocsin_flow=;", "tocsin_flow=reliable", "tocsin_flow=,,,;",
+        "tocsin_flow=reliable,volatile,0,1;", "tocsin_flow=reliable,volatile,-3,1;",
+        "tocsin_flow=reliable,volatile,99999,1;", "tocsin_flow=reliable,volatile,1,-1;",
+        "tocsin_flow=reliable,volatile,1,x;"}) {
+    const Flow back = read(text);
+    EXPECT_FALSE(back.reliable) << text;
+    EXPECT_EQ(back.depth, 1) << text;
+    EXPECT_EQ(back.lifespan_s, std::numeric_limits<double>::infinity()) << text;
+  }
+}
+
+TEST(FlowText, NoBytesOfAPeerDoHarm) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  const std::string whole = announcement_of(flow());
+  for (int i = 0; i < 5000; ++i) {
+    std::string text = whole;
+    for (int change = 0; change < 4; ++change) {
+      text[random() % text.size()] = static_cast<char>(random() % 256);
+    }
+    text.resize(random() % (text.size() + 1));
+    const Flow back = read(text);
+    EXPECT_GE(back.depth, 1);
+    EXPECT_GT(back.lifespan_s, 0);
+  }
+}
+
+TEST(Flows, DifferInAnyOfTheirParts) {
+  const auto changed = [](const auto& change) {
+    Flow other = flow();
+    change(other);
+    return other != flow();
+  };
+  EXPECT_EQ(flow(), flow());
+  EXPECT_TRUE(changed([](Flow& f) { f.topic = "x"; }));
+  EXPECT_TRUE(changed([](Flow& f) { f.type = "x"; }));
+  EXPECT_TRUE(changed([](Flow& f) { f.reliable = false; }));
+  EXPECT_TRUE(changed([](Flow& f) { f.transient_local = false; }));
+  EXPECT_TRUE(changed([](Flow& f) { f.depth = 4; }));
+  EXPECT_TRUE(changed([](Flow& f) { f.lifespan_s = 4; }));
+  EXPECT_TRUE(changed([](Flow& f) { f.user_data = "x"; }));
+}
+
+}  // namespace
+}  // namespace tocsin
