@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "foundation/csv_table.hpp"
 #include "foundation/datagram_socket.hpp"
 
 namespace tocsin {
@@ -64,21 +65,6 @@ std::string text_of(const std::string& path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
   return text.str();
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
-  }
-  return cells;
 }
 
 }  // namespace
@@ -185,17 +171,10 @@ int Stack::exit_code(std::chrono::seconds limit) {
 }
 
 std::vector<std::string> column(const std::string& csv, const std::string& name) {
-  std::istringstream lines(csv);
-  std::string line;
-  std::getline(lines, line);
-  const auto header = cells_of(line);
-  const auto index =
-      static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
+  const CsvTable table(csv);
   std::vector<std::string> cells;
-  while (std::getline(lines, line)) {
-    const auto row = cells_of(line);
-    if (index < row.size()) cells.push_back(row[index]);
-  }
+  if (!table.has(name)) return cells;
+  for (std::size_t row = 0; row < table.rows(); ++row) cells.push_back(table.text(row, name));
   return cells;
 }
 

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "foundation/csv_table.hpp"
+
 namespace tocsin::decision {
 
 /// Where the golden numbers lie on a developer's machine; empty when they are absent.
@@ -29,10 +31,8 @@ struct Table {
 };
 
 inline std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
+  const auto row = CsvReader(line).next();
+  return row ? row->cells : std::vector<std::string>{};
 }
 
 inline Table read_table(const std::filesystem::path& path) {

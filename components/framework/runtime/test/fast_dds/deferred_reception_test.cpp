@@ -21,7 +21,7 @@ using namespace eprosima::fastdds::rtps;
 
 constexpr std::uint16_t port = 27'391;
 
-class Ears : public TransportReceiverInterface {
+class CountingReceiver : public TransportReceiverInterface {
  public:
   void OnDataReceived(const rtps::octet*, const std::uint32_t, const rtps::Locator_t&,
                       const rtps::Locator_t&) override {
@@ -43,7 +43,7 @@ class DeferredReceptionTest : public ::testing::Test {
   ~DeferredReceptionTest() override { transport_->CloseInputChannel(at_); }
   void SetUp() override {
     ASSERT_TRUE(transport_->init());
-    ASSERT_TRUE(transport_->OpenInputChannel(at_, &discovery_listener_, 1000));
+    ASSERT_TRUE(transport_->OpenInputChannel(at_, &receiver_, 1000));
   }
   static void send() {
     const int fd = socket(AF_INET, SOCK_DGRAM, 0);
@@ -55,7 +55,7 @@ class DeferredReceptionTest : public ::testing::Test {
     close(fd);
   }
   std::shared_ptr<DeferredReception> reception_ = std::make_shared<DeferredReception>();
-  Ears discovery_listener_;
+  CountingReceiver receiver_;
   rtps::Locator_t at_;
   std::unique_ptr<TransportInterface> transport_;
 };
@@ -64,15 +64,15 @@ TEST_F(DeferredReceptionTest, WhatArrivesBeforeTheReleaseIsHeardAfterIt) {
   send();
   send();
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  EXPECT_EQ(discovery_listener_.heard, 0);
+  EXPECT_EQ(receiver_.heard, 0);
   reception_->release();
-  EXPECT_TRUE(eventually([this] { return discovery_listener_.heard == 2; }));
+  EXPECT_TRUE(eventually([this] { return receiver_.heard == 2; }));
 }
 
 TEST_F(DeferredReceptionTest, WhatArrivesAfterTheReleaseIsHeardAtOnce) {
   reception_->release();
   send();
-  EXPECT_TRUE(eventually([this] { return discovery_listener_.heard == 1; }));
+  EXPECT_TRUE(eventually([this] { return receiver_.heard == 1; }));
 }
 
 TEST_F(DeferredReceptionTest, AChannelThatIsClosedBeforeTheReleaseDoesNotHang) {
