@@ -47,5 +47,38 @@ TEST(Topics, AreKnownWithTheirType) {
   FAIL() << "not known";
 }
 
+std::string text_of(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(TOCSIN_REPOSITORY "/config/" + file).rdbuf();
+  return text.str();
+}
+
+TEST(Topics, HaveAProfileOfTheShippedQosFile) {
+  const std::string profiles = "\n" + text_of("qos.yaml");
+  for (const KnownTopic& topic : known_topics()) {
+    EXPECT_NE(profiles.find("\n" + std::string(topic.info.qos) + ": "), std::string::npos)
+        << topic.info.name << ": " << topic.info.qos;
+  }
+}
+
+TEST(Topics, ThatCrossTheLinkHaveATrafficClassAndNoOthers) {
+  const std::string classes = std::regex_replace(text_of("traffic.yaml"), std::regex("#.*"), "");
+  for (const KnownTopic& topic : known_topics()) {
+    const std::regex word("[\\[ ,]" + std::string(topic.info.name) + "[\\],]");
+    EXPECT_EQ(std::regex_search(classes, word), topic.info.scope == Scope::link) << topic.info.name;
+  }
+}
+
+TEST(Topics, HaveNamesOfTheirOwnAlsoAsFilesOfARecording) {
+  const auto all = known_topics();
+  for (const KnownTopic& one : all) {
+    for (const KnownTopic& other : all) {
+      // A file of a recording is named like its topic with '.' for '/': one name for each.
+      EXPECT_TRUE(&one == &other || std::string(one.info.name) != other.info.name);
+      EXPECT_EQ(std::string(one.info.name).find('.'), std::string::npos) << one.info.name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tocsin
