@@ -34,7 +34,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   }
   options.start = parse_pose("--start", start);
   if (!dock.empty()) options.dock = parse_pose("--dock", dock);
-  if (!config.empty()) options.settings = load_settings(config);
+  if (!config.empty()) options.settings = load_base_settings(config);
   if (!options.script_file.empty()) options.script = load_text(options.script_file);
   return options;
 }

@@ -7,6 +7,7 @@
 
 #include "files.hpp"
 #include "geometry/pose.hpp"
+#include "kobuki_model/base_settings.hpp"
 
 namespace tocsin::kobuki {
 
@@ -17,7 +18,7 @@ struct Options {
   geometry::Pose start;
   std::optional<geometry::Pose> dock;
   std::uint64_t seed = 1;
-  Settings settings;
+  BaseSettings settings;
   std::string position;
   std::string control;
   std::string state;

@@ -18,42 +18,6 @@ std::string write(const std::string& text) {
   return path;
 }
 
-template <class Function>
-std::string error_of(Function&& function) {
-  try {
-    function();
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-TEST(Settings, AreReadFromYaml) {
-  const Settings got =
-      load_settings(write("model: {slip_sigma: 0.2}\nline: {usb_latency_ms: 16}\n"));
-  EXPECT_EQ(got.model.slip_sigma, 0.2);
-  EXPECT_EQ(got.line.usb_latency_ms, 16);
-}
-
-TEST(Settings, AreRefusedWithKeyAndRange) {
-  const auto error = [](const std::string& text) {
-    return error_of([&] { (void)load_settings(write(text)); });
-  };
-  EXPECT_NE(error("line: {usb_latency_ms: 17}").find("17 is outside [1, 16]"), std::string::npos);
-  EXPECT_NE(error("modle: {}").find("modle: unknown key"), std::string::npos);
-  EXPECT_NE(error("model: {speed: 1}").find("unknown key"), std::string::npos);
-}
-
-TEST(ParsePose, TakesThreeNumbers) {
-  const geometry::Pose pose = parse_pose("--start", "1.5,-2,0.1");
-  EXPECT_EQ(pose.x_m, 1.5);
-  EXPECT_EQ(pose.y_m, -2);
-  EXPECT_EQ(pose.heading_rad, 0.1);
-  for (const char* bad : {"", "1,2", "1,2,3,4", "1,2,nan", "a,b,c"}) {
-    EXPECT_THROW((void)parse_pose("--start", bad), ConfigError) << bad;
-  }
-}
-
 TEST(Memory, SurvivesAFile) {
   const std::string path = ::testing::TempDir() + "kobuki_memory";
   ASSERT_TRUE(save_memory(path, {{1.25, -2, 0.3}, 70000, -5.5, 0.1, 12.5, 0.75}));

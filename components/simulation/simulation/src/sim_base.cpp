@@ -3,17 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <cstdio>
 #include <map>
 #include <utility>
 
 #include "foundation/error.hpp"
-#include "foundation/file_cache.hpp"
-#include "foundation/parameters.hpp"
-#include "foundation/yaml_file.hpp"
 #include "geometry/wall_file.hpp"
-#include "radio_channel/channel_files.hpp"
+#include "kobuki_model/base_settings.hpp"
 
 namespace tocsin::simulation {
 namespace {
@@ -28,15 +23,6 @@ Arguments arguments_of(const deployment::Program& program) {
   return arguments;
 }
 
-geometry::Pose pose_of(const char* option, const std::string& text) {
-  geometry::Pose pose;
-  const int read =
-      std::sscanf(text.c_str(), "%lf,%lf,%lf", &pose.x_m, &pose.y_m, &pose.heading_rad);
-  if (read == 3 && std::isfinite(pose.x_m + pose.y_m + pose.heading_rad)) return pose;
-  throw ConfigError(std::string("kobuki_simulator ") + option + ": '" + text +
-                    "' is not X,Y,YAW in m, m, rad");
-}
-
 std::uint64_t seed_of(const std::string& text) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
@@ -44,29 +30,10 @@ std::uint64_t seed_of(const std::string& text) {
   throw ConfigError("kobuki_simulator --seed: '" + text + "' is not a whole number from 0");
 }
 
-struct BaseConfig {
-  kobuki::ModelParams model;
-  kobuki::LineParams line;
-};
-
-BaseConfig read_config(const std::string& path) {
-  const YAML::Node file = read_yaml_file(path);
-  if (!file.IsMap()) throw ConfigError("kobuki_simulator: must be a map (" + path + ")");
-  for (const auto& entry : file) {
-    const std::string key = entry.first.Scalar();
-    if (key == "model" || key == "line") continue;
-    throw ConfigError("kobuki_simulator." + key + ": unknown key; allowed: [model, line]" +
-                      yaml_place(path, entry.first));
-  }
-  return {load_parameters<kobuki::ModelParams>(file["model"], "kobuki_simulator.model", path),
-          load_parameters<kobuki::LineParams>(file["line"], "kobuki_simulator.line", path)};
-}
-
 void set_config(const std::string& path, BaseOptions& options) {
-  static FileCache<BaseConfig> known;
-  const BaseConfig config = known.get(path, [&] { return read_config(path); });
-  options.model = config.model;
-  options.line = config.line;
+  const kobuki::BaseSettings settings = kobuki::load_base_settings(path);
+  options.model = settings.model;
+  options.line = settings.line;
 }
 
 kobuki::Surroundings surroundings(const BaseOptions& options) {
@@ -85,8 +52,10 @@ BaseOptions read_base_options(const deployment::Program& program) {
   options.link = arguments["--link"];
   if (options.link.empty()) throw ConfigError(program.name + ": kobuki_simulator needs --link");
   options.walls = arguments["--walls"];
-  if (arguments.count("--start") > 0) options.start = pose_of("--start", arguments["--start"]);
-  if (arguments.count("--dock") > 0) options.dock = pose_of("--dock", arguments["--dock"]);
+  if (arguments.count("--start") > 0)
+    options.start = kobuki::parse_pose("kobuki_simulator --start", arguments["--start"]);
+  if (arguments.count("--dock") > 0)
+    options.dock = kobuki::parse_pose("kobuki_simulator --dock", arguments["--dock"]);
   if (arguments.count("--seed") > 0) options.seed = seed_of(arguments["--seed"]);
   if (arguments.count("--config") > 0) set_config(arguments["--config"], options);
   return options;
