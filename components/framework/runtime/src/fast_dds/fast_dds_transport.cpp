@@ -98,7 +98,8 @@ void locate_router(const ParticipantOptions& options, dds::DomainParticipantQos&
   }
   // Patient: a peer that was out of reach for minutes is still known, and hears at once.
   builtin.discovery_config.leaseDuration = dds_duration(300);
-  builtin.discovery_config.leaseDuration_announcementperiod = dds_duration(1);
+  // Two packets each time: Fast DDS announces to the peer's address and to the peer it has found.
+  builtin.discovery_config.leaseDuration_announcementperiod = dds_duration(2);
 }
 
 void locate(const ParticipantOptions& options, dds::DomainParticipantQos& qos) {
