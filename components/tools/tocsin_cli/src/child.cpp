@@ -52,7 +52,7 @@ void reset_signals() {
   connect_output(pipe_end, setup.terminal);
   reset_signals();
   for (const int fd : setup.inherited) ::fcntl(fd, F_SETFD, 0);
-  if (setup.network >= 0 && ::setns(setup.network, CLONE_NEWNET) != 0) {
+  if (setup.network && ::setns(*setup.network, CLONE_NEWNET) != 0) {
     give_up("cannot enter the network namespace");
   }
   ::execv(arguments[0], arguments);

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace tocsin::cli {
 /// What a child process starts with.
 struct ChildSetup {
   std::vector<std::string> command;  ///< path and arguments
-  int network = -1;                  ///< descriptor of the network namespace to enter; -1 stays
+  std::optional<int> network;        ///< descriptor of the network namespace to enter
   std::vector<int> inherited;        ///< descriptors that stay open in the program
   bool terminal = false;             ///< stdin and stdout stay the launcher's
 };

@@ -65,7 +65,7 @@ int Launcher::run() {
 void Launcher::start(Process& process, Time now) {
   const auto host = process.spec().host;
   std::vector<int> inherited;
-  int network = -1;
+  std::optional<int> network;
   if (!host) {
     for (const HostNetwork& each : networks_) inherited.push_back(each.descriptor());
   } else if (!networks_.empty()) {

@@ -12,7 +12,7 @@ namespace tocsin::cli {
 Process::Process(ProcessSpec spec, const deployment::RestartPolicy& policy, Journal& journal)
     : spec_(std::move(spec)), rule_(policy), journal_(journal) {}
 
-void Process::start(int network, const std::vector<int>& inherited, Time now) {
+void Process::start(std::optional<int> network, const std::vector<int>& inherited, Time now) {
   child_ = start_child({spec_.command, network, inherited, spec_.terminal});
   rule_.on_start(now);
   start_at_ = never;

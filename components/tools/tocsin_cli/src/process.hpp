@@ -17,8 +17,8 @@ class Process {
  public:
   Process(ProcessSpec spec, const deployment::RestartPolicy& policy, Journal& journal);
 
-  /// Starts it in the network namespace `network` (-1: the launcher's) with `inherited` open.
-  void start(int network, const std::vector<int>& inherited, Time now);
+  /// Starts it in the network namespace `network` (none: the launcher's) with `inherited` open.
+  void start(std::optional<int> network, const std::vector<int>& inherited, Time now);
   /// Passes on what it has written.
   void read_output();
   /// How it ended, once, when it has; sweeps away what is left of its process group.
