@@ -42,6 +42,16 @@ TEST(Check, HasNoWarningForTheShippedFiles) {
   }
 }
 
+TEST(Check, WantsOneRouterOnEachHost) {
+  const std::string one_side = "mission.yaml --without gcs/link/link_router";
+  const Ended deaf = check(one_side);
+  EXPECT_EQ(deaf.code, 2);
+  EXPECT_THAT(deaf.output, HasSubstr("error: host gcs has no link_router, its peer uxv has"));
+  const Ended neither = check(one_side + " --without uxv/link/link_router");
+  EXPECT_EQ(neither.code, 0);
+  EXPECT_THAT(neither.output, HasSubstr("0 errors, 2 warnings"));
+}
+
 TEST(Check, LooksAtAFileWithoutContainers) {
   const TemporaryFolder folder;
   const std::string file =

@@ -13,6 +13,7 @@
 #include "examine_domains.hpp"
 #include "examine_load.hpp"
 #include "examine_programs.hpp"
+#include "examine_routers.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "runtime/middleware/component_library.hpp"
@@ -99,8 +100,8 @@ int check(Options& options) {
   const auto deployment = load_deployment(options.bringup.file, options.bringup.overrides);
   BuiltGraph built = build_graph(deployment);
   examine_files(deployment, built);
-  for (const auto& found :
-       {examine_domains(deployment), examine_programs(deployment, program_folders())}) {
+  for (const auto& found : {examine_domains(deployment), examine_routers(deployment, built.graph),
+                            examine_programs(deployment, program_folders())}) {
     built.findings.insert(built.findings.end(), found.begin(), found.end());
   }
   const std::size_t errors = print(built.findings, Severity::error, "error");
