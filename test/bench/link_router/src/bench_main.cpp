@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the link router's steps buy: the traffic and the drive of the thesis's missions, as the
 // simulated components make them, over the thesis's radio with a router on each side.
-// usage: link_router_bench [SEEDS [SECONDS]] [only=VARIANT] [trace=1] [PARAMETER=VALUE ...]
+// usage: link_router_bench [SEEDS [SECONDS]] [only=VARIANT] [trace=1] [CLASS=DSCP ...]
+//                          [PARAMETER=VALUE ...]
 // PARAMETER is one of LinkRouterParams. Mean of the seeds.
 #include <cstdio>
 #include <map>
@@ -98,6 +99,7 @@ struct Options {
   std::string only;  ///< name of a variant; empty: all
   bool trace = false;
   router::LinkRouterParams params;
+  DscpOfClass dscp;
 };
 
 /// Throws std::invalid_argument.
@@ -116,6 +118,8 @@ Options options_of(const std::vector<std::string>& words) {
       options.only = value;
     } else if (name == "trace") {
       options.trace = value == "1";
+    } else if (const auto traffic_class = traffic_class_of(name)) {
+      options.dscp.set(*traffic_class, static_cast<std::uint8_t>(std::stoi(value)));
     } else {
       Setter setter{name, std::stod(value)};
       options.params.visit(setter);
@@ -134,6 +138,7 @@ Steps steps_of(const Variant& variant, const Options& options) {
   steps.categories = variant.categories;
   steps.trace = options.trace;
   steps.params = options.params;
+  steps.dscp = options.dscp;
   if (!variant.priority) {  // everything goes to the radio at once
     steps.params.bulk_backlog_s = 10;
     steps.params.bulk_under_way = 10000;

@@ -52,7 +52,7 @@ class LinkRun {
       : traffic_(traffic),
         steps_(steps),
         channel_(channel_of(traffic, steps), traffic.walls, seed, traffic.begin),
-        routers_(channel_, steps.params, traffic.begin),
+        routers_(channel_, {steps.params, steps.dscp}, traffic.begin),
         written_(traffic.sources.size()) {
     for (std::size_t i = 0; i < traffic.sources.size(); ++i) add_source(i);
     next_age_ = traffic.begin + warm_up;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "foundation/traffic_class.hpp"
 #include "link_router/link_router_params.hpp"
 #include "mission_traffic.hpp"
 
@@ -14,7 +15,8 @@ struct Steps {
   bool adaptation = true;  ///< the camera follows its budget
   bool repair = true;
   bool categories = false;  ///< the radio has the queues of 802.11e
-  bool pause = false;       ///< the gates of the recorded policy
+  DscpOfClass dscp;
+  bool pause = false;  ///< the gates of the recorded policy
   router::LinkRouterParams params;
   bool trace = false;  ///< print what the estimator thinks, each second
 };

@@ -18,12 +18,11 @@ constexpr std::size_t stream_receipt_bytes = 18;
 
 }  // namespace
 
-RouterRadio::RouterRadio(radio::RadioChannel& channel, const router::LinkRouterParams& params,
-                         Time start)
-    : channel_(channel) {
+RouterRadio::RouterRadio(radio::RadioChannel& channel, const Setup& setup, Time start)
+    : channel_(channel), dscp_(setup.dscp) {
   for (std::size_t side = 0; side < 2; ++side) {
-    senders_[side] = std::make_unique<router::LinkSender>(params, side + 1);
-    receivers_[side] = std::make_unique<router::LinkReceiver>(params, side + 1);
+    senders_[side] = std::make_unique<router::LinkSender>(setup.params, side + 1);
+    receivers_[side] = std::make_unique<router::LinkReceiver>(setup.params, side + 1);
     senders_[side]->on_peer(peer, 2 - side, start);
     receivers_[side]->on_peer(peer, 2 - side);
   }
@@ -43,7 +42,7 @@ void RouterRadio::send_echo(Time now) {
 
 void RouterRadio::send(Cargo cargo, const std::vector<std::size_t>& packets, Time now) {
   const auto direction = cargo.to == 1 ? radio::Direction::uplink : radio::Direction::downlink;
-  const auto category = radio::access_category_of_dscp(dscp(cargo.traffic_class));
+  const auto category = radio::access_category_of_dscp(dscp_.of(cargo.traffic_class));
   const auto shared = std::make_shared<Cargo>(std::move(cargo));
   for (const std::size_t bytes : packets) {
     under_way_[channel_.push(direction, {static_cast<int>(bytes), false, category}, now)] = shared;

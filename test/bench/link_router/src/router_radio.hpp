@@ -21,7 +21,11 @@ class RouterRadio {
   /// A sample that the router of a side gives to its host.
   using Deliver = std::function<void(std::size_t side, router::StreamId stream,
                                      const router::Origin& origin, Time now)>;
-  RouterRadio(radio::RadioChannel& channel, const router::LinkRouterParams& params, Time start);
+  struct Setup {
+    router::LinkRouterParams params;
+    DscpOfClass dscp;
+  };
+  RouterRadio(radio::RadioChannel& channel, const Setup& setup, Time start);
 
   void add_stream(std::size_t side, router::StreamId stream, const router::StreamRule& rule,
                   Time now);
@@ -54,6 +58,7 @@ class RouterRadio {
   void arrive(const Cargo& cargo, Time now, const Deliver& deliver);
 
   radio::RadioChannel& channel_;
+  DscpOfClass dscp_;
   std::array<std::unique_ptr<router::LinkSender>, 2> senders_;
   std::array<std::unique_ptr<router::LinkReceiver>, 2> receivers_;
   std::unordered_map<router::StreamId, TrafficClass> classes_;
