@@ -109,6 +109,27 @@ TEST(Peers, RepairsUntilEachPeerThatWantsItHasIt) {
   EXPECT_EQ(link.sent.size(), before);
 }
 
+TEST(Peers, ASilentPeerDoesNotHoldTheOthersUp) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::low));
+  learn_capacity(link, 1);
+  link.sender.on_peer("second", 5, link.now);
+  link.sender.set_wanted("second", 1, true, link.now);
+  std::uint64_t sequence = 100;
+  const auto play = [&](int pictures) {
+    for (int i = 0; i < pictures; ++i) {
+      link.offer(1, ++sequence, picture_bytes);
+      link.run(200 * ms);
+    }
+  };
+  play(10);
+  EXPECT_EQ(link.sender.state(link.now).silent_peers, 1U);
+  EXPECT_EQ(link.sender.state(link.now).live_peers, 1U);
+  const std::size_t before = link.delivered[1].size();
+  play(20);
+  EXPECT_GE(link.delivered[1].size() - before, 19U);
+}
+
 TEST(Peers, APeerThatIsGoneIsNotWaitedFor) {
   LinkPair link;
   link.add(1, rule_of(TrafficClass::critical));
