@@ -218,15 +218,14 @@ struct ContainerState {
   static constexpr TopicInfo info{"container_state", "state", Scope::host};
 };
 
-using AllLinkTopics =
-    List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage, CpuLoad,
-         CpuTemperature, CameraImage, Goal, MissionStatus, EmergencyStop, SafetyStatus,
-         DockingStatus, TeleopCmdVel, DockingCommand, Heartbeat, TransmissionState, TrafficReport, LinkState>;
+using AllLinkTopics = List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage,
+                           CpuLoad, CpuTemperature, CameraImage, Goal, MissionStatus, EmergencyStop,
+                           SafetyStatus, DockingStatus, TeleopCmdVel, DockingCommand, Heartbeat,
+                           TransmissionState, TrafficReport, LinkState>;
 
-using AllHostTopics =
-    List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation, CmdVelDocking,
-         CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs, MuxSetInputs,
-         SafetyEnable, EmergencyStopRequest, EmergencyStopState, LinkBudget, ContainerCommand,
-         ContainerState>;
+using AllHostTopics = List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation,
+                           CmdVelDocking, CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive,
+                           MuxInputs, MuxSetInputs, SafetyEnable, EmergencyStopRequest,
+                           EmergencyStopState, LinkBudget, ContainerCommand, ContainerState>;
 
 }  // namespace tocsin::topic
