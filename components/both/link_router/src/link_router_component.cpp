@@ -155,8 +155,7 @@ void LinkRouterComponent::on(const link_event::LinkSample& event, Time now) {
   if (peer == peers_.end()) return;
   if (from->second.is_receipt) return take_receipt(from->second, event.sample, now);
   const router::Verdict verdict = receiver_.on_arrived(
-      peer->second,
-      {from->second.wire_id, event.number, origin_of(event.sample)}, now);
+      peer->second, {from->second.wire_id, event.number, origin_of(event.sample)}, now);
   if (verdict == router::Verdict::deliver) link_->give(event.flow, event.sample);
 }
 

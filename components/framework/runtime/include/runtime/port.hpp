@@ -30,7 +30,7 @@ class InputPort : private Receiver {
   /// The oldest sample that was not taken yet.
   [[nodiscard]] std::optional<Sample> take_sample();
   [[nodiscard]] std::shared_ptr<const void> take_message();  ///< null when there is none
-  [[nodiscard]] PortHealth health() const;  ///< any thread
+  [[nodiscard]] PortHealth health() const;                   ///< any thread
   /// Who wrote a sample with this source, see Subscription::writer. The component's thread only.
   [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const;
   /// For the container: unsubscribes and forgets what waits, or subscribes again as a late joiner.

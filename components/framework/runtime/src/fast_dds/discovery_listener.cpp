@@ -49,9 +49,12 @@ template <class Data>
 AnnouncedEnd end_of(const Data& data, bool writer) {
   const auto& bytes = data.m_qos.m_userData.data_vec();
   const std::string user_data(bytes.begin(), bytes.end());
-  return {data.topicName().to_string(), data.typeName().to_string(),
-          layout_in(user_data),         writer,
-          contract_of(data.m_qos),      user_data,
+  return {data.topicName().to_string(),
+          data.typeName().to_string(),
+          layout_in(user_data),
+          writer,
+          contract_of(data.m_qos),
+          user_data,
           seconds_of(data.m_qos.m_lifespan.duration)};
 }
 

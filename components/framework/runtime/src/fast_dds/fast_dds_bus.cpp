@@ -165,8 +165,8 @@ bool FastDdsBus::join_link() {
 
 std::unique_ptr<TopicChannel> FastDdsBus::make_channel(const Endpoint& endpoint) {
   const std::string name = endpoint.topic.name;
-  const bool crosses = endpoint.topic.scope == Scope::link && !options_.link_address.empty() &&
-                       !options_.routed;
+  const bool crosses =
+      endpoint.topic.scope == Scope::link && !options_.link_address.empty() && !options_.routed;
   const std::string prefix =
       options_.ros_namespace.empty() ? "rt/" : "rt/" + options_.ros_namespace + "/";
   ChannelOptions options{endpoint, prefix + name, profiles_.of(endpoint.topic.qos, name), crosses};

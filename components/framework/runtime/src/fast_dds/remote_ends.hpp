@@ -21,8 +21,8 @@ struct AnnouncedEnd {
   std::string type;
   std::string layout;  ///< layout_digest; empty: it does not tell, as other vendors
   bool writer = false;
-  QosContract qos = {};        ///< what it offers or requests
-  std::string user_data = "";  ///< all of it, with the layout
+  QosContract qos = {};                                         ///< what it offers or requests
+  std::string user_data = "";                                   ///< all of it, with the layout
   double lifespan_s = std::numeric_limits<double>::infinity();  ///< of a writer's samples
 };
 
@@ -42,7 +42,8 @@ class RemoteEnds {
 
   /// Whoever wants to know what comes and goes. Called without a lock held.
   using OnEnd = std::function<void(const Guid&, const AnnouncedEnd&, bool there)>;
-  using OnParticipant = std::function<void(const Participant&, const std::string& name, bool there)>;
+  using OnParticipant =
+      std::function<void(const Participant&, const std::string& name, bool there)>;
   RemoteEnds() = default;
   RemoteEnds(OnEnd on_end, OnParticipant on_participant)
       : on_end_(std::move(on_end)), on_participant_(std::move(on_participant)) {}

@@ -28,7 +28,7 @@ struct BusOptions {
   /// Samples go to other processes of this host by shared memory instead of loopback UDP. A
   /// process that is killed leaves files in /dev/shm; the next start removes them.
   bool shared_memory = false;
-  bool routed = false;     ///< the host's router carries its link topics: no link of its own
+  bool routed = false;    ///< the host's router carries its link topics: no link of its own
   std::string host = "";  ///< name of this side, as the peers of its router know it
 };
 
