@@ -99,6 +99,28 @@ TEST_F(SimulationTest, LogLinesCarryTheSimulatedTime) {
   EXPECT_EQ(log.substr(0, 6), "00:00:");
 }
 
+TEST_F(SimulationTest, TheRecorderRecordsTheTopicsThatItIsToldByNameAndByPattern) {
+  const Ended run =
+      sim("mission.yaml --duration 5 --set 'recorder.topics=[odom, sensors/core, \"events/*\"]'");
+  ASSERT_EQ(run.code, 0) << read("errors");
+  EXPECT_THAT(read("1/uxv/odom.csv"), HasSubstr(",odom,base_footprint,"));
+  EXPECT_GT(read("1/uxv/sensors.core.csv").size(), 1000U);
+  EXPECT_FALSE(read("1/uxv/events.robot_state.csv").empty());
+  EXPECT_TRUE(read("1/uxv/imu_data.csv").empty()) << "nobody asked for it";
+}
+
+TEST_F(SimulationTest, ARunOfTheMainJobLosesNothingOfClassCritical) {
+  ASSERT_EQ(sim("mission.yaml --seed 7").code, 0) << read("errors");
+  const std::string state = read("1/gcs/link_state.csv");
+  const auto last = state.rfind("\"traffic_class\"\":\"\"critical\"\"");
+  ASSERT_NE(last, std::string::npos);
+  const auto number = [&](const std::string& key) {
+    return std::atoi(state.c_str() + state.find(key + "\"\":", last) + key.size() + 3);
+  };
+  EXPECT_GT(number("delivered"), 200);
+  EXPECT_LE(number("lost"), number("delivered") / 100);
+}
+
 TEST_F(SimulationTest, DecidingARecordedRunAgainGivesItsOwnDecisionsSampleBySample) {
   // Either side's recording, of a run whose parameters are not the defaults and that pauses twice.
   ASSERT_EQ(sim("mission.yaml --seed 7 --without uxv/payload").code, 0) << read("errors");

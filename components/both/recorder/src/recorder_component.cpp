@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "foundation/error.hpp"
 #include "recorder/csv_recording.hpp"
 #include "runtime/component_entry.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
@@ -27,10 +28,22 @@ RecorderComponent::RecorderComponent(Context& context, const Params& params)
       topics_(chosen_topics(context.name, params)),
       recording_(std::make_unique<CsvRecording>(context.name, directory_, log())) {
   for (const ChosenTopic& topic : topics_) {
-    const Writers writers = topic.named ? Writers::needed : Writers::optional;
-    tracks_.push_back(
-        {recording_->add(topic),
-         std::make_unique<InputPort>(*this, Endpoint{topic.info, topic.type, writers})});
+    if (auto input = listen_to(topic)) {
+      tracks_.push_back({recording_->add(topic), std::move(input)});
+    }
+  }
+}
+
+/// A package of the user's may state topics whose QoS profile only its own bringup file has: what a
+/// rule for many finds is left out then, what was asked for by its name is an error.
+std::unique_ptr<InputPort> RecorderComponent::listen_to(const ChosenTopic& topic) {
+  const Writers writers = topic.named ? Writers::needed : Writers::optional;
+  try {
+    return std::make_unique<InputPort>(*this, Endpoint{topic.info, topic.type, writers});
+  } catch (const ConfigError& error) {
+    if (topic.named) throw;
+    log().warn("not recorded: {}", error.what());
+    return nullptr;
   }
 }
 

@@ -97,7 +97,7 @@ TEST_F(RecorderTest, RecordsATopicThatNobodyKnowsByItsType) {
   EXPECT_EQ(read("messages.csv").find(",goal,"), std::string::npos);
 }
 
-TEST_F(RecorderTest, KnowsTheTopicsOfInstalledLibrariesThatItDoesNotLink) {
+TEST_F(RecorderTest, ATopicThatNobodyKnowsIsNamedInTheError) {
   RecorderComponent::Params params;
   params.topics = {"sensors/cor"};
   SimBus bus;

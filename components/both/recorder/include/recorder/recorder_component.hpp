@@ -34,6 +34,7 @@ class RecorderComponent final : public Component {
   void tick(Time now) override;
 
  private:
+  [[nodiscard]] std::unique_ptr<InputPort> listen_to(const ChosenTopic& topic);
   /// One topic: where it comes from, and its number in the recording.
   struct Track {
     std::size_t number;
