@@ -65,6 +65,7 @@ void LiveViewComponent::take_inputs(Time now) {
   while (const auto message = take(quality_, now)) view_.quality = {*message, now};
   while (const auto message = take(safety_, now)) view_.safety = {*message, now};
   take_states(now);
+  take_link_states(now);
   take_diagnostics(now);
   for (Counted& one : counted_) {
     while (one.input->take_sample()) table_.on_sample(one.topic, now);
@@ -84,6 +85,14 @@ void LiveViewComponent::take_states(Time now) {
     if (message->role() != "uxv") continue;
     table_.on_sample(topic::TrafficReport::info.name, now);
     table_.on_report(*message, now);
+  }
+}
+
+void LiveViewComponent::take_link_states(Time now) {
+  while (const auto message = link_state_.take()) {
+    const bool from_vehicle = message->role() == "uxv";
+    if (from_vehicle) table_.on_sample(topic::LinkState::info.name, now);
+    (from_vehicle ? view_.uplink : view_.downlink) = {*message, now};
   }
 }
 

@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <iterator>
 
+#include "link_state_text/link_state_text.hpp"
+#include "terminal/aged.hpp"
 #include "traffic_page.hpp"
 #include "words.hpp"
 
 namespace tocsin {
 namespace {
 
+using terminal::aged;
 using terminal::Line;
-using terminal::Span;
 using terminal::Style;
 
 /// The instant of drawing, and how old things may be then.
@@ -25,21 +27,6 @@ struct Viewing {
     return freshness(now - heard.at, limits);
   }
 };
-
-/// `words` as they may be shown at their age. Of an unknown value only its age is left.
-Line aged(Line words, Duration age, const FreshnessLimits& limits) {
-  switch (freshness(age, limits)) {
-    case Freshness::fresh:
-      return words;
-    case Freshness::stale:
-      for (Span& span : words) span.style = Style::old;
-      words.push_back({", " + age_text(age) + " ago", Style::old});
-      return words;
-    case Freshness::unknown:
-      break;
-  }
-  return {{"unknown for " + age_text(age), Style::old}};
-}
 
 void append(Line& line, Line more) {
   std::move(more.begin(), more.end(), std::back_inserter(line));
@@ -88,6 +75,13 @@ bool safety_matters(const ViewState& state, const Viewing& viewing) {
          !view::hindrances(state.safety->value).empty();
 }
 
+/// What the router of one side says of its way over the link.
+Line way_line(const Heard<tocsin_msgs::msg::LinkState>& heard, const Viewing& viewing) {
+  Line line = labelled(link_text::direction(heard.value.role()).c_str());
+  append(line, aged(link_text::words(heard.value), viewing.now - heard.at, viewing.limits));
+  return line;
+}
+
 std::vector<Line> head_lines(const ViewState& state, const Viewing& viewing) {
   std::vector<Line> lines;
   const bool is_full = state.disk && state.disk->value.is_full();
@@ -98,6 +92,9 @@ std::vector<Line> head_lines(const ViewState& state, const Viewing& viewing) {
   lines.push_back(told("Link", state.quality, "no measurement yet", viewing));
   lines.push_back(told("Vehicle", state.uxv, "no decision yet", viewing));
   lines.push_back(told("Station", state.gcs, "no decision yet", viewing));
+  for (const auto* const way : {&state.uplink, &state.downlink}) {
+    if (*way) lines.push_back(way_line(**way, viewing));
+  }
   return lines;
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "foundation/printable.hpp"
+#include "link_state_text/link_state_text.hpp"
 #include "live_view/screen.hpp"
 #include "words.hpp"
 
@@ -58,6 +59,8 @@ std::string summary_line(const ViewState& state, Time now, const FreshnessLimits
   summary.tell("station", state.gcs, [](const tocsin_msgs::msg::TransmissionState& decided) {
     return decision("station", decided);
   });
+  summary.tell("uplink", state.uplink, link_text::summary);
+  summary.tell("downlink", state.downlink, link_text::summary);
   return printable(summary.text());
 }
 

@@ -38,6 +38,21 @@ TEST_F(LiveViewTest, TellsTheTwoRolesApart) {
   ASSERT_TRUE(sut_.state(bus_.now()).gcs.has_value());
 }
 
+TEST_F(LiveViewTest, TellsTheWaysOfTheTwoRoutersApart) {
+  tocsin_msgs::msg::LinkState link;
+  link.role("gcs");
+  link.packets(7);
+  bus_.publish<topic::LinkState>(link);
+  bus_.run_for(seconds(0.1));
+  EXPECT_FALSE(sut_.state(bus_.now()).uplink.has_value());
+  ASSERT_TRUE(sut_.state(bus_.now()).downlink.has_value());
+  EXPECT_EQ(sut_.state(bus_.now()).downlink->value.packets(), 7U);
+  link.role("uxv");
+  bus_.publish<topic::LinkState>(link);
+  bus_.run_for(seconds(0.1));
+  EXPECT_TRUE(sut_.state(bus_.now()).uplink.has_value());
+}
+
 TEST_F(LiveViewTest, KnowsTheRoomOnTheDiskFromTheContainersOfItsHost) {
   EXPECT_FALSE(sut_.state(bus_.now()).disk);
   diagnostic_msgs::msg::DiagnosticArray health;

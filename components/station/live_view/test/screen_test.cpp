@@ -95,6 +95,24 @@ TEST(Screen, NamesThoseWhoseEmergencyStopsStand) {
   EXPECT_THAT(text_of(state), HasSubstr("EMERGENCY STOP of station and button (7)"));
 }
 
+TEST(Screen, TellsOfEachSidesWayOverTheLinkBelowTheDecisions) {
+  const auto lines = lines_of(routed(full_state()), t0, {80, 24});
+  EXPECT_EQ(lines[6],
+            "Uplink    180 kB/s, backlog 12 ms, loss 3 %, late 3+0, repaired 12+0, scale 0.75");
+  EXPECT_THAT(lines[5], HasSubstr("Station"));
+  EXPECT_THAT(lines[7], HasSubstr("Downlink  180 kB/s"));
+  EXPECT_THAT(text_of(full_state()), Not(HasSubstr("Uplink"))) << "a host without a router";
+}
+
+TEST(Screen, AStaleStateOfTheLinkIsGreyAndAnUnknownOneIsNotShown) {
+  ViewState state = routed(full_state());
+  state.downlink->at = t0 - seconds(12);
+  EXPECT_THAT(coloured(state, t0), HasSubstr("Downlink  \x1b[2m180 kB/s"));
+  EXPECT_THAT(text_of(state), ::testing::ContainsRegex("Downlink [^\n]*, 12 s ago"));
+  state.downlink->at = t0 - seconds(31);
+  EXPECT_THAT(text_of(state), HasSubstr("Downlink  unknown for 31 s\n"));
+}
+
 TEST(Screen, AFreshValueHasNoAge) {
   EXPECT_THAT(text_of(full_state(), t0 + seconds(3)), Not(HasSubstr("ago")));
 }
@@ -178,7 +196,7 @@ void expect_fits(const ViewState& state, Size size) {
 }
 
 TEST(Screen, FitsEveryTerminal) {
-  ViewState state = with_topics(20);
+  ViewState state = routed(with_topics(20));
   state.safety->value.emergency_stop(true);
   state.mission->value.mission("巡回任務 ümläut");
   state.traffic[3].topic = "地図/画像/圧縮/カメラ/前方/左側/上段";

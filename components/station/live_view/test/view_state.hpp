@@ -23,6 +23,31 @@ inline TrafficRow camera_row() {
           seconds(0.5)};
 }
 
+/// What the router of a role tells of its way.
+inline tocsin_msgs::msg::LinkState link_of(const std::string& role) {
+  tocsin_msgs::msg::LinkState link;
+  link.role(role);
+  link.live_peers(1);
+  link.capacity_bytes_per_s(180000);
+  link.backlog_s(0.012F);
+  link.loss(0.03F);
+  link.scale(0.75F);
+  link.bytes(1000);
+  link.discovery_bytes(20);
+  link.classes().resize(1);
+  link.classes()[0].traffic_class("critical");
+  link.classes()[0].late(3);
+  link.classes()[0].repaired(12);
+  return link;
+}
+
+/// `state` with a router on both sides, heard at `t0`.
+inline ViewState routed(ViewState state) {
+  state.uplink = {link_of("uxv"), t0};
+  state.downlink = {link_of("gcs"), t0};
+  return state;
+}
+
 /// A vehicle under way, all of it heard at `t0`.
 inline ViewState full_state() {
   ViewState state;

@@ -5,12 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <functional>
 #include <mutex>
 #include <thread>
 
 #include "command_line/command.hpp"
 #include "foundation/error.hpp"
 #include "health_table.hpp"
+#include "link_table.hpp"
 #include "runtime/middleware/host_bus.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -21,30 +23,54 @@ volatile std::sig_atomic_t ended = 0;
 
 /// What is shown at an instant.
 struct Health {
+  Time now;
   std::vector<Row> rows;
   std::vector<Gone> gone;
+  LinkTable link;
 };
 
-/// Keeps the table up to date from the bus's threads.
+/// Gives each sample of a topic to `take`, on the bus's threads.
+template <class Topic>
 class Listener : private Receiver {
  public:
-  explicit Listener(Bus& bus)
-      : subscription_(bus.subscribe(
-            {topic::Diagnostics::info, &type_info<topic::Diagnostics::Message>()}, *this)) {}
-  Health health(Time now) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return {table_.rows(now), table_.gone(now)};
-  }
+  using Message = typename Topic::Message;
+  using Take = std::function<void(const Message&, const Sample&)>;
+  Listener(Bus& bus, Take take)
+      : take_(std::move(take)),
+        subscription_(bus.subscribe({Topic::info, &type_info<Message>()}, *this)) {}
 
  private:
   void receive(const Sample& sample) override {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    table_.add(*std::static_pointer_cast<const topic::Diagnostics::Message>(sample.message),
-               sample.source, sample.received);
+    take_(*std::static_pointer_cast<const Message>(sample.message), sample);
   }
+  const Take take_;
+  std::unique_ptr<Subscription> subscription_;
+};
+
+/// Keeps the tables up to date from the bus's threads.
+class Tables {
+ public:
+  explicit Tables(Bus& bus)
+      : health_(bus,
+                [this](const auto& message, const Sample& sample) {
+                  const std::lock_guard<std::mutex> lock(mutex_);
+                  table_.add(message, sample.source, sample.received);
+                }),
+        link_state_(bus, [this](const auto& message, const Sample& sample) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          link_.add(message, sample.received);
+        }) {}
+  Health health(Time now) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return {now, table_.rows(now), table_.gone(now), link_};
+  }
+
+ private:
   std::mutex mutex_;
   HealthTable table_;
-  std::unique_ptr<Subscription> subscription_;
+  LinkTable link_;
+  Listener<topic::Diagnostics> health_;
+  Listener<topic::LinkState> link_state_;
 };
 
 struct Options {
@@ -57,10 +83,20 @@ struct Options {
 /// Of what is written to a file or a pipe.
 constexpr std::size_t file_width = 200;
 
+/// The ways over the link, the health of everything, and what each class has carried.
+std::vector<terminal::Line> lines_of(const Health& health, std::size_t width) {
+  std::vector<terminal::Line> lines = health.link.lines(health.now);
+  for (const auto& part :
+       {page(health.rows, health.gone, width), health.link.classes(health.now, width)}) {
+    lines.insert(lines.end(), part.begin(), part.end());
+  }
+  return lines;
+}
+
 void print_all(const Health& health) {
   const bool terminal = ::isatty(STDOUT_FILENO) == 1;
   const std::size_t width = terminal ? terminal::size_of(STDOUT_FILENO).columns : file_width;
-  for (const terminal::Line& line : page(health.rows, health.gone, width)) {
+  for (const terminal::Line& line : lines_of(health, width)) {
     std::printf("%s\n", terminal::to_text(line, width, terminal).c_str());
   }
 }
@@ -68,7 +104,7 @@ void print_all(const Health& health) {
 /// A whole page of the terminal, whose size may have changed.
 void draw(const Health& health) {
   const terminal::Size size = terminal::size_of(STDOUT_FILENO);
-  auto lines = page(health.rows, health.gone, size.columns);
+  auto lines = lines_of(health, size.columns);
   lines = terminal::shortened(std::move(lines), size.rows, "lines");
   std::printf("%s", terminal::frame(lines, size).c_str());
 }
@@ -86,10 +122,10 @@ void show(const Options& options, const Health& health) {
 
 int run(const Options& options) {
   const auto bus = open_host_bus(options.host, "tocsin_top");
-  Listener listener(*bus);
+  Tables tables(*bus);
   if (options.once) {
     std::this_thread::sleep_for(seconds(2.5));  // every container reports once a second
-    const Health health = listener.health(bus->now());
+    const Health health = tables.health(bus->now());
     if (health.rows.empty()) throw EnvironmentError("nothing reports its health on this host");
     show(options, health);
     return 0;
@@ -99,7 +135,7 @@ int run(const Options& options) {
   }
   while (ended == 0) {
     std::this_thread::sleep_for(seconds(options.period_s));
-    show(options, listener.health(bus->now()));
+    show(options, tables.health(bus->now()));
   }
   if (!options.json) std::printf("\n");  // the prompt comes below the page
   return 0;

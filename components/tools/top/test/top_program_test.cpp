@@ -23,6 +23,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 constexpr int domain = 93;
+using LinkMessage = topic::LinkState::Message;
 
 std::unique_ptr<Bus> make_bus() {
   BusOptions options;
@@ -47,7 +48,7 @@ diagnostic_msgs::msg::DiagnosticArray report_of(const std::string& name, std::ui
   return array;
 }
 
-/// Reports two components ten times a second, as long as it lives.
+/// Reports two components and a way over the link ten times a second, as long as it lives.
 class Reporter {
  public:
   Reporter()
@@ -64,7 +65,13 @@ class Reporter {
 
  private:
   void run() {
+    const auto link = bus_->advertise({topic::LinkState::info, &type_info<LinkMessage>()});
     while (!ended_) {
+      LinkMessage state;
+      state.role("uxv");
+      state.live_peers(1);
+      state.capacity_bytes_per_s(180000);
+      (void)link->write(std::make_shared<const LinkMessage>(state));
       for (const auto& one : {report_of("drive/navigator", 0, "active"),
                               report_of("drive/camera", 2, "blocks since 7 s")}) {
         (void)publication_->write(std::make_shared<const topic::Diagnostics::Message>(one));
@@ -93,6 +100,7 @@ TEST(TopProgram, PrintsOnceWhatReportsTheGravestFirst) {
   EXPECT_NE(navigator, std::string::npos) << ended.output;
   EXPECT_LT(camera, navigator);
   EXPECT_THAT(ended.output, AllOf(HasSubstr("blocks since 7 s"), HasSubstr("RATE/Hz")));
+  EXPECT_LT(ended.output.find("Uplink    180 kB/s"), camera) << "the link stands above all";
   EXPECT_THAT(ended.output, Not(HasSubstr("\x1b"))) << "no colours into a file";
 }
 

@@ -46,6 +46,7 @@ class LiveViewComponent final : public Component {
   void look_at_readers();
   void take_inputs(Time now);
   void take_states(Time now);
+  void take_link_states(Time now);
   void take_diagnostics(Time now);
   template <class Topic>
   std::shared_ptr<const typename Topic::Message> take(Input<Topic>& input, Time now);
@@ -58,6 +59,7 @@ class LiveViewComponent final : public Component {
   OptionalInput<topic::TransmissionState> transmission_{*this};
   OptionalInput<topic::Heartbeat> heartbeat_{*this};
   OptionalInput<topic::TrafficReport> report_{*this};
+  OptionalInput<topic::LinkState> link_state_{*this};
   OptionalInput<topic::SafetyStatus> safety_{*this};
   OptionalInput<topic::Diagnostics> diagnostics_{*this};
   std::vector<Counted> counted_;

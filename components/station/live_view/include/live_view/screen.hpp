@@ -42,6 +42,8 @@ struct ViewState {
   std::optional<Heard<tocsin_msgs::msg::NetworkQuality>> quality;
   std::optional<Heard<tocsin_msgs::msg::TransmissionState>> uxv;
   std::optional<Heard<tocsin_msgs::msg::TransmissionState>> gcs;
+  std::optional<Heard<tocsin_msgs::msg::LinkState>> uplink;    ///< none without a router
+  std::optional<Heard<tocsin_msgs::msg::LinkState>> downlink;  ///< none without a router
   std::vector<TrafficRow> traffic;
 };
 
