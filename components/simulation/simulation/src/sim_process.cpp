@@ -87,11 +87,12 @@ std::unique_ptr<SimProcess::Topic> SimProcess::make_topic(const Endpoint& endpoi
 }
 
 SimProcess::Topic& SimProcess::topic(const Endpoint& endpoint) {
-  auto& found = topics_[endpoint.topic.name];
-  if (!found) {
-    found = make_topic(endpoint);
-    host_.attach(*found);
+  auto known = topics_.find(endpoint.topic.name);
+  if (known == topics_.end()) {
+    known = topics_.emplace(endpoint.topic.name, make_topic(endpoint)).first;
+    host_.attach(*known->second);
   }
+  const auto& found = known->second;
   if (found->endpoint.type != endpoint.type) {
     throw ConfigError(std::string("topic ") + endpoint.topic.name + ": type " +
                       endpoint.type->name + " clashes with " + found->endpoint.type->name);

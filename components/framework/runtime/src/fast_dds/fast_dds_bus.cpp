@@ -175,8 +175,11 @@ std::unique_ptr<TopicChannel> FastDdsBus::make_channel(const Endpoint& endpoint)
 
 TopicChannel& FastDdsBus::channel(const Endpoint& endpoint) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  auto& found = channels_[endpoint.topic.name];
-  if (!found) found = make_channel(endpoint);
+  auto known = channels_.find(endpoint.topic.name);
+  if (known == channels_.end()) {
+    known = channels_.emplace(endpoint.topic.name, make_channel(endpoint)).first;
+  }
+  const auto& found = known->second;
   if (found->type() != endpoint.type) {
     throw ConfigError(std::string("topic ") + endpoint.topic.name + ": type " +
                       endpoint.type->name + " clashes with " + found->type()->name);

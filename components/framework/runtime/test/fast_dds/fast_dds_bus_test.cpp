@@ -146,6 +146,8 @@ TEST_F(FastDdsBusTest, MissingProfileIsAConfigErrorNamingTheTopic) {
   wrong.topic.qos = "nonsense";
   Samples collector;
   EXPECT_THROW((void)bus->subscribe(wrong, collector), ConfigError);
+  EXPECT_TRUE(bus->health().empty()) << "the bus goes on without it";
+  bus->set_gate(false);
 }
 
 TEST_F(FastDdsBusTest, GateDropsTheLowClassAndDeliversTheNewestGoalOnResume) {
