@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -29,21 +28,14 @@ Mission shipped(const std::string& name) {
   return load_mission(config + "/missions/" + name + ".yaml");
 }
 
-/// Plans all legs, from the map's origin on; the longest planning time in milliseconds.
-double plan_all(const OccupancyMap& map, const Mission& mission) {
+/// Plans all legs, from the map's origin on.
+void expect_ways(const OccupancyMap& map, const Mission& mission) {
   Planner sut(std::make_shared<const CostMap>(map, InflationParams{}));
-  double worst_ms = 0;
   geometry::Point from{0, 0};
   for (const geometry::Pose& waypoint : mission.waypoints) {
-    const auto before = std::chrono::steady_clock::now();
-    const auto path = sut.plan(from, position(waypoint));
-    const std::chrono::duration<double, std::milli> took =
-        std::chrono::steady_clock::now() - before;
-    EXPECT_TRUE(path) << waypoint.x_m << ", " << waypoint.y_m;
-    worst_ms = std::max(worst_ms, took.count());
+    EXPECT_TRUE(sut.plan(from, position(waypoint))) << waypoint.x_m << ", " << waypoint.y_m;
     from = position(waypoint);
   }
-  return worst_ms;
 }
 
 TEST(Classroom, HoldsTheWaypointsOfBothMissionsWithClearance) {
@@ -52,8 +44,8 @@ TEST(Classroom, HoldsTheWaypointsOfBothMissionsWithClearance) {
 }
 
 TEST(Classroom, HasAWayBetweenAllWaypoints) {
-  plan_all(classroom(), shipped("mission_a"));
-  plan_all(classroom(), shipped("mission_b"));
+  expect_ways(classroom(), shipped("mission_a"));
+  expect_ways(classroom(), shipped("mission_b"));
 }
 
 TEST(Classroom, HasTheMissionsOfTheThesisLength) {
@@ -79,19 +71,9 @@ TEST(Classroom, IsDrivenThroughWithoutTouchingAWall) {
   }
 }
 
-TEST(Classroom, IsPlannedInAnInstant) {
-  EXPECT_LT(plan_all(classroom(), shipped("mission_b")), 50);
-}
-
 /// A worst case for the search, which visits nearly every cell: comb-shaped walls on a map of the
-/// size of the thesis's. It takes about 50 ms on an idle machine; the limit allows for a busy one.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double plan_within_ms = 5000;
-#else
-constexpr double plan_within_ms = 1000;
-#endif
-
-TEST(Plan, OfALabyrinthStaysQuick) {
+/// size of the thesis's.
+TEST(Plan, OfALabyrinthIsFound) {
   const Grid grid{960, 736, 0.05, {0, 0}};
   std::vector<Cell> cells(grid.size(), Cell::free);
   for (int column = 60; column < 900; column += 120) {
@@ -101,16 +83,7 @@ TEST(Plan, OfALabyrinthStaysQuick) {
   }
   const OccupancyMap map{grid, cells};
   Planner sut(std::make_shared<const CostMap>(map, InflationParams{}));
-  double best_ms = 1e9;  // of several, because these machines freeze now and then
-  for (int i = 0; i < 5; ++i) {
-    const auto before = std::chrono::steady_clock::now();
-    ASSERT_TRUE(sut.plan({1, 1}, {46, 1}));
-    const std::chrono::duration<double, std::milli> took =
-        std::chrono::steady_clock::now() - before;
-    best_ms = std::min(best_ms, took.count());
-  }
-  printf("planning the labyrinth: %.1f ms\n", best_ms);
-  EXPECT_LT(best_ms, plan_within_ms);
+  EXPECT_TRUE(sut.plan({1, 1}, {46, 1}));
 }
 
 TEST(ThesisMap, HasAWayThroughBothMissions) {
@@ -120,7 +93,7 @@ TEST(ThesisMap, HasAWayThroughBothMissions) {
   for (const char* name : {"mission_a", "mission_b"}) {
     const Mission mission = load_mission(folder + "/" + name + ".jsonl");
     EXPECT_NO_THROW(require_free(mission, map, 0.18));
-    EXPECT_LT(plan_all(map, mission), 50);
+    expect_ways(map, mission);
   }
 }
 

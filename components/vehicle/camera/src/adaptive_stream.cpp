@@ -8,7 +8,7 @@
 namespace tocsin::camera {
 namespace {
 
-constexpr double rate_share = 0.25;
+constexpr double rate_share = 0.1;
 constexpr double least_size = 0.1;
 constexpr double most_due = 2;  ///< pictures that a source may catch up with
 constexpr Duration budget_lasts = std::chrono::seconds(2);

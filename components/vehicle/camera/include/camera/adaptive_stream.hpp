@@ -9,7 +9,7 @@
 
 namespace tocsin::camera {
 
-/// Which pictures are sent, and how small, so that a stream keeps to its budget: a quarter of the
+/// Which pictures are sent, and how small, so that a stream keeps to its budget: a tenth of the
 /// saving (as powers) is made by the rate, the rest by the size, since a picture more helps a
 /// driver more than a sharper one. Pure; `now` never decreases.
 class AdaptiveStream {
