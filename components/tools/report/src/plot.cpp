@@ -25,6 +25,18 @@ void write_series(const Recording& recording, const fs::path& folder) {
   }
 }
 
+/// A block for each side, in the order of the map: time, capacity [kbit/s], backlog [ms].
+void write_routers(const Recording& recording, const fs::path& folder) {
+  std::ofstream link(folder / "link.dat");
+  for (const auto& [role, states] : recording.routers) {
+    for (const RouterState& state : states) {
+      link << state.time_s - recording.begin_s << " " << state.capacity_bytes_per_s * 8e-3 << " "
+           << state.backlog_s * 1e3 << "\n";
+    }
+    link << "\n\n";
+  }
+}
+
 /// A block of two columns for each class, in the order of the map.
 void write_traffic(const Recording& recording, const fs::path& folder) {
   std::ofstream traffic(folder / "traffic.dat");
@@ -49,6 +61,34 @@ std::string pause_boxes(const Recording& recording) {
   return text;
 }
 
+/// One curve of link.dat, by the column of its values.
+std::string link_line(std::size_t index, int column, const char* axes, std::size_t colour,
+                      const std::string& title) {
+  return "'link.dat' index " + std::to_string(index) + " using 1:" + std::to_string(column) +
+         " axes " + axes + " with lines linewidth 1.5 linecolor " + gnuplot_colour(colour) +
+         " title " + gnuplot_text(title);
+}
+
+/// The vehicle's capacity, which pictures measure, and the backlog of both sides; empty without
+/// routers.
+std::string link_panel(const Recording& recording) {
+  if (recording.routers.empty()) return "";
+  std::string curves;
+  std::size_t index = 0;
+  for (const auto& [role, states] : recording.routers) {
+    if (role == "uxv") curves += link_line(index, 2, "x1y1", 0, "uxv capacity") + ", ";
+    ++index;
+  }
+  index = 0;
+  for (const auto& [role, states] : recording.routers) {
+    curves += (index > 0 ? ", " : "") + link_line(index, 3, "x1y2", 1 + index, role + " backlog");
+    ++index;
+  }
+  return "set ylabel 'capacity [kbit/s]'\nset yrange [0:*]\nset y2label 'backlog [ms]'\n"
+         "set y2range [0:*]\nset y2tics\nset ytics nomirror\nplot " +
+         curves + "\nunset y2tics\nunset y2label\nset ytics mirror\n";
+}
+
 std::string traffic_lines(const Recording& recording) {
   std::string text = "plot ";
   std::size_t index = 0;
@@ -62,11 +102,13 @@ std::string traffic_lines(const Recording& recording) {
   return index > 0 ? text + "\n" : "";
 }
 
+int panel_count(const Recording& recording) { return recording.routers.empty() ? 2 : 3; }
+
 std::string script(const Recording& recording) {
   const std::string policy =
       recording.decisions.empty() ? "" : ", policy " + recording.decisions.back().policy;
   std::string panels =
-      "set multiplot layout 2,1 title " +
+      "set multiplot layout " + std::to_string(panel_count(recording)) + ",1 title " +
       gnuplot_text("Mission " + recording.mission.name + policy + " (grey: paused)") +
       " noenhanced\n" + pause_boxes(recording) +
       "set xrange [0:" + std::to_string(recording.end_s - recording.begin_s) +
@@ -74,13 +116,14 @@ std::string script(const Recording& recording) {
       "set yrange [0:100]\nset ylabel 'QNI, PER [%]'\n"
       "plot 'qni.dat' with lines linewidth 1.5 linecolor " +
       gnuplot_colour(0) + " title 'QNI', 'per.dat' with lines linewidth 1.5 linecolor " +
-      gnuplot_colour(1) +
-      " title 'PER'\n"
+      gnuplot_colour(1) + " title 'PER'\n" + link_panel(recording) +
       "set ylabel 'received [kbit/s]'\nset xlabel 'time [s]'\n"
       "set yrange [0.1:*]\nset logscale y\n" +
       traffic_lines(recording) + "unset multiplot\nunset logscale y\nreset\n";
-  return "set terminal pngcairo size 1200,800\nset output '../plot.png'\n" + panels +
-         "set terminal svg size 1200,800 background '#ffffff'\nset output '../plot.svg'\n" + panels;
+  const std::string size = "1200," + std::to_string(400 * panel_count(recording));
+  return "set terminal pngcairo size " + size + "\nset output '../plot.png'\n" + panels +
+         "set terminal svg size " + size + " background '#ffffff'\nset output '../plot.svg'\n" +
+         panels;
 }
 
 }  // namespace
@@ -89,6 +132,7 @@ void draw_plot(const Recording& recording) {
   const fs::path folder = fs::path(recording.folder) / "plot";
   fs::create_directories(folder);
   write_series(recording, folder);
+  write_routers(recording, folder);
   write_traffic(recording, folder);
   const std::string commands = script(recording);
   std::ofstream(folder / "plot.gnuplot") << commands;

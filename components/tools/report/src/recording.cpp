@@ -111,6 +111,21 @@ void add_path(Recording& recording) {
   }
 }
 
+/// What the router of a role told, as its own side recorded it, else as the other one did.
+void add_router(const std::string& role, Recording& recording) {
+  const std::string other = role == "uxv" ? "gcs" : "uxv";
+  for (const std::string& recorder : {role, other}) {
+    const CsvTable table = CsvTable::read(recording.folder + "/" + recorder + "/link_state.csv");
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      const double time_s = table.number(row, "send_s");
+      if (table.text(row, "role") != role || !std::isfinite(time_s)) continue;
+      recording.routers[role].push_back(
+          {time_s, table.number(row, "capacity_bytes_per_s"), table.number(row, "backlog_s")});
+    }
+    if (recording.routers.count(role) != 0) return;
+  }
+}
+
 void add_mission(Recording& recording) {
   const CsvTable table = CsvTable::read(recording.folder + "/gcs/mission_status.csv");
   if (table.rows() == 0) return;
@@ -170,6 +185,8 @@ Recording load_recording(const std::string& folder) {
   add_written(down, "gcs", recording);
   add_decisions(recording);
   add_qualities(recording);
+  add_router("uxv", recording);
+  add_router("gcs", recording);
   add_mission(recording);
   add_path(recording);
   recording.link = read_link_log(folder + "/radio.jsonl");

@@ -65,6 +65,19 @@ TEST(Recording, CountsWhatWasWrittenHeldBackOrNot) {
   EXPECT_EQ(sut.written.at("uxv critical"), 4U);  // rows of the table with role uxv
 }
 
+TEST(Recording, ARoutersStateComesFromTheOtherSideWhenItsOwnHasNone) {
+  const ToyRun run;
+  run.write("gcs/link_state.csv",
+            "receive_s,send_s,role,capacity_bytes_per_s,backlog_s\n1001.5,1001,uxv,5000,0.25\n"
+            "1002,nan,uxv,1,1\n");
+  const Recording sut = load_recording(run.path());
+  ASSERT_EQ(sut.routers.size(), 1U) << "the station has no router";
+  ASSERT_THAT(sut.routers.at("uxv"), SizeIs(1)) << "a row without a time is left out";
+  EXPECT_EQ(sut.routers.at("uxv")[0].time_s, 1001);
+  EXPECT_EQ(sut.routers.at("uxv")[0].capacity_bytes_per_s, 5000);
+  EXPECT_EQ(sut.routers.at("uxv")[0].backlog_s, 0.25);
+}
+
 TEST(Recording, KnowsWhereTheVehicleWas) {
   const ToyRun run;
   run.write("uxv/location.csv",

@@ -44,6 +44,13 @@ struct LinkState {
   double late_ms;      ///< longest the emulator was late; 0 in simulation
 };
 
+/// What the router of one side estimates of its way over the link, once a second.
+struct RouterState {
+  double time_s;
+  double capacity_bytes_per_s;  ///< headers included
+  double backlog_s;             ///< what waits in the radio: the delay of the next packet
+};
+
 /// The last that mission control reported.
 struct Mission {
   std::string name;
@@ -65,6 +72,8 @@ struct Recording {
   std::map<std::string, std::uint64_t> written;
   std::vector<Place> path;
   std::vector<LinkState> link;
+  /// Role of the sending side -> what its router told; nothing of a side without a router.
+  std::map<std::string, std::vector<RouterState>> routers;
   Mission mission;
   double begin_s = 0;  ///< first and last time seen
   double end_s = 0;
