@@ -92,7 +92,7 @@ SimProcess& SimHost::add_process(const std::string& name, int life) {
 void SimHost::detach(SimProcess::Topic& topic) {
   auto& processes = topic.on_host->processes;
   processes.erase(std::remove(processes.begin(), processes.end(), &topic), processes.end());
-  if (topic.on_host->last.source == topic.source) topic.on_host->last = {};  // it died with it
+  topic.on_host->last.erase(topic.source);  // it died with it
 }
 
 void SimHost::attach(SimProcess::Topic& topic) {
@@ -104,7 +104,11 @@ void SimHost::attach(SimProcess::Topic& topic) {
                       topic.endpoint.type->name + " clashes with " + all.type->name);
   }
   all.processes.push_back(&topic);
-  if (all.last.message) topic.deliver(all.last);
+  for (const auto& kept : all.last) topic.deliver(kept.second);
+  for (const auto& kept : all.last_carried) {
+    (void)topic.carried.is_first(kept.second.source, kept.second.sequence);
+    topic.deliver(kept.second);
+  }
 }
 
 void SimHost::set_router(SimLinkBus* router) {
@@ -115,9 +119,8 @@ void SimHost::set_router(SimLinkBus* router) {
     for (const SimProcess::Topic* topic : all.processes) {
       if (!topic->writes) continue;
       router->on_writer(*topic);
-      if (all.last.message && all.last.source == topic->source) {
-        router->on_written(*topic, all.last);
-      }
+      const auto kept = all.last.find(topic->source);
+      if (kept != all.last.end()) router->on_written(*topic, kept->second);
     }
   }
 }
@@ -133,7 +136,7 @@ void SimHost::give(const Flow& flow, const CarriedSample& carried, const Freight
   sample.source = carried.source;
   sample.bytes = carried.bytes;
   all.carried[carried.source] = {freight.from->host, flow.user_data};
-  if (flow.transient_local) all.last = sample;
+  if (flow.transient_local) all.last_carried[freight.from->host + "|" + flow.user_data] = sample;
   for (SimProcess::Topic* topic : all.processes) {
     if (!topic->carried.is_first(sample.source, sample.sequence)) continue;
     if (network_.core.observer != nullptr && topic->reads()) {
@@ -152,7 +155,7 @@ bool SimHost::has_readers(const SimProcess::Topic& topic) {
 }
 
 void SimHost::deliver(const SimProcess::Topic& from, const Sample& sample) {
-  if (from.keeps_last) from.on_host->last = sample;
+  if (from.keeps_last) from.on_host->last[from.source] = sample;
   for (SimProcess::Topic* topic : from.on_host->processes) {
     topic->deliver(sample);
   }

@@ -137,7 +137,8 @@ class SimProcess final : public Bus {
 struct HostTopic {
   const TypeInfo* type = nullptr;
   std::vector<SimProcess::Topic*> processes;
-  Sample last;
+  std::map<std::uint64_t, Sample> last = {};         ///< of its own writers, by source
+  std::map<std::string, Sample> last_carried = {};   ///< by peer and user data: one per flow
   std::map<std::uint64_t, WriterInfo> carried = {};  ///< writers on other hosts, by source
 };
 
@@ -166,7 +167,7 @@ class SimHost {
   [[nodiscard]] Duration clock_offset() const { return clock_offset_; }
   /// A process that read and wrote a topic has died.
   static void detach(SimProcess::Topic& topic);
-  /// A process has begun to read a topic; gets the last sample of those that are kept.
+  /// A process has begun to read a topic; gets the last samples of those that are kept.
   void attach(SimProcess::Topic& topic);
   /// Hands a sample to every process of this host.
   static void deliver(const SimProcess::Topic& from, const Sample& sample);

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+// What routers of simulated hosts carry, and to whom.
+#include <gtest/gtest.h>
+
+#include "link_bus_fixture.hpp"
+
+namespace tocsin::simulation {
+namespace {
+
+using link_event::HostFlow;
+using link_event::HostSample;
+using link_event::LinkSample;
+using link_event::PeerFound;
+using link_event::PeerListens;
+
+TEST_F(LinkBusTest, ASampleReachesEveryProcessOfTheOtherHostOnce) {
+  connect();
+  Reader& first = read<topic::Location>(mission_);
+  Reader& second = read<topic::Location>(view_);
+  Reader& third = read<topic::Location>(view_);
+  const auto writer = drive_.advertise(endpoint<topic::Location>());
+  run_for(1);
+  (void)writer->write(message<topic::Location>());
+  EXPECT_TRUE(first.samples.empty());
+  run_for(1);
+  for (const Reader* one : {&first, &second, &third}) EXPECT_EQ(one->samples.size(), 1U);
+  EXPECT_EQ(down().count<LinkSample>(), 1U);  // however many read it
+}
+
+TEST_F(LinkBusTest, SourceSequenceSendTimeAndTheMessageItselfCross) {
+  connect();
+  Reader& near = read<topic::Location>(payload_);
+  Reader& away = read<topic::Location>(mission_);
+  const auto writer = drive_.advertise(endpoint<topic::Location>());
+  run_for(1);
+  (void)writer->write(message<topic::Location>());
+  run_for(1);
+  const Time sent = core_.now;
+  const auto written = message<topic::Location>();
+  (void)writer->write(written);
+  run_for(1);
+  ASSERT_EQ(near.samples.size(), 2U);
+  ASSERT_EQ(away.samples.size(), 2U);
+  const Sample& got = away.samples[1];
+  EXPECT_EQ(got.message, written);
+  EXPECT_EQ(got.source, near.samples[1].source);
+  EXPECT_EQ(got.sequence, 2U);
+  EXPECT_EQ(got.sent_wall_ns, Core::wall_ns(sent));
+  EXPECT_EQ(got.bytes, type_info<topic::Location::Message>().serialized_size(written.get()));
+  EXPECT_EQ(got.received, sent + seconds(0.01));  // as long as the radio takes
+  EXPECT_EQ(got.received_wall_ns, Core::wall_ns(got.received));
+}
+
+TEST_F(LinkBusTest, EachHostTellsTheTimeByItsOwnClock) {
+  connect();
+  uxv_.jump(seconds(100));
+  gcs_.jump(seconds(-7));
+  Reader& away = read<topic::Location>(mission_);
+  const auto writer = drive_.advertise(endpoint<topic::Location>());
+  run_for(1);
+  (void)writer->write(message<topic::Location>());
+  run_for(1);
+  ASSERT_EQ(away.samples.size(), 1U);
+  EXPECT_EQ(away.samples[0].sent_wall_ns - away.samples[0].received_wall_ns,
+            (seconds(107) - seconds(0.01)).count());
+}
+
+TEST_F(LinkBusTest, ReadersOnTheWritersHostGetASampleOnceAndAtOnce) {
+  connect();
+  read<topic::Location>(mission_);
+  Reader& near = read<topic::Location>(payload_);
+  write<topic::Location>(drive_);
+  EXPECT_EQ(near.samples.size(), 1U);
+  run_for(2);
+  EXPECT_EQ(near.samples.size(), 1U);
+}
+
+TEST_F(LinkBusTest, BothSidesMayWriteTheSameTopic) {
+  connect();
+  Reader& at_vehicle = read<topic::Heartbeat>(payload_);
+  Reader& at_station = read<topic::Heartbeat>(view_);
+  const auto from_vehicle = drive_.advertise(endpoint<topic::Heartbeat>());
+  const auto from_station = mission_.advertise(endpoint<topic::Heartbeat>());
+  run_for(1);
+  (void)from_vehicle->write(message<topic::Heartbeat>());
+  (void)from_station->write(message<topic::Heartbeat>());
+  run_for(1);
+  EXPECT_EQ(at_vehicle.samples.size(), 2U);
+  EXPECT_EQ(at_station.samples.size(), 2U);
+}
+
+TEST_F(LinkBusTest, ASampleThatIsSentAgainIsGivenOnce) {
+  connect();
+  Reader& away = read<topic::Location>(mission_);
+  const auto writer = drive_.advertise(endpoint<topic::Location>());
+  run_for(1);
+  (void)writer->write(message<topic::Location>());
+  run_for(1);
+  const FlowId flow = up().opened.begin()->second;
+  EXPECT_EQ(up().bus.send(flow, up().got<HostSample>()[0].sample), 2U);
+  run_for(1);
+  EXPECT_EQ(down().count<LinkSample>(), 2U);
+  EXPECT_EQ(away.samples.size(), 1U);
+}
+
+TEST_F(LinkBusTest, TransmissionsOfEachFlowAreNumberedFromOne) {
+  connect();
+  const auto location = drive_.advertise(endpoint<topic::Location>());
+  const auto heartbeat = drive_.advertise(endpoint<topic::Heartbeat>());
+  run_for(1);
+  for (int i = 0; i < 3; ++i) (void)location->write(message<topic::Location>());
+  (void)heartbeat->write(message<topic::Heartbeat>());
+  run_for(1);
+  EXPECT_EQ(up().numbers, (std::vector<std::uint64_t>{1, 2, 3, 1}));
+  std::vector<std::uint64_t> came;
+  for (const LinkSample& one : down().got<LinkSample>()) came.push_back(one.number);
+  EXPECT_EQ(came, up().numbers);
+}
+
+TEST_F(LinkBusTest, WhatTheAirLosesIsNotRepairedByTheBus) {
+  connect();
+  Reader& away = read<topic::TransmissionState>(mission_);
+  const auto writer = drive_.advertise(endpoint<topic::TransmissionState>());
+  run_until(start_time + seconds(101));
+  (void)writer->write(message<topic::TransmissionState>());
+  run_for(20);
+  EXPECT_TRUE(away.samples.empty());
+  (void)writer->write(message<topic::TransmissionState>());
+  run_for(1);
+  ASSERT_EQ(down().count<LinkSample>(), 1U);
+  EXPECT_EQ(down().got<LinkSample>()[0].number, 2U);  // so that the loss can be told
+}
+
+TEST_F(LinkBusTest, HostTopicsStayOnTheirHost) {
+  connect();
+  Reader& away = read<topic::Odom>(mission_);
+  write<topic::Odom>(drive_);
+  run_for(1);
+  EXPECT_EQ(up().count<HostFlow>(), 0U);
+  EXPECT_TRUE(away.samples.empty());
+}
+
+TEST_F(LinkBusTest, ATopicThatTheTrafficFileDoesNotNameForThisSideStaysOnItsHost) {
+  connect();
+  write<topic::Goal>(drive_);  // only the ground station sends goals
+  EXPECT_EQ(up().bus.take(), std::nullopt);
+  write<topic::Goal>(mission_);
+  run_for(1);
+  EXPECT_EQ(up().count<HostFlow>(), 0U);
+  EXPECT_EQ(down().count<HostFlow>(), 1U);
+}
+
+TEST_F(LinkBusTest, ALateReaderGetsTheLastStateThatWasCarried) {
+  connect();
+  const auto state = drive_.advertise(endpoint<topic::TransmissionState>());
+  const auto location = drive_.advertise(endpoint<topic::Location>());
+  run_for(1);
+  for (int i = 0; i < 3; ++i) (void)state->write(message<topic::TransmissionState>());
+  (void)location->write(message<topic::Location>());
+  run_for(1);
+  const Reader& of_state = read<topic::TransmissionState>(mission_);
+  ASSERT_EQ(of_state.samples.size(), 1U);
+  EXPECT_EQ(of_state.samples[0].sequence, 3U);
+  EXPECT_TRUE(read<topic::Location>(mission_).samples.empty());
+}
+
+TEST_F(LinkBusTest, ARouterThatIsMadeLaterLearnsOfWritersAndOfTheirLastStates) {
+  Reader& of_state = read<topic::TransmissionState>(mission_);
+  Reader& of_location = read<topic::Location>(mission_);
+  write<topic::TransmissionState>(drive_, 3);
+  write<topic::Location>(payload_);
+  run_for(5);
+  connect();
+  EXPECT_EQ(up().count<HostFlow>(), 2U);
+  ASSERT_EQ(up().count<HostSample>(), 1U);
+  EXPECT_EQ(up().got<HostSample>()[0].sample.sequence, 3U);
+  run_for(1);
+  ASSERT_EQ(of_state.samples.size(), 1U);
+  EXPECT_EQ(of_state.samples[0].sequence, 3U);
+  EXPECT_TRUE(of_location.samples.empty());
+}
+
+TEST_F(LinkBusTest, ARestartedRouterRepeatsNothingToReadersThatHaveTheState) {
+  connect();
+  Reader& away = read<topic::TransmissionState>(mission_);
+  write<topic::TransmissionState>(drive_);
+  run_for(1);
+  ASSERT_EQ(away.samples.size(), 1U);
+  kill_router(uxv_);
+  start(uxv_);
+  run_for(1);
+  EXPECT_EQ(down().count<LinkSample>(), 2U);
+  EXPECT_EQ(away.samples.size(), 1U);
+}
+
+TEST_F(LinkBusTest, ARestartedRouterRepeatsNothingToALateReaderThatGotTheStateFromItsHost) {
+  connect();
+  write<topic::TransmissionState>(drive_);
+  run_for(1);
+  Reader& late = read<topic::TransmissionState>(mission_);
+  ASSERT_EQ(late.samples.size(), 1U);
+  kill_router(uxv_);
+  start(uxv_);
+  run_for(1);
+  EXPECT_EQ(down().count<LinkSample>(), 2U);
+  EXPECT_EQ(late.samples.size(), 1U);
+}
+
+TEST_F(LinkBusTest, ARouterKnowsItsOwnHostsStateAlthoughThePeerHasWrittenTheSameTopic) {
+  connect();
+  const auto own = drive_.advertise(endpoint<topic::TransmissionState>());
+  const auto other = mission_.advertise(endpoint<topic::TransmissionState>());
+  run_for(1);
+  (void)own->write(message<topic::TransmissionState>());
+  run_for(1);
+  (void)other->write(message<topic::TransmissionState>());
+  run_for(1);
+  kill_router(uxv_);
+  start(uxv_);
+  run_for(1);
+  EXPECT_EQ(up().count<HostSample>(), 1U);
+}
+
+TEST_F(LinkBusTest, ALateReaderGetsTheLastStateOfEachWriter) {
+  connect();
+  const auto own = drive_.advertise(endpoint<topic::TransmissionState>());
+  const auto other = mission_.advertise(endpoint<topic::TransmissionState>());
+  run_for(1);
+  (void)own->write(message<topic::TransmissionState>());
+  (void)other->write(message<topic::TransmissionState>());
+  run_for(1);
+  EXPECT_EQ(read<topic::TransmissionState>(payload_).samples.size(), 2U);
+}
+
+TEST_F(LinkBusTest, ALateReaderGetsNothingOfAWriterOnItsHostThatHasDied) {
+  connect();
+  {
+    const auto own = drive_.advertise(endpoint<topic::TransmissionState>());
+    (void)own->write(message<topic::TransmissionState>());
+    run_for(1);
+  }
+  drive_.die();
+  EXPECT_TRUE(read<topic::TransmissionState>(payload_).samples.empty());
+  EXPECT_EQ(read<topic::TransmissionState>(mission_).samples.size(), 1U);  // its router has it
+}
+
+TEST_F(LinkBusTest, EveryPeerGetsACopy) {
+  SimHost second(network_, "tablet", "gcs", TOCSIN_REPOSITORY "/config/traffic.yaml", true);
+  SimProcess& screen = second.add_process("screen");
+  connect();
+  start(second);
+  Reader& first_reader = read<topic::Location>(mission_);
+  Reader& second_reader = read<topic::Location>(screen);
+  const auto writer = drive_.advertise(endpoint<topic::Location>());
+  run_for(0.5);
+  EXPECT_EQ(up().count<PeerFound>(), 2U);
+  EXPECT_EQ(up().count<PeerListens>(), 2U);
+  (void)writer->write(message<topic::Location>());
+  run_for(0.1);
+  EXPECT_EQ(first_reader.samples.size(), 1U);
+  EXPECT_EQ(second_reader.samples.size(), 1U);
+  EXPECT_EQ(up().bus.packets().packets, 2U);
+  kill_router(second);
+}
+
+TEST_F(LinkBusTest, AMessageBetweenRoutersIsUnpackedAsItWasPacked) {
+  connect();
+  const TypeInfo& type = type_info<topic::Goal::Message>();
+  const auto packed = message<topic::Goal>();
+  const CarriedSample sample = up().bus.pack(type, packed);
+  EXPECT_EQ(sample.bytes, type.serialized_size(packed.get()));
+  const FlowId flow = up().bus.open({}, 0);
+  run_for(0.2);
+  EXPECT_EQ(up().bus.send(flow, sample), 1U);
+  core_.now += seconds(0.01);
+  link_.advance();
+  const auto event = down().bus.take();
+  ASSERT_TRUE(event);
+  ASSERT_TRUE(std::holds_alternative<LinkSample>(*event));
+  EXPECT_EQ(down().bus.unpack(type, std::get<LinkSample>(*event).sample), packed);
+}
+
+}  // namespace
+}  // namespace tocsin::simulation
