@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 
@@ -62,6 +63,34 @@ TEST(RandomFaults, AreOneToSixInOrderAndOverInTime) {
       EXPECT_EQ(fault.target.find("view"), std::string::npos);
     }
   }
+}
+
+bool crashes(const FaultPlan& plan, const std::string& process) {
+  return std::any_of(plan.begin(), plan.end(), [&](const Fault& fault) {
+    return fault.kind == FaultKind::crash && fault.target == process;
+  });
+}
+
+/// As in a campaign: the main job without its recorders.
+TEST(RandomFaults, CrashEachRouterOfTheMainJobInEveryFifthRun) {
+  deployment::Overrides overrides;
+  overrides.without = {"uxv/recorder", "gcs/recorder"};
+  const auto deployment =
+      deployment::load_deployment(TOCSIN_REPOSITORY "/bringup/mission.yaml", overrides);
+  int uxv = 0;
+  int gcs = 0;
+  int either = 0;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    const FaultPlan plan = random_faults(seed, deployment);
+    const bool of_uxv = crashes(plan, "uxv/link");
+    const bool of_gcs = crashes(plan, "gcs/link");
+    uxv += of_uxv ? 1 : 0;
+    gcs += of_gcs ? 1 : 0;
+    either += of_uxv || of_gcs ? 1 : 0;
+  }
+  std::printf("of 1000 seeds crash uxv/link %d, gcs/link %d, either %d\n", uxv, gcs, either);
+  EXPECT_GE(uxv, 200);
+  EXPECT_GE(gcs, 200);
 }
 
 TEST(LoadFaults, ReadsWhatToYamlWrites) {
