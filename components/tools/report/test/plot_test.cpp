@@ -72,6 +72,14 @@ TEST_F(PlotTest, ARunWithRoutersHasAPanelOfCapacityAndBacklog) {
   EXPECT_LT(script.find("graph 0 to"), script.find("'link.dat'")) << "pauses are shaded there, too";
 }
 
+TEST_F(PlotTest, ARouterOfTheStationAloneShowsItsBacklog) {
+  run_.write("gcs/link_state.csv", std::string(link_head) + "1003,1003,gcs,1000,nan,[]\n");
+  draw();
+  EXPECT_EQ(text("link.dat"), "3 8 nan\n\n\n");
+  EXPECT_THAT(text("plot.gnuplot"), AllOf(HasSubstr("plot 'link.dat' index 0 using 1:3 axes x1y2"),
+                                          Not(HasSubstr("using 1:2 axes"))));
+}
+
 TEST_F(PlotTest, ARunWithoutRoutersHasNoSuchPanel) {
   draw();
   EXPECT_EQ(text("link.dat"), "");
