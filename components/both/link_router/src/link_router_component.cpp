@@ -244,8 +244,10 @@ void LinkRouterComponent::report_traffic(Time now) {
     one.traffic_class(to_string(link_->rules().of(flow.topic).traffic_class));
     one.paused(!open_ && flow.rule.while_paused != router::WhilePaused::send);
     one.written(flow.written);
-    one.sent(flow.sent);
-    one.dropped(flow.written - flow.sent);
+    // A durable sample may be sent before anybody wants it, and again to a peer that comes later.
+    const std::uint64_t sent = std::min(flow.sent, flow.written);
+    one.sent(sent);
+    one.dropped(flow.written - sent);
     one.sent_bytes(flow.sent_bytes);
     message.topics().push_back(std::move(one));
   }

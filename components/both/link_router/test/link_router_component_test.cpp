@@ -163,6 +163,25 @@ TEST_F(LinkRouterTest, TellsTheStateOfTheLinkAndOfEachTopicOnceASecond) {
   EXPECT_EQ(reports.back().topics()[0].dropped(), 1U);
 }
 
+TEST_F(LinkRouterTest, ADurableSampleThatIsSentAgainToALatePeerCountsAsSentOnce) {
+  Flow durable = flow("docking/status");
+  durable.transient_local = true;
+  script_.happen(link_event::HostFlow{host_flow, durable});
+  run(0);
+  const FlowId on_link = script_.opened_for("docking/status");
+  write(1);
+  meet();
+  listen(on_link);
+  run(2.5);
+  ASSERT_GT(script_.sent_on(on_link), 1U) << "to nobody, then to the station";
+  const auto reports = reports_.take();
+  ASSERT_FALSE(reports.empty());
+  ASSERT_EQ(reports.back().topics().size(), 1U);
+  EXPECT_EQ(reports.back().topics()[0].written(), 1U);
+  EXPECT_EQ(reports.back().topics()[0].sent(), 1U);
+  EXPECT_EQ(reports.back().topics()[0].dropped(), 0U);
+}
+
 TEST_F(LinkRouterTest, ARestartedPeerIsAnsweredInItsNewLife) {
   meet();
   begin_peer_flow("goal");

@@ -112,7 +112,7 @@ std::string script(const Recording& recording) {
       gnuplot_text("Mission " + recording.mission.name + policy + " (grey: paused)") +
       " noenhanced\n" + pause_boxes(recording) +
       "set xrange [0:" + std::to_string(recording.end_s - recording.begin_s) +
-      "]\nset grid\nset lmargin 10\nset rmargin 22\nset key outside right\n"
+      "]\nset grid\nset lmargin 10\nset rmargin 28\nset key outside right\n"
       "set yrange [0:100]\nset ylabel 'QNI, PER [%]'\n"
       "plot 'qni.dat' with lines linewidth 1.5 linecolor " +
       gnuplot_colour(0) + " title 'QNI', 'per.dat' with lines linewidth 1.5 linecolor " +
