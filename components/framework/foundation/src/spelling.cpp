@@ -25,7 +25,7 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-std::string quoted(const std::string& word) { return "'" + word + "'"; }
+std::string in_quotes(const std::string& word) { return "'" + word + "'"; }
 
 }  // namespace
 
@@ -40,7 +40,7 @@ std::string did_you_mean(const std::vector<std::string>& words, const std::strin
                          const std::string& list) {
   const std::vector<std::string> near = similar(words, word);
   if (near.empty()) return "; " + list + ": " + joined(words);
-  return "; did you mean " + joined_of(near, quoted, " or ") + "?";
+  return "; did you mean " + joined_of(near, in_quotes, " or ") + "?";
 }
 
 }  // namespace tocsin

@@ -36,7 +36,7 @@ function(tocsin_target_options target)
   target_compile_options(${target} PRIVATE -UNDEBUG)
   if(CMAKE_UNITY_BUILD)
     # What a source keeps to itself seems to be in a header then.
-    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-shadow)
   endif()
   if(TOCSIN_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${TOCSIN_SANITIZE} -fno-omit-frame-pointer

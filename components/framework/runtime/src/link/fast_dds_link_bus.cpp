@@ -12,7 +12,7 @@
 namespace tocsin {
 namespace {
 
-const char* const loopback = "127.0.0.1";
+const char* const host_address = "127.0.0.1";
 /// The link's participant of a host has the host's name and this.
 const std::string router_suffix = "_link_router";
 
@@ -66,8 +66,8 @@ FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> 
 ParticipantOptions FastDdsLinkBus::host_options() {
   ParticipantOptions host{options_.name + "_router",
                           options_.host_domain,
-                          loopback,
-                          {loopback},
+                          host_address,
+                          {host_address},
                           options_.processes + 2};
   host.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_host_end(guid, end, there);

@@ -9,10 +9,10 @@
 namespace tocsin {
 namespace {
 
-const std::string key = "tocsin_flow=";
+const std::string flow_key = "tocsin_flow=";
 constexpr int largest_depth = 10000;
 
-/// What stands between the key and the next semicolon.
+/// What stands between the flow_key and the next semicolon.
 struct Words {
   char reliability[16] = "";
   char durability[16] = "";
@@ -34,16 +34,17 @@ std::optional<Words> words_in(const std::string& text) {
 std::string announcement_of(const Flow& flow) {
   const bool separate = !flow.user_data.empty() && flow.user_data.back() != ';';
   return flow.user_data + (separate ? ";" : "") +
-         fmt::format("{}{},{},{},{};", key, flow.reliable ? "reliable" : "best_effort",
+         fmt::format("{}{},{},{},{};", flow_key, flow.reliable ? "reliable" : "best_effort",
                      flow.transient_local ? "transient_local" : "volatile", flow.depth,
                      flow.lifespan_s);
 }
 
 void read_announcement(Flow& flow) {
-  const std::size_t at = flow.user_data.find(key);
+  const std::size_t at = flow.user_data.find(flow_key);
   if (at == std::string::npos) return;
   const std::size_t end = std::min(flow.user_data.find(';', at), flow.user_data.size() - 1);
-  const auto words = words_in(flow.user_data.substr(at + key.size(), end - at - key.size()));
+  const auto words =
+      words_in(flow.user_data.substr(at + flow_key.size(), end - at - flow_key.size()));
   flow.user_data.erase(at, end - at + 1);
   if (!words) return;
   flow.reliable = words->reliability == std::string("reliable");
