@@ -241,7 +241,7 @@ class TwoLaunchesTest : public EmergencyStopTest {
 };
 
 TEST_F(TwoLaunchesTest, TheStopReachesAVehicleWhoseStationWasKilled) {
-  stack_.emplace(std::vector<std::string>{side("uxv", "link: ~, payload: ~")});
+  stack_.emplace(std::vector<std::string>{side("uxv", "payload: ~")});
   station_.emplace(std::vector<std::string>{side("gcs", "view: ~")});
   wheels_ = stack_->scratch() + "/wheels";
   ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack_->pid("uxv/drive") != 0; }))

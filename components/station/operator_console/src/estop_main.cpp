@@ -3,12 +3,14 @@
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <yaml-cpp/yaml.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <thread>
 
@@ -16,13 +18,19 @@
 #include "estop_target.hpp"
 #include "foundation/program.hpp"
 #include "operator_console/operator_console_component.hpp"
+#include "runtime/middleware/component_library.hpp"
 
 namespace tocsin {
 namespace {
 
-constexpr auto tick_period = std::chrono::milliseconds(50);
+constexpr auto tick_period = std::chrono::milliseconds(10);
 
 using Params = OperatorConsoleComponent::Params;
+
+/// The order's own way over the link. It ends with the order.
+std::unique_ptr<Component> make_router(Context& context) {
+  return load_component("link_router").create(context, YAML::Node(YAML::NodeType::Map), {});
+}
 
 /// Gives the order in this process; its exit code.
 int give(const EstopTarget& target, const Params& params) {
@@ -30,8 +38,11 @@ int give(const EstopTarget& target, const Params& params) {
   const auto bus = make_fast_dds_bus(target.bus);
   std::optional<int> code;
   Context context{*bus, "estop", target.bus.role, "", [&code](int wanted) { code = wanted; }};
+  Context router_context{*bus, "link_router", target.bus.role, "", [](int) {}};
+  const auto router = target.needs_router ? make_router(router_context) : nullptr;
   OperatorConsoleComponent order(context, params);
   while (!code) {
+    if (router) router->tick(bus->now());
     order.tick(bus->now());
     std::this_thread::sleep_for(tick_period);
   }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "command_line/programs.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin {
@@ -27,6 +28,8 @@ BusOptions bus_of(const deployment::Deployment& deployment, const deployment::Ho
   bus.link_address = host.address;
   bus.link_peers = host.peers;
   bus.processes = processes;
+  bus.routed = deployment::is_routed(host);
+  bus.host = "estop";
   return bus;
 }
 
@@ -50,8 +53,12 @@ EstopTarget target_of(const EstopOptions& options) {
     bus.link_domain = *options.link_domain;
     bus.link_address = options.address;
     bus.link_peers = options.peers;
+    bus.routed = true;
+    bus.host = "estop";
+    bus.role = "gcs";
+    bus.traffic_file = share_folder(own_program()) / "config/traffic.yaml";
   }
-  return {"", std::nullopt, std::move(bus)};
+  return {"", std::nullopt, std::move(bus), has_link};
 }
 
 EstopTarget target_of(const deployment::RunningHost& running) {
@@ -75,8 +82,9 @@ std::optional<EstopTarget> target_of_file(const fs::path& run, const std::string
     const auto deployment = deployment::load_resolved(run / "deployment.yaml");
     for (const deployment::Host& host : deployment.hosts) {
       if ((host.role != name && host.name != name) || deployment.radio) continue;
-      return EstopTarget{run.string() + ", which does not run", std::nullopt,
-                         bus_of(deployment, host)};
+      BusOptions bus = bus_of(deployment, host);
+      if (bus.routed) bus.traffic_file = deployment.traffic;
+      return EstopTarget{run.string() + ", which does not run", std::nullopt, bus, bus.routed};
     }
   } catch (const ConfigError&) {  // holds no run, or cannot be read
   }

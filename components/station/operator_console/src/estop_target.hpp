@@ -16,7 +16,9 @@ namespace tocsin {
 struct EstopTarget {
   std::string name;              ///< to tell people
   std::optional<pid_t> process;  ///< whose network is entered first
-  BusOptions bus;                ///< with built-in QoS: no file is read
+  BusOptions bus;                ///< with built-in QoS; a file is read for an own router only
+  /// The vehicle listens to routers only, and the station's does not run: the order needs its own.
+  bool needs_router = false;
 };
 
 /// How tocsin estop finds its station.

@@ -92,6 +92,22 @@ TEST_F(EstopTargetTest, IsTheLastOneHereWhenNoneRuns) {
   EXPECT_THAT(names(find_targets(options_, Among::all, {})), ElementsAre(HasSubstr("runs/1")));
 }
 
+TEST_F(EstopTargetTest, AStationWithARouterIsAskedWhileItRunsAndReplacedWhenItDoesNot) {
+  auto station = run(folder_.path("runs/1"));
+  station.hosts[0].containers[0].components[0].component = "link_router";
+  deployment::RunningHosts all;
+  all.hosts.push_back({station, "desk", 77});
+  const auto runs = find_targets(options_, Among::all, all);
+  EXPECT_TRUE(runs[0].bus.routed) << "its router alone speaks on the link";
+  EXPECT_FALSE(runs[0].needs_router);
+  fs::create_directories(folder_.path("runs/1"));
+  write_resolved(station, folder_.path("runs/1/deployment.yaml"));
+  const auto ran = find_targets(options_, Among::all, {});
+  EXPECT_TRUE(ran[0].needs_router);
+  EXPECT_EQ(ran[0].bus.traffic_file, "/gone.yaml");
+  EXPECT_EQ(ran[0].bus.host, "estop");
+}
+
 TEST_F(EstopTargetTest, AnEmulatedRadioThatHasEndedIsNoTarget) {
   auto emulated = run(folder_.path("runs/1"));
   emulated.radio = deployment::Radio{"/c.yaml", "/w.yaml"};
@@ -125,6 +141,8 @@ TEST_F(EstopTargetTest, TheLinkOfTheOptionsReachesTheVehicleAndNoOtherStation) {
   const auto link = find_targets(options_, Among::only_one, {});
   EXPECT_EQ(link[0].bus.link_domain, 42);
   EXPECT_EQ(link[0].bus.host_domain, 231);
+  EXPECT_TRUE(link[0].needs_router && link[0].bus.routed) << "the vehicle listens to routers only";
+  EXPECT_THAT(link[0].bus.traffic_file, HasSubstr("config/traffic.yaml"));
   options_.link_domain = 231;
   EXPECT_EQ(find_targets(options_, Among::only_one, {})[0].bus.host_domain, 230);
   options_.peers.clear();
