@@ -13,14 +13,14 @@
 namespace tocsin::top {
 namespace {
 
-constexpr Duration forgotten_after = std::chrono::minutes(10);
+constexpr Duration way_forgotten_after = std::chrono::minutes(10);
 
 }  // namespace
 
 void LinkTable::add(const tocsin_msgs::msg::LinkState& state, Time now) {
   entries_[state.role()] = {state, now};
   for (auto it = entries_.begin(); it != entries_.end();) {
-    it = now - it->second.at > forgotten_after ? entries_.erase(it) : std::next(it);
+    it = now - it->second.at > way_forgotten_after ? entries_.erase(it) : std::next(it);
   }
 }
 
