@@ -7,7 +7,7 @@ namespace tocsin::router {
 namespace {
 
 /// Sources of all streams of a peer that are remembered; then the one unheard for longest goes.
-constexpr std::size_t most_sources = 256;
+constexpr std::size_t most_memories = 256;
 /// A stream is in the receipts of this time after something of it came, so that one of them comes
 /// through.
 constexpr Duration told_for = std::chrono::milliseconds(500);
@@ -104,7 +104,7 @@ Verdict LinkReceiver::judge(Peer& peer, const StreamRule& rule, const Origin& or
 LinkReceiver::Given& LinkReceiver::given_of(Peer& peer, const std::string& stream,
                                             SourceId source) {
   const auto [place, is_new] = peer.given.try_emplace({stream, source});
-  if (is_new && peer.given.size() > most_sources) {
+  if (is_new && peer.given.size() > most_memories) {
     auto oldest = peer.given.end();
     for (auto it = peer.given.begin(); it != peer.given.end(); ++it) {
       if (it == place) continue;

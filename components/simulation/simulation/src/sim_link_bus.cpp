@@ -8,7 +8,7 @@ namespace tocsin::simulation {
 namespace {
 
 /// Until routers or a new flow know each other; on the real link a few exchanges of packets.
-constexpr Duration discovery_takes = std::chrono::milliseconds(100);
+constexpr Duration meeting_takes = std::chrono::milliseconds(100);
 /// A participant's announcement (518 bytes measured, with IP and UDP) and its period.
 constexpr std::size_t announcement_bytes = 546;
 constexpr Duration announcement_period = std::chrono::seconds(1);
@@ -53,7 +53,7 @@ SimLinkBus::SimLinkBus(Network& network, SimHost& host, std::function<void()> on
   network_.routers[host_.name()] = this;
   for (const auto& entry : others) {
     if (entry.first == host_.name()) continue;
-    network_.core.events.at(network_.core.now + discovery_takes,
+    network_.core.events.at(network_.core.now + meeting_takes,
                             [&network, own = life_, other = entry.second->life_] {
                               SimLinkBus* const one = network.find_router(own);
                               SimLinkBus* const two = network.find_router(other);
@@ -140,7 +140,7 @@ FlowId SimLinkBus::open(const Flow& flow, int dscp) {
   const FlowId id = ++last_flow_;
   sending_[id] = {flow, dscp, 0};
   for (const auto& peer : peers_) {
-    network_.core.events.at(network_.core.now + discovery_takes,
+    network_.core.events.at(network_.core.now + meeting_takes,
                             [&network = network_, own = life_, other = peer.second, id] {
                               SimLinkBus* const one = network.find_router(own);
                               SimLinkBus* const two = network.find_router(other);

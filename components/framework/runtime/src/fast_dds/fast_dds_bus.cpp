@@ -53,7 +53,7 @@ class FastDdsBus : public Bus {
                options.host_domain,
                loopback,
                {loopback},
-               options.processes + 2,
+               options.processes + others_on_host,
                false,
                options.shared_memory,
                profiles_.flow_controllers()}) {

@@ -68,7 +68,7 @@ ParticipantOptions FastDdsLinkBus::host_options() {
                           options_.host_domain,
                           host_address,
                           {host_address},
-                          options_.processes + 2};
+                          options_.processes + others_on_host};
   host.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_host_end(guid, end, there);
   };

@@ -10,6 +10,10 @@
 
 namespace tocsin {
 
+/// Participants on a host besides one for each of its processes: the router's second, people's tools,
+/// peers of other makers.
+constexpr int others_on_host = 12;
+
 /// What one process needs to join the two DDS domains of its side.
 struct BusOptions {
   std::string name;                     ///< participant name, shown by discovery tools
