@@ -99,8 +99,8 @@ class PlainRouter {
   std::map<FlowId, CarriedSample> states_;
 };
 
-/// A vehicle with two processes, a ground station with two, and a radio that is dead from 100 s to
-/// 105 s and takes 10 ms otherwise.
+/// A vehicle with two processes, a ground station with two, a tablet with none, and a radio that is
+/// dead from 100 s to 105 s and takes 10 ms otherwise.
 class LinkBusTest : public ::testing::Test {
  protected:
   template <class Topic>
@@ -153,6 +153,7 @@ class LinkBusTest : public ::testing::Test {
   Network network_{core_, link_, QosProfiles(TOCSIN_REPOSITORY "/config/qos.yaml"), {}};
   SimHost uxv_{network_, "uxv", "uxv", TOCSIN_REPOSITORY "/config/traffic.yaml", true};
   SimHost gcs_{network_, "gcs", "gcs", TOCSIN_REPOSITORY "/config/traffic.yaml", true};
+  SimHost tablet_{network_, "tablet", "gcs", TOCSIN_REPOSITORY "/config/traffic.yaml", true};
   SimProcess& drive_ = uxv_.add_process("drive");
   SimProcess& payload_ = uxv_.add_process("payload");
   SimProcess& mission_ = gcs_.add_process("mission");

@@ -10,8 +10,8 @@
 
 namespace tocsin {
 
-/// Participants on a host besides one for each of its processes: the router's second, people's tools,
-/// peers of other makers.
+/// Participants on a host besides one for each of its processes: the router's second, people's
+/// tools, peers of other makers.
 constexpr int others_on_host = 12;
 
 /// What one process needs to join the two DDS domains of its side.
