@@ -113,8 +113,8 @@ class ScriptedLinkBus final : public LinkBus {
 class RoutedSimBus final : public SimBus {
  public:
   explicit RoutedSimBus(ScriptedLink& script) : script_(script) {}
-  std::unique_ptr<LinkBus> open_link(std::function<void()> on_event) override {
-    script_.on_event = std::move(on_event);
+  std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override {
+    script_.on_event = on_event;
     return std::make_unique<ScriptedLinkBus>(script_);
   }
 

@@ -81,7 +81,7 @@ class SimProcess final : public Bus {
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
   [[nodiscard]] Time now() const override { return network_.core.now; }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
-  std::unique_ptr<LinkBus> open_link(std::function<void()> on_event) override;
+  std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override;
   void set_gate(bool open) override;
   [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override;
 

@@ -240,8 +240,8 @@ void SimProcess::die() {
   }
 }
 
-std::unique_ptr<LinkBus> SimProcess::open_link(std::function<void()> on_event) {
-  return std::make_unique<SimLinkBus>(network_, host_, std::move(on_event));
+std::unique_ptr<LinkBus> SimProcess::open_link(const std::function<void()>& on_event) {
+  return std::make_unique<SimLinkBus>(network_, host_, on_event);
 }
 
 void SimProcess::set_gate(bool open) {

@@ -20,7 +20,7 @@ class PortRecorder final : public Bus {
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
   [[nodiscard]] Time now() const override { return {}; }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override { return t.time_since_epoch().count(); }
-  std::unique_ptr<LinkBus> open_link(std::function<void()>) override {
+  std::unique_ptr<LinkBus> open_link(const std::function<void()>&) override {
     return std::make_unique<IdleLinkBus>(TrafficRules());
   }
   void set_gate(bool open) override { (void)open; }

@@ -93,7 +93,9 @@ class Bus {
   /// What the link writers of this process did so far. Thread-safe.
   [[nodiscard]] virtual std::vector<TopicTraffic> link_traffic() const = 0;
   /// For link_router: its way over the radio, which calls `on_event`. Null: there is none.
-  virtual std::unique_ptr<LinkBus> open_link(std::function<void()> /*on_event*/) { return nullptr; }
+  virtual std::unique_ptr<LinkBus> open_link(const std::function<void()>& /*on_event*/) {
+    return nullptr;
+  }
   /// Of every DDS endpoint of this process. Thread-safe.
   [[nodiscard]] virtual std::vector<EndpointHealth> health() const { return {}; }
 };

@@ -82,11 +82,15 @@ void DdsReader::drain(Reader* reader) {
     if (reader->take_next_sample(&incoming, &info) != ReturnCode::RETCODE_OK) return;
     if (!info.valid_data || incoming.skip) continue;
     if (skips_own_ && participant_.owns(info.sample_identity.writer_guid())) continue;
-    if (incoming.valid && !has_other_layout(info.sample_identity.writer_guid())) {
-      if (is_first(info)) exchange_.deliver(sample_of(incoming, info));
-    } else {
-      account_.on_undecodable(incoming.bytes);
-    }
+    hand_over(incoming, info);
+  }
+}
+
+void DdsReader::hand_over(IncomingSample& incoming, const dds::SampleInfo& info) {
+  if (!incoming.valid || has_other_layout(info.sample_identity.writer_guid())) {
+    account_.on_undecodable(incoming.bytes);
+  } else if (is_first(info)) {
+    exchange_.deliver(sample_of(incoming, info));
   }
 }
 

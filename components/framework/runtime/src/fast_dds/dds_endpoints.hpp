@@ -19,6 +19,8 @@
 
 namespace tocsin {
 
+struct IncomingSample;
+
 /// A DataReader that puts what it takes into an exchange. The listener only queues, it never
 /// writes: Fast DDS deadlocks when a callback writes. What this process wrote itself is skipped,
 /// because the exchange has delivered it already; with exclusive ownership, where Fast DDS must
@@ -37,6 +39,7 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   using Reader = eprosima::fastdds::dds::DataReader;
   void on_data_available(Reader* reader) override;
   void drain(Reader* reader);
+  void hand_over(IncomingSample& incoming, const eprosima::fastdds::dds::SampleInfo& info);
   void on_subscription_matched(
       Reader* reader, const eprosima::fastdds::dds::SubscriptionMatchedStatus& status) override;
   void on_requested_incompatible_qos(

@@ -74,8 +74,8 @@ class FastDdsBus : public Bus {
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
   void set_gate(bool open) override;
   [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override;
-  std::unique_ptr<LinkBus> open_link(std::function<void()> on_event) override {
-    return make_fast_dds_link_bus(options_, std::move(on_event));
+  std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override {
+    return make_fast_dds_link_bus(options_, on_event);
   }
   [[nodiscard]] std::vector<EndpointHealth> health() const override;
 

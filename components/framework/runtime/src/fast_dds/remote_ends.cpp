@@ -60,7 +60,7 @@ void RemoteEnds::add(const Participant& participant, const std::string& name) {
   if (on_participant_) on_participant_(participant, name, true);
 }
 
-void RemoteEnds::add(const Guid& guid, AnnouncedEnd end) {
+void RemoteEnds::add(const Guid& guid, const AnnouncedEnd& end) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     ends_[guid] = end;

@@ -49,7 +49,7 @@ class RemoteEnds {
       : on_end_(std::move(on_end)), on_participant_(std::move(on_participant)) {}
 
   void add(const Participant& participant, const std::string& name);
-  void add(const Guid& guid, AnnouncedEnd end);
+  void add(const Guid& guid, const AnnouncedEnd& end);
   /// The participant and all its ends.
   void remove(const Participant& participant);
   void remove(const Guid& guid);

@@ -193,8 +193,9 @@ std::optional<rtps::EntityId_t> sender_in(const std::uint8_t* message, std::size
       return endpoint;
     }
     const bool little_endian = (message[at + 1] & 1U) != 0;
-    const std::size_t length = little_endian ? message[at + 2] | (message[at + 3] << 8U)
-                                             : message[at + 3] | (message[at + 2] << 8U);
+    const std::size_t low = message[little_endian ? at + 2 : at + 3];
+    const std::size_t high = message[little_endian ? at + 3 : at + 2];
+    const std::size_t length = low | high << 8U;
     if (length == 0) return std::nullopt;  // until the end of the message
     at = content + length;
   }
