@@ -235,8 +235,9 @@ void SimLinkBus::on_writer(const SimProcess::Topic& topic) {
   if (host_.rules().all().count(flow.topic) == 0) return;
   HostFlow& known = host_flows_[key_of(flow)];
   known.writers.push_back(&topic);
+  if (known.writers.size() == 1) known.id = ++last_flow_;
+  flow_by_writer_[&topic] = known.id;
   if (known.writers.size() > 1) return;
-  known.id = ++last_flow_;
   push(link_event::HostFlow{known.id, flow});
 }
 
@@ -245,14 +246,15 @@ void SimLinkBus::on_writer_gone(const SimProcess::Topic& topic) {
   if (found == host_flows_.end()) return;
   auto& writers = found->second.writers;
   writers.erase(std::remove(writers.begin(), writers.end(), &topic), writers.end());
+  flow_by_writer_.erase(&topic);
   if (!writers.empty()) return;
   push(link_event::HostFlowGone{found->second.id});
   host_flows_.erase(found);
 }
 
 void SimLinkBus::on_written(const SimProcess::Topic& topic, const Sample& sample) {
-  const auto found = host_flows_.find(key_of(flow_of(topic)));
-  if (found == host_flows_.end()) return;
+  const auto found = flow_by_writer_.find(&topic);
+  if (found == flow_by_writer_.end()) return;
   CarriedSample carried;
   carried.bytes =
       static_cast<std::uint32_t>(topic.endpoint.type->serialized_size(sample.message.get()));
@@ -261,7 +263,7 @@ void SimLinkBus::on_written(const SimProcess::Topic& topic, const Sample& sample
   carried.source = sample.source;
   carried.sequence = sample.sequence;
   carried.sent_wall_ns = sample.sent_wall_ns;
-  push(link_event::HostSample{found->second.id, std::move(carried), network_.core.now});
+  push(link_event::HostSample{found->second, std::move(carried), network_.core.now});
 }
 
 }  // namespace tocsin::simulation

@@ -82,10 +82,11 @@ class SimLinkBus final : public LinkBus {
   FlowId last_flow_ = 0;
   std::deque<LinkEvent> events_;
   std::map<FlowId, Sending> sending_;
-  std::map<std::string, HostFlow> host_flows_;              ///< by topic and user data
-  std::map<std::string, PeerId> peers_;                     ///< by the name of the host
-  std::map<std::pair<PeerId, FlowId>, FlowId> peer_flows_;  ///< by the peer's number
-  std::map<FlowId, Flow> known_;                            ///< flows of peers
+  std::map<std::string, HostFlow> host_flows_;                 ///< by topic and user data
+  std::map<const SimProcess::Topic*, FlowId> flow_by_writer_;  ///< of host_flows_, looked up only
+  std::map<std::string, PeerId> peers_;                        ///< by the name of the host
+  std::map<std::pair<PeerId, FlowId>, FlowId> peer_flows_;     ///< by the peer's number
+  std::map<FlowId, Flow> known_;                               ///< flows of peers
   LinkPackets packets_;
 };
 

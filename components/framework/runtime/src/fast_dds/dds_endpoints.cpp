@@ -53,15 +53,8 @@ bool DdsReader::next_is_own(Reader* reader) const {
          participant_.owns(info.sample_identity.writer_guid());
 }
 
-// Fast DDS has a receiving thread for each transport, and writers of this process call, too. One
-// of them takes for all, so that samples stay in order; waiting for it with a lock could deadlock
-// with the locks of Fast DDS.
 void DdsReader::on_data_available(Reader* reader) {
-  unsigned seen = calls_.fetch_add(1) + 1;
-  if (seen != 1) return;
-  do {
-    drain(reader);
-  } while (!calls_.compare_exchange_weak(seen, 0));
+  drainer_.run([this, reader] { drain(reader); });
 }
 
 /// Bytes of another layout may decode by chance; its writer is not believed then.

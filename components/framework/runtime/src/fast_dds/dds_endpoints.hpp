@@ -13,6 +13,7 @@
 #include "exchange/message_pool.hpp"
 #include "fast_dds/endpoint_account.hpp"
 #include "fast_dds/fast_dds_participant.hpp"
+#include "fast_dds/single_drainer.hpp"
 #include "runtime/middleware/gated_writer.hpp"
 #include "runtime/middleware/replay_filter.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
@@ -63,8 +64,8 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   const AnnouncedEnd own_;
   EndpointAccount account_;
   std::atomic<bool> own_matched_{false};
-  std::atomic<unsigned> calls_{0};  // of on_data_available that wait for the one that drains
-  RemoteEnds::Guid last_writer_;    // touched by the one that drains
+  SingleDrainer drainer_;
+  RemoteEnds::Guid last_writer_;  // touched by the one that drains
   bool last_has_other_layout_ = false;
   mutable std::mutex sources_mutex_;
   /// The writers that it is matched with, and those for whom one of these writes.

@@ -139,11 +139,8 @@ void FastDdsLinkBus::listen_on_link(const Flow& flow) {
 
 /// A best-effort reader also hears writers that offer more, which have a reader of their own.
 void FastDdsLinkBus::on_host_sample(const ReaderKey& key, TakenSample&& taken) {
-  const auto id = table_.flow_of(taken.writer);
-  const auto flow = id ? table_.find(*id) : std::nullopt;
-  if (!flow || flow->reliable != key.reliable || flow->transient_local != key.transient_local) {
-    return;
-  }
+  const auto id = table_.flow_of(taken.writer, key.reliable, key.transient_local);
+  if (!id) return;
   table_.push(link_event::HostSample{*id, std::move(taken.sample), steady_now()});
 }
 

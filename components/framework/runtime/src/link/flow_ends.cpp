@@ -62,11 +62,7 @@ FlowReader::FlowReader(FastDdsParticipant& participant, const ReaderKey& key, On
 FlowReader::~FlowReader() { participant_.remove(reader_); }
 
 void FlowReader::on_data_available(Reader* reader) {
-  unsigned seen = calls_.fetch_add(1) + 1;
-  if (seen != 1) return;
-  do {
-    drain(reader);
-  } while (!calls_.compare_exchange_weak(seen, 0));
+  drainer_.run([this, reader] { drain(reader); });
 }
 
 void FlowReader::drain(Reader* reader) {

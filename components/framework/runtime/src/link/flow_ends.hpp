@@ -5,7 +5,6 @@
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,6 +12,7 @@
 #include "exchange/message_pool.hpp"
 #include "fast_dds/cdr_topic_type.hpp"
 #include "fast_dds/fast_dds_participant.hpp"
+#include "fast_dds/single_drainer.hpp"
 #include "runtime/middleware/link_bus.hpp"
 
 namespace tocsin {
@@ -50,7 +50,7 @@ class FlowReader : private eprosima::fastdds::dds::DataReaderListener {
   const TypeInfo& type_;
   OnSample on_sample_;
   MessagePool pool_;
-  std::atomic<unsigned> calls_{0};  // see DdsReader
+  SingleDrainer drainer_;
   Reader* reader_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "foundation/hash.hpp"
 #include "link/flow_text.hpp"
 #include "link/origin.hpp"
 
@@ -157,6 +158,16 @@ std::optional<FlowId> FlowTable::flow_of(const Guid& writer) const {
   return found == by_writer_.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::optional<FlowId> FlowTable::flow_of(const Guid& writer, bool reliable,
+                                         bool transient_local) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = by_writer_.find(writer);
+  if (found == by_writer_.end()) return std::nullopt;
+  const Flow& flow = flows_.at(found->second).flow;
+  const bool offers_that = flow.reliable == reliable && flow.transient_local == transient_local;
+  return offers_that ? std::optional(found->second) : std::nullopt;
+}
+
 std::optional<Flow> FlowTable::find(FlowId id) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = flows_.find(id);
@@ -164,11 +175,7 @@ std::optional<Flow> FlowTable::find(FlowId id) const {
 }
 
 PeerId FlowTable::peer_of(const Participant& participant) {
-  PeerId id = 1469598103934665603ULL;  // FNV-1a
-  for (std::size_t i = 0; i < Participant::size; ++i) {
-    id = (id ^ participant.value[i]) * 1099511628211ULL;
-  }
-  return id;
+  return hash_of(std::string(participant.value, participant.value + Participant::size));
 }
 
 }  // namespace tocsin

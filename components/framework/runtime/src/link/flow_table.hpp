@@ -51,6 +51,9 @@ class FlowTable {
 
   [[nodiscard]] FlowId fresh_id();
   [[nodiscard]] std::optional<FlowId> flow_of(const Guid& writer) const;
+  /// The same if that flow offers just this.
+  [[nodiscard]] std::optional<FlowId> flow_of(const Guid& writer, bool reliable,
+                                              bool transient_local) const;
   /// What is known of a flow of the host or of a peer.
   [[nodiscard]] std::optional<Flow> find(FlowId id) const;
   [[nodiscard]] static PeerId peer_of(const Participant& participant);

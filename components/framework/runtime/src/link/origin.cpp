@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+
+#include "foundation/hash.hpp"
 
 namespace tocsin {
 namespace {
@@ -15,13 +18,9 @@ constexpr std::size_t source_bytes = 8;
 }  // namespace
 
 std::uint64_t source_of(const rtps::GUID_t& guid) {
-  std::uint64_t hash = 1469598103934665603ULL;
-  const auto add = [&hash](const auto& bytes, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 1099511628211ULL;
-  };
-  add(guid.guidPrefix.value, guid.guidPrefix.size);
-  add(guid.entityId.value, guid.entityId.size);
-  return hash;
+  std::string bytes(guid.guidPrefix.value, guid.guidPrefix.value + guid.guidPrefix.size);
+  bytes.append(guid.entityId.value, guid.entityId.value + guid.entityId.size);
+  return hash_of(bytes);
 }
 
 std::uint32_t wire_id_of(const rtps::EntityId_t& entity) {

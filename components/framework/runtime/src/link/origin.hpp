@@ -17,7 +17,7 @@ struct Origin {
   std::uint64_t sequence = 0;
 };
 
-/// Source of what a DDS writer writes itself, see Sample: FNV-1a over its GUID.
+/// Source of what a DDS writer writes itself, see Sample: a hash of its GUID.
 [[nodiscard]] std::uint64_t source_of(const eprosima::fastrtps::rtps::GUID_t& writer);
 
 /// An entity id as a number, its first byte the highest.
