@@ -50,12 +50,12 @@ void LinkReceiver::forget_stream(const std::string& peer, StreamId stream) {
   if (known != peers_.end()) known->second.streams.erase(stream);
 }
 
-Verdict LinkReceiver::on_arrived(const std::string& peer, const Arrived& arrived, Time now) {
+Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arrived, Time now) {
   const auto known = peers_.find(peer);
-  if (known == peers_.end()) return Verdict::unknown_stream;
+  if (known == peers_.end()) return Disposition::unknown_stream;
   Peer& from = known->second;
   const auto found = from.streams.find(arrived.stream);
-  if (found == from.streams.end()) return Verdict::unknown_stream;
+  if (found == from.streams.end()) return Disposition::unknown_stream;
   note(found->second, arrived.number, now);
   ask_for_receipt(from, now);
   return judge(from, found->second.rule, arrived.origin, now);
@@ -87,18 +87,19 @@ bool LinkReceiver::is_expired(Peer& peer, const Origin& origin, Duration lifespa
   return age > lifespan;
 }
 
-Verdict LinkReceiver::judge(Peer& peer, const StreamRule& rule, const Origin& origin, Time now) {
+Disposition LinkReceiver::judge(Peer& peer, const StreamRule& rule, const Origin& origin,
+                                Time now) {
   const bool expired = is_expired(peer, origin, rule.lifespan, now);
   Given& given = given_of(peer, rule.name, origin.source);
   given.last = now;
   const auto place = std::lower_bound(given.newest.begin(), given.newest.end(), origin.sequence);
-  if (place != given.newest.end() && *place == origin.sequence) return Verdict::duplicate;
+  if (place != given.newest.end() && *place == origin.sequence) return Disposition::duplicate;
   const bool full = given.newest.size() >= rule.depth;
-  if (full && place == given.newest.begin()) return Verdict::superseded;
-  if (expired) return Verdict::expired;
+  if (full && place == given.newest.begin()) return Disposition::superseded;
+  if (expired) return Disposition::expired;
   given.newest.insert(place, origin.sequence);
   if (full) given.newest.erase(given.newest.begin());
-  return Verdict::deliver;
+  return Disposition::deliver;
 }
 
 LinkReceiver::Given& LinkReceiver::given_of(Peer& peer, const std::string& stream,

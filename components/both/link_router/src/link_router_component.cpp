@@ -154,9 +154,9 @@ void LinkRouterComponent::on(const link_event::LinkSample& event, Time now) {
   const auto peer = peers_.find(from->second.peer);
   if (peer == peers_.end()) return;
   if (from->second.is_receipt) return take_receipt(from->second, event.sample, now);
-  const router::Verdict verdict = receiver_.on_arrived(
+  const router::Disposition disposition = receiver_.on_arrived(
       peer->second, {from->second.wire_id, event.number, origin_of(event.sample)}, now);
-  if (verdict == router::Verdict::deliver) link_->give(event.flow, event.sample);
+  if (disposition == router::Disposition::deliver) link_->give(event.flow, event.sample);
 }
 
 void LinkRouterComponent::take_receipt(const Incoming& from, const CarriedSample& sample,

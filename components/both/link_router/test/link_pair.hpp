@@ -95,9 +95,9 @@ class LinkPair {
   void arrive() {
     while (!air_.empty() && air_.front().first <= now) {
       const Transmission& one = air_.front().second;
-      const Verdict verdict = receiver.on_arrived(
+      const Disposition disposition = receiver.on_arrived(
           "vehicle", {one.stream, one.number, one.sample.origin}, now + clock_difference);
-      if (verdict == Verdict::deliver) {
+      if (disposition == Disposition::deliver) {
         delivered[one.stream].push_back(one.sample.origin.sequence);
       }
       air_.pop_front();

@@ -25,8 +25,8 @@ class LinkReceiverTest : public ::testing::Test {
     return one;
   }
   /// A sample that was made `age` ago.
-  Verdict arrive(TransmissionNumber number, std::uint64_t sequence, Duration age = 2 * ms,
-                 SourceId source = 7) {
+  Disposition arrive(TransmissionNumber number, std::uint64_t sequence, Duration age = 2 * ms,
+                     SourceId source = 7) {
     return sut.on_arrived("vehicle", {location, number, {source, sequence, now - age}}, now);
   }
   /// The receipt that is due next.
@@ -41,47 +41,47 @@ class LinkReceiverTest : public ::testing::Test {
 };
 
 TEST_F(LinkReceiverTest, GivesEachSampleOnceAndInOrder) {
-  EXPECT_EQ(arrive(1, 5), Verdict::deliver);
-  EXPECT_EQ(arrive(2, 5), Verdict::duplicate);
-  EXPECT_EQ(arrive(3, 8), Verdict::deliver);
-  EXPECT_EQ(arrive(4, 6), Verdict::superseded);
-  EXPECT_EQ(arrive(5, 6, 2 * ms, 99), Verdict::deliver) << "another source";
+  EXPECT_EQ(arrive(1, 5), Disposition::deliver);
+  EXPECT_EQ(arrive(2, 5), Disposition::duplicate);
+  EXPECT_EQ(arrive(3, 8), Disposition::deliver);
+  EXPECT_EQ(arrive(4, 6), Disposition::superseded);
+  EXPECT_EQ(arrive(5, 6, 2 * ms, 99), Disposition::deliver) << "another source";
 }
 
 TEST_F(LinkReceiverTest, ADeeperStreamGivesARepairedSampleLate) {
   sut.on_stream("vehicle", location, rule(3));
-  EXPECT_EQ(arrive(1, 1), Verdict::deliver);
-  EXPECT_EQ(arrive(2, 3), Verdict::deliver);
-  EXPECT_EQ(arrive(3, 2), Verdict::deliver);
-  EXPECT_EQ(arrive(4, 2), Verdict::duplicate);
-  EXPECT_EQ(arrive(5, 4), Verdict::deliver);
-  EXPECT_EQ(arrive(6, 1), Verdict::superseded);
+  EXPECT_EQ(arrive(1, 1), Disposition::deliver);
+  EXPECT_EQ(arrive(2, 3), Disposition::deliver);
+  EXPECT_EQ(arrive(3, 2), Disposition::deliver);
+  EXPECT_EQ(arrive(4, 2), Disposition::duplicate);
+  EXPECT_EQ(arrive(5, 4), Disposition::deliver);
+  EXPECT_EQ(arrive(6, 1), Disposition::superseded);
 }
 
 TEST_F(LinkReceiverTest, GivesNothingOlderThanItsLifespanWhateverTheClocksShow) {
   const Duration difference = std::chrono::hours(100);
   sut.on_stream("vehicle", location, rule(1, 1000 * ms));
-  EXPECT_EQ(arrive(1, 1, difference + 2 * ms), Verdict::deliver);
-  EXPECT_EQ(arrive(2, 2, difference + 1002 * ms), Verdict::deliver);
-  EXPECT_EQ(arrive(3, 3, difference + 1003 * ms), Verdict::expired);
+  EXPECT_EQ(arrive(1, 1, difference + 2 * ms), Disposition::deliver);
+  EXPECT_EQ(arrive(2, 2, difference + 1002 * ms), Disposition::deliver);
+  EXPECT_EQ(arrive(3, 3, difference + 1003 * ms), Disposition::expired);
 }
 
 TEST_F(LinkReceiverTest, GetsOverAStepOfThePeersClock) {
   sut.on_stream("vehicle", location, rule(1, 1000 * ms));
-  EXPECT_EQ(arrive(1, 1), Verdict::deliver);
+  EXPECT_EQ(arrive(1, 1), Disposition::deliver);
   int expired = 0;
   for (std::uint64_t i = 2; i < 40; ++i, now += 100 * ms) {
-    expired += arrive(i, i, std::chrono::minutes(10)) == Verdict::expired ? 1 : 0;
+    expired += arrive(i, i, std::chrono::minutes(10)) == Disposition::expired ? 1 : 0;
   }
   EXPECT_EQ(expired, 8);
-  EXPECT_EQ(arrive(40, 40, -std::chrono::minutes(10)), Verdict::deliver) << "and one back";
+  EXPECT_EQ(arrive(40, 40, -std::chrono::minutes(10)), Disposition::deliver) << "and one back";
 }
 
 TEST_F(LinkReceiverTest, KnowsNothingOfOthers) {
-  EXPECT_EQ(sut.on_arrived("nobody", {location, 1, {}}, now), Verdict::unknown_stream);
-  EXPECT_EQ(sut.on_arrived("vehicle", {9, 1, {}}, now), Verdict::unknown_stream);
+  EXPECT_EQ(sut.on_arrived("nobody", {location, 1, {}}, now), Disposition::unknown_stream);
+  EXPECT_EQ(sut.on_arrived("vehicle", {9, 1, {}}, now), Disposition::unknown_stream);
   sut.forget_stream("vehicle", location);
-  EXPECT_EQ(arrive(1, 1), Verdict::unknown_stream);
+  EXPECT_EQ(arrive(1, 1), Disposition::unknown_stream);
 }
 
 TEST_F(LinkReceiverTest, ReceiptTellsWhatCame) {
@@ -130,12 +130,12 @@ TEST_F(LinkReceiverTest, RepeatsAReceiptAndThenFallsSilentButForASignOfLife) {
 }
 
 TEST_F(LinkReceiverTest, APeersNextLifeStartsAfreshButRepeatsNothing) {
-  EXPECT_EQ(arrive(1, 5), Verdict::deliver);
+  EXPECT_EQ(arrive(1, 5), Disposition::deliver);
   sut.on_peer("vehicle", 12);
-  EXPECT_EQ(arrive(1, 5), Verdict::unknown_stream);
+  EXPECT_EQ(arrive(1, 5), Disposition::unknown_stream);
   sut.on_stream("vehicle", location, rule());
-  EXPECT_EQ(arrive(1, 5), Verdict::duplicate);
-  EXPECT_EQ(arrive(2, 6), Verdict::deliver);
+  EXPECT_EQ(arrive(1, 5), Disposition::duplicate);
+  EXPECT_EQ(arrive(2, 6), Disposition::deliver);
   const LinkReceipt receipt = next_receipt();
   EXPECT_EQ(receipt.to, 12U);
 }
@@ -144,25 +144,25 @@ TEST_F(LinkReceiverTest, APeerThatIsGoneGetsNoReceipts) {
   (void)arrive(1, 5);
   sut.forget_peer("vehicle");
   EXPECT_EQ(sut.deadline(), never);
-  EXPECT_EQ(arrive(2, 6), Verdict::unknown_stream);
+  EXPECT_EQ(arrive(2, 6), Disposition::unknown_stream);
   sut.on_peer("vehicle", 11);
   sut.on_stream("vehicle", location, rule());
-  EXPECT_EQ(arrive(3, 5), Verdict::duplicate);
+  EXPECT_EQ(arrive(3, 5), Disposition::duplicate);
 }
 
 TEST_F(LinkReceiverTest, RemembersOnlySoManySources) {
   for (SourceId source = 1; source <= 300; ++source, now += ms) {
-    EXPECT_EQ(arrive(source, 1, 2 * ms, source), Verdict::deliver);
+    EXPECT_EQ(arrive(source, 1, 2 * ms, source), Disposition::deliver);
   }
-  EXPECT_EQ(arrive(301, 1, 2 * ms, 300), Verdict::duplicate);
-  EXPECT_EQ(arrive(302, 1, 2 * ms, 1), Verdict::deliver) << "forgotten";
+  EXPECT_EQ(arrive(301, 1, 2 * ms, 300), Disposition::duplicate);
+  EXPECT_EQ(arrive(302, 1, 2 * ms, 1), Disposition::deliver) << "forgotten";
 }
 
 TEST_F(LinkReceiverTest, KeepsPeersApart) {
   sut.on_peer("second", 5);
   sut.on_stream("second", location, rule());
-  EXPECT_EQ(arrive(1, 5), Verdict::deliver);
-  EXPECT_EQ(sut.on_arrived("second", {location, 1, {7, 5, now}}, now), Verdict::deliver);
+  EXPECT_EQ(arrive(1, 5), Disposition::deliver);
+  EXPECT_EQ(sut.on_arrived("second", {location, 1, {7, 5, now}}, now), Disposition::deliver);
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ class RadioPair {
     push(radio::Direction::uplink, cost, [this, one](Time at) {
       const Origin& origin = one.sample.origin;
       if (receiver.on_arrived("vehicle", {one.stream, one.number, origin}, at) ==
-          Verdict::deliver) {
+          Disposition::deliver) {
         streams_[one.stream].samples[origin.sequence - 1].second = at;
       }
     });

@@ -147,9 +147,9 @@ class RandomLink {
     for (; !air_.empty() && air_.begin()->first <= now_; air_.erase(air_.begin())) {
       const Transmission& one = air_.begin()->second;
       const Origin& origin = one.sample.origin;
-      const Verdict verdict =
+      const Disposition disposition =
           receiver_->on_arrived("vehicle", {one.stream, one.number, origin}, now_);
-      if (verdict != Verdict::deliver) continue;
+      if (disposition != Disposition::deliver) continue;
       ++deliveries_;
       const StreamRule& rule = rules_[one.stream];
       auto& before = delivered_[{one.stream, origin.source}];

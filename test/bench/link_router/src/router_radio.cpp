@@ -100,9 +100,9 @@ void RouterRadio::arrive(const Cargo& cargo, Time now, const Deliver& deliver) {
     return;
   }
   const auto& one = std::get<router::Transmission>(cargo.what);
-  const auto verdict =
+  const auto disposition =
       receivers_[cargo.to]->on_arrived(peer, {one.stream, one.number, one.sample.origin}, now);
-  if (verdict == router::Verdict::deliver) {
+  if (disposition == router::Disposition::deliver) {
     deliver(cargo.to, one.stream, one.sample.origin, now);
   }
 }

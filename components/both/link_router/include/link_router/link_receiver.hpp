@@ -23,7 +23,7 @@ struct Arrived {
 };
 
 /// What to do with it.
-enum class Verdict : std::uint8_t {
+enum class Disposition : std::uint8_t {
   deliver,         ///< give it to the host
   duplicate,       ///< the host has it
   superseded,      ///< the host has newer ones of its source, as many as the stream keeps
@@ -52,7 +52,7 @@ class LinkReceiver {
   void on_stream(const std::string& peer, StreamId stream, const StreamRule& rule);
   void forget_stream(const std::string& peer, StreamId stream);
 
-  [[nodiscard]] Verdict on_arrived(const std::string& peer, const Arrived& arrived, Time now);
+  [[nodiscard]] Disposition on_arrived(const std::string& peer, const Arrived& arrived, Time now);
 
   /// A receipt that is due at `now`, and the peer that it is for.
   struct Addressed {
@@ -90,8 +90,8 @@ class LinkReceiver {
   static void note(Stream& stream, TransmissionNumber number, Time now);
   [[nodiscard]] static bool is_expired(Peer& peer, const Origin& origin, Duration lifespan,
                                        Time now);
-  [[nodiscard]] static Verdict judge(Peer& peer, const StreamRule& rule, const Origin& origin,
-                                     Time now);
+  [[nodiscard]] static Disposition judge(Peer& peer, const StreamRule& rule, const Origin& origin,
+                                         Time now);
   [[nodiscard]] static Given& given_of(Peer& peer, const std::string& stream, SourceId source);
   void ask_for_receipt(Peer& peer, Time now) const;
   [[nodiscard]] LinkReceipt make_receipt(Peer& peer, Time now) const;
