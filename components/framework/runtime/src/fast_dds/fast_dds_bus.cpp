@@ -75,6 +75,7 @@ class FastDdsBus : public Bus {
   void set_gate(bool open) override;
   [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override;
   std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override {
+    if (options_.link_address.empty()) return nullptr;
     return make_fast_dds_link_bus(options_, on_event);
   }
   [[nodiscard]] std::vector<EndpointHealth> health() const override;

@@ -64,6 +64,22 @@ void refuse_unknown_maps(const YAML::Node& file, const YamlSources& sources) {
   }
 }
 
+/// A topic that its class calls adaptive, and no class of the role has, is misspelt.
+void refuse_unknown_adaptive(const YAML::Node& classes, const std::string& role,
+                             const std::map<std::string, TrafficRule>& rules,
+                             const YamlSources& sources) {
+  std::vector<std::string> known;
+  for (const auto& rule : rules) known.push_back(rule.first);
+  for (const auto& entry : classes) {
+    for (const YAML::Node& topic : entry.second["adaptive"]) {
+      if (rules.count(topic.Scalar()) != 0) continue;
+      throw ConfigError(role + "." + entry.first.Scalar() + ".adaptive: " + topic.Scalar() +
+                        " is in no class of this role" +
+                        did_you_mean(known, topic.Scalar(), "topics") + yaml_place(sources, topic));
+    }
+  }
+}
+
 TrafficClass class_named(const YAML::Node& name, const std::string& role,
                          const YamlSources& sources) {
   if (const auto found = traffic_class_of(name.Scalar())) return *found;
@@ -106,6 +122,7 @@ TrafficRules::TrafficRules(const std::string& path, const std::string& role)
       }
     }
   }
+  refuse_unknown_adaptive(classes, role, rules_, sources);
 }
 
 const TrafficRule& TrafficRules::of(const std::string& topic) const {

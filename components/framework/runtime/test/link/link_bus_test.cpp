@@ -219,6 +219,10 @@ TEST_F(LinkBusTest, ALateReaderOfTheOtherHostGetsTheLastSampleOfAState) {
   EXPECT_TRUE(late.wait_for(1));
 }
 
+TEST_F(LinkBusTest, AProcessWithoutAnAddressOnTheLinkHasNoWayOverIt) {
+  EXPECT_EQ(process("uxv")->open_link([] {}), nullptr);
+}
+
 TEST_F(LinkBusTest, PeersKnowEachOtherByTheNameOfTheirHostAndAreMissedWhenTheyLeave) {
   Relay uxv(options("uxv"));
   {

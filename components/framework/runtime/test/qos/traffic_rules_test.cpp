@@ -61,6 +61,22 @@ TEST(TrafficRules, AMistakeInAFileThatIsExtendedHasItsFileAndLine) {
   EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }), HasSubstr("base.yaml:3)"));
 }
 
+TEST(TrafficRules, AnAdaptiveTopicIsOneOfTheRole) {
+  const ConfigFile file("uxv:\n  low: {topics: [camera], adaptive: [camra]}\n");
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+              HasSubstr("uxv.low.adaptive: camra is in no class of this role"));
+  const ConfigFile right("uxv:\n  low: {topics: [camera, cpu], adaptive: [camera]}\n");
+  const TrafficRules sut(right.path(), "uxv");
+  EXPECT_TRUE(sut.of("camera").adaptive);
+  EXPECT_FALSE(sut.of("cpu").adaptive);
+}
+
+TEST(TrafficRules, ATopicThatAFileMovesToAnotherClassMayHaveBeenAdaptive) {
+  const ConfigFile file("extends: base.yaml\nuxv: {high: {topics: [camera]}}\n");
+  file.write("base.yaml", "uxv:\n  low: {topics: [camera, cpu], adaptive: [camera]}\n");
+  EXPECT_EQ(TrafficRules(file.path(), "uxv").of("camera").traffic_class, TrafficClass::high);
+}
+
 TEST(TrafficRules, ATopicWithoutClassIsAnError) {
   const ConfigFile file("uxv:\n  low: {while_poor: drop, topics: [a]}\n");
   const TrafficRules sut(file.path(), "uxv");
