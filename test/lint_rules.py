@@ -1,10 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """House rules that need no compiler; prints file:line: rule, exit code 1 when one is broken."""
+import doctest
 import pathlib
 import re
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True
+import unity_names  # noqa: E402
 
 LINE_LIMIT = 300
 # How package.xml calls what find_package or pkg-config finds; None is part of every system.
@@ -133,6 +137,24 @@ def check_yaml():
                 report(file, number, "reads YAML without limits; use foundation's yaml_sources.hpp")
 
 
+def sources_of_targets(cmake):
+    """The sources that each target of a CMakeLists.txt names: those of one call, a core's apart."""
+    calls = re.findall(r"^\s*\w+\(([^()]*)\)", re.sub(r"#.*", "", cmake.read_text()), re.M)
+    for part in (part for call in calls for part in re.split(r"\bCOMPONENT\b", call)):
+        yield [cmake.parent / name for name in dict.fromkeys(re.findall(r"\bsrc/\S+\.cpp", part))]
+
+
+def check_unity_names():
+    if doctest.testmod(unity_names).failed:
+        report("test/unity_names.py", 1, "does not find what its examples say")
+    for cmake in tracked("components/*CMakeLists.txt", "test/*CMakeLists.txt"):
+        for sources in sources_of_targets(cmake):
+            texts = {file: file.read_text() for file in sources if file.exists()}
+            for file, line, name, other in unity_names.clashes(texts):
+                report(file, line, f"its own {name} clashes with that of {other.name}: the sanitizer trees compile "
+                                   "the sources of a target as one")
+
+
 check_licence()
 check_versions()
 check_length()
@@ -141,5 +163,6 @@ check_rooms()
 check_test_ratio()
 check_units()
 check_yaml()
+check_unity_names()
 print("\n".join(broken) or "house rules: kept")
 sys.exit(1 if broken else 0)
