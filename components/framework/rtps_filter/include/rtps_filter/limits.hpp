@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace tocsin::rtps_filter {
+
+/// So much at once, and so much a second after that.
+struct Rate {
+  double burst = 0;
+  double per_s = 0;
+};
+
+/// What a participant is shown. The defaults hold for a participant on the host's loopback; a
+/// packet of any size is let through by itself.
+struct Limits {
+  std::uint32_t sample_bytes = 64U << 20U;  ///< largest sample that may come in fragments
+  std::uint64_t gap_numbers = 1U << 20U;    ///< sequence numbers that one GAP may cover
+  /// Sequence numbers by which the first of a participant's HEARTBEATs may be ahead of what their
+  /// writers had told. Fast DDS walks from one number to the next, about 50 million a second: a
+  /// reader that joins a writer of 100 Hz after 15 days is deaf for 3 s.
+  Rate jump_numbers{134'217'728, 2'097'152};
+  /// Sequence numbers in a participant's GAPs. Fast DDS keeps 48 bytes for each that lies beyond a
+  /// hole.
+  Rate gap_rate{1'048'576, 65'536};
+  Rate announcements{4096, 512};         ///< of participants and endpoints, by a source
+  Rate bytes{0, 0};                      ///< by a source; burst 0: any number
+  std::size_t participants = 256;        ///< admitted at the same time; about 5 kB each
+  std::size_t endpoints = 16'384;        ///< of all participants; about 3 kB each
+  std::size_t sources = 1024;            ///< kept account of at the same time
+  bool source_has_port = true;           ///< sources of one address and several ports are several
+  bool participant_has_address = false;  ///< all that a participant sends comes from one address
+  bool strip_type_information = true;    ///< take what announcements tell of the layout of types
+  /// Protected submessages were sealed by their sender and must not be changed. Only where
+  /// the participant has DDS Security: others read what stands between the seals.
+  bool secured = false;
+  /// Whether packets of this address are heard at all; empty: of any.
+  std::function<bool(std::uint32_t address)> hears = {};
+  /// Whether a locator of this address may be answered; empty: any.
+  std::function<bool(std::uint32_t address)> answers = {};
+};
+
+}  // namespace tocsin::rtps_filter

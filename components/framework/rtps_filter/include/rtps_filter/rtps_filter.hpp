@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "foundation/time.hpp"
+#include "rtps_filter/drop_reason.hpp"
+#include "rtps_filter/limits.hpp"
+#include "rtps_filter/source.hpp"
+
+namespace tocsin::rtps_filter {
+
+/// What is to be done with a packet.
+struct Inspection {
+  std::optional<DropReason> drop;  ///< set: the participant must not see the packet
+  /// Places of parameters in the packet that the participant must not read. Their parameter id, two
+  /// bytes there, becomes PID_PAD (zero) before the packet is handed on.
+  std::vector<std::size_t> strip;
+};
+
+/// Decides which packets that arrive at a participant's sockets it may be shown.
+///
+/// Knows the structure of RTPS 2.x messages (formal/22-04-01), of discovery and of what DDS
+/// Security sends in the clear, and which participants speak from where. What is sealed by DDS
+/// Security is checked for its length only. Pure: no I/O, no clock; `now` must not decrease by more
+/// than the sender's lease. One thread at a time.
+class RtpsFilter {
+ public:
+  explicit RtpsFilter(Limits limits);
+  ~RtpsFilter();
+  RtpsFilter(RtpsFilter&&) noexcept;
+  RtpsFilter& operator=(RtpsFilter&&) noexcept;
+
+  /// Takes a UDP payload that has arrived at `now`. An ordinary packet allocates nothing.
+  [[nodiscard]] Inspection inspect(const std::uint8_t* bytes, std::size_t size, Source from,
+                                   Time now);
+  /// Participants that are admitted now, the ones whose lease ran out unnoticed included.
+  [[nodiscard]] std::size_t participants() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tocsin::rtps_filter

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "participants.hpp"
+
+namespace tocsin::rtps_filter {
+
+bool Participants::is_over(const Participant& participant, Time now) {
+  return now - participant.heard > participant.lease;
+}
+
+Participants::Known::iterator Participants::erase(Known::iterator at) {
+  endpoints_ -= at->second.endpoints.size();
+  return known_.erase(at);
+}
+
+Wrong Participants::heard(const Prefix& prefix, Source from, Time now) {
+  const auto found = known_.find(prefix);
+  if (found == known_.end()) return std::nullopt;
+  Participant& participant = found->second;
+  if (limits_.participant_has_address && participant.owner.address != from.address &&
+      !is_over(participant, now)) {
+    return DropReason::forged_source;
+  }
+  participant.heard = now;
+  return std::nullopt;
+}
+
+Wrong Participants::announced(const Prefix& prefix, const Announcement& what, Source from,
+                              Time now) {
+  const auto found = known_.find(prefix);
+  if (what.leaves) {
+    if (found == known_.end()) return std::nullopt;  // and not known to Fast DDS either
+    if (found->second.owner != from) return DropReason::forged_disposal;
+    erase(found);
+    return std::nullopt;
+  }
+  if (!what.guid) return DropReason::discovery_payload;
+  if (found == known_.end()) return admit(prefix, what, from, now);
+  Participant& participant = found->second;
+  if (participant.owner != from) return DropReason::forged_source;
+  participant.lease = what.lease;
+  return std::nullopt;
+}
+
+Wrong Participants::admit(const Prefix& prefix, const Announcement& what, Source from, Time now) {
+  if (known_.size() >= limits_.participants) {
+    for (auto at = known_.begin(); at != known_.end();) {
+      at = is_over(at->second, now) ? erase(at) : std::next(at);
+    }
+  }
+  if (known_.size() >= limits_.participants) return DropReason::too_many_participants;
+  Participant& participant = known_[prefix];
+  participant.owner = from;
+  participant.heard = now;
+  participant.lease = what.lease;
+  return std::nullopt;
+}
+
+Wrong Participants::endpoint(const Prefix& prefix, const Announcement& what) {
+  const auto found = known_.find(prefix);
+  if (found == known_.end() || !what.guid) return std::nullopt;  // Fast DDS ignores it, too
+  const auto& guid = *what.guid;
+  const std::uint32_t entity = ipv4(guid[12], guid[13], guid[14], guid[15]);
+  auto& endpoints = found->second.endpoints;
+  if (what.leaves) {
+    endpoints_ -= endpoints.erase(entity);
+    return std::nullopt;
+  }
+  if (endpoints.count(entity) > 0) return std::nullopt;
+  if (endpoints_ >= limits_.endpoints) return DropReason::too_many_endpoints;
+  endpoints.insert(entity);
+  ++endpoints_;
+  return std::nullopt;
+}
+
+Wrong Participants::heartbeat(const Prefix& prefix, const Heartbeat& heartbeat, Time now) {
+  constexpr std::size_t most_writers = 4096;  // of a participant; others count from 1 each time
+  const auto found = known_.find(prefix);
+  if (found == known_.end()) return std::nullopt;  // nothing of it is matched
+  Participant& participant = found->second;
+  const auto writer = participant.first.find(heartbeat.writer);
+  const std::int64_t before = writer == participant.first.end() ? 1 : writer->second;
+  if (heartbeat.first <= before) return std::nullopt;
+  const auto jump = static_cast<double>(heartbeat.first - before);
+  if (!participant.jumps.take(jump, limits_.jump_numbers, now)) return DropReason::sequence_jump;
+  if (writer != participant.first.end()) {
+    writer->second = heartbeat.first;
+  } else if (participant.first.size() < most_writers) {
+    participant.first[heartbeat.writer] = heartbeat.first;
+  }
+  return std::nullopt;
+}
+
+Wrong Participants::gap(const Prefix& prefix, const Gap& gap, Time now) {
+  const auto found = known_.find(prefix);
+  if (found == known_.end()) return std::nullopt;
+  const auto numbers = static_cast<double>(gap.numbers);
+  if (!found->second.gaps.take(numbers, limits_.gap_rate, now)) return DropReason::gap_range;
+  return std::nullopt;
+}
+
+}  // namespace tocsin::rtps_filter

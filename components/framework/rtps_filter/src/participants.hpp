@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstring>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "discovery.hpp"
+#include "rtps_filter/source.hpp"
+#include "token_bucket.hpp"
+
+namespace tocsin::rtps_filter {
+
+/// Who has been announced, from where, and what numbers their writers have reached.
+class Participants {
+ public:
+  /// `limits` must outlive it.
+  explicit Participants(const Limits& limits) : limits_(limits) {}
+
+  /// Any packet.
+  [[nodiscard]] Wrong heard(const Prefix& prefix, Source from, Time now);
+  /// Announces a participant, or that it leaves.
+  [[nodiscard]] Wrong announced(const Prefix& prefix, const Announcement& what, Source from,
+                                Time now);
+  [[nodiscard]] Wrong endpoint(const Prefix& prefix, const Announcement& what);
+  [[nodiscard]] Wrong heartbeat(const Prefix& prefix, const Heartbeat& heartbeat, Time now);
+  [[nodiscard]] Wrong gap(const Prefix& prefix, const Gap& gap, Time now);
+  [[nodiscard]] std::size_t size() const { return known_.size(); }
+
+ private:
+  struct Hash {
+    std::size_t operator()(const Prefix& prefix) const {
+      std::uint64_t high = 0;
+      std::uint32_t low = 0;
+      std::memcpy(&high, prefix.data(), sizeof high);
+      std::memcpy(&low, prefix.data() + sizeof high, sizeof low);
+      return (high ^ std::uint64_t{low} << 21U) * 0x9e3779b97f4a7c15ULL;
+    }
+  };
+  struct Participant {
+    Source owner;
+    Time heard{};
+    Duration lease{};
+    std::unordered_map<std::uint32_t, std::int64_t> first;  ///< of each writer's HEARTBEAT
+    std::unordered_set<std::uint32_t> endpoints;
+    TokenBucket jumps;
+    TokenBucket gaps;
+  };
+  using Known = std::unordered_map<Prefix, Participant, Hash>;
+  [[nodiscard]] Wrong admit(const Prefix& prefix, const Announcement& what, Source from, Time now);
+  static bool is_over(const Participant& participant, Time now);
+  Known::iterator erase(Known::iterator at);
+
+  const Limits& limits_;
+  Known known_;
+  std::size_t endpoints_ = 0;
+};
+
+}  // namespace tocsin::rtps_filter

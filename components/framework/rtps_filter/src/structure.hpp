@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "discovery.hpp"
+
+namespace tocsin::rtps_filter {
+
+/// What the structure of a packet tells without memory of others.
+struct Survey {
+  Wrong wrong;
+  bool needs_memory = false;  ///< it announces, or tells numbers of a writer
+};
+[[nodiscard]] Survey survey(const std::uint8_t* bytes, std::size_t size, const Header& header,
+                            const Limits& limits);
+
+/// Whether a submessage lies between the seals of DDS Security, of which it is told one by one.
+class Seals {
+ public:
+  void pass(std::uint8_t kind) {
+    if (kind == kind::sec_prefix || kind == kind::srtps_prefix) sealed_ = true;
+    if (kind == kind::sec_postfix) sealed_ = false;
+  }
+  [[nodiscard]] bool sealed() const { return sealed_; }
+
+ private:
+  bool sealed_ = false;
+};
+
+}  // namespace tocsin::rtps_filter

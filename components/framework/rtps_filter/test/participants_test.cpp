@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "message_builder.hpp"
+
+namespace tocsin::rtps_filter {
+namespace {
+
+using std::chrono::seconds;
+
+Wire lease(std::uint32_t lease_s) {
+  return Wire().parameter(0x02, Wire().u32(lease_s).u32(0).bytes());
+}
+
+TEST(Participant, ThatSaysItselfThatItLeavesIsForgotten) {
+  RtpsFilter sut{Limits{}};
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(sut.participants(), 1U);
+  EXPECT_EQ(drop_of(sut, departure('a', 'a')), passes);
+  EXPECT_EQ(sut.participants(), 0U);
+}
+
+TEST(Participant, IsNotDisposedByAnotherSource) {
+  RtpsFilter sut{Limits{}};
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(drop_of(sut, departure('a', 'a'), mallory), DropReason::forged_disposal);
+  EXPECT_EQ(sut.participants(), 1U);
+}
+
+TEST(Participant, IsNotDisposedByAnotherParticipant) {
+  RtpsFilter sut{Limits{}};
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(drop_of(sut, departure('m', 'a'), mallory), DropReason::foreign_identity);
+}
+
+TEST(Participant, IsNotDisposedByASerializedKeyThatFastDdsTakesForAKeyHash) {
+  const Wire qos = Wire().parameter(0x71, {0, 0, 0, 1}).sentinel();
+  const Wire content = data_head(spdp_writer, 2).raw(qos.bytes()).raw(guid_of('a'));
+  RtpsFilter sut{Limits{}};
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(
+      drop_of(sut, Message('m').add(0x15, with_qos | with_key, content.bytes()).bytes(), mallory),
+      DropReason::foreign_identity);
+}
+
+TEST(Participant, NobodyKnowsMayLeave) { EXPECT_EQ(drop_of(departure('a', 'a')), passes); }
+
+TEST(Participant, IsNotAnnouncedByAnotherSource) {
+  RtpsFilter sut{Limits{}};
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(drop_of(sut, announcement('a'), mallory), DropReason::forged_source);
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+}
+
+TEST(Participant, SpeaksFromOneAddressWhereThatIsFixed) {
+  constexpr Source other_port{alice.address, 40002};
+  constexpr Source other_address{ipv4(10, 0, 0, 9), 40001};
+  Limits limits;
+  limits.participant_has_address = true;
+  RtpsFilter sut(limits);
+  EXPECT_EQ(drop_of(sut, announcement('a', lease(10))), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 1, 5), other_port), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 1, 5), other_address), DropReason::forged_source);
+  // Its lease is over, and Fast DDS has forgotten it.
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 1, 5), other_address, t0 + seconds(11)), passes);
+}
+
+TEST(Participant, IsAdmittedWhileThereIsRoom) {
+  Limits limits;
+  limits.participants = 2;
+  RtpsFilter sut(limits);
+  EXPECT_EQ(drop_of(sut, announcement('a', lease(10))), passes);
+  EXPECT_EQ(drop_of(sut, announcement('b', lease(100))), passes);
+  EXPECT_EQ(drop_of(sut, announcement('c')), DropReason::too_many_participants);
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+}
+
+TEST(Participant, WhoseLeaseIsOverMakesRoom) {
+  Limits limits;
+  limits.participants = 2;
+  RtpsFilter sut(limits);
+  EXPECT_EQ(drop_of(sut, announcement('a', lease(10))), passes);
+  EXPECT_EQ(drop_of(sut, announcement('b', lease(100))), passes);
+  EXPECT_EQ(drop_of(sut, announcement('c'), alice, t0 + seconds(10)),
+            DropReason::too_many_participants);
+  EXPECT_EQ(drop_of(sut, announcement('c'), alice, t0 + seconds(11)), passes);
+  EXPECT_EQ(sut.participants(), 2U);
+}
+
+TEST(Participant, ThatIsHeardKeepsItsPlace) {
+  Limits limits;
+  limits.participants = 1;
+  RtpsFilter sut(limits);
+  EXPECT_EQ(drop_of(sut, announcement('a', lease(10))), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 1, 1), alice, t0 + seconds(8)), passes);
+  EXPECT_EQ(drop_of(sut, announcement('b'), alice, t0 + seconds(15)),
+            DropReason::too_many_participants);
+}
+
+TEST(Endpoints, AreAdmittedWhileThereIsRoom) {
+  Limits limits;
+  limits.endpoints = 2;
+  RtpsFilter sut(limits);
+  const auto endpoint = [](std::uint32_t entity) {
+    const Wire list = Wire().parameter(0x5a, guid_of('a', entity)).sentinel();
+    return Message('a')
+        .add(0x15, with_data, data_head(sedp_writer).raw(parameters_payload(list)).bytes())
+        .bytes();
+  };
+  const auto gone = [](std::uint32_t entity) {
+    const Wire qos =
+        Wire().parameter(0x71, {0, 0, 0, 3}).parameter(0x70, guid_of('a', entity)).sentinel();
+    return Message('a')
+        .add(0x15, with_qos, data_head(sedp_writer).raw(qos.bytes()).bytes())
+        .bytes();
+  };
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(drop_of(sut, endpoint(1)), passes);
+  EXPECT_EQ(drop_of(sut, endpoint(2)), passes);
+  EXPECT_EQ(drop_of(sut, endpoint(2)), passes);
+  EXPECT_EQ(drop_of(sut, endpoint(3)), DropReason::too_many_endpoints);
+  EXPECT_EQ(drop_of(sut, gone(1)), passes);
+  EXPECT_EQ(drop_of(sut, endpoint(3)), passes);
+  EXPECT_EQ(drop_of(sut, departure('a', 'a')), passes);
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(drop_of(sut, endpoint(4)), passes);
+}
+
+TEST(Numbers, FirstOfAHeartbeatMayBeAheadByTheLimit) {
+  Limits limits;
+  limits.jump_numbers = {1000, 10};
+  RtpsFilter sut(limits);
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 1 + 1000, 2000)), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 1 + 1000, 2000)), passes);  // known by now
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 1 + 1001, 2000)), DropReason::sequence_jump);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 1 + 1010, 2000), alice, t0 + seconds(1)), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 1 + 1011, 2000), alice, t0 + seconds(1)),
+            DropReason::sequence_jump);
+}
+
+TEST(Numbers, FirstAndLastFarAwayAreDropped) {
+  RtpsFilter sut{Limits{}};
+  constexpr std::int64_t far = std::int64_t{1} << 40U;
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', far, far)), DropReason::sequence_jump);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 100'000'000, 100'000'010)), passes);  // an old writer
+}
+
+TEST(Numbers, OfEachWriterAreItsOwn) {
+  Limits limits;
+  limits.jump_numbers = {1000, 0};
+  RtpsFilter sut(limits);
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 601, 700, 0x103)), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 401, 700, 0x203)), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 2, 700, 0x303)), DropReason::sequence_jump);
+}
+
+TEST(Numbers, InGapsOfAParticipantAreLimitedBySecond) {
+  Limits limits;
+  limits.gap_rate = {1000, 10};
+  RtpsFilter sut(limits);
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(drop_of(sut, gap('a', 1, 1001)), passes);
+  EXPECT_EQ(drop_of(sut, gap('a', 1, 2)), DropReason::gap_range);
+  EXPECT_EQ(drop_of(sut, gap('a', 1, 11), alice, t0 + seconds(1)), passes);
+}
+
+TEST(Numbers, OfAStrangerReachNobody) {
+  RtpsFilter sut{Limits{}};
+  EXPECT_EQ(drop_of(sut, heartbeat('a', std::int64_t{1} << 40U, std::int64_t{1} << 40U)), passes);
+}
+
+}  // namespace
+}  // namespace tocsin::rtps_filter
