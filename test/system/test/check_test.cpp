@@ -48,8 +48,9 @@ TEST(Check, WantsOneRouterOnEachHost) {
   EXPECT_EQ(deaf.code, 2);
   EXPECT_THAT(deaf.output, HasSubstr("error: host gcs has no link_router, its peer uxv has"));
   const Ended neither = check(one_side + " --without uxv/link/link_router");
-  EXPECT_EQ(neither.code, 0);
-  EXPECT_THAT(neither.output, HasSubstr("0 errors, 2 warnings"));
+  EXPECT_EQ(neither.code, 2);
+  EXPECT_THAT(neither.output, HasSubstr("error: host gcs: no link_router carries the link topics"));
+  EXPECT_THAT(neither.output, HasSubstr("2 errors, 0 warnings"));
 }
 
 TEST(Check, LooksAtAFileWithoutContainers) {
@@ -75,7 +76,7 @@ TEST(Check, TheExampleOfAFileThatExtendsTheMissionIsRight) {
   (void)folder.write("traffic.yaml", blocks[1]);
   const Ended right = check(robot);
   EXPECT_EQ(right.code, 0) << right.output;
-  EXPECT_THAT(right.output, HasSubstr("26 components; 0 errors"));  // the mission has 27
+  EXPECT_THAT(right.output, HasSubstr("18 components; 0 errors"));  // the mission has 19
   const Ended wrong = check(robot + " --set camera.rate_hz=1");
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.output, HasSubstr("camera: no such component in " + robot));

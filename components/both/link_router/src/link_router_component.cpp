@@ -67,7 +67,9 @@ void LinkRouterComponent::follow_gate(Time now) {
     if (state->role() == context().role) keeper_.on_state(state->active(), now);
   }
   const bool open = keeper_.open(now);
-  if (open != std::exchange(open_, open)) sender_.set_paused(!open, now);
+  if (open == std::exchange(open_, open)) return;
+  sender_.set_paused(!open, now);
+  link_->on_gate(open);
 }
 
 void LinkRouterComponent::take_events(Time now) {

@@ -119,6 +119,7 @@ TEST_F(LinkRouterTest, WhileTheStateOfItsRoleIsPassiveClassLowIsSilent) {
   set_active(true);
   write(3);
   EXPECT_EQ(script_.sent_on(low), 2U);
+  EXPECT_EQ(script_.gate, (std::vector<bool>{false, true})) << "those who watch are told";
 }
 
 TEST_F(LinkRouterTest, OpensWhenTheControllerFallsSilent) {

@@ -57,6 +57,7 @@ class ScriptedLink {
   std::vector<Sent> sent;
   std::vector<Given> given;
   std::vector<FlowId> offered;
+  std::vector<bool> gate;  ///< each time that it changed: open
   bool is_up = true;
   TrafficRules rules;
 };
@@ -100,6 +101,7 @@ class ScriptedLinkBus final : public LinkBus {
                                                    const CarriedSample& sample) const override {
     return sample.content;
   }
+  void on_gate(bool open) override { script_.gate.push_back(open); }
   [[nodiscard]] const TrafficRules& rules() const override { return script_.rules; }
   [[nodiscard]] LinkPackets packets() const override { return {7, 700, 2, 200}; }
 

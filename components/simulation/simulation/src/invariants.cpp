@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/invariants.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -30,15 +31,23 @@ void Invariants::expect(bool kept, Time now, const char* promise, const std::str
   violations_.push_back({to_seconds(now - start_time), std::string(promise) + ": " + detail});
 }
 
+bool Invariants::is_closed(const TopicEnd& end) const {
+  return end.pausable && closed_.count(end.host) != 0;
+}
+
+/// The first of several that wait is looked at; a newer one may go in its place.
+void Invariants::await(const TopicEnd& end, std::uint64_t sequence, Time since) {
+  if (end.traffic_class > TrafficClass::high || routed_.count(end.host) == 0) return;
+  const Time due = since + seconds(limits_.leaves_s);
+  if (awaited_.insert({&end, {sequence, due}}).second) next_due_ = std::min(next_due_, due);
+}
+
 void Invariants::on_written(const Written& written) {
   const TopicEnd& end = written.from;
   check_message(written);
-  if (end.scope != Scope::link) return;
-  const bool paused = written.status == Status::paused;
-  if (end.traffic_class == TrafficClass::critical || !end.pausable) {
-    expect(!paused, written.time, "an active class was kept off the air", text_of(end));
-  }
-  if (paused && !end.drops) kept_[&end] = {written.sequence, written.time};
+  if (!end.traffic_class) return;
+  if (!is_closed(end)) return await(end, written.sequence, written.time);
+  if (!end.drops) kept_[&end] = {written.sequence, written.time};
 }
 
 void Invariants::check_message(const Written& written) {
@@ -61,13 +70,12 @@ void Invariants::check_message(const Written& written) {
 
 void Invariants::on_sent(const Sent& sent) {
   const TopicEnd& end = sent.from;
-  if (end.pausable) {
-    expect(closed_.count(process_of(end)) == 0, sent.time, "sent through a closed gate",
-           text_of(end));
+  routed_.insert(end.host);
+  expect(!is_closed(end), sent.time, "sent through a closed gate", text_of(end));
+  for (Marks* marks : {&kept_, &awaited_}) {
+    const auto found = marks->find(&end);
+    if (found != marks->end() && sent.written >= found->second.sequence) marks->erase(found);
   }
-  const auto kept = kept_.find(&end);
-  if (kept != kept_.end() && sent.written >= kept->second.sequence) kept_.erase(kept);
-  owed_.erase(&end);
 }
 
 void Invariants::on_delivered(const Delivered& delivered) {
@@ -94,25 +102,36 @@ void Invariants::on_position(const BasePosition& base) {
          "the vehicle moves though nobody wants it", base.host);
 }
 
+void Invariants::forget(Marks& marks, const std::function<bool(const TopicEnd&)>& which) {
+  for (auto it = marks.begin(); it != marks.end();) {
+    it = which(*it->first) ? marks.erase(it) : std::next(it);
+  }
+}
+
 void Invariants::on_gate(const GateChange& change) {
-  const std::string process = change.host + "/" + change.process;
-  if (!change.open) {
-    closed_.insert(process);
-    return;
+  const auto of_host = [&](const TopicEnd& end) { return end.host == change.host; };
+  if (change.event == GateEvent::closed) {
+    closed_.insert(change.host);
+    return forget(awaited_, [&](const TopicEnd& end) { return of_host(end) && end.pausable; });
   }
-  closed_.erase(process);
-  for (const auto& [end, kept] : kept_) {
-    const bool fresh = to_seconds(change.time - kept.since) <= end->lifespan_s;
-    if (fresh && process_of(*end) == process) owed_.insert(end);
+  closed_.erase(change.host);
+  if (change.event == GateEvent::gone) {
+    routed_.erase(change.host);
+    forget(awaited_, of_host);
+  } else {
+    for (const auto& [end, kept] : kept_) {
+      const bool fresh = to_seconds(change.time - kept.time) <= end->lifespan_s;
+      if (fresh && of_host(*end)) await(*end, kept.sequence, change.time);
+    }
   }
+  forget(kept_, of_host);
 }
 
 void Invariants::on_process(const ProcessChange& change) {
   if (change.event == ProcessEvent::started) return;
-  closed_.erase(change.process);
-  for (auto kept = kept_.begin(); kept != kept_.end();) {
-    kept = process_of(*kept->first) == change.process ? kept_.erase(kept) : std::next(kept);
-  }
+  const auto dead = [&](const TopicEnd& end) { return process_of(end) == change.process; };
+  forget(kept_, dead);
+  forget(awaited_, dead);
 }
 
 void Invariants::on_failure(const std::string& component, const std::string& what, Time now) {
@@ -120,10 +139,14 @@ void Invariants::on_failure(const std::string& component, const std::string& wha
 }
 
 void Invariants::on_step(Time now) {
-  for (const TopicEnd* end : owed_) {
-    expect(false, now, "what the gate kept was not sent when it opened", text_of(*end));
+  if (now <= next_due_) return;
+  const auto is_late = [&](const auto& entry) { return entry.second.time < now; };
+  for (const auto& entry : awaited_) {
+    expect(!is_late(entry), now, "not put on the radio in time", text_of(*entry.first));
   }
-  owed_.clear();
+  forget(awaited_, [&](const TopicEnd& end) { return awaited_.at(&end).time < now; });
+  next_due_ = Time::max();
+  for (const auto& entry : awaited_) next_due_ = std::min(next_due_, entry.second.time);
 }
 
 void Invariants::on_end(const Outcome& outcome) {

@@ -21,51 +21,6 @@ TrafficRules rules_of(const std::string& file, const std::string& role) {
 
 }  // namespace
 
-void LinkEndpoints::add(const std::string& topic, const SimHost& host, RtpsWriter& writer) {
-  Topic& all = topics_[topic];
-  all.writers.push_back({&host, &writer});
-  for (const auto& reader : all.readers) {
-    if (reader.host != &host) match(writer, *reader.end);
-  }
-}
-
-void LinkEndpoints::add(const std::string& topic, const SimHost& host, RtpsReader& reader) {
-  Topic& all = topics_[topic];
-  all.readers.push_back({&host, &reader});
-  for (const auto& writer : all.writers) {
-    if (writer.host != &host) match(*writer.end, reader);
-  }
-}
-
-void LinkEndpoints::match(RtpsWriter& writer, RtpsReader& reader) {
-  if (core_ == nullptr) return writer.match(reader);
-  core_->events.at(core_->now + discovery_, [&writer, &reader] {
-    if (writer.alive() && reader.alive()) writer.match(reader);
-  });
-}
-
-void LinkEndpoints::remove(const std::string& topic, const RtpsWriter& writer) {
-  auto& all = topics_[topic].writers;
-  all.erase(std::remove_if(all.begin(), all.end(), [&](auto& one) { return one.end == &writer; }),
-            all.end());
-}
-
-void LinkEndpoints::remove(const std::string& topic, const RtpsReader& reader) {
-  auto& all = topics_[topic].readers;
-  all.erase(std::remove_if(all.begin(), all.end(), [&](auto& one) { return one.end == &reader; }),
-            all.end());
-}
-
-std::optional<WriterInfo> LinkEndpoints::writer(const std::string& topic,
-                                                std::uint64_t source) const {
-  const auto all = topics_.find(topic);
-  if (all == topics_.end()) return std::nullopt;
-  for (const auto& one : all->second.writers) {
-    if (one.end->owner().source == source) return one.end->info();
-  }
-  return std::nullopt;
-}
-
 SimLinkBus* Network::find_router(PeerId life) const {
   for (const auto& entry : routers) {
     if (entry.second->self() == life) return entry.second;
@@ -74,12 +29,11 @@ SimLinkBus* Network::find_router(PeerId life) const {
 }
 
 SimHost::SimHost(Network& network, std::string name, std::string role,
-                 const std::string& traffic_file, bool routed)
+                 const std::string& traffic_file)
     : network_(network),
       name_(std::move(name)),
       role_(std::move(role)),
-      rules_(rules_of(traffic_file, role_)),
-      routed_(routed) {}
+      rules_(rules_of(traffic_file, role_)) {}
 
 radio::Direction SimHost::direction() const {
   return role_ == "uxv" ? radio::Direction::uplink : radio::Direction::downlink;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "link_router/wire_cost.hpp"
+
 namespace tocsin::simulation {
 namespace {
 
@@ -13,8 +15,6 @@ constexpr Duration meeting_takes = std::chrono::milliseconds(100);
 constexpr std::size_t announcement_bytes = 546;
 constexpr Duration announcement_period = std::chrono::seconds(1);
 constexpr std::uint8_t network_control_dscp = 48;  // CS6
-/// Inline QoS of each packet: the origin (PID_RELATED_SAMPLE_IDENTITY, 28 bytes) and the sentinel.
-constexpr std::size_t origin_bytes = 32;
 
 /// A transmission on its way to one peer, which gets it when all its packets have come.
 class Transmission final : public Cargo {
@@ -73,6 +73,14 @@ SimLinkBus::~SimLinkBus() {
   if (found == network_.routers.end() || found->second != this) return;
   network_.routers.erase(found);
   host_.set_router(nullptr);
+  tell_observer(GateEvent::gone);
+}
+
+void SimLinkBus::on_gate(bool open) { tell_observer(open ? GateEvent::opened : GateEvent::closed); }
+
+void SimLinkBus::tell_observer(GateEvent event) const {
+  if (network_.core.observer == nullptr) return;
+  network_.core.observer->on_gate({host_.name(), network_.core.now, event});
 }
 
 void SimLinkBus::announce() {
@@ -173,8 +181,7 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
     network_.core.observer->on_sent(
         {*cargo.from, network_.core.now, number, cargo.written, sample.bytes});
   }
-  const auto packets =
-      rtps::packets_of(sample.bytes, 1, rtps::wire::largest_payload - origin_bytes);
+  const auto packets = router::packets_of(sample.bytes);
   for (const auto& peer : peers_) {
     auto on_whole = [&network = network_, own = life_, other = peer.second, flow, number, sample] {
       if (SimLinkBus* const to = network.find_router(other)) {
@@ -183,11 +190,10 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
     };
     const auto transmission = std::make_shared<Transmission>(std::move(on_whole), packets.size());
     for (std::size_t i = 0; i < packets.size(); ++i) {
-      const std::size_t bytes = packets[i] + origin_bytes;
-      network_.link.send({host_.direction(), static_cast<std::uint8_t>(sending.dscp)}, bytes,
+      network_.link.send({host_.direction(), static_cast<std::uint8_t>(sending.dscp)}, packets[i],
                          transmission, i);
       ++packets_.packets;
-      packets_.bytes += bytes;
+      packets_.bytes += packets[i];
     }
   }
   return number;

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "rtps.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "sim_host.hpp"
 
@@ -49,6 +48,7 @@ class SimLinkBus final : public LinkBus {
                                                    const CarriedSample& sample) const override;
   [[nodiscard]] const TrafficRules& rules() const override { return host_.rules(); }
   [[nodiscard]] LinkPackets packets() const override { return packets_; }
+  void on_gate(bool open) override;
 
   /// A component of this host has begun to write, or has written.
   void on_writer(const SimProcess::Topic& topic);
@@ -68,6 +68,7 @@ class SimLinkBus final : public LinkBus {
     std::vector<const SimProcess::Topic*> writers;
   };
   void push(LinkEvent event);
+  void tell_observer(GateEvent event) const;
   void meet(SimLinkBus& peer);
   void learn(SimLinkBus& peer, FlowId flow);
   void learn_all(SimLinkBus& peer);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "foundation/error.hpp"
@@ -36,8 +36,7 @@ class OpenWriter final : public Publication {
     return process_.write(topic_, message);
   }
   [[nodiscard]] bool has_readers() const override {
-    return topic_.gated || topic_.keeps_last || topic_.end.traffic_class ||
-           SimHost::has_readers(topic_);
+    return topic_.keeps_last || topic_.end.traffic_class || SimHost::has_readers(topic_);
   }
 
  private:
@@ -102,87 +101,27 @@ SimProcess::Topic& SimProcess::topic(const Endpoint& endpoint) {
 
 std::unique_ptr<Subscription> SimProcess::subscribe(const Endpoint& endpoint, Receiver& receiver) {
   Topic& its = topic(endpoint);
-  auto attached = std::make_unique<Attached>(*this, its, receiver);
-  const bool crosses = endpoint.topic.scope == Scope::link && !host_.routed();
-  if (crosses && !its.reader) make_reader(its);
-  return attached;
+  return std::make_unique<Attached>(*this, its, receiver);
 }
 
 std::unique_ptr<Publication> SimProcess::advertise(const Endpoint& endpoint) {
   Topic& its = topic(endpoint);
   if (*endpoint.user_data != 0) its.end.user_data = endpoint.user_data;
-  if (host_.routed()) {
-    begin_to_write(its);
-  } else if (endpoint.topic.scope == Scope::link && !its.gated) {
-    make_writer(its);
-  }
+  if (endpoint.topic.scope == Scope::link) (void)host_.rules().of(endpoint.topic.name);
+  begin_to_write(its);
   return std::make_unique<OpenWriter>(*this, its);
 }
 
 void SimProcess::begin_to_write(Topic& its) {
   const auto& rules = host_.rules().all();
   const auto rule = rules.find(its.endpoint.topic.name);
-  if (rule != rules.end()) its.end.traffic_class = rule->second.traffic_class;
+  if (rule != rules.end()) {
+    its.end.traffic_class = rule->second.traffic_class;
+    its.end.pausable = rule->second.while_poor != WhilePoor::send;
+    its.end.drops = rule->second.while_poor == WhilePoor::drop;
+  }
   if (std::exchange(its.writes, true)) return;
   if (SimLinkBus* const router = host_.router()) router->on_writer(its);
-}
-
-void SimProcess::receive(Topic& its, const Change& change, std::uint64_t source) {
-  if (Observer* observer = network_.core.observer) {
-    observer->on_delivered({*change.from, its.end, change.sequence, change.written,
-                            change.written_at, change.sent, now(), change.bytes,
-                            change.message.get()});
-  }
-  Sample sample;
-  sample.message = change.message;
-  sample.received = now();
-  sample.sent_wall_ns = change.sent_wall_ns;
-  sample.received_wall_ns = wall_ns(now());
-  sample.sequence = change.sequence;
-  sample.source = source;
-  sample.bytes = static_cast<std::uint32_t>(change.bytes);
-  its.deliver(sample);
-}
-
-void SimProcess::make_reader(Topic& its) {
-  const auto deliver = [this, &its](const Change& change, std::uint64_t source) {
-    receive(its, change, source);
-  };
-  its.reader = RtpsReader::make(network_.core, network_.link,
-                                requested(its.endpoint.topic, its.qos), deliver);
-  network_.endpoints.add(its.endpoint.topic.name, host_, *its.reader);
-}
-
-/// Null: the writer's samples leave at once.
-Pacer* SimProcess::pacer(const QosProfile& qos) {
-  if (qos.flow_controller.empty()) return nullptr;
-  const FlowController& settings = network_.qos.flow_controllers().at(qos.flow_controller);
-  if (settings.max_bytes_per_period == 0) return nullptr;
-  auto& found = pacers_[qos.flow_controller];
-  if (!found) found = std::make_unique<Pacer>(network_.core, settings);
-  return found.get();
-}
-
-void SimProcess::make_writer(Topic& its) {
-  const TrafficRule& rule = host_.rules().of(its.endpoint.topic.name);
-  its.end.traffic_class = rule.traffic_class;
-  its.end.pausable = rule.while_poor != WhilePoor::send;
-  its.end.drops = rule.while_poor == WhilePoor::drop;
-  const RtpsWriter::Owner owner{{host_.direction(), host_.rules().dscp(rule.traffic_class)},
-                                its.source,
-                                &its.end,
-                                &its.origin,
-                                [this](Time t) { return wall_ns(t); }};
-  auto writer = RtpsWriter::make(network_.core, network_.link, owner, its.qos, pacer(its.qos));
-  its.writer = writer.get();
-  GatedWriter::Freshness freshness;
-  if (std::isfinite(its.qos.lifespan_s)) {
-    freshness = {[this] { return now(); }, seconds(its.qos.lifespan_s)};
-  }
-  its.gated = std::make_unique<GatedWriter>(its.endpoint.topic.name, rule, std::move(writer),
-                                            std::move(freshness));
-  its.gated->set_open(gate_open_);
-  network_.endpoints.add(its.endpoint.topic.name, host_, *its.writer);
 }
 
 Status SimProcess::write(Topic& its, const std::shared_ptr<const void>& message) {
@@ -200,10 +139,8 @@ Status SimProcess::write(Topic& its, const std::shared_ptr<const void>& message)
   sample.source = its.source;
   SimHost::deliver(its, sample);
   if (SimLinkBus* const router = host_.router()) router->on_written(its, sample);
-  if (its.gated) its.origin = {message, its.written, core.now};
-  const Status status = its.gated ? its.gated->write(message) : Status::ok;
-  if (core.observer != nullptr) report(its, message.get(), status);
-  return status;
+  if (core.observer != nullptr) report(its, message.get());
+  return Status::ok;
 }
 
 std::optional<WriterInfo> SimProcess::writer(const Topic& its, std::uint64_t source) const {
@@ -211,15 +148,14 @@ std::optional<WriterInfo> SimProcess::writer(const Topic& its, std::uint64_t sou
     if (one->source == source) return WriterInfo{host_.name(), one->end.user_data};
   }
   const auto carried = its.on_host->carried.find(source);
-  if (carried != its.on_host->carried.end()) return carried->second;
-  return network_.endpoints.writer(its.endpoint.topic.name, source);
+  return carried == its.on_host->carried.end() ? std::nullopt : std::optional(carried->second);
 }
 
-void SimProcess::report(const Topic& its, const void* message, Status status) const {
+void SimProcess::report(const Topic& its, const void* message) const {
   const Core& core = network_.core;
-  const bool crosses = its.gated != nullptr || its.end.traffic_class.has_value();
+  const bool crosses = its.end.traffic_class.has_value();
   const std::size_t bytes = crosses ? its.endpoint.type->serialized_size(message) : 0;
-  core.observer->on_written({its.end, core.now, its.written, bytes, message, status});
+  core.observer->on_written({its.end, core.now, its.written, bytes, message});
 }
 
 std::int64_t SimProcess::wall_ns(Time t) const {
@@ -227,40 +163,14 @@ std::int64_t SimProcess::wall_ns(Time t) const {
 }
 
 void SimProcess::die() {
-  for (const auto& [name, its] : topics_) {
-    SimHost::detach(*its);
-    if (SimLinkBus* const router = host_.router()) router->on_writer_gone(*its);
-    if (its->reader) {
-      its->reader->die();
-      network_.endpoints.remove(name, *its->reader);
-    }
-    if (its->writer == nullptr) continue;
-    its->writer->die();
-    network_.endpoints.remove(name, *its->writer);
+  for (const auto& entry : topics_) {
+    SimHost::detach(*entry.second);
+    if (SimLinkBus* const router = host_.router()) router->on_writer_gone(*entry.second);
   }
 }
 
 std::unique_ptr<LinkBus> SimProcess::open_link(const std::function<void()>& on_event) {
   return std::make_unique<SimLinkBus>(network_, host_, on_event);
-}
-
-void SimProcess::set_gate(bool open) {
-  gate_open_ = open;
-  if (Observer* observer = network_.core.observer) {
-    observer->on_gate({host_.name(), name_, now(), open});
-  }
-  for (const auto& entry : topics_) {
-    if (entry.second->gated) entry.second->gated->set_open(open);
-  }
-}
-
-std::vector<TopicTraffic> SimProcess::link_traffic() const {
-  std::vector<TopicTraffic> all;
-  all.reserve(topics_.size());
-  for (const auto& entry : topics_) {
-    if (entry.second->gated) all.push_back(entry.second->gated->traffic());
-  }
-  return all;
 }
 
 }  // namespace tocsin::simulation

@@ -10,7 +10,6 @@
 #include "geometry/wall_file.hpp"
 #include "radio_channel/channel_files.hpp"
 #include "runtime/middleware/component_library.hpp"
-#include "runtime/middleware/gate_component.hpp"
 
 namespace tocsin::simulation {
 namespace {
@@ -61,7 +60,7 @@ World::World(deployment::Deployment deployment, const WorldOptions& options)
       options_(options),
       link_(core, channel_of(deployment_), walls_of(deployment_),
             static_cast<std::uint64_t>(deployment_.seed)),
-      network_{core, link_, qos_of(deployment_), {}} {
+      network_{core, link_, qos_of(deployment_)} {
   const LogClock::Use use(log_clock);
   if (core.observer != nullptr) {
     scheduler_.set_on_failure([this](const std::string& component, const char* what, Time now) {
@@ -85,8 +84,7 @@ World::~World() {
 
 void World::add(const deployment::Host& host) {
   Side& side = sides_.emplace_back();
-  side.host = std::make_unique<SimHost>(network_, host.name, host.role, deployment_.traffic,
-                                        deployment::is_routed(host));
+  side.host = std::make_unique<SimHost>(network_, host.name, host.role, deployment_.traffic);
   side.devices = std::make_unique<SimDevices>(core, link_,
                                               SimDevices::Place{host.name, side.host->direction()},
                                               deployment_.run_dir + "/wireless");
@@ -139,10 +137,6 @@ void World::start(Process& process) {
       schedule(instance, process);
     }
   }
-  Instance& gate = add_instance("gate", process);
-  gate.component = std::make_unique<GateComponent>(gate.context, GateComponent::Params{},
-                                                   process.container->name);
-  schedule(gate, process);
 }
 
 World::Instance& World::add_instance(const std::string& name, Process& process) {

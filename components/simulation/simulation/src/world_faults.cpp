@@ -9,17 +9,12 @@
 namespace tocsin::simulation {
 namespace {
 
-/// A restarted process is found by the other side after this; measured on Fast DDS 2.9.1 with
-/// fresh ids: below 0.2 s.
-constexpr Duration discovery_takes = std::chrono::milliseconds(200);
 constexpr double retry_s = 1;
 constexpr double look_for_files_s = 0.1;
 
 }  // namespace
 
 void World::plan_faults() {
-  if (options_.faults.empty()) return;
-  network_.endpoints.set_discovery(core, discovery_takes);
   for (const Fault& fault : options_.faults) plan(fault);
 }
 

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "rtps.hpp"
+#include "radio_link.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin::simulation {

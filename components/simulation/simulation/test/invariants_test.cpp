@@ -30,13 +30,19 @@ TopicEnd end_of_class(TrafficClass traffic_class, bool pausable, bool drops) {
 
 class InvariantsTest : public ::testing::Test {
  protected:
-  void write(const TopicEnd& end, Status status) {
-    sut_.on_written({end, t0, ++sequence_, 10, nullptr, status});
+  void write(const TopicEnd& end) { sut_.on_written({end, t0, ++sequence_, 10, nullptr}); }
+  void send(const TopicEnd& end, std::uint64_t written) {
+    sut_.on_sent({end, t0, ++sent_, written, 10});
   }
+  /// The host's router does what routers do.
+  void begin_to_send() { send(low_, 0); }
+  void step(double after_s) { sut_.on_step(t0 + seconds(after_s)); }
   void deliver(const TopicEnd& end, std::uint64_t sequence, double age_s) {
     sut_.on_delivered({end, reader_, sequence, sequence, t0, t0, t0 + seconds(age_s), 10, nullptr});
   }
-  void gate(bool open) { sut_.on_gate({uxv, link, t0, open}); }
+  void gate(GateEvent event, double after_s = 0) {
+    sut_.on_gate({uxv, t0 + seconds(after_s), event});
+  }
   void move(double speed_mps, double after_command_s) {
     sut_.on_position({uxv, t0, 0, 0, 0, speed_mps, 0, t0 - seconds(after_command_s)});
   }
@@ -45,58 +51,105 @@ class InvariantsTest : public ::testing::Test {
     end.topic = topic::CmdVel::info.name;
     topic::CmdVel::Message message;
     message.linear().x(0.2);
-    sut_.on_written({end, at, 1, 0, &message, Status::ok});
+    sut_.on_written({end, at, 1, 0, &message});
   }
   [[nodiscard]] std::size_t broken() const { return sut_.violations().size(); }
 
   Invariants sut_;
   TopicEnd reader_;
   std::uint64_t sequence_ = 0;
+  std::uint64_t sent_ = 0;
   TopicEnd critical_ = end_of_class(TrafficClass::critical, false, false);
   TopicEnd low_ = end_of_class(TrafficClass::low, true, true);
   TopicEnd goal_ = end_of_class(TrafficClass::high, true, false);
 };
 
-TEST_F(InvariantsTest, CriticalSamplesAreNeverPaused) {
-  write(critical_, Status::ok);
-  write(low_, Status::paused);
+TEST_F(InvariantsTest, CriticalSamplesAreSoonOnTheRadio) {
+  begin_to_send();
+  write(critical_);
+  step(0.5);
   EXPECT_EQ(broken(), 0U);
-  write(critical_, Status::paused);
+  step(0.6);
+  EXPECT_EQ(broken(), 1U);
+  step(2);
+  EXPECT_EQ(broken(), 1U) << "told once";
+}
+
+TEST_F(InvariantsTest, ANewerSampleMayGoInThePlaceOfOneThatWaits) {
+  begin_to_send();
+  write(critical_);
+  write(critical_);
+  send(critical_, sequence_);
+  step(1);
+  EXPECT_EQ(broken(), 0U);
+}
+
+TEST_F(InvariantsTest, ARepairOfAnOlderSampleIsNotTheOneThatWaits) {
+  begin_to_send();
+  write(critical_);
+  send(critical_, sequence_ - 1);
+  step(1);
   EXPECT_EQ(broken(), 1U);
 }
 
-TEST_F(InvariantsTest, NothingPausableGoesThroughAClosedGate) {
-  sut_.on_sent({low_, t0, 1, 1, 10});
-  gate(false);
-  sut_.on_sent({critical_, t0, 1, 1, 10});
+TEST_F(InvariantsTest, BulkMayWaitAndAHostWithoutARouterSendsNothing) {
+  write(critical_);
+  begin_to_send();
+  write(low_);
+  step(1);
   EXPECT_EQ(broken(), 0U);
-  sut_.on_sent({low_, t0, 2, 2, 10});
+}
+
+TEST_F(InvariantsTest, NothingPausableGoesThroughAClosedGate) {
+  send(low_, 1);
+  gate(GateEvent::closed);
+  send(critical_, 1);
+  EXPECT_EQ(broken(), 0U);
+  send(low_, 2);
+  EXPECT_EQ(broken(), 1U);
+  gate(GateEvent::opened);
+  send(low_, 3);
   EXPECT_EQ(broken(), 1U);
 }
 
 TEST_F(InvariantsTest, WhatTheGateKeptIsSentWhenItOpens) {
-  gate(false);
-  write(goal_, Status::paused);
-  gate(true);
-  sut_.on_sent({goal_, t0, 1, sequence_, 10});
-  sut_.on_step(t0);
+  begin_to_send();
+  gate(GateEvent::closed);
+  write(goal_);
+  step(4);
+  gate(GateEvent::opened, 4);
+  send(goal_, sequence_);
+  step(5);
   EXPECT_EQ(broken(), 0U);
 }
 
 TEST_F(InvariantsTest, WhatTheGateKeptAndLostIsFound) {
-  gate(false);
-  write(goal_, Status::paused);
-  gate(true);
-  sut_.on_step(t0);
+  begin_to_send();
+  gate(GateEvent::closed);
+  write(goal_);
+  gate(GateEvent::opened, 4);
+  step(4.5);
+  EXPECT_EQ(broken(), 0U);
+  step(4.6);
   EXPECT_EQ(broken(), 1U);
 }
 
-TEST_F(InvariantsTest, ADyingProcessMayLoseWhatItKept) {
-  gate(false);
-  write(goal_, Status::paused);
+TEST_F(InvariantsTest, WhatTheGateKeptBeyondItsLifespanIsNotWanted) {
+  begin_to_send();
+  gate(GateEvent::closed);
+  write(goal_);
+  gate(GateEvent::opened, 5.1);
+  step(6);
+  EXPECT_EQ(broken(), 0U);
+}
+
+TEST_F(InvariantsTest, ADyingWriterOrRouterMayLoseWhatWaits) {
+  begin_to_send();
+  write(critical_);
   sut_.on_process({uxv + "/" + link, ProcessEvent::killed, t0, 0});
-  gate(true);
-  sut_.on_step(t0);
+  write(critical_);
+  gate(GateEvent::gone);
+  step(1);
   EXPECT_EQ(broken(), 0U);
 }
 
@@ -139,10 +192,10 @@ TEST_F(InvariantsTest, NetworkQualityIsInItsRange) {
   topic::NetworkQuality::Message message;
   message.per_percent(100);
   message.quality_percent(std::numeric_limits<float>::quiet_NaN());
-  sut_.on_written({end, t0, 1, 0, &message, Status::ok});
+  sut_.on_written({end, t0, 1, 0, &message});
   EXPECT_EQ(broken(), 0U);
   message.per_percent(100.5F);
-  sut_.on_written({end, t0, 2, 0, &message, Status::ok});
+  sut_.on_written({end, t0, 2, 0, &message});
   EXPECT_EQ(broken(), 1U);
 }
 

@@ -140,16 +140,6 @@ TEST_F(LinkBusTest, HostTopicsStayOnTheirHost) {
   EXPECT_TRUE(away.samples.empty());
 }
 
-TEST_F(LinkBusTest, ATopicThatTheTrafficFileDoesNotNameForThisSideStaysOnItsHost) {
-  connect();
-  write<topic::Goal>(drive_);  // only the ground station sends goals
-  EXPECT_EQ(up().bus.take(), std::nullopt);
-  write<topic::Goal>(mission_);
-  run_for(1);
-  EXPECT_EQ(up().count<HostFlow>(), 0U);
-  EXPECT_EQ(down().count<HostFlow>(), 1U);
-}
-
 TEST_F(LinkBusTest, ALateReaderGetsTheLastStateThatWasCarried) {
   connect();
   const auto state = drive_.advertise(endpoint<topic::TransmissionState>());

@@ -15,6 +15,7 @@ class LinkWatch : public Observer {
   void on_written(const Written& one) override { written.push_back(one); }
   void on_sent(const Sent& one) override { sent.push_back(one); }
   void on_delivered(const Delivered& one) override { delivered.push_back(one); }
+  void on_gate(const GateChange& change) override { gates.push_back(change.event); }
   [[nodiscard]] std::uint64_t up(Category category) const {
     return report_.uplink.categories[static_cast<std::size_t>(category)].pushed;
   }
@@ -24,6 +25,7 @@ class LinkWatch : public Observer {
   std::vector<Written> written;
   std::vector<Sent> sent;
   std::vector<Delivered> delivered;
+  std::vector<GateEvent> gates;
 
  private:
   radio::LinkReport report_{};
@@ -57,9 +59,9 @@ class LinkClassTest : public ::testing::Test {
     LinkWatch watch;
     Core core;
     RadioLink link;
-    Network network{core, link, QosProfiles(TOCSIN_REPOSITORY "/config/qos.yaml"), {}};
-    SimHost uxv{network, "uxv", "uxv", TOCSIN_REPOSITORY "/config/traffic.yaml", true};
-    SimHost gcs{network, "gcs", "gcs", TOCSIN_REPOSITORY "/config/traffic.yaml", true};
+    Network network{core, link, QosProfiles(TOCSIN_REPOSITORY "/config/qos.yaml")};
+    SimHost uxv{network, "uxv", "uxv", TOCSIN_REPOSITORY "/config/traffic.yaml"};
+    SimHost gcs{network, "gcs", "gcs", TOCSIN_REPOSITORY "/config/traffic.yaml"};
     SimProcess& payload = uxv.add_process("payload");
     SimProcess& view = gcs.add_process("view");
     PlainRouter up{network, uxv};
@@ -166,6 +168,18 @@ TEST_F(LinkBusTest, ObserversSeeEachTransmissionAndOneDelivery) {
   EXPECT_EQ(watch.sent[1].sequence, 2U);
   EXPECT_EQ(watch.sent[1].written, 1U);
   EXPECT_EQ(watch.delivered.size(), 1U);
+  core_.observer = nullptr;
+}
+
+TEST_F(LinkBusTest, ObserversSeeTheGateOfARouterAndItsEnd) {
+  LinkWatch watch;
+  connect();
+  core_.observer = &watch;
+  up().bus.on_gate(false);
+  up().bus.on_gate(true);
+  kill_router(uxv_);
+  EXPECT_EQ(watch.gates,
+            (std::vector<GateEvent>{GateEvent::closed, GateEvent::opened, GateEvent::gone}));
   core_.observer = nullptr;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Worlds without components; test/system/simulation_test.cpp has the whole mission.
+// Worlds with routers alone; test/system/simulation_test.cpp has the whole mission.
 #include "simulation/sim_world.hpp"
 
 #include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
 #include <map>
 
@@ -16,10 +17,12 @@ const std::string config = TOCSIN_REPOSITORY "/config/";
 deployment::Container container(const char* name) {
   deployment::Container made;
   made.name = name;
+  made.components.push_back({"link_router", "link_router",
+                             std::make_shared<const YAML::Node>(YAML::Node(YAML::NodeType::Map))});
   return made;
 }
 
-/// A base and the gate of one process on each side.
+/// A base, and a router on each side.
 deployment::Deployment small() {
   deployment::Deployment deployment;
   deployment.qos = config + "qos.yaml";
@@ -40,7 +43,7 @@ TEST(SimWorld, RunsUntilTheLimit) {
   const Outcome outcome = sut.run(seconds(10));
   EXPECT_EQ(outcome.simulated, seconds(10));
   EXPECT_FALSE(outcome.exit_code);
-  EXPECT_GE(outcome.ticks, 20U);  // each gate each second
+  EXPECT_GE(outcome.ticks, 20U);  // each router each second
 }
 
 TEST(SimWorld, GoesOnWhereItStopped) {

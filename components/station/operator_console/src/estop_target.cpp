@@ -28,7 +28,6 @@ BusOptions bus_of(const deployment::Deployment& deployment, const deployment::Ho
   bus.link_address = host.address;
   bus.link_peers = host.peers;
   bus.processes = processes;
-  bus.routed = deployment::is_routed(host);
   bus.host = "estop";
   return bus;
 }
@@ -53,7 +52,6 @@ EstopTarget target_of(const EstopOptions& options) {
     bus.link_domain = *options.link_domain;
     bus.link_address = options.address;
     bus.link_peers = options.peers;
-    bus.routed = true;
     bus.host = "estop";
     bus.role = "gcs";
     bus.traffic_file = share_folder(own_program()) / "config/traffic.yaml";
@@ -83,8 +81,9 @@ std::optional<EstopTarget> target_of_file(const fs::path& run, const std::string
     for (const deployment::Host& host : deployment.hosts) {
       if ((host.role != name && host.name != name) || deployment.radio) continue;
       BusOptions bus = bus_of(deployment, host);
-      if (bus.routed) bus.traffic_file = deployment.traffic;
-      return EstopTarget{run.string() + ", which does not run", std::nullopt, bus, bus.routed};
+      const bool routed = deployment::is_routed(host);
+      if (routed) bus.traffic_file = deployment.traffic;
+      return EstopTarget{run.string() + ", which does not run", std::nullopt, bus, routed};
     }
   } catch (const ConfigError&) {  // holds no run, or cannot be read
   }

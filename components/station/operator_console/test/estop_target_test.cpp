@@ -98,7 +98,7 @@ TEST_F(EstopTargetTest, AStationWithARouterIsAskedWhileItRunsAndReplacedWhenItDo
   deployment::RunningHosts all;
   all.hosts.push_back({station, "desk", 77});
   const auto runs = find_targets(options_, Among::all, all);
-  EXPECT_TRUE(runs[0].bus.routed) << "its router alone speaks on the link";
+  EXPECT_FALSE(runs[0].needs_router) << "its own router speaks on the link";
   EXPECT_FALSE(runs[0].needs_router);
   fs::create_directories(folder_.path("runs/1"));
   write_resolved(station, folder_.path("runs/1/deployment.yaml"));
@@ -141,7 +141,7 @@ TEST_F(EstopTargetTest, TheLinkOfTheOptionsReachesTheVehicleAndNoOtherStation) {
   const auto link = find_targets(options_, Among::only_one, {});
   EXPECT_EQ(link[0].bus.link_domain, 42);
   EXPECT_EQ(link[0].bus.host_domain, 231);
-  EXPECT_TRUE(link[0].needs_router && link[0].bus.routed) << "the vehicle listens to routers only";
+  EXPECT_TRUE(link[0].needs_router) << "the vehicle listens to routers only";
   EXPECT_THAT(link[0].bus.traffic_file, HasSubstr("config/traffic.yaml"));
   options_.link_domain = 231;
   EXPECT_EQ(find_targets(options_, Among::only_one, {})[0].bus.host_domain, 230);

@@ -5,7 +5,6 @@
 
 #include "port_recorder.hpp"
 #include "runtime/middleware/component_library.hpp"
-#include "runtime/middleware/gate_component.hpp"
 
 namespace tocsin::check {
 namespace {
@@ -34,10 +33,6 @@ void probe_container(const deployment::Deployment& deployment, const deployment:
                 .create(context, *instance.parameters, deployment.sources);
           });
   }
-  probe({host.name, host.role, container.name, "gate", {}}, deployment, built,
-        [&](Context& context) {
-          return std::make_unique<GateComponent>(context, GateComponent::Params{}, container.name);
-        });
 }
 
 }  // namespace

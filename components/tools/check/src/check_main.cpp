@@ -61,7 +61,7 @@ void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) 
     }
     const auto place = poor_place_of(deployment);
     if (!place) return;
-    for (Finding& one : examine_load(built.graph, qos, *place)) {
+    for (Finding& one : examine_load(built.graph, qos, traffic, *place)) {
       built.findings.push_back(std::move(one));
     }
   } catch (const ConfigError& error) {

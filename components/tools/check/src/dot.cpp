@@ -15,8 +15,8 @@ namespace {
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
 bool is_observer(const Node& node) {
-  return node.name == "gate" || std::none_of(node.ports.begin(), node.ports.end(),
-                                             [](const Port& port) { return port.writes; });
+  return std::none_of(node.ports.begin(), node.ports.end(),
+                      [](const Port& port) { return port.writes; });
 }
 
 Graph without_observers(Graph graph) {

@@ -4,42 +4,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <set>
 
 #include "foundation/error.hpp"
-#include "rtps_model/message.hpp"
+#include "link_router/wire_cost.hpp"
 
 namespace tocsin::check {
 namespace {
 
-/// Processes on other hosts that read the topic: each gets a copy.
-std::size_t readers_of(const Graph& graph, const Node& writer, const std::string& topic) {
-  std::set<std::string> processes;
+/// Each gets a copy.
+std::size_t hosts_beside(const Graph& graph, const Node& writer) {
+  std::set<std::string> hosts;
   for (const Node& node : graph) {
-    const bool reads = std::any_of(node.ports.begin(), node.ports.end(), [&](const Port& port) {
-      return !port.writes && port.topic == topic;
-    });
-    if (reads && node.host != writer.host) processes.insert(node.host + "/" + node.container);
+    if (node.host != writer.host) hosts.insert(node.host);
   }
-  return processes.size();
+  return hosts.size();
 }
 
-/// [byte/s] in IP packets to all readers.
-double offered(const ExpectedLoad& load, const QosProfile& qos, const QosProfiles& all,
-               std::size_t readers) {
-  const auto packets =
-      rtps::packets_of(static_cast<std::size_t>(load.bytes), readers, rtps::wire::largest_payload);
-  const auto bytes = std::accumulate(packets.begin(), packets.end(), std::size_t{0});
-  double rate = std::min(load.rate_hz, qos.max_rate_hz) * static_cast<double>(bytes);
-  if (!qos.flow_controller.empty()) {
-    const FlowController& bound = all.flow_controllers().at(qos.flow_controller);
-    if (bound.max_bytes_per_period > 0) {
-      rate = std::min(rate, bound.max_bytes_per_period / bound.period_s);
-    }
-  }
-  return rate * static_cast<double>(readers);
+/// [byte/s] in IP packets to all hosts.
+double offered(const ExpectedLoad& load, const QosProfile& qos, std::size_t hosts) {
+  const auto cost = router::wire_cost(static_cast<std::size_t>(load.bytes));
+  return std::min(load.rate_hz, qos.max_rate_hz) * static_cast<double>(cost.bytes * hosts);
 }
 
 /// Empty when the profile is missing, which is told elsewhere.
@@ -51,31 +37,43 @@ std::optional<QosProfile> profile_of(const Port& port, const QosProfiles& qos) {
   }
 }
 
-std::string warning(const Node& node, const Port& port, std::size_t readers, double bytes_per_s,
-                    const PoorPlace& place) {
+/// Of a topic that goes before others; empty for one that does not, or has no class.
+std::optional<TrafficClass> class_above_low(const Node& node, const Port& port,
+                                            const std::map<std::string, TrafficRules>& rules) {
+  const auto of_role = rules.find(node.role);
+  if (of_role == rules.end()) return std::nullopt;
+  const auto rule = of_role->second.all().find(port.topic);
+  if (rule == of_role->second.all().end() || rule->second.adaptive) return std::nullopt;
+  const TrafficClass found = rule->second.traffic_class;
+  return found == TrafficClass::low ? std::nullopt : std::optional(found);
+}
+
+std::string warning(const Node& node, const Port& port, TrafficClass traffic_class,
+                    double bytes_per_s, const PoorPlace& place) {
   return fmt::format(
-      "topic {}: {} writes it reliably (QoS profile {}), {:.0f} kB/s on the radio to {} "
-      "process{}; in its poor places ({:.0f} dB) {} carries {:.0f} kB/s, and what is repaired "
-      "there "
-      "takes the place of all other topics: use reliability: best_effort or a flow_controller",
-      port.topic, node.path(), port.qos, bytes_per_s / 1000, readers, readers == 1 ? "" : "es",
-      place.mean_snr_db, place.channel, place.bytes_per_s / 1000);
+      "topic {}: {} writes {:.0f} kB/s on the radio in class {}; in its poor places ({:.0f} dB) {} "
+      "carries {:.0f} kB/s, so that the classes below wait there: put it into class low, or let "
+      "its writer follow the budget (adaptive)",
+      port.topic, node.path(), bytes_per_s / 1000, to_string(traffic_class), place.mean_snr_db,
+      place.channel, place.bytes_per_s / 1000);
 }
 
 }  // namespace
 
 std::vector<Finding> examine_load(const Graph& graph, const QosProfiles& qos,
+                                  const std::map<std::string, TrafficRules>& rules,
                                   const PoorPlace& place) {
   std::vector<Finding> findings;
   for (const Node& node : graph) {
     for (const Port& port : node.ports) {
       if (!port.load || port.scope != Scope::link) continue;
       const auto profile = profile_of(port, qos);
-      const std::size_t readers = readers_of(graph, node, port.topic);
-      if (!profile || !profile->reliable() || readers == 0) continue;
-      const double bytes_per_s = offered(*port.load, *profile, qos, readers);
+      const auto traffic_class = class_above_low(node, port, rules);
+      if (!profile || !traffic_class) continue;
+      const double bytes_per_s = offered(*port.load, *profile, hosts_beside(graph, node));
       if (bytes_per_s <= place.bytes_per_s) continue;
-      findings.push_back({Severity::warning, warning(node, port, readers, bytes_per_s, place)});
+      findings.push_back(
+          {Severity::warning, warning(node, port, *traffic_class, bytes_per_s, place)});
     }
   }
   return findings;

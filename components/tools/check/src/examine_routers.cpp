@@ -39,13 +39,13 @@ const Host* routed_peer_of(const Host& host, const Deployment& deployment) {
   return found == deployment.hosts.end() ? nullptr : &*found;
 }
 
-/// The components of the host that have link topics; a gate has them in every container.
+/// The components of the host that have link topics.
 std::vector<std::string> link_users(const Host& host, const Graph& graph) {
   std::vector<std::string> paths;
   for (const Node& node : graph) {
     const bool uses_link = std::any_of(node.ports.begin(), node.ports.end(),
                                        [](const Port& port) { return port.scope == Scope::link; });
-    if (uses_link && node.host == host.name && node.name != "gate") paths.push_back(node.path());
+    if (uses_link && node.host == host.name) paths.push_back(node.path());
   }
   return paths;
 }
@@ -77,10 +77,9 @@ void examine_host(const Host& host, const Deployment& deployment, const Graph& g
   const std::vector<std::string> users = link_users(host, graph);
   if (host.peers.empty() || users.empty()) return;
   findings.push_back(
-      {Severity::warning,
-       fmt::format("host {}: no link_router carries the link topics of {}, so that nothing is "
-                   "repaired or put in order; add the component link_router to one container of "
-                   "each host. Without it, link topics will not cross in the next release",
+      {Severity::error,
+       fmt::format("host {}: no link_router carries the link topics of {}: they stay on their "
+                   "host; add the component link_router to one container of each host",
                    host.name, shortened(users))});
 }
 

@@ -23,8 +23,6 @@ class PortRecorder final : public Bus {
   std::unique_ptr<LinkBus> open_link(const std::function<void()>&) override {
     return std::make_unique<IdleLinkBus>(TrafficRules());
   }
-  void set_gate(bool open) override { (void)open; }
-  [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override { return {}; }
 
   /// What the writer of a topic expects to write.
   void expect(const std::string& topic, const ExpectedLoad& load);

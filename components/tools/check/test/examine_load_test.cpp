@@ -12,78 +12,79 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A writer of ten samples of 900 bytes a second: IP packets of 1060 bytes to one reader, 1044 to
-/// each of two.
+/// A writer of ten samples of 900 bytes a second: IP packets of 1092 bytes to each other host.
 class ExamineLoadTest : public ::testing::Test {
  protected:
   ExamineLoadTest() {
     folder_.write("qos.yaml",
-                  "flow_controllers: {radio: {max_bytes_per_period: 400, period_s: 0.1},\n"
-                  "                   free: {max_bytes_per_period: 0}}\n"
-                  "state: {reliability: reliable}\n"
                   "sensor: {reliability: best_effort}\n"
-                  "bound: {reliability: reliable, flow_controller: radio}\n"
-                  "free: {reliability: reliable, flow_controller: free}\n"
-                  "slow: {reliability: reliable, max_rate_hz: 5}\n");
+                  "slow: {reliability: best_effort, max_rate_hz: 5}\n");
+    folder_.write("traffic.yaml",
+                  "uxv:\n"
+                  "  high: {while_poor: send, topics: [x, follows], adaptive: [follows]}\n"
+                  "  low: {while_poor: drop, topics: [bulk]}\n"
+                  "gcs: {}\n");
+    rules_.emplace("uxv", TrafficRules(folder_.path("traffic.yaml"), "uxv"));
   }
-  [[nodiscard]] std::vector<Finding> examine(double capacity, const std::string& qos = "state",
+  [[nodiscard]] std::vector<Finding> examine(double capacity, const std::string& topic = "x",
+                                             const std::string& qos = "sensor",
                                              Scope scope = Scope::link) const {
-    Port writer = writes("x", scope, qos);
-    writer.load = ExpectedLoad{10, 900};
-    Node second = station("plotter", {reads("x", scope, qos)});
-    second.container = "other";
-    Graph graph{vehicle("source", {writer}), vehicle("own", {reads("x", scope, qos)}),
-                station("sink", {reads("x", scope, qos)}),
-                station("sink of the same process", {reads("x", scope, qos)})};
-    if (two_readers_) graph.push_back(second);
-    const QosProfiles profiles(folder_.path("qos.yaml"));
-    return examine_load(graph, profiles, {"radio.yaml", 9, capacity, 0.1});
+    Port writer = writes(topic, scope, qos);
+    writer.load = load_;
+    Graph graph{vehicle("source", {writer}), vehicle("own", {reads(topic, scope, qos)}),
+                station("sink", {reads(topic, scope, qos)}),
+                station("another", {reads(topic, scope, qos)})};
+    if (third_host_) graph.push_back({"spare", "gcs", "desk", "sink", {}});
+    return examine_load(graph, QosProfiles(folder_.path("qos.yaml")), rules_,
+                        {"radio.yaml", 9, capacity, 0.1});
   }
   const TemporaryFolder folder_;
-  bool two_readers_ = false;
+  std::map<std::string, TrafficRules> rules_;
+  std::optional<ExpectedLoad> load_ = ExpectedLoad{10, 900};
+  bool third_host_ = false;
 };
 
-TEST_F(ExamineLoadTest, WarnsOfAReliableStreamThatIsMoreThanThePoorPlaceCarries) {
-  EXPECT_TRUE(examine(10'600).empty());
-  const auto findings = examine(10'599);
+TEST_F(ExamineLoadTest, WarnsOfAStreamAboveClassLowThatIsMoreThanThePoorPlaceCarries) {
+  EXPECT_TRUE(examine(10'920).empty());
+  const auto findings = examine(10'919);
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].severity, Severity::warning);
-  EXPECT_THAT(
-      findings[0].text,
-      HasSubstr("topic x: uxv/drive/source writes it reliably (QoS profile state), 11 kB/s "
-                "on the radio to 1 process; in its poor places (9 dB) radio.yaml carries "));
+  EXPECT_THAT(findings[0].text,
+              HasSubstr("topic x: uxv/drive/source writes 11 kB/s on the radio in class high; in "
+                        "its poor places (9 dB) radio.yaml carries 11 kB/s"));
 }
 
-TEST_F(ExamineLoadTest, CountsACopyForEachReadingProcessOnTheOtherHost) {
-  two_readers_ = true;
-  EXPECT_TRUE(examine(20'880).empty());
-  EXPECT_EQ(examine(20'879).size(), 1U);
+TEST_F(ExamineLoadTest, CountsACopyForEachOtherHost) {
+  third_host_ = true;
+  EXPECT_TRUE(examine(21'840).empty());
+  EXPECT_EQ(examine(21'839).size(), 1U);
 }
 
-TEST_F(ExamineLoadTest, DoesNotWarnOfBestEffort) { EXPECT_TRUE(examine(1, "sensor").empty()); }
+TEST_F(ExamineLoadTest, DoesNotWarnOfClassLowWhichWaitsForAllOthers) {
+  EXPECT_TRUE(examine(1, "bulk").empty());
+}
+
+TEST_F(ExamineLoadTest, DoesNotWarnOfAWriterThatFollowsTheBudget) {
+  EXPECT_TRUE(examine(1, "follows").empty());
+}
 
 TEST_F(ExamineLoadTest, DoesNotWarnOfWhatStaysOnItsHost) {
-  EXPECT_TRUE(examine(1, "state", Scope::host).empty());
+  EXPECT_TRUE(examine(1, "x", "sensor", Scope::host).empty());
 }
 
-TEST_F(ExamineLoadTest, LeavesAMissingProfileToOthers) { EXPECT_TRUE(examine(1, "none").empty()); }
-
-TEST_F(ExamineLoadTest, AFlowControllerBoundsWhatIsOffered) {
-  EXPECT_TRUE(examine(4'000, "bound").empty());
-  EXPECT_EQ(examine(3'999, "bound").size(), 1U);
-  EXPECT_EQ(examine(10'599, "free").size(), 1U);
+TEST_F(ExamineLoadTest, LeavesAMissingProfileOrClassToOthers) {
+  EXPECT_TRUE(examine(1, "x", "none").empty());
+  EXPECT_TRUE(examine(1, "unknown").empty());
 }
 
 TEST_F(ExamineLoadTest, AMaximumRateBoundsWhatIsOffered) {
-  EXPECT_TRUE(examine(5'300, "slow").empty());
-  EXPECT_EQ(examine(5'299, "slow").size(), 1U);
+  EXPECT_TRUE(examine(5'460, "x", "slow").empty());
+  EXPECT_EQ(examine(5'459, "x", "slow").size(), 1U);
 }
 
 TEST_F(ExamineLoadTest, JudgesOnlyWritersThatTellWhatTheyExpect) {
-  const Graph graph{vehicle("source", {writes("x", Scope::link, "state")}),
-                    station("sink", {reads("x", Scope::link, "state")})};
-  EXPECT_TRUE(
-      examine_load(graph, QosProfiles(folder_.path("qos.yaml")), {"radio.yaml", 9, 0, 1}).empty());
+  load_.reset();
+  EXPECT_TRUE(examine(0).empty());
 }
 
 }  // namespace

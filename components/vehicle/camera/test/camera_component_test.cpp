@@ -121,8 +121,6 @@ TEST_F(CameraTest, TellsHowMuchItWillWriteWhenItIsAsked) {
     }
     [[nodiscard]] Time now() const override { return {}; }
     [[nodiscard]] std::int64_t wall_ns(Time) const override { return 0; }
-    void set_gate(bool) override {}
-    [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override { return {}; }
     std::optional<ExpectedLoad> load;
   } bus;
   Context context{bus, "camera", "uxv", ""};

@@ -18,10 +18,6 @@ class OdomWatch final : public Bus {
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
   [[nodiscard]] Time now() const override { return bus_.now(); }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override { return bus_.wall_ns(t); }
-  void set_gate(bool open) override { bus_.set_gate(open); }
-  [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override {
-    return bus_.link_traffic();
-  }
 
  private:
   Bus& bus_;

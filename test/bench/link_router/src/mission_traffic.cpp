@@ -60,7 +60,8 @@ class Recorder final : public simulation::Observer {
     traffic_.places.push_back({base.time, base.x_m, base.y_m});
   }
   void on_gate(const simulation::GateChange& gate) override {
-    if (gate.host == "uxv" || gate.host == "/uxv") traffic_.gates.push_back({gate.time, gate.open});
+    if (gate.host != "uxv" && gate.host != "/uxv") return;
+    traffic_.gates.push_back({gate.time, gate.event != simulation::GateEvent::closed});
   }
 
  private:

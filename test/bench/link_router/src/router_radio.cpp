@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "rtps_model/message.hpp"
+#include "link_router/wire_cost.hpp"
 
 namespace tocsin::bench {
 namespace {
@@ -50,8 +50,7 @@ void RouterRadio::send(Cargo cargo, const std::vector<std::size_t>& packets, Tim
 }
 
 void RouterRadio::send(std::size_t side, const router::Transmission& one, Time now) {
-  auto packets = rtps::packets_of(one.sample.bytes, 1, rtps::wire::largest_payload - origin_bytes);
-  for (std::size_t& packet : packets) packet += origin_bytes;
+  const auto packets = router::packets_of(one.sample.bytes);
   if (one.repair) ++repairs_;
   send({one, 1 - side, classes_.at(one.stream), packets.size()}, packets, now);
 }
@@ -59,8 +58,7 @@ void RouterRadio::send(std::size_t side, const router::Transmission& one, Time n
 void RouterRadio::send(std::size_t side, const router::LinkReceipt& receipt, Time now) {
   const std::size_t bytes = receipt_bytes + stream_receipt_bytes * receipt.streams.size();
   ++receipts_;
-  send({receipt, 1 - side, TrafficClass::critical, 1},
-       rtps::packets_of(bytes, 1, rtps::wire::largest_payload), now);
+  send({receipt, 1 - side, TrafficClass::critical, 1}, router::packets_of(bytes), now);
 }
 
 void RouterRadio::serve(Time now) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the gate costs an active writer, how late a deadline wakes a component, what a start takes.
-// usage: runtime_cost [--quick] [gate|deadline|restart|start]
+// How late a deadline wakes a component, what a start takes.
+// usage: runtime_cost [--quick] [deadline|restart|start]
 #include <time.h>
 
 #include <cstdio>
@@ -11,45 +11,10 @@
 
 #include "bench_bus.hpp"
 #include "runner/runner.hpp"
-#include "runtime/middleware/gated_writer.hpp"
 #include "start_cost.hpp"
 
 namespace tocsin::bench {
 namespace {
-
-/// A writer that does nothing, so that only the gate is measured.
-class NullWriter : public LinkWriter {
- public:
-  std::size_t send(const void* message) override { return message != nullptr ? 1 : 0; }
-  void silence() override {}
-};
-
-template <class Call>
-double ns_per_call(int calls, Call call) {
-  const std::int64_t start = now_ns();
-  for (int i = 0; i < calls; ++i) call();
-  return static_cast<double>(now_ns() - start) / calls;
-}
-
-void print_gate(int rounds) {
-  constexpr int calls = 200000;
-  const auto message = std::static_pointer_cast<const void>(blob(1024));
-  NullWriter plain;
-  LinkWriter* volatile ungated = &plain;  // keeps the call virtual, as in the gate
-  GatedWriter gated("ping", {TrafficClass::low, WhilePoor::drop}, std::make_unique<NullWriter>(),
-                    {});
-  Series with;
-  Series without;
-  for (int i = 0; i < rounds; ++i) {
-    without.add(static_cast<std::int64_t>(
-        1000 * ns_per_call(calls, [&] { (void)ungated->send(message.get()); })));
-    with.add(
-        static_cast<std::int64_t>(1000 * ns_per_call(calls, [&] { (void)gated.write(message); })));
-  }
-  std::printf("gate, active writer [ns]: %.1f with, %.1f without: %.1f for the gate\n",
-              with.percentile(0.5) / 1000, without.percentile(0.5) / 1000,
-              (with.percentile(0.5) - without.percentile(0.5)) / 1000);
-}
 
 /// Asks to be woken a millisecond later, and notes how late it was.
 class Sleepy : public Component {
@@ -97,7 +62,6 @@ void print_deadline(int count) {
 int measure(bool quick, const std::string& part) {
   const auto wanted = [&part](const char* name) { return part.empty() || part == name; };
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
-  if (wanted("gate")) print_gate(quick ? 5 : 25);
   if (wanted("deadline")) print_deadline(quick ? 500 : 4000);
   if (wanted("restart")) print_restarts(quick ? 20 : 100);
   if (wanted("start")) print_start_costs();

@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
+#include "link_router/gate_keeper.hpp"
 #include "link_router/link_receiver.hpp"
 #include "link_router/link_sender.hpp"
 #include "runtime/component.hpp"
-#include "runtime/middleware/gate_keeper.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -84,7 +84,7 @@ class LinkRouterComponent final : public Component {
   Output<topic::LinkBudget> budget_{*this};
   Output<topic::TrafficReport> traffic_{*this};
   const Params params_;
-  GateKeeper keeper_;
+  router::GateKeeper keeper_;
   router::LinkSender sender_;
   router::LinkReceiver receiver_;
   std::unique_ptr<LinkBus> link_;

@@ -9,6 +9,7 @@
 
 #include "foundation/time.hpp"
 #include "foundation/traffic_class.hpp"
+#include "link_router/wire_cost.hpp"
 
 namespace tocsin::router {
 
@@ -86,14 +87,5 @@ struct Transmission {
   Sample sample;
   bool repair = false;  ///< it was sent before
 };
-
-/// What a sample costs on the radio.
-struct WireCost {
-  std::size_t packets = 0;
-  std::size_t bytes = 0;  ///< with all headers from IP on
-};
-/// Of a sample of `bytes` to one peer, in RTPS messages of at most 1400 bytes; the writer adds the
-/// origin to each.
-[[nodiscard]] WireCost wire_cost(std::size_t bytes);
 
 }  // namespace tocsin::router

@@ -17,10 +17,9 @@
 
 namespace tocsin {
 
-/// What became of a write. Only `failed` is a loss that the caller did not ask for.
+/// What became of a write.
 enum class [[nodiscard]] Status{
-    ok,      ///< Handed to every reader on this host and, for link topics, to the link's writer.
-    paused,  ///< Handed to the readers on this host; the gate kept it off the radio.
+    ok,      ///< Handed to every reader on this host, its link_router among them.
     failed,  ///< The middleware refused it (history full, or shutting down); counted.
 };
 
@@ -87,11 +86,6 @@ class Bus {
   [[nodiscard]] virtual Time now() const = 0;
   [[nodiscard]] virtual std::int64_t wall_ns(Time t) const = 0;  ///< [ns], for stamps only
 
-  /// Opens or closes the gate of all pausable link writers of this process. Returns when a closed
-  /// gate's writers have fallen silent. Thread-safe.
-  virtual void set_gate(bool open) = 0;
-  /// What the link writers of this process did so far. Thread-safe.
-  [[nodiscard]] virtual std::vector<TopicTraffic> link_traffic() const = 0;
   /// For link_router: its way over the radio, which calls `on_event`. Null: there is none.
   virtual std::unique_ptr<LinkBus> open_link(const std::function<void()>& /*on_event*/) {
     return nullptr;

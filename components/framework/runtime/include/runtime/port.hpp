@@ -85,7 +85,8 @@ class OptionalInput : public Input<Topic> {
       : Input<Topic>(owner, wake, Writers::optional) {}
 };
 
-/// Member of a component that writes a topic of tocsin_idl/topics.hpp. Link topics pass the gate.
+/// Member of a component that writes a topic of tocsin_idl/topics.hpp. Link topics cross by the
+/// host's router.
 template <class Topic>
 class Output {
  public:

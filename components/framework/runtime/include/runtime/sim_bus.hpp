@@ -32,9 +32,6 @@ class SimBus : public Bus {
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
   [[nodiscard]] Time now() const override { return now_; }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
-  void set_gate(bool open) override { gate_open_ = open; }
-  [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override { return {}; }
-  [[nodiscard]] bool gate_open() const { return gate_open_; }
 
   /// From now on `component` is ticked by run_until, first at once. It must outlive the runs.
   void add(Component& component);
@@ -60,7 +57,6 @@ class SimBus : public Bus {
   [[nodiscard]] Time next_deadline() const;
 
   Time now_;
-  bool gate_open_ = true;
   std::uint64_t last_source_ = anybody;
   std::map<std::string, std::unique_ptr<Topic>> topics_;
   std::vector<Component*> components_;

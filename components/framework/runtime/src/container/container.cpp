@@ -36,7 +36,6 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
           host.peers,
           processes_of(deployment),
           false,
-          deployment::is_routed(host),
           host.name};
 }
 
@@ -45,22 +44,19 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
 Container::Container(const deployment::Deployment& deployment, const deployment::Host& host,
                      const deployment::Container& container, std::function<void(int)> request_exit)
     : bus_(make_fast_dds_bus(bus_options(deployment, host, container))),
-      gate_context_{*bus_,
-                    "gate",
-                    host.role,
-                    deployment.run_dir,
-                    std::move(request_exit),
-                    nullptr,
-                    process_seed(deployment.seed, host.name, container.name)},
-      control_context_(gate_context_) {
-  control_context_.name = "control";
+      context_{*bus_,
+               "control",
+               host.role,
+               deployment.run_dir,
+               std::move(request_exit),
+               nullptr,
+               process_seed(deployment.seed, host.name, container.name)} {
   const auto notice_failure = [this] { control_->schedule().input_arrived(); };
   threads_ = std::make_unique<RunnerThreads>(*bus_, container.shared_thread, container.name,
                                              notice_failure);
-  instances_ = std::make_unique<Instances>(gate_context_, *threads_, load_component);
-  gate_ = std::make_unique<GateComponent>(gate_context_, GateComponent::Params{}, container.name);
+  instances_ = std::make_unique<Instances>(context_, *threads_, load_component);
   control_ = std::make_unique<ControlComponent>(
-      control_context_, container.health,
+      context_, container.health,
       ProcessName{host.name, container.name, static_cast<int>(getpid())}, *instances_,
       ControlComponent::Computer{resident_bytes, free_bytes});
   for (const deployment::ComponentInstance& one : container.components) {
@@ -70,21 +66,15 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
 
 Container::~Container() {
   control_runner_.reset();
-  gate_runner_.reset();
   instances_.reset();
   threads_.reset();
 }
 
 void Container::start() {
   instances_->activate_all();
-  const auto run = [this](Component& component, TickAccount& account) {
-    auto runner = std::make_unique<Runner>(component.name(), *bus_);
-    runner->add(component, account);
-    runner->start();
-    return runner;
-  };
-  gate_runner_ = run(*gate_, gate_account_);
-  control_runner_ = run(*control_, control_account_);
+  control_runner_ = std::make_unique<Runner>(control_->name(), *bus_);
+  control_runner_->add(*control_, control_account_);
+  control_runner_->start();
 }
 
 }  // namespace tocsin

@@ -7,11 +7,10 @@
 #include "container/control_component.hpp"
 #include "deployment/deployment.hpp"
 #include "runner/runner_threads.hpp"
-#include "runtime/middleware/gate_component.hpp"
 
 namespace tocsin {
 
-/// The components of one process, with a gate and a control on threads of their own.
+/// The components of one process, with a control on a thread of its own.
 class Container {
  public:
   /// Builds every component. Throws ConfigError or EnvironmentError; nothing runs then.
@@ -25,15 +24,11 @@ class Container {
 
  private:
   const std::unique_ptr<Bus> bus_;
-  Context gate_context_;
-  Context control_context_;
+  Context context_;  ///< of the control; of each component but for the name
   std::unique_ptr<RunnerThreads> threads_;
   std::unique_ptr<Instances> instances_;
-  std::unique_ptr<GateComponent> gate_;
   std::unique_ptr<ControlComponent> control_;
-  TickAccount gate_account_;
   TickAccount control_account_;
-  std::unique_ptr<Runner> gate_runner_;
   std::unique_ptr<Runner> control_runner_;
 };
 

@@ -153,8 +153,7 @@ void ControlComponent::add_process(Time now, diagnostic_msgs::msg::DiagnosticArr
 void ControlComponent::add_endpoints(diagnostic_msgs::msg::DiagnosticArray& array) {
   for (const EndpointHealth& endpoint : bus().health()) {
     if (!is_eventful(endpoint)) continue;
-    const std::string key =
-        endpoint.topic + (endpoint.writer ? ">" : "<") + (endpoint.link ? "link" : "host");
+    const std::string key = endpoint.topic + (endpoint.writer ? ">" : "<");
     EndpointHealth& before = endpoints_before_[key];
     array.status().push_back(diagnose(process_.container, endpoint, before));
     before = endpoint;

@@ -153,15 +153,13 @@ bool is_eventful(const EndpointHealth& endpoint) {
   return endpoint.lost + endpoint.rejected + endpoint.incompatible_qos + endpoint.deadlines_missed +
                  endpoint.liveliness_lost >
              0 ||
-         !endpoint.other_type.empty() || !endpoint.misfit.empty() || endpoint.waits;
+         !endpoint.other_type.empty() || !endpoint.misfit.empty();
 }
 
 Diagnostic diagnose(const std::string& container, const EndpointHealth& endpoint,
                     const EndpointHealth& before) {
-  Finding finding(container + "/" + endpoint.topic + (endpoint.writer ? " writer" : " reader") +
-                      (endpoint.link ? " (link)" : ""),
+  Finding finding(container + "/" + endpoint.topic + (endpoint.writer ? " writer" : " reader"),
                   endpoint.matched > 0 ? "matched, with past events" : "past events");
-  if (endpoint.waits) finding.grade(WARN, "waits for the interface of the link to come up");
   if (!endpoint.other_type.empty()) {
     finding.grade(ERROR, "another end has the type " + endpoint.other_type);
   }

@@ -35,7 +35,7 @@ DdsReader::DdsReader(FastDdsParticipant& participant, const std::string& topic,
       exchange_(exchange),
       skips_own_(!qos.exclusive()),
       own_{topic, type.name, layout_in(qos.user_data), false, qos},
-      account_(topic, false, participant.radio()),
+      account_(topic, false),
       pool_(type),
       reader_(participant.create_reader(topic, type, qos, *this)) {
   if (reader_ == nullptr) throw EnvironmentError("DDS reader of " + topic + " cannot be created");
@@ -156,23 +156,18 @@ DdsWriter::DdsWriter(FastDdsParticipant& participant, const std::string& topic,
                      const TypeInfo& type, const QosProfile& qos)
     : participant_(participant),
       own_{topic, type.name, layout_in(qos.user_data), true, qos},
-      account_(topic, true, participant.radio()),
+      account_(topic, true),
       writer_(participant.create_writer(topic, type, qos, *this)) {
   if (writer_ == nullptr) throw EnvironmentError("DDS writer of " + topic + " cannot be created");
 }
 
 DdsWriter::~DdsWriter() { participant_.remove(writer_); }
 
-std::size_t DdsWriter::send(const void* message) {
+bool DdsWriter::send(const void* message) {
   OutgoingSample outgoing{message};  // the overload of write that returns a bool hides the reason
   const bool ok = writer_->write(&outgoing, dds::HANDLE_NIL) == ReturnCode::RETCODE_OK;
   (ok ? sent_ : refused_).fetch_add(1, std::memory_order_relaxed);
-  return ok ? outgoing.bytes : 0;
-}
-
-void DdsWriter::silence() {
-  std::size_t removed = 0;
-  (void)writer_->clear_history(&removed);
+  return ok;
 }
 
 EndpointHealth DdsWriter::health() const {

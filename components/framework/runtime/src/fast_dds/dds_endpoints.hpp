@@ -14,7 +14,6 @@
 #include "fast_dds/endpoint_account.hpp"
 #include "fast_dds/fast_dds_participant.hpp"
 #include "fast_dds/single_drainer.hpp"
-#include "runtime/middleware/gated_writer.hpp"
 #include "runtime/middleware/replay_filter.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
 
@@ -76,14 +75,14 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
 };
 
 /// A DataWriter that knows how many readers it has outside this process.
-class DdsWriter : public LinkWriter, private eprosima::fastdds::dds::DataWriterListener {
+class DdsWriter : private eprosima::fastdds::dds::DataWriterListener {
  public:
   DdsWriter(FastDdsParticipant& participant, const std::string& topic, const TypeInfo& type,
             const QosProfile& qos);
-  ~DdsWriter() override;
+  ~DdsWriter();
 
-  std::size_t send(const void* message) override;
-  void silence() override;
+  /// False when the middleware refused it.
+  [[nodiscard]] bool send(const void* message);
   /// Readers in other processes.
   [[nodiscard]] int matched_readers() const { return matched_.load(std::memory_order_relaxed); }
   [[nodiscard]] EndpointHealth health() const;

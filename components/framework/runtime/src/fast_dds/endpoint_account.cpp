@@ -26,10 +26,8 @@ std::uint64_t counted(int change) { return static_cast<std::uint64_t>(std::max(c
 
 }  // namespace
 
-EndpointAccount::EndpointAccount(const std::string& topic, bool writer, bool link)
-    : log_("dds " + topic) {
+EndpointAccount::EndpointAccount(const std::string& topic, bool writer) : log_("dds " + topic) {
   health_.writer = writer;
-  health_.link = link;
 }
 
 void EndpointAccount::on_matched(int change) {

@@ -14,7 +14,7 @@ namespace tocsin {
 /// person must know.
 class EndpointAccount {
  public:
-  EndpointAccount(const std::string& topic, bool writer, bool link);
+  EndpointAccount(const std::string& topic, bool writer);
 
   /// `change` of the number of matched ends outside this process.
   void on_matched(int change);

@@ -9,11 +9,9 @@
 #include <random>
 #include <utility>
 
-#include "fast_dds/late_interface.hpp"
 #include "fast_dds/topic_channel.hpp"
 #include "foundation/error.hpp"
 #include "runner/tick_time.hpp"
-#include "runtime/logger.hpp"
 
 namespace tocsin {
 namespace {
@@ -49,22 +47,14 @@ class FastDdsBus : public Bus {
         profiles_(options.qos_file.empty() ? QosProfiles() : QosProfiles(options.qos_file)),
         rules_(options.traffic_file.empty() ? TrafficRules()
                                             : TrafficRules(options.traffic_file, options.role)),
-        host_({options.name,
-               options.host_domain,
-               loopback,
-               {loopback},
-               options.processes + others_on_host,
-               false,
-               options.shared_memory,
-               profiles_.flow_controllers()}) {
-    if (options.link_address.empty() || options.routed) return;
-    if (interface_is_running(options.link_address)) {
-      link_ = make_link();
-      return;
-    }
-    log_.warn("no interface with {} is up; link topics wait for it", options.link_address);
-    late_ = std::make_unique<LateInterface>(options.link_address, [this] { return join_link(); });
-  }
+        participant_({options.name,
+                      options.host_domain,
+                      loopback,
+                      {loopback},
+                      options.processes + others_on_host,
+                      false,
+                      options.shared_memory,
+                      profiles_.flow_controllers()}) {}
 
   std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
@@ -72,8 +62,6 @@ class FastDdsBus : public Bus {
   void withdraw(TopicChannel& topic, std::uint64_t source);
   [[nodiscard]] Time now() const override { return std::chrono::steady_clock::now(); }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
-  void set_gate(bool open) override;
-  [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override;
   std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override {
     if (options_.link_address.empty()) return nullptr;
     return make_fast_dds_link_bus(options_, on_event);
@@ -81,21 +69,15 @@ class FastDdsBus : public Bus {
   [[nodiscard]] std::vector<EndpointHealth> health() const override;
 
  private:
-  [[nodiscard]] std::unique_ptr<FastDdsParticipant> make_link() const;
-  [[nodiscard]] bool join_link();
   TopicChannel& channel(const Endpoint& endpoint);
   [[nodiscard]] std::unique_ptr<TopicChannel> make_channel(const Endpoint& endpoint);
 
   const BusOptions options_;
-  Logger log_{"bus"};
   const QosProfiles profiles_;
   const TrafficRules rules_;
-  FastDdsParticipant host_;
-  std::unique_ptr<FastDdsParticipant> link_;
+  FastDdsParticipant participant_;
   mutable std::mutex mutex_;
-  bool gate_open_ = true;
   std::map<std::string, std::unique_ptr<TopicChannel>> channels_;
-  std::unique_ptr<LateInterface> late_;  // last: destroyed first, as it calls join_link
 };
 
 /// Removes the receiver when it is destroyed.
@@ -145,33 +127,13 @@ class ChannelPublication : public Publication {
   WallClock wall_;
 };
 
-std::unique_ptr<FastDdsParticipant> FastDdsBus::make_link() const {
-  return std::make_unique<FastDdsParticipant>(ParticipantOptions{
-      options_.name + "_link", options_.link_domain, options_.link_address, options_.link_peers,
-      options_.processes + 2, true, false, profiles_.flow_controllers()});
-}
-
-bool FastDdsBus::join_link() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  try {
-    link_ = make_link();
-  } catch (const EnvironmentError& error) {
-    log_.error("{}; tried again", error.what());
-    return false;
-  }
-  for (const auto& entry : channels_) entry.second->join(*link_);
-  log_.info("the interface with {} is up; link topics cross it", options_.link_address);
-  return true;
-}
-
 std::unique_ptr<TopicChannel> FastDdsBus::make_channel(const Endpoint& endpoint) {
   const std::string name = endpoint.topic.name;
-  const bool crosses =
-      endpoint.topic.scope == Scope::link && !options_.link_address.empty() && !options_.routed;
   const std::string prefix =
       options_.ros_namespace.empty() ? "rt/" : "rt/" + options_.ros_namespace + "/";
-  ChannelOptions options{endpoint, prefix + name, profiles_.of(endpoint.topic.qos, name), crosses};
-  return std::make_unique<TopicChannel>(std::move(options), host_, crosses ? link_.get() : nullptr);
+  return std::make_unique<TopicChannel>(
+      ChannelOptions{endpoint, prefix + name, profiles_.of(endpoint.topic.qos, name)},
+      participant_);
 }
 
 TopicChannel& FastDdsBus::channel(const Endpoint& endpoint) {
@@ -194,37 +156,19 @@ std::unique_ptr<Subscription> FastDdsBus::subscribe(const Endpoint& endpoint, Re
 
 std::unique_ptr<Publication> FastDdsBus::advertise(const Endpoint& endpoint) {
   TopicChannel& topic = channel(endpoint);
-  const bool crosses = endpoint.topic.scope == Scope::link;
-  const TrafficRule rule = crosses ? rules_.of(endpoint.topic.name) : TrafficRule{};
+  if (endpoint.topic.scope == Scope::link) (void)rules_.of(endpoint.topic.name);
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::uint64_t source = fresh_source();
-  topic.advertise({source, rule, gate_open_, endpoint.user_data});
+  topic.advertise(source, endpoint.user_data);
   return std::make_unique<ChannelPublication>(*this, topic, source);
 }
 
 void FastDdsBus::withdraw(TopicChannel& topic, std::uint64_t source) {
-  const std::lock_guard<std::mutex> lock(mutex_);  // the gate and the accounts look at its writers
+  const std::lock_guard<std::mutex> lock(mutex_);  // the accounts look at its writer
   topic.withdraw(source);
 }
 
 std::int64_t FastDdsBus::wall_ns(Time t) const { return wall_now_ns() - (now() - t).count(); }
-
-void FastDdsBus::set_gate(bool open) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  gate_open_ = open;
-  for (const auto& entry : channels_) {
-    if (GatedWriter* writer = entry.second->gated_writer()) writer->set_open(open);
-  }
-}
-
-std::vector<TopicTraffic> FastDdsBus::link_traffic() const {
-  std::vector<TopicTraffic> all;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  for (const auto& entry : channels_) {
-    if (const GatedWriter* writer = entry.second->gated_writer()) all.push_back(writer->traffic());
-  }
-  return all;
-}
 
 std::vector<EndpointHealth> FastDdsBus::health() const {
   std::vector<EndpointHealth> all;

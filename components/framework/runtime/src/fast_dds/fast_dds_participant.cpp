@@ -74,7 +74,7 @@ dds::DataWriter* FastDdsParticipant::create_writer(const std::string& name, cons
                                                    dds::DataWriterListener& listener) {
   const std::lock_guard<std::mutex> lock(mutex_);
   return publisher(profile.partition)
-      ->create_datawriter(topic(name, type), writer_qos(profile, options_.radio), &listener);
+      ->create_datawriter(topic(name, type), writer_qos(profile), &listener);
 }
 
 dds::DataReader* FastDdsParticipant::create_reader(const std::string& name, const TypeInfo& type,
@@ -82,7 +82,7 @@ dds::DataReader* FastDdsParticipant::create_reader(const std::string& name, cons
                                                    dds::DataReaderListener& listener) {
   const std::lock_guard<std::mutex> lock(mutex_);
   return subscriber(profile.partition)
-      ->create_datareader(topic(name, type), reader_qos(profile, options_.radio), &listener);
+      ->create_datareader(topic(name, type), reader_qos(profile), &listener);
 }
 
 void FastDdsParticipant::remove(dds::DataWriter* writer) {

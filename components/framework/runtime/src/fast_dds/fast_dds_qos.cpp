@@ -57,10 +57,10 @@ void apply_contract(const QosProfile& profile, Qos& qos) {
   qos.user_data().data_vec({profile.user_data.begin(), profile.user_data.end()});
 }
 
-void apply_publishing(const QosProfile& profile, bool radio, dds::DataWriterQos& qos) {
+void apply_publishing(const QosProfile& profile, dds::DataWriterQos& qos) {
   const bool asynchronous =
       profile.publish_mode == "asynchronous" ||
-      (profile.publish_mode == "by_scope" && (radio || !profile.flow_controller.empty()));
+      (profile.publish_mode == "automatic" && !profile.flow_controller.empty());
   qos.publish_mode().kind =
       asynchronous ? dds::ASYNCHRONOUS_PUBLISH_MODE : dds::SYNCHRONOUS_PUBLISH_MODE;
   if (profile.flow_controller.empty()) return;
@@ -79,11 +79,11 @@ eprosima::fastrtps::Duration_t dds_duration(double s) {
   return {static_cast<std::int32_t>(whole), static_cast<std::uint32_t>((s - whole) * 1e9)};
 }
 
-dds::DataWriterQos writer_qos(const QosProfile& profile, bool radio) {
+dds::DataWriterQos writer_qos(const QosProfile& profile) {
   dds::DataWriterQos qos;
   apply_contract(profile, qos);
   apply_history(profile, qos);
-  apply_publishing(profile, radio, qos);
+  apply_publishing(profile, qos);
   auto& times = qos.reliable_writer_qos().times;
   times.initialHeartbeatDelay = dds_duration(profile.initial_heartbeat_delay_s);
   times.heartbeatPeriod = dds_duration(profile.heartbeat_period_s);
@@ -94,9 +94,9 @@ dds::DataWriterQos writer_qos(const QosProfile& profile, bool radio) {
   return qos;
 }
 
-dds::DataReaderQos reader_qos(const QosProfile& profile, bool radio) {
-  // An answer to each sample costs a round trip of 1 MiB a fifth; on the host little is lost.
-  constexpr double least_on_host_s = 0.005;
+dds::DataReaderQos reader_qos(const QosProfile& profile) {
+  // An answer to each sample costs a round trip of 1 MiB a fifth; on a host little is lost.
+  constexpr double least_response_delay_s = 0.005;
   dds::DataReaderQos qos;
   apply_contract(profile, qos);
   apply_history(profile, qos);
@@ -105,9 +105,8 @@ dds::DataReaderQos reader_qos(const QosProfile& profile, bool radio) {
   qos.lifespan().duration = eprosima::fastrtps::c_TimeInfinite;
   auto& times = qos.reliable_reader_qos().times;
   times.initialAcknackDelay = dds_duration(profile.initial_acknack_delay_s);
-  const double response_delay_s = profile.heartbeat_response_delay_s;
   times.heartbeatResponseDelay =
-      dds_duration(radio ? response_delay_s : std::max(response_delay_s, least_on_host_s));
+      dds_duration(std::max(profile.heartbeat_response_delay_s, least_response_delay_s));
   return qos;
 }
 

@@ -19,12 +19,10 @@ namespace tocsin {
 /// Seconds as Fast DDS has them; infinity stays infinity.
 [[nodiscard]] eprosima::fastrtps::Duration_t dds_duration(double s);
 
-/// A profile in the words of Fast DDS. `radio`: on the link, where writers are asynchronous.
-[[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(const QosProfile& profile,
-                                                               bool radio);
-/// On the host a heartbeat is answered after 5 ms at least.
-[[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(const QosProfile& profile,
-                                                               bool radio);
+/// A profile in the words of Fast DDS.
+[[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(const QosProfile& profile);
+/// A heartbeat is answered after 5 ms at least.
+[[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(const QosProfile& profile);
 
 /// `name` must live as long as the participant does.
 [[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::FlowControllerDescriptor> descriptor_of(

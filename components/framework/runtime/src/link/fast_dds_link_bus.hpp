@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "fast_dds/late_interface.hpp"
 #include "link/flow_ends.hpp"
 #include "link/flow_table.hpp"
+#include "link/late_interface.hpp"
 #include "link/radio_transport.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"

@@ -70,7 +70,7 @@ std::optional<QosConflict> thinning_conflict(const QosProfile& qos) {
 
 std::optional<QosConflict> writer_conflict(const QosProfile& qos) {
   if (!qos.flow_controller.empty() && qos.publish_mode == "synchronous") {
-    return QosConflict{"flow_controller", "needs publish_mode: asynchronous or by_scope"};
+    return QosConflict{"flow_controller", "needs publish_mode: asynchronous or automatic"};
   }
   if (qos.ownership_strength != 0 && !qos.exclusive()) {
     return QosConflict{"ownership_strength", "means nothing without ownership: exclusive"};

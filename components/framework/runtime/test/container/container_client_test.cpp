@@ -28,8 +28,6 @@ class ScriptedBus : public Bus {
   }
   [[nodiscard]] Time now() const override { return {}; }
   [[nodiscard]] std::int64_t wall_ns(Time) const override { return 0; }
-  void set_gate(bool) override {}
-  [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override { return {}; }
 
   void say(const State& state) {
     Sample sample;

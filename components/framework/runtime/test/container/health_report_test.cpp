@@ -174,16 +174,6 @@ TEST(HealthReport, ATypeOfAnotherLayoutIsAnError) {
             "another end has the type nav_msgs::msg::dds_::Odometry_ with another layout");
 }
 
-TEST(HealthReport, AnEndpointThatWaitsForItsInterfaceIsAWarning) {
-  EndpointHealth endpoint;
-  endpoint.topic = "odom";
-  endpoint.link = endpoint.waits = true;
-  EXPECT_TRUE(is_eventful(endpoint));
-  const Diagnostic status = diagnose("drive", endpoint, endpoint);
-  EXPECT_EQ(status.level(), WARN);
-  EXPECT_EQ(status.message(), "waits for the interface of the link to come up");
-}
-
 TEST(HealthReport, LossesAndMissedDeadlinesWarnOnlyWhileTheyGrow) {
   EndpointHealth before;
   before.topic = "odom";

@@ -9,8 +9,8 @@ namespace {
 TEST(FastDdsQos, OnlyTheWriterJudgesALifespanBecauseClocksDiffer) {
   QosProfile profile;
   profile.lifespan_s = 5;
-  EXPECT_EQ(writer_qos(profile, true).lifespan().duration, dds_duration(5));
-  EXPECT_EQ(reader_qos(profile, true).lifespan().duration, eprosima::fastrtps::c_TimeInfinite);
+  EXPECT_EQ(writer_qos(profile).lifespan().duration, dds_duration(5));
+  EXPECT_EQ(reader_qos(profile).lifespan().duration, eprosima::fastrtps::c_TimeInfinite);
 }
 
 }  // namespace

@@ -22,8 +22,6 @@ class ClockBus : public Bus {
   std::unique_ptr<Publication> advertise(const Endpoint&) override { return nullptr; }
   [[nodiscard]] Time now() const override { return std::chrono::steady_clock::now(); }
   [[nodiscard]] std::int64_t wall_ns(Time) const override { return 0; }
-  void set_gate(bool) override {}
-  [[nodiscard]] std::vector<TopicTraffic> link_traffic() const override { return {}; }
 };
 
 class Counting : public Component {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -25,16 +26,19 @@ struct InvariantLimits {
   double base_stops_s = 1.2;
   /// [s] and this long after the last velocity that anybody wanted: the driver's hold besides.
   double vehicle_stops_s = 2.0;
+  /// [s] after it was written a sample of class critical or high has been put on the radio: strict
+  /// priority, on a radio whose queue holds 0.3 s at its slowest.
+  double leaves_s = 0.5;
   /// [s] the mission is over so long after the last fault: a whole Mission A takes 90.
   double recovers_s = 150;
 };
 
 /// Checks what the stack promises while a world runs:
-/// the gate keeps no sample of a class that is always active off the air, and lets none of a paused
-/// one on it; what it kept it sends when it opens, within its lifespan; the base stops whatever
-/// dies; nothing comes later than its lifespan after it left the gate; the samples of a writer come
-/// in order and once; network quality is in its range; no component throws; the mission is over in
-/// time.
+/// a router puts samples of classes critical and high on the air soon, unless its gate is closed
+/// for them, and sends nothing that its gate is closed for; what the gate kept it sends soon after
+/// it opens, within its lifespan; the base stops whatever dies; nothing comes later than its
+/// lifespan; the samples of a writer come in order and once; network quality is in its range; no
+/// component throws; the mission is over in time.
 class Invariants : public Observer {
  public:
   explicit Invariants(const InvariantLimits& limits = {}) : limits_(limits) {}
@@ -62,14 +66,20 @@ class Invariants : public Observer {
   double y_m_ = 0;
   std::vector<Violation> violations_;
   std::uint64_t checks_ = 0;
-  std::set<std::string> closed_;  ///< host/process whose gate is closed
-  /// The last sample that a gate holds.
-  struct Kept {
+  /// A sample of one end, by its number there, and a time.
+  struct Mark {
     std::uint64_t sequence;
-    Time since;
+    Time time;
   };
-  std::map<const TopicEnd*, Kept> kept_;
-  std::set<const TopicEnd*> owed_;  ///< whose gate has opened at this instant
+  using Marks = std::map<const TopicEnd*, Mark>;
+  [[nodiscard]] bool is_closed(const TopicEnd& end) const;
+  void await(const TopicEnd& end, std::uint64_t sequence, Time since);
+  static void forget(Marks& marks, const std::function<bool(const TopicEnd&)>& which);
+  std::set<std::string> routed_;  ///< hosts whose router has sent something
+  std::set<std::string> closed_;  ///< hosts whose gate is closed
+  Marks kept_;                    ///< last samples that a gate holds, and since when
+  Marks awaited_;                 ///< that are to be on the radio, and until when
+  Time next_due_ = Time::max();   ///< the first of these
   std::map<std::pair<const TopicEnd*, const TopicEnd*>, std::uint64_t> last_;
   Time wanted_ = Time::min();  ///< when a velocity was last wanted
 };

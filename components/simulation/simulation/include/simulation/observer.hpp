@@ -26,7 +26,7 @@ struct TopicEnd {
   const TypeInfo* type = nullptr;
   double lifespan_s = 0;  ///< infinity: none
   bool reliable = false;
-  bool pausable = false;  ///< its gate can close
+  bool pausable = false;  ///< its router's gate can close for it
   bool drops = false;     ///< and then its samples are dropped
   std::string user_data;  ///< that its writers announce
 };
@@ -39,15 +39,14 @@ struct Written {
   std::uint64_t sequence;  ///< from 1, each write of this end one more
   std::size_t bytes;       ///< serialised; 0 for a host topic
   const void* message;     ///< of type `from.type`; valid during the call
-  Status status;
 };
 
-/// A sample that went through the gate to the radio: within its write, or later.
+/// A sample that a router put on the radio, for the first time or again.
 struct Sent {
   const TopicEnd& from;
   Time time;
   std::uint64_t sequence;  ///< on the link: from 1, counts only what was sent
-  std::uint64_t written;  ///< Written::sequence; 0 when the gate does not hand back the very object
+  std::uint64_t written;   ///< Written::sequence
   std::size_t bytes;
 };
 
@@ -93,12 +92,17 @@ struct ProcessChange {
   int exit_code;  ///< of one that exited
 };
 
-/// The gate of a process after it opened or closed.
+enum class GateEvent : std::uint8_t {
+  closed,
+  opened,
+  gone,  ///< the router has ended, with all that waited in it; the next one begins open
+};
+
+/// What happened to the gate of a host's router.
 struct GateChange {
   const std::string& host;
-  const std::string& process;
   Time time;
-  bool open;
+  GateEvent event;
 };
 
 /// Sees what happens in a simulated world, in the thread that runs it. Overwrite what is wanted;

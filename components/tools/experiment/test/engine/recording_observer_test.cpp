@@ -30,20 +30,20 @@ TEST(RecordingObserver, KeepsTheVehiclesDecisions) {
   const auto vehicle = end_of("uxv", "link", "transmission_state", TrafficClass::critical);
   const auto ground = end_of("gcs", "link", "transmission_state", TrafficClass::critical);
   RecordingObserver sut;
-  sut.on_written({vehicle, t0, 1, 50, &message, Status::ok});
-  sut.on_written({ground, t0, 1, 50, &message, Status::ok});
+  sut.on_written({vehicle, t0, 1, 50, &message});
+  sut.on_written({ground, t0, 1, 50, &message});
   ASSERT_EQ(sut.recording().decisions.size(), 1U);
   EXPECT_EQ(sut.recording().decisions[0].time_s, 100);
   EXPECT_FALSE(sut.recording().decisions[0].active);
   EXPECT_EQ(sut.recording().decisions[0].qni, 30);
 }
 
-TEST(RecordingObserver, CountsWhatWasWrittenPausedOrNot) {
+TEST(RecordingObserver, CountsWhatWasWrittenWhetherItWasSentOrNot) {
   topic::BatteryState::Message message;
   const auto from = end_of("uxv", "drive", "battery_state", TrafficClass::low);
   RecordingObserver sut;
-  sut.on_written({from, t0, 1, 50, &message, Status::ok});
-  sut.on_written({from, t0, 2, 50, &message, Status::paused});
+  sut.on_written({from, t0, 1, 50, &message});
+  sut.on_written({from, t0, 2, 50, &message});
   EXPECT_EQ(sut.recording().written.at("uxv low"), 2U);
 }
 
@@ -65,7 +65,7 @@ TEST(RecordingObserver, IgnoresTopicsThatStayOnTheirHost) {
   topic::Odom::Message message;
   const auto from = end_of("uxv", "drive", "odom", std::nullopt);
   RecordingObserver sut;
-  sut.on_written({from, t0, 1, 0, &message, Status::ok});
+  sut.on_written({from, t0, 1, 0, &message});
   EXPECT_TRUE(sut.recording().written.empty());
 }
 
@@ -98,7 +98,7 @@ TEST(RecordingObserver, KeepsMeasurementsOfTheLinkInTheirUnits) {
   message.rtt_mean_ms(8);
   const auto from = end_of("uxv", "link", "network_quality", TrafficClass::high);
   RecordingObserver sut;
-  sut.on_written({from, t0 + seconds(1.5), 1, 50, &message, Status::ok});
+  sut.on_written({from, t0 + seconds(1.5), 1, 50, &message});
   ASSERT_EQ(sut.recording().qualities.size(), 1U);
   EXPECT_EQ(sut.recording().qualities[0].time_s, 101.5);
   EXPECT_EQ(sut.recording().qualities[0].per_percent, 12.5);
@@ -112,7 +112,7 @@ TEST(RecordingObserver, FollowsThePath) {
   message.pose().pose().position().y(-4);
   const auto from = end_of("uxv", "drive", "location", TrafficClass::high);
   RecordingObserver sut;
-  sut.on_written({from, t0, 1, 50, &message, Status::ok});
+  sut.on_written({from, t0, 1, 50, &message});
   ASSERT_EQ(sut.recording().path.size(), 1U);
   EXPECT_EQ(sut.recording().path[0].x_m, 3);
   EXPECT_EQ(sut.recording().path[0].y_m, -4);
@@ -126,7 +126,7 @@ TEST(RecordingObserver, KeepsTheLastStateOfTheMission) {
   for (const char* state : {"running", "done"}) {
     message.state(state);
     message.elapsed_s(message.elapsed_s() + 40);
-    sut.on_written({from, t0, 1, 50, &message, Status::ok});
+    sut.on_written({from, t0, 1, 50, &message});
   }
   EXPECT_EQ(sut.recording().mission.name, "square");
   EXPECT_EQ(sut.recording().mission.state, "done");
@@ -138,7 +138,7 @@ TEST(RecordingObserver, IgnoresAMissionThatTheVehicleTells) {
   message.state("done");
   const auto from = end_of("uxv", "mission", "mission_status", TrafficClass::critical);
   RecordingObserver sut;
-  sut.on_written({from, t0, 1, 50, &message, Status::ok});
+  sut.on_written({from, t0, 1, 50, &message});
   EXPECT_EQ(sut.recording().mission.state, "");
 }
 
@@ -150,7 +150,7 @@ TEST(RecordingObserver, CountsEachClassOfEachSideByItself) {
   const auto ground = end_of("gcs", "mission", "goal", TrafficClass::low);
   RecordingObserver sut;
   for (const auto* from : {&low, &more, &high, &ground}) {
-    sut.on_written({*from, t0, 1, 50, &message, Status::ok});
+    sut.on_written({*from, t0, 1, 50, &message});
   }
   EXPECT_EQ(sut.recording().written.at("uxv low"), 2U);
   EXPECT_EQ(sut.recording().written.at("uxv high"), 1U);
@@ -162,7 +162,7 @@ TEST(RecordingObserver, IgnoresLinkTopicsWithoutAClass) {
   const auto from = end_of("uxv", "drive", "battery_state", std::nullopt);
   const auto recorder = end_of("gcs", "recorder", "battery_state", std::nullopt);
   RecordingObserver sut;
-  sut.on_written({from, t0, 1, 50, &message, Status::ok});
+  sut.on_written({from, t0, 1, 50, &message});
   sut.on_delivered({from, recorder, 1, 1, t0, t0, t0, 300, nullptr});
   EXPECT_TRUE(sut.recording().written.empty());
   EXPECT_TRUE(sut.recording().arrivals.empty());

@@ -5,28 +5,13 @@
 #include <string>
 
 #include "foundation/time.hpp"
-#include "foundation/traffic_class.hpp"
 
 namespace tocsin {
-
-/// Account of one gated writer since start.
-struct TopicTraffic {
-  std::string topic;
-  TrafficClass traffic_class = TrafficClass::normal;
-  bool paused = false;
-  std::uint64_t written = 0;
-  std::uint64_t sent = 0;
-  std::uint64_t dropped = 0;
-  std::uint64_t held = 0;
-  std::uint64_t sent_bytes = 0;
-};
 
 /// Account of one writer or reader of this process towards other processes, since start.
 struct EndpointHealth {
   std::string topic;
   bool writer = false;         ///< else a reader
-  bool link = false;           ///< on the radio's domain, else on the host's
-  bool waits = false;          ///< not there yet: the interface of the link has not come up
   std::uint64_t samples = 0;   ///< written, or received
   std::uint64_t lost = 0;      ///< refused by the middleware, or known to be missed by the reader
   std::uint64_t rejected = 0;  ///< received, but not of the topic's type

@@ -14,34 +14,29 @@ namespace tocsin {
 /// tools, peers of other makers.
 constexpr int others_on_host = 12;
 
-/// What one process needs to join the two DDS domains of its side.
+/// What one process needs to join the DDS domain of its host, and a router that of the link.
 struct BusOptions {
   std::string name;                     ///< participant name, shown by discovery tools
   std::string role;                     ///< uxv or gcs: which rules of traffic.yaml hold
   std::string ros_namespace;            ///< of all topics; empty for none
   std::string qos_file;                 ///< empty: the profiles that are built in
-  std::string traffic_file;             ///< empty: nothing is ever paused
+  std::string traffic_file;             ///< empty: any link topic may be written
   int host_domain = 0;                  ///< [0, 231] of topics that stay on this host
   int link_domain = 1;                  ///< [0, 231] of topics that cross the radio
-  std::string link_address;             ///< own IPv4 on the link; empty: no link
-  std::vector<std::string> link_peers;  ///< IPv4 of the other side
-  /// [1, 100] processes with a bus, on this host and on the other side. Fast DDS numbers the
-  /// participants of a process in one row and asks peers by number, so a process that has had
-  /// many buses needs more.
+  std::string link_address;             ///< of a router: own IPv4 on the link; empty: no link
+  std::vector<std::string> link_peers;  ///< of a router: IPv4 of the other sides
+  /// [1, 100] processes with a bus on this host. Fast DDS numbers the participants of a process in
+  /// one row and asks peers by number, so a process that has had many buses needs more.
   int processes = 8;
   /// Samples go to other processes of this host by shared memory instead of loopback UDP. A
   /// process that is killed leaves files in /dev/shm; the next start removes them.
   bool shared_memory = false;
-  bool routed = false;    ///< the host's router carries its link topics: no link of its own
   std::string host = "";  ///< name of this side, as the peers of its router know it
 };
 
-/// The bus on Fast DDS in real time. Host topics use loopback only; link topics also use the
-/// interface of `link_address`, unicast only, in RTPS messages of at most 1400 bytes.
-///
-/// While no interface with `link_address` is up and has carrier, link topics wait: readers hear
-/// this host only, and every writer that the gate does not let drop keeps its newest sample. They
-/// join when the interface comes up, however late.
+/// The bus on Fast DDS in real time. All topics use loopback only; what crosses the link does so by
+/// the host's router. Advertising a link topic that `traffic_file` does not name throws
+/// ConfigError.
 ///
 /// Throws ConfigError for bad files, EnvironmentError when a participant cannot be created.
 [[nodiscard]] std::unique_ptr<Bus> make_fast_dds_bus(const BusOptions& options);

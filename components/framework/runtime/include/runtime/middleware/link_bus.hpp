@@ -130,6 +130,8 @@ class LinkBus {
                                            std::shared_ptr<const void> message) const = 0;
   [[nodiscard]] virtual std::shared_ptr<const void> unpack(const TypeInfo& type,
                                                            const CarriedSample& sample) const = 0;
+  /// The gate of this router has opened or closed: what a simulation tells those who watch.
+  virtual void on_gate(bool /*open*/) {}
   /// The topics of this host that cross, and how.
   [[nodiscard]] virtual const TrafficRules& rules() const = 0;
   [[nodiscard]] virtual LinkPackets packets() const = 0;

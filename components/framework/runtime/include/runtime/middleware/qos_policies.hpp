@@ -109,7 +109,7 @@ struct QosTiming {
 
 /// How samples leave a writer, and which of them reach a reader.
 struct QosDelivery {
-  std::string publish_mode = "by_scope";
+  std::string publish_mode = "automatic";
   std::string flow_controller;
   int priority = 10;
   int bandwidth_reservation_percent = 0;
@@ -121,8 +121,8 @@ struct QosDelivery {
   template <class Visitor>
   void visit(Visitor& v) {
     constexpr double inf = std::numeric_limits<double>::infinity();
-    v("publish_mode", publish_mode, {"by_scope", "synchronous", "asynchronous"},
-      "by_scope: asynchronous on the link, synchronous on the host");
+    v("publish_mode", publish_mode, {"automatic", "synchronous", "asynchronous"},
+      "automatic: asynchronous with a flow_controller, else synchronous");
     v("flow_controller", flow_controller, "one of flow_controllers; empty: unlimited");
     v("priority", priority, {-10, 10}, "[1] within the flow controller, -10 goes first");
     v("bandwidth_reservation_percent", bandwidth_reservation_percent, {0, 100},

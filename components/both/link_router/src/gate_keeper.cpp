@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/middleware/gate_keeper.hpp"
+#include "link_router/gate_keeper.hpp"
 
-namespace tocsin {
+namespace tocsin::router {
 
 void GateKeeper::on_state(bool active, Time now) {
   active_ = active;
@@ -14,4 +14,4 @@ Time GateKeeper::deadline(Time now) const {
   return open(now) ? never : heard_ + silence_limit_ + Duration{1};
 }
 
-}  // namespace tocsin
+}  // namespace tocsin::router

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fast_dds/late_interface.hpp"
+#include "link/late_interface.hpp"
 
 #include <arpa/inet.h>
 #include <ifaddrs.h>

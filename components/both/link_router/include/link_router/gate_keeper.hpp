@@ -5,7 +5,7 @@
 
 #include "foundation/time.hpp"
 
-namespace tocsin {
+namespace tocsin::router {
 
 /// Decides whether the gate of one role is open.
 ///
@@ -28,4 +28,4 @@ class GateKeeper {
   Time heard_{};
 };
 
-}  // namespace tocsin
+}  // namespace tocsin::router

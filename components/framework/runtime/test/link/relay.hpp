@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "runtime/middleware/fast_dds_bus.hpp"
+
+namespace tocsin {
+
+constexpr int relay_dscp = 32;
+
+/// A router that carries everything at once, as it comes. Its thread has the network namespace of
+/// who makes it.
+class Relay {
+ public:
+  explicit Relay(const BusOptions& options) : thread_([this, options] { run(options); }) {}
+  ~Relay() {
+    stopping_ = true;
+    thread_.join();
+  }
+  [[nodiscard]] std::vector<link_event::LinkSample> crossed() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return crossed_;
+  }
+  [[nodiscard]] std::vector<Flow> peer_flows() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return peer_flows_;
+  }
+  [[nodiscard]] std::vector<std::string> peers() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return peers_;
+  }
+  [[nodiscard]] int lost_peers() const { return lost_peers_; }
+  [[nodiscard]] LinkPackets packets() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return packets_;
+  }
+
+ private:
+  void run(const BusOptions& options) {
+    const auto bus = make_fast_dds_link_bus(options, [] {});
+    while (!stopping_) {
+      while (auto event = bus->take()) {
+        std::visit([&](auto& what) { on(*bus, what); }, *event);
+      }
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        packets_ = bus->packets();
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  void on(LinkBus& bus, const link_event::HostFlow& event) {
+    sending_[event.flow] = bus.open(event.what, relay_dscp);
+  }
+  void on(LinkBus& bus, const link_event::HostFlowGone& event) {
+    bus.close(sending_[event.flow]);
+    sending_.erase(event.flow);
+  }
+  void on(LinkBus& bus, const link_event::HostSample& event) {
+    (void)bus.send(sending_.at(event.flow), event.sample);
+  }
+  void on(LinkBus&, const link_event::PeerFound& event) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    peers_.push_back(event.name);
+  }
+  void on(LinkBus&, const link_event::PeerLost&) { ++lost_peers_; }
+  void on(LinkBus& bus, const link_event::PeerFlow& event) {
+    bus.offer(event.flow);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    peer_flows_.push_back(event.what);
+  }
+  void on(LinkBus&, const link_event::PeerFlowGone& event) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    gone_.push_back(event.flow);
+  }
+  void on(LinkBus&, const link_event::PeerListens&) {}
+  void on(LinkBus& bus, const link_event::LinkSample& event) {
+    bus.give(event.flow, event.sample);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    crossed_.push_back(event);
+  }
+
+  std::mutex mutex_;
+  std::map<FlowId, FlowId> sending_;
+  std::vector<link_event::LinkSample> crossed_;
+  std::vector<Flow> peer_flows_;
+  std::vector<std::string> peers_;
+  std::vector<FlowId> gone_;
+  LinkPackets packets_;
+  std::atomic<int> lost_peers_{0};
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+}  // namespace tocsin
