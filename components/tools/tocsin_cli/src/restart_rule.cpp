@@ -27,6 +27,7 @@ RestartDecision RestartRule::on_exit(const Ending& ending, Time now) {
   const auto recent = static_cast<int>(restarts_.size());
   if (recent >= policy_.limit) return {RestartDecision::Kind::too_often, Duration{}, 1};
   restarts_.push_back(now);
+  if (was_up_ && recent == 0) return {RestartDecision::Kind::restart};
   const double delay_s = std::ldexp(policy_.backoff_s, std::min(recent, 30));
   return {RestartDecision::Kind::restart, seconds(std::min(delay_s, policy_.max_backoff_s))};
 }

@@ -30,7 +30,8 @@ struct RestartDecision {
 /// Decides whether one process is started again. Pure: `now` must not decrease between calls.
 ///
 /// The wait is backoff_s times two to the power of the restarts within the last 60 s, at most
-/// max_backoff_s. After `limit` restarts within 60 s the process is given up. A process that exits
+/// max_backoff_s; a process that was once up for 5 s, and had no restart within the last 60 s, is
+/// not waited for. After `limit` restarts within 60 s the process is given up. A process that exits
 /// with 1, 2 or 127 (not found) before it was once up for 5 s is not started again.
 class RestartRule {
  public:

@@ -38,6 +38,22 @@ TEST(RestartRule, RestartsWhatWasKilledAfterTheBackoff) {
   EXPECT_EQ(decision.delay, milliseconds(200));
 }
 
+TEST(RestartRule, RestartsAtOnceWhatWasUpForFiveSecondsAndDoesNotKeepDying) {
+  RestartRule sut(policy());
+  sut.on_start(t0);
+  const Time death = t0 + seconds(5);
+  EXPECT_EQ(sut.on_exit(killed, death).delay, milliseconds(0));
+  sut.on_start(death);
+  EXPECT_EQ(sut.on_exit(killed, death + seconds(60) - milliseconds(1)).delay, milliseconds(400));
+  EXPECT_EQ(sut.on_exit(killed, death + seconds(120)).delay, milliseconds(0));
+}
+
+TEST(RestartRule, WaitsForWhatDiesBeforeItWasUp) {
+  RestartRule sut(policy());
+  sut.on_start(t0);
+  EXPECT_EQ(sut.on_exit(killed, t0 + seconds(5) - milliseconds(1)).delay, milliseconds(200));
+}
+
 TEST(RestartRule, DoublesTheBackoffUpToItsMaximum) {
   RestartRule sut(policy());
   sut.on_start(t0);
@@ -50,7 +66,9 @@ TEST(RestartRule, ForgetsARestartAfterAMinute) {
   RestartRule sut(policy());
   sut.on_start(t0);
   (void)sut.on_exit(killed, t0);
+  sut.on_start(t0 + seconds(59));
   EXPECT_EQ(sut.on_exit(killed, t0 + seconds(60) - milliseconds(1)).delay, milliseconds(400));
+  sut.on_start(t0 + seconds(120));
   EXPECT_EQ(sut.on_exit(killed, t0 + seconds(120)).delay, milliseconds(200));
 }
 

@@ -77,12 +77,13 @@ struct Radio {
 
 /// When and how often a process that died is started again.
 struct RestartPolicy {
-  double backoff_s = 0.2;      ///< [0.01, 60] wait before the first restart, doubled each time
+  double backoff_s = 0.2;  ///< [0.01, 60] wait before a restart, doubled by each one within 60 s
   double max_backoff_s = 5.0;  ///< [0.01, 600] longest wait, at least backoff_s
   int limit = 10;              ///< [0, 1000] restarts of one process within 60 s
   template <class Visitor>
   void visit(Visitor& v) {
-    v("backoff_s", backoff_s, {0.01, 60}, "[s] wait before the first restart, doubled each time");
+    v("backoff_s", backoff_s, {0.01, 60},
+      "[s] wait before a restart, doubled by each one within 60 s; the first comes at once");
     v("max_backoff_s", max_backoff_s, {0.01, 600}, "[s] longest wait");
     v("limit", limit, {0, 1000}, "[1] restarts of one process within 60 s");
   }

@@ -4,14 +4,21 @@
 #include <arpa/inet.h>
 #include <fastdds/rtps/transport/ChainingTransport.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <pthread.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <condition_variable>
 #include <cstring>
 #include <string>
+#include <thread>
 #include <utility>
+
+#include "link/discovery_pacer.hpp"
+#include "link/rtps_message.hpp"
 
 namespace tocsin {
 namespace {
@@ -22,28 +29,6 @@ using Deadline = std::chrono::steady_clock::time_point;
 
 constexpr std::uint32_t largest_datagram = 65500;
 constexpr std::size_t ip_and_udp_bytes = 28;
-
-/// Where the sender's entity id stands in a submessage, after its header of four bytes; nothing for
-/// kinds that name none. Kinds: RTPS 2.2 section 9.4.5.1.1.
-std::optional<std::size_t> place_of_sender(std::uint8_t kind) {
-  constexpr std::size_t first = 0;
-  constexpr std::size_t second = 4;
-  constexpr std::size_t in_data = 8;  // after extra flags, octets to inline QoS, reader
-  switch (kind) {
-    case 0x15:
-    case 0x16:
-      return in_data;  // DATA, DATA_FRAG
-    case 0x06:
-    case 0x12:
-      return first;  // ACKNACK, NACK_FRAG: from a reader
-    case 0x07:
-    case 0x08:
-    case 0x13:
-      return second;  // HEARTBEAT, GAP, HEARTBEAT_FRAG
-    default:
-      return std::nullopt;
-  }
-}
 
 /// A UDP socket bound to the address of the radio's interface.
 class RadioSocket {
@@ -92,30 +77,75 @@ class RadioSocket {
   bool usable_ = false;
 };
 
+/// Sends what the pacer holds back when its time has come, on a thread of its own.
 class MarkingSender : public rtps::SenderResource {
  public:
   MarkingSender(const std::string& address, std::shared_ptr<RadioMarks> marks)
-      : SenderResource(LOCATOR_KIND_UDPv4), socket_(address), marks_(std::move(marks)) {
+      : SenderResource(LOCATOR_KIND_UDPv4),
+        socket_(address),
+        marks_(std::move(marks)),
+        thread_([this] { run(); }) {
+    pthread_setname_np(thread_.native_handle(), "link_discovery");
     send_lambda_ = [this](const rtps::octet* bytes, std::uint32_t size,
                           rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
                           const Deadline&) { return send_to_all(bytes, size, *first, *last); };
+  }
+  ~MarkingSender() override {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      stopping_ = true;
+    }
+    changed_.notify_one();
+    thread_.join();
   }
   [[nodiscard]] bool usable() const { return socket_.usable(); }
 
  private:
   bool send_to_all(const rtps::octet* bytes, std::uint32_t size, rtps::LocatorsIterator& next,
                    const rtps::LocatorsIterator& last) {
+    const auto state = discovery_state_in(bytes, size);
     bool all = true;
     for (; next != last; ++next) {
       const rtps::Locator_t& to = *next;
       if (to.kind != LOCATOR_KIND_UDPv4 || rtps::IPLocator::isMulticast(to)) continue;
+      if (state && !passes(*state, {{bytes, bytes + size}, to})) continue;
       all = socket_.send(bytes, size, to, marks_->mark(bytes, size)) && all;
     }
     return all;
   }
+  bool passes(const StateKey& state, const DiscoveryPacer::Held& message) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (pacer_.passes(state, message, std::chrono::steady_clock::now())) return true;
+    }
+    changed_.notify_one();
+    return false;
+  }
+  void run() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (!stopping_) {
+      if (const auto due = pacer_.take_due(std::chrono::steady_clock::now())) {
+        const auto& bytes = due->message;
+        (void)socket_.send(bytes.data(), bytes.size(), due->to,
+                           marks_->mark(bytes.data(), bytes.size()));
+        continue;
+      }
+      const Time deadline = pacer_.deadline();
+      if (deadline == never) {
+        changed_.wait(lock);
+      } else {
+        changed_.wait_until(lock, deadline);
+      }
+    }
+  }
 
   RadioSocket socket_;
   std::shared_ptr<RadioMarks> marks_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  DiscoveryPacer pacer_;
+  bool stopping_ = false;
+  std::thread thread_;  // last: it uses all of this
 };
 
 struct MarkingDescriptor : ChainingTransportDescriptor {
@@ -172,35 +202,7 @@ TransportInterface* MarkingDescriptor::create_transport() const {
   return new MarkingTransport(*this);
 }
 
-bool is_builtin(const rtps::EntityId_t& endpoint) {
-  constexpr rtps::octet builtin = 0xc0;  // RTPS 2.2 section 9.3.1.2
-  return (endpoint.value[3] & builtin) == builtin;
-}
-
 }  // namespace
-
-std::optional<rtps::EntityId_t> sender_in(const std::uint8_t* message, std::size_t size) {
-  constexpr std::size_t header_bytes = 20;
-  constexpr std::size_t submessage_header_bytes = 4;
-  constexpr std::size_t entity_bytes = 4;
-  std::size_t at = header_bytes;
-  while (at + submessage_header_bytes <= size) {
-    const std::size_t content = at + submessage_header_bytes;
-    if (const auto place = place_of_sender(message[at])) {
-      if (content + *place + entity_bytes > size) return std::nullopt;
-      rtps::EntityId_t endpoint;
-      std::copy_n(message + content + *place, entity_bytes, endpoint.value);
-      return endpoint;
-    }
-    const bool little_endian = (message[at + 1] & 1U) != 0;
-    const std::size_t low = message[little_endian ? at + 2 : at + 3];
-    const std::size_t high = message[little_endian ? at + 3 : at + 2];
-    const std::size_t length = low | high << 8U;
-    if (length == 0) return std::nullopt;  // until the end of the message
-    at = content + length;
-  }
-  return std::nullopt;
-}
 
 void RadioMarks::set(const Endpoint& endpoint, int dscp) {
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -18,12 +18,6 @@ namespace tocsin {
 /// RTPS messages that fit one 1500-byte IP packet: IP never fragments on the radio.
 constexpr std::uint32_t radio_message_bytes = 1400;
 
-/// The endpoint that an RTPS message comes from: the writer of its first DATA, HEARTBEAT or GAP,
-/// the reader of its first ACKNACK (RTPS 2.2 section 8.3.7). Nothing when there is none, or the
-/// bytes are no such message.
-[[nodiscard]] std::optional<eprosima::fastrtps::rtps::EntityId_t> sender_in(
-    const std::uint8_t* message, std::size_t size);
-
 /// Which differentiated services code point (RFC 2474) the packets of an endpoint bear, and how
 /// many were sent. Discovery and what is not known bear CS6: little, and all else depends on it.
 /// Thread-safe.
@@ -47,6 +41,7 @@ class RadioMarks {
 
 /// A UDP transport that sends through a socket of its own, each packet with the code point that
 /// `marks` has for it, in RTPS messages of at most `radio_message_bytes`; it receives any size.
+/// Heartbeats and acknowledgements of discovery are paced (DiscoveryPacer).
 [[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> marked(
     std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp,
     std::shared_ptr<RadioMarks> marks);

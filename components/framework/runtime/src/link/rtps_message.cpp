@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/rtps_message.hpp"
+
+#include <algorithm>
+
+namespace tocsin {
+namespace {
+
+namespace rtps = eprosima::fastrtps::rtps;
+
+constexpr std::size_t header_bytes = 20;
+constexpr std::size_t submessage_header_bytes = 4;
+constexpr std::size_t entity_bytes = 4;
+constexpr std::size_t prefix_bytes = 12;
+
+// RTPS 2.2 section 9.4.5.1.1.
+constexpr std::uint8_t acknack = 0x06;
+constexpr std::uint8_t heartbeat = 0x07;
+constexpr std::uint8_t info_timestamp = 0x09;
+constexpr std::uint8_t info_destination = 0x0e;
+constexpr std::uint8_t first_of_vendor = 0x80;
+
+/// Where the sender's entity id stands in a submessage; nothing for kinds that name none.
+std::optional<std::size_t> place_of_sender(std::uint8_t kind) {
+  constexpr std::size_t first = 0;
+  constexpr std::size_t second = 4;
+  constexpr std::size_t in_data = 8;  // after extra flags, octets to inline QoS, reader
+  switch (kind) {
+    case 0x15:
+    case 0x16:
+      return in_data;  // DATA, DATA_FRAG
+    case acknack:
+    case 0x12:
+      return first;  // ACKNACK, NACK_FRAG: from a reader
+    case heartbeat:
+    case 0x08:
+    case 0x13:
+      return second;  // HEARTBEAT, GAP, HEARTBEAT_FRAG
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<rtps::EntityId_t> sender_of(const Submessage& one) {
+  const auto place = place_of_sender(one.kind);
+  if (!place || *place + entity_bytes > one.bytes) return std::nullopt;
+  rtps::EntityId_t endpoint;
+  std::copy_n(one.content + *place, entity_bytes, endpoint.value);
+  return endpoint;
+}
+
+}  // namespace
+
+Submessages::Submessages(const std::uint8_t* message, std::size_t size)
+    : at_(message + std::min(size, header_bytes)), end_(message + size) {}
+
+std::optional<Submessage> Submessages::next() {
+  const auto left = static_cast<std::size_t>(end_ - at_);
+  if (left < submessage_header_bytes) return std::nullopt;
+  const bool little_endian = (at_[1] & 1U) != 0;
+  const std::size_t low = at_[little_endian ? 2 : 3];
+  const std::size_t high = at_[little_endian ? 3 : 2];
+  const std::size_t room = left - submessage_header_bytes;
+  std::size_t bytes = low | high << 8U;
+  if (bytes == 0) bytes = room;  // until the end of the message
+  const Submessage one{at_[0], at_ + submessage_header_bytes, std::min(bytes, room)};
+  at_ = one.content + one.bytes;
+  return one;
+}
+
+std::optional<rtps::EntityId_t> sender_in(const std::uint8_t* message, std::size_t size) {
+  Submessages all(message, size);
+  while (const auto one = all.next()) {
+    if (place_of_sender(one->kind)) return sender_of(*one);
+  }
+  return std::nullopt;
+}
+
+bool is_builtin(const rtps::EntityId_t& endpoint) {
+  constexpr rtps::octet builtin = 0xc0;
+  return (endpoint.value[3] & builtin) == builtin;
+}
+
+std::optional<StateKey> discovery_state_in(const std::uint8_t* message, std::size_t size) {
+  StateKey key{};
+  bool found = false;
+  Submessages all(message, size);
+  while (const auto one = all.next()) {
+    if (one->kind == info_timestamp || one->kind >= first_of_vendor) continue;
+    if (one->kind == info_destination && !found && one->bytes >= prefix_bytes) {
+      std::copy_n(one->content, prefix_bytes, key.begin() + 1);
+      continue;
+    }
+    const auto sender = sender_of(*one);
+    const bool is_state = one->kind == acknack || one->kind == heartbeat;
+    if (found || !is_state || !sender || !is_builtin(*sender)) return std::nullopt;
+    if (one->bytes < 2 * entity_bytes) return std::nullopt;
+    key[0] = one->kind;
+    std::copy_n(one->content, 2 * entity_bytes, key.begin() + 1 + prefix_bytes);
+    found = true;
+  }
+  return found ? std::optional(key) : std::nullopt;
+}
+
+}  // namespace tocsin

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/rtps/common/EntityId_t.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace tocsin {
+
+/// One submessage, without its header of four bytes.
+struct Submessage {
+  std::uint8_t kind = 0;
+  const std::uint8_t* content = nullptr;
+  std::size_t bytes = 0;
+};
+
+/// Walks over the submessages of an RTPS message (RTPS 2.2 section 9.4.5.1), whatever its bytes.
+class Submessages {
+ public:
+  /// The bytes must outlive this.
+  Submessages(const std::uint8_t* message, std::size_t size);
+  [[nodiscard]] std::optional<Submessage> next();
+
+ private:
+  const std::uint8_t* at_;
+  const std::uint8_t* end_;
+};
+
+/// The endpoint that an RTPS message comes from: the writer of its first DATA, HEARTBEAT or GAP,
+/// the reader of its first ACKNACK (RTPS 2.2 section 8.3.7). Nothing when there is none, or the
+/// bytes are no such message.
+[[nodiscard]] std::optional<eprosima::fastrtps::rtps::EntityId_t> sender_in(
+    const std::uint8_t* message, std::size_t size);
+
+/// Whether it is one of those by which participants discover each other (section 9.3.1.2).
+[[nodiscard]] bool is_builtin(const eprosima::fastrtps::rtps::EntityId_t& endpoint);
+
+/// Whose state a message tells: HEARTBEAT or ACKNACK, the participant that it is for, reader and
+/// writer.
+using StateKey = std::array<std::uint8_t, 21>;
+
+/// The key of a message that holds one heartbeat or acknowledgement of discovery, and nothing else:
+/// the next message with this key makes it obsolete.
+[[nodiscard]] std::optional<StateKey> discovery_state_in(const std::uint8_t* message,
+                                                         std::size_t size);
+
+}  // namespace tocsin

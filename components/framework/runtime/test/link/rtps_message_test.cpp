@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/rtps_message.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "link/origin.hpp"
+#include "link/rtps_bytes.hpp"
+
+namespace tocsin {
+namespace {
+
+std::uint32_t sender(const Bytes& bytes) {
+  const auto found = sender_in(bytes.data(), bytes.size());
+  return found ? wire_id_of(*found) : 0;
+}
+
+TEST(SenderIn, DataAndFragmentsComeFromTheirWriter) {
+  for (const std::uint8_t kind : {data, fragment}) {
+    Bytes bytes = message();
+    append(bytes, kind, data_of(7));
+    EXPECT_EQ(sender(bytes), 0x0703U);
+  }
+}
+
+TEST(SenderIn, AHeartbeatComesFromItsWriterAndAnAcknackFromItsReader) {
+  Bytes bytes = message();
+  append(bytes, heartbeat, ends(5, 9));
+  EXPECT_EQ(sender(bytes), 0x0903U);
+  bytes = message();
+  append(bytes, acknack, ends(5, 9));
+  EXPECT_EQ(sender(bytes), 0x0504U);
+}
+
+TEST(SenderIn, PassesWhatNamesNoEndpoint) {
+  Bytes bytes = message();
+  append(bytes, info_timestamp, Bytes(8));
+  append(bytes, data, data_of(7));
+  EXPECT_EQ(sender(bytes), 0x0703U);
+}
+
+TEST(SenderIn, ReadsLengthsOfEitherByteOrder) {
+  Bytes bytes = message();
+  append(bytes, info_timestamp, Bytes(8), false);
+  append(bytes, data, data_of(7), false);
+  EXPECT_EQ(sender(bytes), 0x0703U);
+}
+
+TEST(SenderIn, FindsNothingWhereThereIsNothing) {
+  EXPECT_EQ(sender({}), 0U);
+  EXPECT_EQ(sender(message()), 0U);
+  Bytes last = message();
+  append(last, info_timestamp, {});  // length 0: until the end
+  EXPECT_EQ(sender(last), 0U);
+  Bytes cut = message();
+  append(cut, data, data_of(7));
+  cut.resize(20 + 4 + 11);
+  EXPECT_EQ(sender(cut), 0U);
+}
+
+TEST(SenderIn, NeverReadsBeyondItsBytes) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  for (int i = 0; i < 20000; ++i) {
+    Bytes bytes(random() % 80);  // its own piece of memory: a sanitizer sees a read behind it
+    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random() % 32);
+    (void)sender_in(bytes.data(), bytes.size());
+  }
+}
+
+/// Reader and writer of SEDP's publications, and something behind.
+const Bytes builtin_ends{0, 0, 3, 0xc7, 0, 0, 3, 0xc2, 0, 0, 0, 0};
+
+std::optional<StateKey> state_in(const Bytes& bytes) {
+  return discovery_state_in(bytes.data(), bytes.size());
+}
+
+Bytes lone(std::uint8_t kind, std::uint8_t to = 1) {
+  Bytes bytes = message();
+  append(bytes, info_destination, Bytes(12, to));
+  append(bytes, kind, builtin_ends);
+  append(bytes, of_vendor, Bytes(8));
+  return bytes;
+}
+
+TEST(DiscoveryStateIn, KnowsAHeartbeatOrAnAcknowledgementOfDiscoveryByItsEndsAndItsParticipant) {
+  const auto state = state_in(lone(heartbeat));
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state, state_in(lone(heartbeat)));
+  EXPECT_NE(state, state_in(lone(heartbeat, 2)));
+  EXPECT_TRUE(state_in(lone(acknack)));
+  EXPECT_NE(state, state_in(lone(acknack)));
+}
+
+TEST(DiscoveryStateIn, IsNotInAMessageThatCarriesMore) {
+  Bytes announcement = message();
+  append(announcement, data, data_of(0xc2));
+  append(announcement, heartbeat, builtin_ends);
+  EXPECT_FALSE(state_in(announcement));
+  Bytes two = lone(acknack);
+  append(two, acknack, builtin_ends);
+  EXPECT_FALSE(state_in(two));
+  EXPECT_FALSE(state_in(message()));
+  Bytes of_a_topic = message();
+  append(of_a_topic, heartbeat, ends(5, 9));
+  EXPECT_FALSE(state_in(of_a_topic));
+}
+
+TEST(DiscoveryStateIn, NeverReadsBeyondItsBytes) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  for (int i = 0; i < 20000; ++i) {
+    Bytes bytes = lone(random() % 2 == 0 ? acknack : heartbeat);
+    bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
+    bytes.resize(random() % (bytes.size() + 1));
+    bytes.shrink_to_fit();
+    (void)state_in(bytes);
+  }
+}
+
+}  // namespace
+}  // namespace tocsin
