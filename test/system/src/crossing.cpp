@@ -60,7 +60,7 @@ std::int64_t wall_now_ns() {
 std::string standing_mission(const std::string& folder, const std::string& more) {
   std::ofstream(folder + "/crossing_traffic.yaml")
       << "extends: traffic.yaml\n"
-         "uxv: {critical: {topics: [crossing/up]}}\n"
+         "uxv: {critical: {topics: [crossing/up]}, low: {topics: [crossing/image]}}\n"
          "gcs: {critical: {topics: [crossing/down]}}\n";
   const std::string file = folder + "/crossing.yaml";
   std::ofstream(file) << "extends: mission.yaml\n"

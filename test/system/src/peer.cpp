@@ -43,13 +43,17 @@ void read(const std::string& file, See see) {
 }  // namespace
 
 Peer::Peer(pid_t process, const BusOptions& domains, const std::function<void(Bus&)>& job)
-    : pid_(fork()) {
+    : Peer(process, [&] {
+        const auto bus = make_fast_dds_bus(domains);
+        job(*bus);
+      }) {}
+
+Peer::Peer(pid_t process, const std::function<void()>& job) : pid_(fork()) {
   if (pid_ != 0) return;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   try {
     deployment::enter_namespaces(process);
-    const auto bus = make_fast_dds_bus(domains);
-    job(*bus);
+    job();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "peer: %s\n", error.what());
   }

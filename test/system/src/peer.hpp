@@ -16,6 +16,8 @@ class Peer {
  public:
   /// Does `job` there, on a bus of these domains; the job should not end.
   Peer(pid_t process, const BusOptions& domains, const std::function<void(Bus&)>& job);
+  /// The same without a bus.
+  Peer(pid_t process, const std::function<void()>& job);
   ~Peer();
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;

@@ -10,7 +10,11 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cstring>
+#include <ctime>
+#include <utility>
 
 namespace tocsin {
 namespace {
@@ -25,10 +29,10 @@ int open_there(pid_t process) {
     const bool inside = setns(ns, CLONE_NEWNET) == 0;
     close(ns);
     if (!inside) return;
-    socket_fd = socket(AF_PACKET, SOCK_DGRAM | SOCK_CLOEXEC, htons(ETH_P_IP));
+    socket_fd = socket(AF_PACKET, SOCK_DGRAM | SOCK_CLOEXEC, htons(ETH_P_ALL));
     sockaddr_ll radio{};
     radio.sll_family = AF_PACKET;
-    radio.sll_protocol = htons(ETH_P_IP);
+    radio.sll_protocol = htons(ETH_P_ALL);  // one for IP alone hears nothing of what leaves
     radio.sll_ifindex = static_cast<int>(if_nametoindex("wlan0"));
     const auto* address = reinterpret_cast<const sockaddr*>(&radio);
     if (bind(socket_fd, address, sizeof radio) == 0) return;
@@ -39,11 +43,43 @@ int open_there(pid_t process) {
   return socket_fd;
 }
 
+std::int64_t time_in(msghdr& message) {
+  for (cmsghdr* one = CMSG_FIRSTHDR(&message); one != nullptr; one = CMSG_NXTHDR(&message, one)) {
+    if (one->cmsg_level != SOL_SOCKET || one->cmsg_type != SCM_TIMESTAMPNS) continue;
+    timespec time{};
+    std::memcpy(&time, CMSG_DATA(one), sizeof time);
+    return time.tv_sec * 1'000'000'000 + time.tv_nsec;
+  }
+  return 0;
+}
+
+/// Nothing when none came within the socket's timeout.
+std::optional<TappedPacket> receive(int socket) {
+  constexpr ssize_t ip_header = 20;
+  std::array<std::uint8_t, 65536> bytes{};
+  alignas(cmsghdr) std::array<char, 128> control{};
+  sockaddr_ll from{};
+  iovec data{bytes.data(), bytes.size()};
+  msghdr message{};
+  message.msg_name = &from;
+  message.msg_namelen = sizeof from;
+  message.msg_iov = &data;
+  message.msg_iovlen = 1;
+  message.msg_control = control.data();
+  message.msg_controllen = control.size();
+  const ssize_t size = recvmsg(socket, &message, 0);
+  if (size < ip_header || from.sll_protocol != htons(ETH_P_IP)) return std::nullopt;
+  return TappedPacket{
+      time_in(message), from.sll_pkttype == PACKET_OUTGOING, {bytes.begin(), bytes.begin() + size}};
+}
+
 }  // namespace
 
 RadioTap::RadioTap(pid_t process) : socket_(open_there(process)) {
   if (socket_ < 0) return;
   const timeval timeout{0, 20'000};
+  const int on = 1;
+  setsockopt(socket_, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on);
   setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &timeout, sizeof timeout);
   thread_ = std::thread([this] { run(); });
 }
@@ -56,18 +92,32 @@ RadioTap::~RadioTap() {
 
 bool RadioTap::saw(const std::string& bytes) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return bytes_.find(bytes) != std::string::npos;
+  return std::any_of(packets_.begin(), packets_.end(), [&](const TappedPacket& packet) {
+    return std::search(packet.bytes.begin(), packet.bytes.end(), bytes.begin(), bytes.end()) !=
+           packet.bytes.end();
+  });
+}
+
+std::size_t RadioTap::multicasts() const {
+  constexpr std::size_t destination = 16;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return static_cast<std::size_t>(
+      std::count_if(packets_.begin(), packets_.end(), [](const TappedPacket& packet) {
+        return !packet.outgoing && (packet.bytes[destination] & 0xF0U) == 0xE0U;
+      }));
+}
+
+std::vector<TappedPacket> RadioTap::packets() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return packets_;
 }
 
 void RadioTap::run() {
-  std::array<char, 2048> packet{};
   while (!stopping_) {
-    const ssize_t size = recv(socket_, packet.data(), packet.size(), 0);
-    if (size < 20) continue;
-    ++packets_;
-    if ((static_cast<unsigned char>(packet[16]) & 0xF0U) == 0xE0U) ++multicasts_;
+    auto packet = receive(socket_);
+    if (!packet) continue;
     const std::lock_guard<std::mutex> lock(mutex_);
-    bytes_.append(packet.data(), static_cast<std::size_t>(size));
+    packets_.push_back(std::move(*packet));
   }
 }
 

@@ -4,11 +4,21 @@
 #include <sys/types.h>
 
 #include <atomic>
+#include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace tocsin {
+
+/// A packet as it passed the interface.
+struct TappedPacket {
+  std::int64_t time_ns;  ///< since the epoch, by the kernel
+  bool outgoing;
+  std::vector<std::uint8_t> bytes;  ///< from the IP header on
+};
 
 /// Listens to all IP packets on wlan0 in the network namespace of a process.
 class RadioTap {
@@ -22,17 +32,17 @@ class RadioTap {
   [[nodiscard]] bool ok() const { return socket_ >= 0; }
   /// Whether these bytes were in any packet so far.
   [[nodiscard]] bool saw(const std::string& bytes) const;
-  [[nodiscard]] std::size_t packets() const { return packets_; }
-  [[nodiscard]] std::size_t multicasts() const { return multicasts_; }
+  /// Multicast packets that came from the other side.
+  [[nodiscard]] std::size_t multicasts() const;
+  /// All so far.
+  [[nodiscard]] std::vector<TappedPacket> packets() const;
 
  private:
   void run();
   int socket_ = -1;
   std::atomic<bool> stopping_{false};
-  std::atomic<std::size_t> packets_{0};
-  std::atomic<std::size_t> multicasts_{0};
   mutable std::mutex mutex_;
-  std::string bytes_;
+  std::vector<TappedPacket> packets_;
   std::thread thread_;
 };
 

@@ -99,9 +99,10 @@ class MessageType : public RawTopicType<Message> {
 };
 
 template <class Qos>
-Qos usual() {
+Qos usual(bool reliable) {
   Qos qos;
-  qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
+  qos.reliability().kind =
+      reliable ? dds::RELIABLE_RELIABILITY_QOS : dds::BEST_EFFORT_RELIABILITY_QOS;
   qos.durability().kind = dds::VOLATILE_DURABILITY_QOS;
   qos.history().depth = 4;
   qos.resource_limits().max_samples = 5;
@@ -112,19 +113,26 @@ Qos usual() {
   return qos;
 }
 
-dds::DomainParticipantQos participant_qos(RawParticipant::Transport transport) {
-  using eprosima::fastdds::rtps::SharedMemTransportDescriptor;
+/// By UDP on one interface, unicast.
+dds::DomainParticipantQos udp_qos(const RawLink& link, std::uint32_t message_bytes) {
   using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
   dds::DomainParticipantQos qos;
   qos.transport().use_builtin_transports = false;
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
-  udp->interfaceWhiteList = {"127.0.0.1"};
+  udp->interfaceWhiteList = {link.address};
   udp->sendBufferSize = udp->receiveBufferSize = 4U << 20U;
+  udp->maxMessageSize = message_bytes;
   qos.transport().user_transports = {udp};
   rtps::Locator_t peer;  // lo carries no multicast everywhere
   peer.kind = LOCATOR_KIND_UDPv4;
-  rtps::IPLocator::setIPv4(peer, "127.0.0.1");
+  rtps::IPLocator::setIPv4(peer, link.peer);
   qos.wire_protocol().builtin.initialPeersList.push_back(peer);
+  return qos;
+}
+
+dds::DomainParticipantQos participant_qos(RawParticipant::Transport transport) {
+  using eprosima::fastdds::rtps::SharedMemTransportDescriptor;
+  auto qos = udp_qos({"127.0.0.1", "127.0.0.1"}, 65500);
   if (transport == RawParticipant::Transport::shared_memory) {
     auto memory = std::make_shared<SharedMemTransportDescriptor>();
     memory->segment_size(32U << 20U);
@@ -134,18 +142,26 @@ dds::DomainParticipantQos participant_qos(RawParticipant::Transport transport) {
   return qos;
 }
 
+dds::DomainParticipant* create(int domain, const dds::DomainParticipantQos& qos, RawType type) {
+  dds::DomainParticipant* const participant =
+      dds::DomainParticipantFactory::get_instance()->create_participant(
+          static_cast<std::uint32_t>(domain), qos, nullptr, dds::StatusMask::none());
+  assert(participant != nullptr);
+  dds::TopicDataType* const known =
+      type == RawType::octets ? static_cast<dds::TopicDataType*>(new OctetsType) : new MessageType;
+  dds::TypeSupport(known).register_type(participant);
+  return participant;
+}
+
 }  // namespace
 
 RawParticipant::RawParticipant(int domain, Transport transport, RawType type)
-    : type_(type),
-      participant_(dds::DomainParticipantFactory::get_instance()->create_participant(
-          static_cast<std::uint32_t>(domain), participant_qos(transport), nullptr,
-          dds::StatusMask::none())) {
-  assert(participant_ != nullptr);
-  dds::TopicDataType* const known =
-      type == RawType::octets ? static_cast<dds::TopicDataType*>(new OctetsType) : new MessageType;
-  dds::TypeSupport(known).register_type(participant_);
-}
+    : type_(type), participant_(create(domain, participant_qos(transport), type)) {}
+
+RawParticipant::RawParticipant(int domain, const RawLink& link)
+    : type_(RawType::message),
+      reliable_(false),
+      participant_(create(domain, udp_qos(link, 1400), type_)) {}
 
 RawParticipant::~RawParticipant() {
   participant_->delete_contained_entities();
@@ -169,13 +185,13 @@ dds::Topic* RawParticipant::topic(const std::string& name) {
 
 dds::DataWriter* RawParticipant::writer(const std::string& name) {
   return participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT)
-      ->create_datawriter(topic(name), usual<dds::DataWriterQos>());
+      ->create_datawriter(topic(name), usual<dds::DataWriterQos>(reliable_));
 }
 
 dds::DataReader* RawParticipant::reader(const std::string& name,
                                         dds::DataReaderListener* listener) {
   return participant_->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT)
-      ->create_datareader(topic(name), usual<dds::DataReaderQos>(), listener);
+      ->create_datareader(topic(name), usual<dds::DataReaderQos>(reliable_), listener);
 }
 
 int take_all(dds::DataReader& reader, void* sample) {

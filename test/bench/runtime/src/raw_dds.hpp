@@ -22,12 +22,20 @@ enum class RawType {
   message,  ///< the components' message, coded as the code of Fast DDS-Gen does
 };
 
+/// A participant on a link: where it is, and whom it looks for. IPv4.
+struct RawLink {
+  std::string address;
+  std::string peer;
+};
+
 /// The rival: Fast DDS as its manual shows it, reliable, depth 4, buffers that are reused, large
 /// socket buffers and segments.
 class RawParticipant {
  public:
   enum class Transport { udp, shared_memory };
   RawParticipant(int domain, Transport transport, RawType type = RawType::octets);
+  /// On a link: components' messages, best effort, in RTPS messages of at most 1400 bytes.
+  RawParticipant(int domain, const RawLink& link);
   ~RawParticipant();
   RawParticipant(const RawParticipant&) = delete;
   RawParticipant& operator=(const RawParticipant&) = delete;
@@ -41,6 +49,7 @@ class RawParticipant {
  private:
   eprosima::fastdds::dds::Topic* topic(const std::string& name);
   RawType type_;
+  bool reliable_ = true;
   eprosima::fastdds::dds::DomainParticipant* participant_;
 };
 

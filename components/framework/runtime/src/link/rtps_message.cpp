@@ -63,7 +63,7 @@ std::optional<Submessage> Submessages::next() {
   const std::size_t room = left - submessage_header_bytes;
   std::size_t bytes = low | high << 8U;
   if (bytes == 0) bytes = room;  // until the end of the message
-  const Submessage one{at_[0], at_ + submessage_header_bytes, std::min(bytes, room)};
+  const Submessage one{at_[0], at_[1], at_ + submessage_header_bytes, std::min(bytes, room)};
   at_ = one.content + one.bytes;
   return one;
 }

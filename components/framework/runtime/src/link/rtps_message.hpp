@@ -13,6 +13,7 @@ namespace tocsin {
 /// One submessage, without its header of four bytes.
 struct Submessage {
   std::uint8_t kind = 0;
+  std::uint8_t flags = 0;  ///< bit 0: little endian
   const std::uint8_t* content = nullptr;
   std::size_t bytes = 0;
 };
