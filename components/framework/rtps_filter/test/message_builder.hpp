@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <chrono>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -128,17 +127,11 @@ inline Bytes heartbeat(char name, std::int64_t first, std::int64_t last,
       .add(0x07, 0, Wire().entity(0).entity(writer).number(first).number(last).u32(1).bytes())
       .bytes();
 }
-inline Bytes gap(char name, std::int64_t start, std::int64_t base, std::uint32_t bits = 0) {
+inline Bytes gap(char name, std::int64_t start, std::int64_t base, std::uint32_t bits = 0,
+                 std::uint32_t writer = user_writer) {
+  const Wire content = Wire().entity(0).entity(writer).number(start).number(base).u32(bits);
   return Message(name)
-      .add(0x08, 0,
-           Wire()
-               .entity(0)
-               .entity(user_writer)
-               .number(start)
-               .number(base)
-               .u32(bits)
-               .zeros(std::size_t{(bits + 31) / 32} * 4)
-               .bytes())
+      .add(0x08, 0, Wire(content).zeros(std::size_t{(bits + 31) / 32} * 4).bytes())
       .bytes();
 }
 inline Bytes locator(std::uint32_t address, std::uint32_t kind = 1) {

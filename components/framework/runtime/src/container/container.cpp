@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "fast_dds/dropped_packets.hpp"
 #include "foundation/error.hpp"
 #include "foundation/free_space.hpp"
 #include "runtime/middleware/component_library.hpp"
@@ -58,7 +59,7 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
   control_ = std::make_unique<ControlComponent>(
       context_, container.health,
       ProcessName{host.name, container.name, static_cast<int>(getpid())}, *instances_,
-      ControlComponent::Computer{resident_bytes, free_bytes});
+      ControlComponent::Computer{resident_bytes, free_bytes, dropped_packets});
   for (const deployment::ComponentInstance& one : container.components) {
     instances_->add(one.component, one.name, one.parameters, deployment.sources);
   }

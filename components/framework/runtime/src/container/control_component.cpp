@@ -14,6 +14,7 @@ using Command = tocsin_msgs::msg::ContainerCommand;
 constexpr Duration neighbour_silence = std::chrono::seconds(3);
 constexpr Duration settling = std::chrono::seconds(10);  // allocations of the start are no leak
 constexpr std::size_t kept_answers = 8;
+constexpr Duration between_drop_lines = std::chrono::minutes(1);  // a flood must not fill the log
 
 }  // namespace
 
@@ -160,6 +161,19 @@ void ControlComponent::add_endpoints(diagnostic_msgs::msg::DiagnosticArray& arra
   }
 }
 
+void ControlComponent::add_dropped(Time now, diagnostic_msgs::msg::DiagnosticArray& array) {
+  if (!computer_.dropped_packets) return;
+  const rtps_filter::DropAccount dropped = computer_.dropped_packets();
+  if (dropped.total() == 0) return;
+  array.status().push_back(diagnose(process_.container, dropped, dropped_before_));
+  const auto& finding = array.status().back();
+  const bool more = dropped.total() > dropped_before_.total();
+  dropped_before_ = dropped;
+  if (!more || now < next_drop_line_) return;
+  next_drop_line_ = now + between_drop_lines;
+  log().warn("{}", finding.message());
+}
+
 void ControlComponent::publish_health(Time now) {
   for (auto it = heard_.begin(); it != heard_.end();) {
     it = now - it->second.at > neighbour_silence ? heard_.erase(it) : std::next(it);
@@ -171,6 +185,7 @@ void ControlComponent::publish_health(Time now) {
     array.status().push_back(diagnose(process_.container, health_of(instance, now), limits_));
   }
   add_endpoints(array);
+  add_dropped(now, array);
   for (auto& status : array.status()) status.hardware_id(process_.host);
   if (diagnostics_.write(std::move(array)) == Status::failed) log().warn("health was not sent");
 }

@@ -31,6 +31,7 @@ class ControlComponent final : public Component {
   struct Computer {
     std::function<std::uint64_t()> resident_bytes;
     std::function<std::optional<std::uint64_t>(const std::string& folder)> free_bytes;
+    std::function<rtps_filter::DropAccount()> dropped_packets = {};  ///< empty: none are
   };
   /// `instances` must outlive it.
   ControlComponent(Context& context, const HealthLimits& limits, ProcessName process,
@@ -52,6 +53,7 @@ class ControlComponent final : public Component {
   void publish_health(Time now);
   [[nodiscard]] InstanceHealth health_of(const Instance& instance, Time now);
   void add_endpoints(diagnostic_msgs::msg::DiagnosticArray& array);
+  void add_dropped(Time now, diagnostic_msgs::msg::DiagnosticArray& array);
   void add_process(Time now, diagnostic_msgs::msg::DiagnosticArray& array);
 
   Input<topic::ContainerCommand> command_{*this};
@@ -66,6 +68,8 @@ class ControlComponent final : public Component {
   std::map<std::uint32_t, InstanceSums> before_;
   std::map<std::string, EndpointHealth> endpoints_before_;
   std::deque<tocsin_msgs::msg::ContainerAnswer> answers_;
+  rtps_filter::DropAccount dropped_before_;
+  Time next_drop_line_{};
   std::uint64_t first_bytes_ = 0;
   Time started_{};
   Time next_report_{};

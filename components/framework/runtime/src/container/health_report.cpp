@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "foundation/free_space.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
 
 namespace tocsin {
@@ -145,6 +146,50 @@ Diagnostic diagnose(const std::string& container, const ProcessFigures& process,
   }
   finding.value("resident_mib", fmt::format("{:.1f}", resident));
   finding.value("growth_mib", fmt::format("{:.1f}", growth));
+  return finding.status();
+}
+
+namespace {
+
+using rtps_filter::DropAccount;
+using rtps_filter::DropReason;
+
+/// "gap_range 12, fragment 3": reasons with their counts.
+std::string reasons_text(const DropAccount::ByReason& counts) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    parts.push_back(fmt::format("{} {}", to_text(static_cast<DropReason>(i)), counts[i]));
+  }
+  return joined(parts, ", ");
+}
+
+}  // namespace
+
+Diagnostic diagnose(const std::string& container, const DropAccount& dropped,
+                    const DropAccount& before) {
+  constexpr std::size_t named = 3;  // sources in the message; the values have all
+  Finding finding(container + "/packets dropped", "past events");
+  const DropAccount grown = dropped.since(before);
+  std::vector<std::string> sources;
+  for (const auto& [address, counts] : grown.by_source()) {
+    if (sources.size() == named) break;
+    sources.push_back(rtps_filter::to_text(address) + ": " + reasons_text(counts));
+  }
+  if (grown.total() > 0) {
+    finding.grade(
+        WARN, fmt::format("{} packets dropped, from {}", grown.total(), joined(sources, "; ")));
+  }
+  finding.value("dropped", dropped.total());
+  for (std::size_t i = 0; i < rtps_filter::drop_reasons; ++i) {
+    const auto reason = static_cast<DropReason>(i);
+    if (dropped.count(reason) > 0) {
+      finding.value(std::string(to_text(reason)), dropped.count(reason));
+    }
+  }
+  for (const auto& [address, counts] : dropped.by_source()) {
+    finding.value("from " + rtps_filter::to_text(address), reasons_text(counts));
+  }
   return finding.status();
 }
 

@@ -7,6 +7,7 @@
 
 #include "deployment/deployment.hpp"
 #include "ros_idl/diagnostic_msgs.hpp"
+#include "rtps_filter/drop_account.hpp"
 #include "runner/tick_account.hpp"
 #include "runtime/component.hpp"
 
@@ -49,6 +50,10 @@ using Diagnostic = diagnostic_msgs::msg::DiagnosticStatus;
                                   const HealthLimits& limits);
 [[nodiscard]] Diagnostic diagnose(const std::string& container, const EndpointHealth& endpoint,
                                   const EndpointHealth& before);
+/// Packets that this process was not shown: a finding while some are dropped, sums as history.
+[[nodiscard]] Diagnostic diagnose(const std::string& container,
+                                  const rtps_filter::DropAccount& dropped,
+                                  const rtps_filter::DropAccount& before);
 /// False for an endpoint without an event, of which nothing is told.
 [[nodiscard]] bool is_eventful(const EndpointHealth& endpoint);
 

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <utility>
 
+#include "fast_dds/packet_filter.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -14,10 +16,14 @@ using namespace eprosima::fastdds::rtps;
 
 struct HoldingDescriptor : ChainingTransportDescriptor {
   HoldingDescriptor(std::shared_ptr<TransportDescriptorInterface> low,
-                    std::shared_ptr<DeferredReception> held)
-      : ChainingTransportDescriptor(std::move(low)), reception(std::move(held)) {}
+                    std::shared_ptr<DeferredReception> held,
+                    std::shared_ptr<PacketFilter> its_filter)
+      : ChainingTransportDescriptor(std::move(low)),
+        reception(std::move(held)),
+        filter(std::move(its_filter)) {}
   [[nodiscard]] TransportInterface* create_transport() const override;
   std::shared_ptr<DeferredReception> reception;
+  std::shared_ptr<PacketFilter> filter;
 };
 
 /// Receives through the chain, and sends without it.
@@ -30,7 +36,9 @@ class HoldingTransport : public ChainingTransport {
   void receive(TransportReceiverInterface* next, const rtps::octet* bytes, std::uint32_t size,
                const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
     descriptor_.reception->wait();
-    next->OnDataReceived(bytes, size, local, remote);
+    descriptor_.filter->pass(bytes, size, remote, [&](const rtps::octet* shown) {
+      next->OnDataReceived(shown, size, local, remote);
+    });
   }
   /// Not chained: the lower transport would not know its own channel again, and open another for
   /// each peer.
@@ -73,9 +81,10 @@ void DeferredReception::wait() {
 }
 
 std::shared_ptr<TransportDescriptorInterface> hold(
-    std::shared_ptr<TransportDescriptorInterface> low,
-    std::shared_ptr<DeferredReception> reception) {
-  return std::make_shared<HoldingDescriptor>(std::move(low), std::move(reception));
+    std::shared_ptr<TransportDescriptorInterface> low, std::shared_ptr<DeferredReception> reception,
+    std::shared_ptr<PacketFilter> filter) {
+  return std::make_shared<HoldingDescriptor>(std::move(low), std::move(reception),
+                                             std::move(filter));
 }
 
 }  // namespace tocsin

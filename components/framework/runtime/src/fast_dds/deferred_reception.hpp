@@ -10,6 +10,8 @@
 
 namespace tocsin {
 
+class PacketFilter;
+
 /// Keeps what arrives at a participant in its sockets until the participant can take it.
 ///
 /// Fast DDS 2.9.1 announces a participant before it registers its receivers, and throws away what
@@ -28,9 +30,10 @@ class DeferredReception {
   std::condition_variable changed_;
 };
 
-/// The transport of `low`, whose reception is held until `reception` is released.
+/// The transport of `low`, whose reception is held until `reception` is released, and then shown
+/// what `filter` lets through.
 [[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> hold(
     std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> low,
-    std::shared_ptr<DeferredReception> reception);
+    std::shared_ptr<DeferredReception> reception, std::shared_ptr<PacketFilter> filter);
 
 }  // namespace tocsin

@@ -12,6 +12,7 @@
 #include <random>
 
 #include "fast_dds/fast_dds_qos.hpp"
+#include "fast_dds/packet_filter.hpp"
 
 namespace tocsin {
 namespace {
@@ -130,7 +131,10 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   dds::DomainParticipantQos qos;
   qos.name(options.name);
   qos.transport().use_builtin_transports = false;
-  qos.transport().user_transports = {hold(transport_of(options), options.reception)};
+  auto filter =
+      std::make_shared<PacketFilter>(limits_in({options.address, options.peers, options.radio}));
+  qos.transport().user_transports = {
+      hold(transport_of(options), options.reception, std::move(filter))};
   if (options.shared_memory) {
     qos.transport().user_transports.push_back(shared_memory_transport());
     auto& own = qos.wire_protocol().default_unicast_locator_list;

@@ -10,6 +10,7 @@
 namespace tocsin {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Command = tocsin_msgs::msg::ContainerCommand;
 using State = tocsin_msgs::msg::ContainerState;
@@ -82,12 +83,14 @@ class ControlTest : public ::testing::Test {
   std::uint64_t resident_ = 20U << 20U;
   std::optional<std::uint64_t> free_ = std::uint64_t{1} << 40U;
   std::string folder_;
+  rtps_filter::DropAccount dropped_;
   ControlComponent sut_{context_,
                         {},
                         {"uxv", "drive", 1},
                         instances_,
                         {[this] { return resident_; },
-                         [this](const std::string& folder) { return folder_ = folder, free_; }}};
+                         [this](const std::string& folder) { return folder_ = folder, free_; },
+                         [this] { return dropped_; }}};
 };
 
 TEST_F(ControlTest, LoadsAndAnswersWithTheNewState) {
@@ -98,6 +101,21 @@ TEST_F(ControlTest, LoadsAndAnswersWithTheNewState) {
   ASSERT_EQ(state.components().size(), 1U);
   EXPECT_EQ(state.components()[0].state(), "active");
   EXPECT_EQ(state.host(), "uxv");
+}
+
+TEST_F(ControlTest, TellsOfDroppedPacketsOnceThereAreSome) {
+  const auto statuses = [this] {
+    std::vector<std::string> found;
+    const auto report = next_report();
+    for (const auto& status : report.status()) {
+      if (status.name() == "drive/packets dropped") found.push_back(status.message());
+    }
+    return found;
+  };
+  EXPECT_TRUE(statuses().empty());
+  dropped_.add(rtps_filter::DropReason::fragment, rtps_filter::ipv4(10, 0, 0, 9));
+  EXPECT_THAT(statuses(), ElementsAre("1 packets dropped, from 10.0.0.9: fragment 1"));
+  EXPECT_THAT(statuses(), ElementsAre("past events"));
 }
 
 TEST_F(ControlTest, AnswersWithTheReasonOfARefusal) {

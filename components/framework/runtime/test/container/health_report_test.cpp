@@ -46,6 +46,25 @@ TEST(HealthReport, AHealthyComponentIsOkAndTellsItsFigures) {
   EXPECT_EQ(value(status, "tick_p99_s"), "0.001049");
 }
 
+TEST(HealthReport, DroppedPacketsAreAFindingWhileTheyComeAndHistoryAfterwards) {
+  using rtps_filter::DropReason;
+  rtps_filter::DropAccount account;
+  account.add(DropReason::gap_range, rtps_filter::ipv4(10, 0, 0, 9));
+  account.add(DropReason::gap_range, rtps_filter::ipv4(10, 0, 0, 9));
+  account.add(DropReason::not_rtps, rtps_filter::ipv4(10, 0, 0, 8));
+  const Diagnostic now = diagnose("drive", account, {});
+  EXPECT_EQ(now.level(), WARN);
+  EXPECT_EQ(now.name(), "drive/packets dropped");
+  EXPECT_EQ(now.message(), "3 packets dropped, from 10.0.0.8: not_rtps 1; 10.0.0.9: gap_range 2");
+  EXPECT_EQ(value(now, "gap_range"), "2");
+  const Diagnostic later = diagnose("drive", account, account);
+  EXPECT_EQ(later.level(), OK);
+  EXPECT_EQ(later.message(), "past events");
+  EXPECT_EQ(value(later, "dropped"), "3");
+  EXPECT_EQ(value(later, "from 10.0.0.9"), "gap_range 2");
+  EXPECT_EQ(value(later, "fragment"), "none");
+}
+
 TEST(HealthReport, WarnsOnlyOfATickLongerThanTheLimit) {
   InstanceHealth health = healthy();
   health.now.ticks.longest = seconds(0.5);

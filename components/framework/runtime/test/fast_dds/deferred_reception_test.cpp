@@ -12,6 +12,8 @@
 #include <atomic>
 
 #include "fast_dds/bus_fixture.hpp"
+#include "fast_dds/dropped_packets.hpp"
+#include "fast_dds/packet_filter.hpp"
 
 namespace tocsin {
 namespace {
@@ -20,6 +22,7 @@ namespace rtps = eprosima::fastrtps::rtps;
 using namespace eprosima::fastdds::rtps;
 
 constexpr std::uint16_t port = 27'391;
+const std::string header_only("RTPS\2\1\1\17sender_prefi", 20);
 
 class CountingReceiver : public TransportReceiverInterface {
  public:
@@ -35,7 +38,8 @@ class DeferredReceptionTest : public ::testing::Test {
   DeferredReceptionTest() {
     auto udp = std::make_shared<UDPv4TransportDescriptor>();
     udp->interfaceWhiteList = {"127.0.0.1"};
-    transport_.reset(hold(udp, reception_)->create_transport());
+    transport_.reset(hold(udp, reception_, std::make_shared<PacketFilter>(rtps_filter::Limits{}))
+                         ->create_transport());
     at_.kind = LOCATOR_KIND_UDPv4;
     at_.port = port;
     rtps::IPLocator::setIPv4(at_, "127.0.0.1");
@@ -45,13 +49,15 @@ class DeferredReceptionTest : public ::testing::Test {
     ASSERT_TRUE(transport_->init());
     ASSERT_TRUE(transport_->OpenInputChannel(at_, &receiver_, 1000));
   }
-  static void send() {
+  static void send(const std::string& bytes = header_only) {
     const int fd = socket(AF_INET, SOCK_DGRAM, 0);
     sockaddr_in to{};
     to.sin_family = AF_INET;
     to.sin_port = htons(port);
     to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    EXPECT_EQ(sendto(fd, "x", 1, 0, reinterpret_cast<const sockaddr*>(&to), sizeof to), 1);
+    EXPECT_EQ(sendto(fd, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to),
+                     sizeof to),
+              static_cast<ssize_t>(bytes.size()));
     close(fd);
   }
   std::shared_ptr<DeferredReception> reception_ = std::make_shared<DeferredReception>();
@@ -73,6 +79,18 @@ TEST_F(DeferredReceptionTest, WhatArrivesAfterTheReleaseIsHeardAtOnce) {
   reception_->release();
   send();
   EXPECT_TRUE(eventually([this] { return receiver_.heard == 1; }));
+}
+
+TEST_F(DeferredReceptionTest, WhatIsNoRtpsIsNotShownButCounted) {
+  reception_->release();
+  const auto before = dropped_packets();
+  send("garbage");
+  send();
+  EXPECT_TRUE(eventually([this] { return receiver_.heard == 1; }));
+  const auto dropped = dropped_packets().since(before);
+  EXPECT_EQ(dropped.total(), 1U);
+  EXPECT_EQ(dropped.by_source().begin()->first, INADDR_LOOPBACK);
+  EXPECT_EQ(dropped.count(rtps_filter::DropReason::not_rtps), 1U);
 }
 
 TEST_F(DeferredReceptionTest, AChannelThatIsClosedBeforeTheReleaseDoesNotHang) {

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fast_dds/packet_filter.hpp"
+
+#include <arpa/inet.h>
+#include <fastrtps/utils/IPLocator.h>
+#include <ifaddrs.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "fast_dds/dropped_packets.hpp"
+#include "foundation/time.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace rtps = eprosima::fastrtps::rtps;
+using rtps_filter::ipv4;
+using rtps_filter::Limits;
+
+/// Nothing when the text is no IPv4 address.
+std::optional<std::uint32_t> address_of(const std::string& text) {
+  in_addr parsed{};
+  if (inet_pton(AF_INET, text.c_str(), &parsed) != 1) return std::nullopt;
+  return ntohl(parsed.s_addr);
+}
+
+/// The addresses of this computer's interfaces, which come and go.
+class OwnAddresses {
+ public:
+  [[nodiscard]] bool contain(std::uint32_t address) {
+    if (known_.count(address) > 0) return true;
+    const Time now = std::chrono::steady_clock::now();
+    if (now < next_look_) return false;
+    next_look_ = now + std::chrono::seconds(1);
+    look();
+    return known_.count(address) > 0;
+  }
+
+ private:
+  void look() {
+    ifaddrs* list = nullptr;
+    if (getifaddrs(&list) != 0) return;
+    const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> owner(list, freeifaddrs);
+    known_.clear();
+    for (const ifaddrs* entry = list; entry != nullptr; entry = entry->ifa_next) {
+      if (entry->ifa_addr == nullptr || entry->ifa_addr->sa_family != AF_INET) continue;
+      const auto* inet = reinterpret_cast<const sockaddr_in*>(entry->ifa_addr);
+      known_.insert(ntohl(inet->sin_addr.s_addr));
+    }
+  }
+  std::set<std::uint32_t> known_;
+  Time next_look_{};
+};
+
+Limits limits_on_radio(const std::set<std::uint32_t>& configured) {
+  constexpr double wifi_bytes_per_s = 64e6;
+  Limits limits;
+  limits.sample_bytes = 16U << 20U;
+  limits.bytes = {wifi_bytes_per_s, wifi_bytes_per_s};
+  limits.source_has_port = false;
+  limits.participant_has_address = true;
+  limits.hears = [configured](std::uint32_t address) { return configured.count(address) > 0; };
+  limits.answers = limits.hears;
+  return limits;
+}
+
+/// Ordinary peers of this computer announce the addresses of all of its interfaces, or only one
+/// that is not loopback, and groups.
+Limits limits_on_host(const std::set<std::uint32_t>& configured) {
+  constexpr std::uint32_t loopback = 127;
+  constexpr std::uint32_t groups = 0xe;
+  Limits limits;
+  limits.answers = [configured, own = std::make_shared<OwnAddresses>()](std::uint32_t address) {
+    return address >> 24U == loopback || address >> 28U == groups ||
+           configured.count(address) > 0 || own->contain(address);
+  };
+  return limits;
+}
+
+}  // namespace
+
+Limits limits_in(const Surroundings& surroundings) {
+  std::set<std::uint32_t> configured;
+  const auto add = [&](const std::string& text) {
+    if (const auto address = address_of(text)) configured.insert(*address);
+  };
+  add(surroundings.address);
+  std::for_each(surroundings.peers.begin(), surroundings.peers.end(), add);
+  return surroundings.radio ? limits_on_radio(configured) : limits_on_host(configured);
+}
+
+rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::size_t size,
+                                              const rtps::Locator_t& from) {
+  const rtps::octet* const a = rtps::IPLocator::getIPv4(from);
+  const rtps_filter::Source source{ipv4(a[0], a[1], a[2], a[3]),
+                                   rtps::IPLocator::getPhysicalPort(from)};
+  const Time now = std::chrono::steady_clock::now();
+  std::unique_lock<std::mutex> lock(mutex_);
+  rtps_filter::Inspection inspection = filter_.inspect(bytes, size, source, now);
+  lock.unlock();
+  if (inspection.drop) count_dropped_packet(*inspection.drop, source.address);
+  return inspection;
+}
+
+std::vector<std::uint8_t> PacketFilter::without(const std::uint8_t* bytes, std::size_t size,
+                                                const std::vector<std::size_t>& parameters) {
+  std::vector<std::uint8_t> copy(bytes, bytes + size);
+  for (const std::size_t at : parameters) std::fill_n(copy.data() + at, 2, std::uint8_t{0});
+  return copy;
+}
+
+}  // namespace tocsin

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fast_dds/packet_filter.hpp"
+
+#include <fastrtps/utils/IPLocator.h>
+#include <gtest/gtest.h>
+
+#include "fast_dds/dropped_packets.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace rtps = eprosima::fastrtps::rtps;
+using rtps_filter::ipv4;
+
+rtps::Locator_t locator_of(const std::string& address, std::uint16_t port = 4711) {
+  rtps::Locator_t locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  rtps::IPLocator::setIPv4(locator, address);
+  locator.port = port;
+  return locator;
+}
+
+/// DATA(p) with one locator, which begins at `locator_at`.
+constexpr std::size_t locator_at = 20 + 4 + 20 + 4 + 20;
+std::vector<std::uint8_t> announcement(std::uint8_t last_octet) {
+  std::vector<std::uint8_t> bytes{'R', 'T', 'P', 'S', 2, 1, 1, 3};
+  const auto add = [&](const std::vector<std::uint8_t>& more) {
+    bytes.insert(bytes.end(), more.begin(), more.end());
+  };
+  const std::vector<std::uint8_t> prefix(12, 7);
+  add(prefix);
+  add({0x15, 5, 20 + 4 + 20 + 28 + 4, 0, 0, 0, 16, 0, 0, 0, 0, 0, 0, 1, 0, 0xc2});
+  add({0, 0, 0, 0, 1, 0, 0, 0, 0, 3, 0, 0});
+  add({0x50, 0, 16, 0});
+  add(prefix);
+  add({0, 0, 1, 0xc1});
+  add({0x32, 0, 24, 0, 1, 0, 0, 0, 0xf2, 0x1c, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+  add({10, 77, 0, last_octet, 1, 0, 0, 0});
+  return bytes;
+}
+
+std::vector<std::uint8_t> shown(PacketFilter& sut, const std::vector<std::uint8_t>& packet,
+                                const rtps::Locator_t& from) {
+  std::vector<std::uint8_t> seen;
+  sut.pass(packet.data(), packet.size(), from,
+           [&](const std::uint8_t* bytes) { seen.assign(bytes, bytes + packet.size()); });
+  return seen;
+}
+
+const Surroundings radio{"10.77.0.1", {"10.77.0.2"}, true};
+
+TEST(PacketFilter, OnTheRadioOnlyPeersAreHeard) {
+  PacketFilter sut(limits_in(radio));
+  const auto before = dropped_packets();
+  EXPECT_EQ(shown(sut, announcement(2), locator_of("10.77.0.2")), announcement(2));
+  EXPECT_TRUE(shown(sut, announcement(2), locator_of("10.77.0.3")).empty());
+  const auto dropped = dropped_packets().since(before);
+  EXPECT_EQ(dropped.count(rtps_filter::DropReason::unknown_source), 1U);
+  EXPECT_EQ(dropped.by_source().count(ipv4(10, 77, 0, 3)), 1U);
+}
+
+TEST(PacketFilter, LocatorOfAThirdIsNotShownAndNothingElseChanges) {
+  PacketFilter sut(limits_in(radio));
+  auto expected = announcement(9);
+  expected[locator_at] = 0;
+  EXPECT_EQ(shown(sut, announcement(9), locator_of("10.77.0.2")), expected);
+}
+
+TEST(PacketFilter, OnTheHostItsOwnAddressesAndGroupsAreAnswered) {
+  const auto limits = limits_in({"127.0.0.1", {"127.0.0.1"}, false});
+  EXPECT_TRUE(limits.answers(ipv4(127, 0, 0, 1)));
+  EXPECT_TRUE(limits.answers(ipv4(239, 255, 0, 1)));
+  EXPECT_FALSE(limits.answers(ipv4(203, 0, 113, 9)));
+  EXPECT_FALSE(limits.hears);
+}
+
+TEST(PacketFilter, OnTheRadioOnlyPeersAreAnswered) {
+  const auto limits = limits_in(radio);
+  EXPECT_TRUE(limits.answers(ipv4(10, 77, 0, 2)));
+  EXPECT_FALSE(limits.answers(ipv4(127, 0, 0, 1)));
+  EXPECT_FALSE(limits.answers(ipv4(239, 255, 0, 1)));
+}
+
+}  // namespace
+}  // namespace tocsin
