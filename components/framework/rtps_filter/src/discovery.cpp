@@ -10,7 +10,6 @@ namespace tocsin::rtps_filter {
 namespace {
 
 constexpr std::size_t encapsulation_bytes = 4;
-constexpr std::size_t guid_bytes = 16;
 
 /// Purpose of a builtin endpoint; the least significant bits tell reader and writer apart.
 Purpose purpose_of_builtin(std::uint32_t entity) {

@@ -4,7 +4,6 @@
 namespace tocsin::rtps_filter {
 namespace {
 
-constexpr std::size_t guid_bytes = 16;
 constexpr std::size_t locator_bytes = 24;
 constexpr std::size_t duration_bytes = 8;
 constexpr std::size_t string_bytes_at_least = 4;

@@ -19,6 +19,7 @@ using Checked = std::variant<Value, DropReason>;
 /// Who speaks: the first twelve octets of all GUIDs of a participant.
 using Prefix = std::array<std::uint8_t, 12>;
 inline constexpr std::size_t header_bytes = 20;
+inline constexpr std::size_t guid_bytes = 16;
 inline constexpr std::uint16_t vendor_eprosima = 0x010f;
 
 /// Kinds of submessages (RTPS 2.5, table 9.15; DDS Security 1.1, 7.3.6).

@@ -34,7 +34,7 @@ class Wire {
     return u32(static_cast<std::uint32_t>(bits >> 32U)).u32(static_cast<std::uint32_t>(bits));
   }
   Wire& raw(const Bytes& bytes) {
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    for (const std::uint8_t byte : bytes) bytes_.push_back(byte);  // GCC 12 mistrusts insert
     return *this;
   }
   Wire& zeros(std::size_t count) { return raw(Bytes(count, 0)); }

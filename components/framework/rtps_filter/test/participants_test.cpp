@@ -97,6 +97,22 @@ TEST(Participant, ThatIsHeardKeepsItsPlace) {
             DropReason::too_many_participants);
 }
 
+TEST(Participant, WhoseLeaseIsForEverKeepsItsPlace) {
+  Limits limits;
+  limits.participants = 1;
+  RtpsFilter sut(limits);
+  EXPECT_EQ(drop_of(sut, announcement('a', lease(0x7fffffff))), passes);
+  EXPECT_EQ(drop_of(sut, announcement('b'), alice, t0 + std::chrono::hours(24)),
+            DropReason::too_many_participants);
+}
+
+TEST(Participant, MayLeaveAndComeAgainFromAnotherSource) {
+  RtpsFilter sut{Limits{}};
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(drop_of(sut, departure('a', 'a')), passes);
+  EXPECT_EQ(drop_of(sut, announcement('a'), mallory), passes);
+}
+
 TEST(Endpoints, AreAdmittedWhileThereIsRoom) {
   Limits limits;
   limits.endpoints = 2;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds/packet_filter.hpp"
 
+#include <arpa/inet.h>
 #include <fastrtps/utils/IPLocator.h>
 #include <gtest/gtest.h>
+#include <ifaddrs.h>
+
+#include <thread>
 
 #include "fast_dds/dropped_packets.hpp"
 
@@ -72,6 +76,31 @@ TEST(PacketFilter, OnTheHostItsOwnAddressesAndGroupsAreAnswered) {
   EXPECT_TRUE(limits.answers(ipv4(239, 255, 0, 1)));
   EXPECT_FALSE(limits.answers(ipv4(203, 0, 113, 9)));
   EXPECT_FALSE(limits.hears);
+}
+
+TEST(PacketFilter, OnTheHostAllInterfacesOfTheComputerAreAnswered) {
+  const auto limits = limits_in({"127.0.0.1", {}, false});
+  ifaddrs* list = nullptr;
+  ASSERT_EQ(getifaddrs(&list), 0);
+  for (const ifaddrs* entry = list; entry != nullptr; entry = entry->ifa_next) {
+    if (entry->ifa_addr == nullptr || entry->ifa_addr->sa_family != AF_INET) continue;
+    const auto* inet = reinterpret_cast<const sockaddr_in*>(entry->ifa_addr);
+    EXPECT_TRUE(limits.answers(ntohl(inet->sin_addr.s_addr))) << entry->ifa_name;
+  }
+  freeifaddrs(list);
+}
+
+TEST(PacketFilter, CountsWhatSeveralThreadsDrop) {
+  PacketFilter sut(limits_in(radio));
+  const auto before = dropped_packets();
+  const auto receive = [&sut] {
+    for (int i = 0; i < 1000; ++i) (void)shown(sut, announcement(2), locator_of("10.77.0.3"));
+  };
+  std::thread one(receive);
+  std::thread other(receive);
+  one.join();
+  other.join();
+  EXPECT_EQ(dropped_packets().since(before).total(), 2000U);
 }
 
 TEST(PacketFilter, OnTheRadioOnlyPeersAreAnswered) {
