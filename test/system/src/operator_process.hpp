@@ -19,6 +19,8 @@ class OperatorProcess {
   OperatorProcess(const OperatorProcess&) = delete;
   OperatorProcess& operator=(const OperatorProcess&) = delete;
 
+  /// 0 when it has ended.
+  [[nodiscard]] pid_t pid() const { return pid_ > 0 ? pid_ : 0; }
   void type(const std::string& keys) const;
   /// Asks it and its children to end, and waits up to 10 s for it.
   void end_all();

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "attacker.hpp"
+
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace tocsin::fuzz {
+namespace {
+
+sockaddr_in loopback(std::uint16_t port) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  return address;
+}
+
+/// The state and the CPU time [s] of a task by its stat file; nothing when it is gone or a corpse.
+std::optional<double> cpu_of(const std::filesystem::path& task) {
+  std::string text;
+  if (!std::getline(std::ifstream(task / "stat"), text)) return std::nullopt;
+  std::istringstream words(text.substr(text.rfind(')') + 1));
+  char state = 0;
+  words >> state;
+  if (state == 'Z' || state == 'X') return std::nullopt;
+  std::string skipped;
+  constexpr int before_utime = 10;
+  for (int i = 0; i < before_utime; ++i) words >> skipped;
+  double user = 0;
+  double system = 0;
+  words >> user >> system;
+  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+}  // namespace
+
+std::vector<std::uint16_t> bound_ports() {
+  std::ifstream file("/proc/self/net/udp");
+  std::string line;
+  std::getline(file, line);
+  std::set<std::uint16_t> ports;
+  while (std::getline(file, line)) {
+    const std::size_t at = line.find(':', line.find(':') + 1);
+    ports.insert(static_cast<std::uint16_t>(std::stoul(line.substr(at + 1, 4), nullptr, 16)));
+  }
+  return {ports.begin(), ports.end()};
+}
+
+Attacker::Attacker() : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+  for (const std::uint16_t port : bound_ports()) targets_.push_back(port);
+  sockaddr_in own = loopback(0);
+  socklen_t size = sizeof own;
+  (void)::bind(socket_, reinterpret_cast<const sockaddr*>(&own), sizeof own);
+  (void)getsockname(socket_, reinterpret_cast<sockaddr*>(&own), &size);
+  port_ = ntohs(own.sin_port);
+  const timeval patience{0, 20'000};
+  setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+}
+
+Attacker::~Attacker() { ::close(socket_); }
+
+void Attacker::send_to_all(const Packet& packet) const {
+  for (const std::uint16_t port : targets_) {
+    const sockaddr_in to = loopback(port);
+    (void)::sendto(socket_, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr*>(&to),
+                   sizeof to);
+  }
+}
+
+std::vector<Packet> Attacker::announced_by_others(std::chrono::milliseconds limit) const {
+  constexpr std::size_t prefix_at = 8;
+  constexpr std::size_t prefix_bytes = 12;
+  std::set<Packet> found;
+  send_to_all(hostile_announcement(port_));
+  const auto end = std::chrono::steady_clock::now() + limit;
+  while (std::chrono::steady_clock::now() < end) {
+    std::array<std::uint8_t, 65536> bytes{};
+    const ssize_t size = ::recv(socket_, bytes.data(), bytes.size(), 0);
+    if (size < static_cast<ssize_t>(prefix_at + prefix_bytes)) continue;
+    found.emplace(bytes.begin() + prefix_at, bytes.begin() + prefix_at + prefix_bytes);
+  }
+  return {found.begin(), found.end()};
+}
+
+std::optional<Vitals> vitals_of(pid_t process, const Vitals& before) {
+  const std::filesystem::path folder = "/proc/" + std::to_string(process);
+  if (!cpu_of(folder)) return std::nullopt;
+  Vitals vitals;
+  std::uint64_t total = 0;
+  std::uint64_t pages = 0;
+  std::ifstream(folder / "statm") >> total >> pages;
+  vitals.resident_bytes = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  std::error_code gone;
+  for (const auto& task : std::filesystem::directory_iterator(folder / "task", gone)) {
+    const auto cpu_s = cpu_of(task.path());
+    if (!cpu_s) continue;
+    const int id = std::stoi(task.path().filename());
+    double since = *cpu_s;
+    for (const auto& [earlier, had_s] : before.threads) since -= earlier == id ? had_s : 0;
+    vitals.threads.emplace_back(id, *cpu_s);
+    vitals.busiest_thread_s = std::max(vitals.busiest_thread_s, since);
+  }
+  return vitals;
+}
+
+}  // namespace tocsin::fuzz

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "storm.hpp"
+
+#include <chrono>
+#include <random>
+#include <thread>
+
+namespace tocsin::fuzz {
+namespace {
+
+constexpr double mib = 1024.0 * 1024.0;
+
+}  // namespace
+
+void send_storm(const Attacker& attacker, const StormSize& size) {
+  constexpr int at_once = 50;
+  std::mt19937 random(size.seed);
+  const std::vector<Packet>& captures = captured_packets();
+  StormSize left = size;
+  for (std::uint64_t sent = 1; left.mutated + left.random + left.structured > 0; ++sent) {
+    const std::uint64_t all = std::uint64_t{left.mutated} + left.random + left.structured;
+    const std::uint64_t drawn = random() % all;
+    Packet packet;
+    if (drawn < left.mutated) {
+      --left.mutated;
+      packet = captures[random() % captures.size()];
+      mutate(packet, random);
+    } else if (drawn < std::uint64_t{left.mutated} + left.random) {
+      --left.random;
+      packet = random_packet(random);
+    } else {
+      --left.structured;
+      packet = structured_packet(random);
+    }
+    attacker.send_to_all(packet);
+    // So that sockets do not drop what the victims should have to look at.
+    if (sent % at_once == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+Victims::Victims(const std::vector<pid_t>& processes) {
+  for (const pid_t process : processes) {
+    before_.emplace_back(process, vitals_of(process).value_or(Vitals{}));
+  }
+}
+
+std::vector<std::string> Victims::complaints() const {
+  constexpr double most_growth = 64 * mib;
+  constexpr double most_cpu_s = 0.15;  // a thread that spins gets more even of a busy computer
+  std::vector<Vitals> quiet;
+  for (const auto& victim : before_) {
+    quiet.push_back(vitals_of(victim.first).value_or(Vitals{}));
+  }
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  std::vector<std::string> found;
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    const auto& [process, before] = before_[i];
+    const std::string name = "process " + std::to_string(process);
+    const auto now = vitals_of(process, quiet[i]);
+    if (!now) {
+      found.push_back(name + " died");
+      continue;
+    }
+    const double growth =
+        static_cast<double>(now->resident_bytes) - static_cast<double>(before.resident_bytes);
+    if (growth > most_growth) found.push_back(name + " grew by " + std::to_string(growth / mib));
+    if (now->busiest_thread_s > most_cpu_s) {
+      found.push_back(name + " has a thread that spins: " + std::to_string(now->busiest_thread_s));
+    }
+  }
+  return found;
+}
+
+}  // namespace tocsin::fuzz
