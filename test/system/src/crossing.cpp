@@ -60,8 +60,11 @@ std::int64_t wall_now_ns() {
 std::string standing_mission(const std::string& folder, const std::string& more) {
   std::ofstream(folder + "/crossing_traffic.yaml")
       << "extends: traffic.yaml\n"
-         "uxv: {critical: {topics: [crossing/up]}, low: {topics: [crossing/image]}}\n"
-         "gcs: {critical: {topics: [crossing/down]}}\n";
+         "uxv:\n"
+         "  critical: {topics: [crossing/up]}\n"
+         "  high: {while_poor: latest, topics: [crossing/latest]}\n"
+         "  low: {topics: [crossing/image]}\n"
+         "gcs: {critical: {topics: [crossing/down, crossing/large]}}\n";
   const std::string file = folder + "/crossing.yaml";
   std::ofstream(file) << "extends: mission.yaml\n"
                          "traffic: crossing_traffic.yaml\n"

@@ -23,8 +23,9 @@ struct Crossed {
 constexpr int standing_domain = 40;
 
 /// Writes a bringup file that is bringup/mission.yaml without mission and live view, with a traffic
-/// file in which the topics of Crossings are of class critical. `more` is added to it. Returns its
-/// path.
+/// file in which the topics of Crossings are of class critical, and the vehicle's crossing/latest
+/// (kept while poor) and crossing/image (dropped) of high and low. `more` is its end: first keys of
+/// `hosts`, indented, then others. Returns its path.
 [[nodiscard]] std::string standing_mission(const std::string& folder, const std::string& more = "");
 
 /// Samples of class critical that go over the link both ways, 200 a second, written and read by

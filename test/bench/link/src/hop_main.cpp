@@ -101,14 +101,10 @@ class Account {
  public:
   void add(const TappedPacket& packet) {
     const auto rtps = rtps_in(packet.bytes);
-    const auto part = rtps && packet.outgoing ? sample_in(*rtps) : std::nullopt;
-    if (!part) return;
-    const auto key = std::pair(rtps->destination_port, std::pair(part->writer, part->number));
-    if (part->first) open(key, *part, packet.time_ns);
-    const auto found = open_.find(key);
-    if (found == open_.end() || !part->last) return;
-    found->second.times->last.add(packet.time_ns - found->second.written_ns);
-    open_.erase(found);
+    if (!rtps || !packet.outgoing) return;
+    for (const SamplePart& part : samples_in(*rtps)) {
+      add({rtps->destination_port, {part.writer, part.number}}, part, packet.time_ns);
+    }
   }
   [[nodiscard]] Times& of(const std::string& sender) { return times_[sender]; }
 
@@ -118,6 +114,13 @@ class Account {
     std::int64_t written_ns;
   };
   using Key = std::pair<std::uint16_t, std::pair<std::uint32_t, std::int64_t>>;
+  void add(const Key& key, const SamplePart& part, std::int64_t time_ns) {
+    if (part.first) open(key, part, time_ns);
+    const auto found = open_.find(key);
+    if (found == open_.end() || !part.last) return;
+    found->second.times->last.add(time_ns - found->second.written_ns);
+    open_.erase(found);
+  }
   void open(const Key& key, const SamplePart& part, std::int64_t time_ns) {
     // Encapsulation, seconds, nanoseconds, and the sender's name of three letters with its zero.
     constexpr std::size_t head = 4 + 4 + 4 + 4 + 4;

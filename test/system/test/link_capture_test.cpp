@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+// What both routers put on wlan0 in real runs over the emulated radio.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <new>
+#include <set>
+
+#include "crossing.hpp"
+#include "fast_dds/fast_dds_participant.hpp"
+#include "foundation/temporary_folder.hpp"
+#include "link/flow_ends.hpp"
+#include "link/raw_type.hpp"
+#include "link/rtps_message.hpp"
+#include "radio_tap.hpp"
+#include "ros_idl/std_msgs.hpp"
+#include "rtps_view.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using ::testing::Contains;
+using String = std_msgs::msg::String;
+
+constexpr int discovery_dscp = 48;
+/// IP and UDP headers, and the largest RTPS message of a router.
+constexpr std::size_t largest_packet = 28 + 1400;
+
+/// What a packet of a router is.
+struct Sent {
+  std::int64_t time_ns;
+  std::size_t bytes;
+  int dscp;
+  bool discovery;
+  std::uint8_t kind;  ///< of its first submessage that names a sender
+  std::string topic;  ///< ROS name; empty: of discovery, or of a writer that was not announced yet
+};
+
+std::uint8_t kind_of(const RtpsPacket& packet) {
+  Submessages all(packet.message, packet.bytes);
+  while (const auto one = all.next()) {
+    if (one->kind != 0x09 && one->kind != 0x0e) return one->kind;  // INFO_TS, INFO_DST
+  }
+  return 0;
+}
+
+/// Topics of the writers that a host announces. Samples may leave before their announcement.
+std::map<EndpointGuid, std::string> topics_in(const std::vector<TappedPacket>& packets) {
+  std::map<EndpointGuid, std::string> topics;
+  for (const TappedPacket& packet : packets) {
+    const auto rtps = packet.outgoing ? rtps_in(packet.bytes) : std::nullopt;
+    if (!rtps) continue;
+    for (const AnnouncedWriter& writer : announced_writers_in(*rtps)) {
+      topics[writer.guid] = writer.topic.substr(std::string("rt/").size());
+    }
+  }
+  return topics;
+}
+
+/// The RTPS packets that a host has sent after `since_ns`, of lives that began after it.
+std::vector<Sent> sent(const RadioTap& tap, std::int64_t since_ns) {
+  const auto packets = tap.packets();
+  auto topics = topics_in(packets);
+  std::vector<Sent> all;
+  std::set<EndpointGuid> old;  // participants
+  for (const TappedPacket& packet : packets) {
+    const auto rtps = packet.outgoing ? rtps_in(packet.bytes) : std::nullopt;
+    if (!rtps) continue;
+    const EndpointGuid participant = rtps->guid_of({});
+    if (packet.time_ns <= since_ns) old.insert(participant);
+    if (old.count(participant) != 0) continue;
+    const auto sender = sender_in(rtps->message, rtps->bytes);
+    const bool discovery = !sender || is_builtin(*sender);
+    all.push_back({packet.time_ns, packet.bytes.size(), rtps->dscp, discovery, kind_of(*rtps),
+                   discovery ? "" : topics[rtps->guid_of(*sender)]});
+  }
+  return all;
+}
+
+/// Classes of what was sent; each packet is checked on the way.
+std::set<TrafficClass> check_marks(const std::vector<Sent>& packets, const TrafficRules& rules) {
+  std::set<TrafficClass> seen;
+  for (const Sent& one : packets) {
+    EXPECT_LE(one.bytes, largest_packet) << one.topic;
+    if (one.discovery) {
+      EXPECT_EQ(one.dscp, discovery_dscp);
+      continue;
+    }
+    const bool is_receipt = one.topic == "link_receipt";
+    if (!is_receipt && rules.all().count(one.topic) == 0) {
+      ADD_FAILURE() << "a packet of '" << one.topic << "', which is not to cross";
+      continue;
+    }
+    const TrafficClass expected =
+        is_receipt ? TrafficClass::critical : rules.of(one.topic).traffic_class;
+    EXPECT_EQ(one.dscp, rules.dscp(expected)) << one.topic;
+    EXPECT_THAT((std::set<int>{0x15, 0x16}), Contains(one.kind)) << one.topic;  // DATA, DATA_FRAG
+    seen.insert(expected);
+  }
+  return seen;
+}
+
+TEST(LinkCapture, EachPacketOfAMissionBearsTheMarkOfItsClassAndNoneIsAbove1400Bytes) {
+  Stack stack({"mission.yaml", "--seed", "1", "--without", "gcs/view"});
+  ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack.pid("gcs/mission") != 0; }));
+  const RadioTap uxv(stack.pid("uxv/drive"));
+  const RadioTap gcs(stack.pid("gcs/recorder"));
+  if (!uxv.ok() || !gcs.ok()) GTEST_SKIP() << "the namespaces cannot be entered";
+  // What a writer's topic is crosses when routers meet, which may have been before the taps.
+  std::this_thread::sleep_for(seconds(1));
+  const std::int64_t since = wall_now_ns();
+  ASSERT_EQ(kill(stack.pid("uxv/link"), SIGKILL), 0);
+  ASSERT_EQ(kill(stack.pid("gcs/link"), SIGKILL), 0);
+  const TrafficRules uxv_rules(stack.share("config/traffic.yaml"), "uxv");
+  const TrafficRules gcs_rules(stack.share("config/traffic.yaml"), "gcs");
+  const auto topics = [&](const RadioTap& tap) {
+    std::set<std::string> names;
+    for (const Sent& one : sent(tap, since)) names.insert(one.topic);
+    return names;
+  };
+  const auto has = [](const std::set<std::string>& names, const std::set<std::string>& wanted) {
+    return std::includes(names.begin(), names.end(), wanted.begin(), wanted.end());
+  };
+  ASSERT_TRUE(Stack::eventually(seconds(40), [&] {
+    return has(topics(uxv), {"camera/image_raw/compressed", "heartbeat", "link_receipt",
+                             "link_state", "location"}) &&
+           has(topics(gcs), {"heartbeat", "link_receipt", "link_state"});
+  })) << stack.output();
+  EXPECT_EQ(check_marks(sent(uxv, since), uxv_rules).size(), 4U) << "classes of the vehicle";
+  EXPECT_GE(check_marks(sent(gcs, since), gcs_rules).size(), 2U) << "classes of the station";
+}
+
+/// Memory that this process and its peers share.
+template <class T>
+class Shared {
+ public:
+  Shared()
+      : memory_(
+            mmap(nullptr, sizeof(T), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+    if (memory_ == MAP_FAILED) throw std::runtime_error("no shared memory");
+    new (memory_) T;
+  }
+  ~Shared() { munmap(memory_, sizeof(T)); }
+  Shared(const Shared&) = delete;
+  Shared& operator=(const Shared&) = delete;
+  T* operator->() const { return static_cast<T*>(memory_); }
+
+ private:
+  void* memory_;
+};
+
+BusOptions on_vehicle() {
+  BusOptions options;
+  options.name = "peer";
+  options.host_domain = standing_domain;
+  options.processes = 24;
+  return options;
+}
+
+struct Largest : Receiver {
+  void receive(const Sample& sample) override {
+    bytes = std::max(bytes.load(), static_cast<const String*>(sample.message.get())->data().size());
+  }
+  std::atomic<std::size_t> bytes{0};
+};
+
+/// Writes a String of 8 kB over and over, each in one datagram.
+void write_large(const std::string& topic) {
+  FastDdsParticipant participant({"other", standing_domain + 2, "10.77.0.2", {"10.77.0.1"}});
+  String message;
+  message.data(std::string(8000, 'x'));
+  const TypeInfo& type = type_info<String>();
+  const auto encoded = std::make_shared<EncodedMessage>();
+  encoded->bytes.resize(type.serialized_size(&message));
+  (void)type.serialize(&message, encoded->bytes.data(), encoded->bytes.size());
+  QosProfile profile;
+  profile.reliability = "best_effort";
+  FlowWriter writer(participant, topic, type.name, profile, [](const auto&) {});
+  CarriedSample sample;
+  sample.content = encoded;
+  sample.bytes = static_cast<std::uint32_t>(encoded->bytes.size());
+  for (sample.sequence = 1;; ++sample.sequence) {
+    sample.sent_wall_ns = wall_now_ns();
+    (void)writer.write(sample);
+    std::this_thread::sleep_for(milliseconds(50));
+  }
+}
+
+TEST(LinkCapture, ADatagramOfEightKilobytesFromAnotherParticipantArrives) {
+  const TemporaryFolder folder;
+  const Stack stack({standing_mission(folder.path()), "--seed", "1", "--without", "uxv/payload"});
+  ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack.pid("gcs/recorder") != 0; }));
+  const RadioTap gcs(stack.pid("gcs/recorder"));
+  if (!gcs.ok()) GTEST_SKIP() << "the namespaces cannot be entered";
+  const Shared<Largest> arrived;
+  const Peer reader(stack.pid("uxv/drive"), on_vehicle(), [&](Bus& bus) {
+    const auto subscription = bus.subscribe(
+        {{"crossing/large", "sensor", Scope::host}, &type_info<String>()}, *arrived.operator->());
+    for (;;) pause();
+  });
+  const Peer writer(stack.pid("gcs/recorder"), [] { write_large("rt/crossing/large"); });
+  ASSERT_TRUE(Stack::eventually(seconds(20), [&] { return arrived->bytes == 8000; }))
+      << stack.output();
+  const auto packets = gcs.packets();
+  const bool in_ip_fragments =
+      std::any_of(packets.begin(), packets.end(), [](const TappedPacket& packet) {
+        constexpr std::uint8_t more_fragments = 0x20;
+        return packet.outgoing && (packet.bytes[6] & more_fragments) != 0;
+      });
+  EXPECT_TRUE(in_ip_fragments) << "it was not one datagram";
+}
+
+/// Says five times a second whether the vehicle may send.
+void tell_state(Bus& bus, const std::atomic<bool>& active) {
+  const auto writer = bus.advertise(
+      {topic::TransmissionState::info, &type_info<topic::TransmissionState::Message>()});
+  for (;;) {
+    const auto message = std::make_shared<topic::TransmissionState::Message>();
+    message->role("uxv");
+    message->active(active);
+    (void)writer->write(message);
+    std::this_thread::sleep_for(milliseconds(200));
+  }
+}
+
+/// Writes to the vehicle's topics of every class, twenty times a second.
+void write_all_classes(Bus& bus) {
+  std::vector<std::unique_ptr<Publication>> writers;
+  for (const char* const name : {"crossing/up", "crossing/latest", "crossing/image"}) {
+    writers.push_back(bus.advertise({{name, "sensor", Scope::host}, &type_info<String>()}));
+  }
+  const auto message = std::make_shared<String>();
+  message->data(std::string(4000, 'x'));
+  for (;;) {
+    for (const auto& writer : writers) (void)writer->write(message);
+    std::this_thread::sleep_for(milliseconds(50));
+  }
+}
+
+/// Endpoints that the vehicle's router has announced.
+std::size_t announcements(const RadioTap& tap, std::int64_t since_ns) {
+  std::size_t found = 0;
+  for (const TappedPacket& packet : tap.packets()) {
+    const auto rtps = packet.outgoing ? rtps_in(packet.bytes) : std::nullopt;
+    if (!rtps || packet.time_ns <= since_ns) continue;
+    for (const SamplePart& part : samples_in(*rtps)) {
+      // SEDP's writers of publications and of subscriptions.
+      if (part.writer == 0x000003c2 || part.writer == 0x000004c2) ++found;
+    }
+  }
+  return found;
+}
+
+/// Packets of a topic with samples in them.
+std::size_t count(const std::vector<Sent>& packets, const std::string& topic,
+                  std::int64_t since_ns) {
+  return static_cast<std::size_t>(
+      std::count_if(packets.begin(), packets.end(), [&](const Sent& one) {
+        const bool carries = one.kind == 0x15 || one.kind == 0x16;
+        return one.time_ns > since_ns && one.topic == topic && carries;
+      }));
+}
+
+TEST(LinkCapture, APausedFlowIsSilentOnTheWireForFiveSecondsAndResumesWithoutDiscovery) {
+  const TemporaryFolder folder;
+  const std::string without_controller =
+      "  uxv:\n    containers:\n      - name: link\n        components:\n"
+      "          - transmission_controller: ~\n";
+  const Stack stack({standing_mission(folder.path(), without_controller), "--seed", "1",
+                     "--without", "uxv/payload"});
+  ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack.pid("gcs/recorder") != 0; }))
+      << stack.output();
+  const RadioTap uxv(stack.pid("uxv/drive"));
+  if (!uxv.ok()) GTEST_SKIP() << "the namespaces cannot be entered";
+  constexpr std::int64_t half_s = 500'000'000;
+  const Shared<std::atomic<bool>> active;
+  active->store(true);
+  const pid_t there = stack.pid("uxv/drive");
+  const Peer controller(there, on_vehicle(),
+                        [&](Bus& bus) { tell_state(bus, *active.operator->()); });
+  const Peer writer(there, on_vehicle(), write_all_classes);
+  const auto crosses_after = [&](std::int64_t since_ns) {
+    return Stack::eventually(seconds(20), [&] {
+      const auto packets = sent(uxv, 0);
+      return count(packets, "crossing/latest", since_ns) > 0 &&
+             count(packets, "crossing/image", since_ns) > 0;
+    });
+  };
+  ASSERT_TRUE(crosses_after(0)) << stack.output();
+  const auto all_is_discovered = [&] { return announcements(uxv, wall_now_ns() - half_s) == 0; };
+  ASSERT_TRUE(Stack::eventually(seconds(20), all_is_discovered));
+
+  active->store(false);
+  const auto is_silent = [&] {
+    const std::int64_t since = wall_now_ns() - half_s;
+    const auto packets = sent(uxv, 0);
+    return count(packets, "crossing/latest", since) + count(packets, "crossing/image", since) == 0;
+  };
+  ASSERT_TRUE(Stack::eventually(seconds(20), is_silent));
+  const std::int64_t paused = wall_now_ns();
+  std::this_thread::sleep_for(seconds(5));
+  const auto during = sent(uxv, 0);
+  EXPECT_EQ(count(during, "crossing/latest", paused), 0U);
+  EXPECT_EQ(count(during, "crossing/image", paused), 0U);
+  EXPECT_GT(count(during, "crossing/up", paused), 20U) << "class critical is not paused";
+
+  const std::int64_t resumed = wall_now_ns();
+  active->store(true);
+  ASSERT_TRUE(crosses_after(resumed)) << stack.output();
+  for (const Sent& one : sent(uxv, 0)) {
+    if (one.time_ns <= paused || one.discovery) continue;
+    EXPECT_NE(one.kind, 0x07) << "a heartbeat of " << one.topic;
+  }
+  EXPECT_EQ(announcements(uxv, paused), 0U);
+}
+
+}  // namespace
+}  // namespace tocsin
