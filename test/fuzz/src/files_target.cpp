@@ -29,7 +29,7 @@ void load_parameters_file(const std::string& path) {
 }
 
 void load_traffic(const std::string& path) {
-  for (const char* role : {"uxv", "gcs"}) (void)TrafficRules(path, role);
+  for (const Role role : roles) (void)TrafficRules(path, role);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ class DropReports : public Receiver {
 BusOptions observer() {
   BusOptions options;
   options.name = "observer";
-  options.role = "uxv";
+  options.role = Role::uxv;
   options.host_domain = domain;
   return options;
 }

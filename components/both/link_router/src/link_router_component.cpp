@@ -64,7 +64,7 @@ void LinkRouterComponent::tick(Time now) {
 
 void LinkRouterComponent::follow_gate(Time now) {
   while (const auto state = state_.take()) {
-    if (state->role() == context().role) keeper_.on_state(state->active(), now);
+    if (role_of(state->role()) == context().role) keeper_.on_state(state->active(), now);
   }
   const bool open = keeper_.open(now);
   if (open == std::exchange(open_, open)) return;
@@ -206,7 +206,7 @@ void LinkRouterComponent::tell_budgets(Time now) {
   next_budget_ = next_instant(seconds(params_.budget_period_s), now);
   tocsin_msgs::msg::LinkBudget message;
   message.stamp(wall(now));
-  message.role(context().role);
+  message.role(to_string(context().role));
   for (const router::StreamBudget& budget : sender_.budgets(now)) {
     tocsin_msgs::msg::StreamBudget stream;
     stream.topic(by_link_.at(budget.stream)->topic);
@@ -223,7 +223,7 @@ void LinkRouterComponent::report(Time now) {
   next_report_ = next_instant(seconds(params_.report_period_s), now);
   tocsin_msgs::msg::LinkState message = to_message(sender_.state(now));
   message.stamp(wall(now));
-  message.role(context().role);
+  message.role(to_string(context().role));
   const LinkPackets packets = link_->packets();
   message.packets(packets.packets);
   message.bytes(packets.bytes);
@@ -237,7 +237,7 @@ void LinkRouterComponent::report(Time now) {
 void LinkRouterComponent::report_traffic(Time now) {
   tocsin_msgs::msg::TrafficReport message;
   message.stamp(wall(now));
-  message.role(context().role);
+  message.role(to_string(context().role));
   message.process(name());
   for (const auto& entry : outgoing_) {
     const Outgoing& flow = entry.second;

@@ -22,7 +22,8 @@ inline constexpr PeerId station = 77;
 class LinkRouterTest : public ::testing::Test {
  protected:
   LinkRouterTest() {
-    script_.rules = TrafficRules(std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", "uxv");
+    script_.rules =
+        TrafficRules(std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", Role::uxv);
     sut_ = std::make_unique<LinkRouterComponent>(context_, LinkRouterComponent::Params{});
     bus_.add(*sut_);
     bus_.run_for(seconds(0));
@@ -101,7 +102,7 @@ class LinkRouterTest : public ::testing::Test {
 
   ScriptedLink script_;
   RoutedSimBus bus_{script_};
-  Context context_{bus_, "link_router", "uxv", ""};
+  Context context_{bus_, "link_router", Role::uxv, ""};
   SimReader<topic::LinkState> states_{bus_};
   SimReader<topic::LinkBudget> budgets_{bus_};
   SimReader<topic::TrafficReport> reports_{bus_};

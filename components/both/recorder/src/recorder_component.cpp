@@ -22,7 +22,7 @@ std::vector<ChosenTopic> chosen_topics(const std::string& name,
 
 RecorderComponent::RecorderComponent(Context& context, const Params& params)
     : Component(context),
-      directory_(params.directory.empty() ? context.run_dir + "/" + context.role
+      directory_(params.directory.empty() ? context.run_dir + "/" + to_string(context.role)
                                           : params.directory),
       flush_period_(seconds(params.flush_period_s)),
       topics_(chosen_topics(context.name, params)),

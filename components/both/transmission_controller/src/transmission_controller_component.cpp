@@ -50,7 +50,7 @@ void TransmissionControllerComponent::publish(const TransmissionDecision& decisi
   const decision::Evidence& evidence = decision.evidence;
   tocsin_msgs::msg::TransmissionState message;
   message.stamp(wall(now));
-  message.role(context().role);
+  message.role(to_string(context().role));
   message.active(evidence.state == decision::State::active);
   message.policy(controller_.policy_name());
   message.reason(decision::to_string(evidence.reason));
@@ -72,7 +72,7 @@ void TransmissionControllerComponent::beat(Time now) {
   next_beat_ = next_instant(heartbeat_period_, now);
   tocsin_msgs::msg::Heartbeat message;
   message.stamp(wall(now));
-  message.role(context().role);
+  message.role(to_string(context().role));
   message.count(++beats_);
   if (heartbeat_.write(std::move(message)) == Status::failed) log().warn("no heartbeat was sent");
 }

@@ -56,8 +56,8 @@ ProcessSpec plan_radio(const deployment::Deployment& deployment,
   add("--seed", std::to_string(deployment.seed));
   for (std::size_t i = 0; i < descriptors.size(); ++i) {
     const deployment::Host& host = deployment.hosts[i];
-    add("--end", host.role + ":/proc/self/fd/" + std::to_string(descriptors[i]) + ":" +
-                     host.address + "/24");
+    add("--end", std::string(to_string(host.role)) + ":/proc/self/fd/" +
+                     std::to_string(descriptors[i]) + ":" + host.address + "/24");
   }
   add("--control", deployment.run_dir + "/radio.sock");
   add("--stats", deployment.run_dir + "/radio.jsonl");

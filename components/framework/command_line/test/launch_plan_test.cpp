@@ -23,10 +23,10 @@ class PlanTest : public ::testing::Test {
     deployment_.seed = 7;
     deployment_.radio = deployment::Radio{"/c.yaml", "/w.yaml"};
     deployment_.hosts.resize(2);
-    deployment_.hosts[0] = {"robot", "uxv", "10.77.0.1", {}, 0, {{"base", {"simulator", "-x"}}},
+    deployment_.hosts[0] = {"robot", Role::uxv, "10.77.0.1", {}, 0, {{"base", {"simulator", "-x"}}},
                             {}};
     deployment_.hosts[0].containers = {{"drive", false, {}}};
-    deployment_.hosts[1] = {"desk", "gcs", "10.77.0.2", {}, 1, {}, {{"mission", true, {}}}};
+    deployment_.hosts[1] = {"desk", Role::gcs, "10.77.0.2", {}, 1, {}, {{"mission", true, {}}}};
   }
 
   const ResolvedFile file_{"/run/d.yaml", "/proc/self/fd/5"};

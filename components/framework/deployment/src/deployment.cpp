@@ -250,7 +250,7 @@ const Host& host_named(const Deployment& deployment, const std::string& given) {
   const std::string name = without_slash(given);
   if (const Host* const found = find_host(deployment, name)) return *found;
   for (const Host& host : deployment.hosts) {
-    if (host.role == name) return host;
+    if (role_of(name) == host.role) return host;
   }
   std::vector<std::string> names;
   for (const Host& host : deployment.hosts) names.push_back(host.name);

@@ -91,10 +91,9 @@ Host read_host(const std::string& name, const YAML::Node& node, const YamlSource
                         {"role", "address", "peers", "programs", "containers"});
   Host host;
   host.name = name;
-  host.role = section.required_text("role");
-  if (host.role != "uxv" && host.role != "gcs") {
-    section.fail("role", "'" + host.role + "' is not one of: uxv, gcs");
-  }
+  const std::string role = section.required_text("role");
+  if (!role_of(role)) section.fail("role", "'" + role + "' is not one of: uxv, gcs");
+  host.role = *role_of(role);
   host.address = section.required_text("address");
   check_address(host.address, "address", section);
   host.peers = section.texts("peers");

@@ -87,7 +87,7 @@ void write(YAML::Emitter& out, const Container& container, const YamlSources& so
 
 void write(YAML::Emitter& out, const Host& host, const YamlSources& sources) {
   out << YAML::Key << host.name << YAML::Value << BeginMap;
-  pair(out, "role", host.role);
+  pair(out, "role", to_string(host.role));
   text(out, "address", host.address);
   texts(out, "peers", host.peers);
   out << YAML::Key << "programs" << YAML::Value << BeginSeq;

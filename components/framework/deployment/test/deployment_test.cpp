@@ -19,7 +19,7 @@ TEST_F(DeploymentTest, ReadsEveryPart) {
   ASSERT_TRUE(sut.radio);
   EXPECT_EQ(sut.radio->walls, path("walls.yaml"));
   ASSERT_EQ(sut.hosts.size(), 2U);
-  EXPECT_EQ(sut.hosts[0].role, "uxv");
+  EXPECT_EQ(sut.hosts[0].role, Role::uxv);
   EXPECT_EQ(sut.hosts[1].address, "10.77.0.2");
   EXPECT_THAT(sut.hosts[0].peers, ElementsAre("10.77.0.2"));
   EXPECT_TRUE(sut.hosts[1].containers[0].terminal);

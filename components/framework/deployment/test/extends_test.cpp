@@ -202,7 +202,7 @@ TEST_F(ExtendsTest, TheResolvedFileIsTheMergedResultWithTheOriginOfEachParameter
   write_resolved(merged, path("resolved.yaml"));
   const Deployment sut = load_resolved(path("resolved.yaml"));
   EXPECT_EQ(sut.link_domain, 62);
-  EXPECT_EQ(sut.hosts[1].role, "gcs");
+  EXPECT_EQ(sut.hosts[1].role, Role::gcs);
   std::ostringstream text;
   text << std::ifstream(path("resolved.yaml")).rdbuf();
   EXPECT_THAT(text.str(), AllOf(HasSubstr("gain: 2  # " + path("bringup/m.yaml") + ":22"),

@@ -31,8 +31,8 @@ class RunningHostTest : public ::testing::Test {
     deployment.hosts.resize(2);
     const auto none = std::make_shared<const YAML::Node>(YAML::NodeType::Map);
     const Container container{"one", false, {{"part", "part", none}}};
-    deployment.hosts[0] = {"uxv", "uxv", "10.0.0.1", {"10.0.0.2"}, 0, {}, {container}};
-    deployment.hosts[1] = {"gcs", "gcs", "10.0.0.2", {"10.0.0.1"}, 1, {}, {container}};
+    deployment.hosts[0] = {"uxv", Role::uxv, "10.0.0.1", {"10.0.0.2"}, 0, {}, {container}};
+    deployment.hosts[1] = {"gcs", Role::gcs, "10.0.0.2", {"10.0.0.1"}, 1, {}, {container}};
     return deployment;
   }
   /// A container process whose file is gone, and that holds a copy in descriptor 5.

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "foundation/printable.hpp"
+#include "foundation/role.hpp"
 
 namespace tocsin::link_text {
 namespace {
@@ -81,8 +82,9 @@ std::vector<terminal::Cell> row(const LinkState& state, const LinkClass& one) {
 }  // namespace
 
 std::string direction(const std::string& role) {
-  if (role == "uxv") return "Uplink";
-  return role == "gcs" ? "Downlink" : "Link";
+  const auto sender = role_of(role);
+  if (!sender) return "Link";
+  return sender == Role::uxv ? "Uplink" : "Downlink";
 }
 
 Line words(const LinkState& state) {

@@ -11,6 +11,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/replace_file.hpp"
+#include "foundation/role.hpp"
 #include "geometry/wall_file.hpp"
 #include "radio_channel/channel_files.hpp"
 
@@ -111,7 +112,7 @@ void Emulator::carry(radio::Direction direction) {
   const int prefix = up ? options_.uxv.prefix : options_.gcs.prefix;
   for (int i = 0; i < packets_per_wake_up; ++i) {
     auto packet = from.read();
-    if (from.gone()) forget(from, up ? "uxv" : "gcs");
+    if (from.gone()) forget(from, to_string(up ? Role::uxv : Role::gcs));
     if (packet.empty()) return;
     const radio::Packet on_air{static_cast<int>(packet.size()), is_group_addressed(packet, prefix),
                                radio::access_category_of_dscp(dscp_of(packet))};

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "foundation/error.hpp"
+#include "foundation/role.hpp"
 
 namespace tocsin::link {
 namespace {
@@ -42,8 +43,9 @@ void parse_end(const std::string& text, Options& options) {
   const auto last = text.rfind(':');
   if (first == std::string::npos || first == last) bad_end(text, "has not three parts");
   const std::string name = text.substr(0, first);
-  if (name != "uxv" && name != "gcs") bad_end(text, "'" + name + "' is neither uxv nor gcs");
-  End& end = name == "uxv" ? options.uxv : options.gcs;
+  const auto role = role_of(name);
+  if (!role) bad_end(text, "'" + name + "' is neither uxv nor gcs");
+  End& end = role == Role::uxv ? options.uxv : options.gcs;
   if (!end.netns.empty()) bad_end(text, name + " is given twice");
   const std::string network = text.substr(last + 1);
   const auto slash = network.find('/');

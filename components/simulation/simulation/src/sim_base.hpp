@@ -9,10 +9,10 @@
 
 #include "core.hpp"
 #include "deployment/deployment.hpp"
+#include "devices/devices.hpp"
 #include "geometry/pose.hpp"
 #include "kobuki_model/base_model.hpp"
 #include "kobuki_model/serial_line.hpp"
-#include "runtime/devices.hpp"
 
 namespace tocsin::simulation {
 

@@ -32,7 +32,7 @@ class SimEcho final : public EchoDevice {
     inbox_->readable = [] {};
   }
 
-  int send(std::uint16_t sequence) override {
+  SendResult send(std::uint16_t sequence) override {
     const Request request{sequence, core_.now};
     if (core_.observer != nullptr) {
       core_.observer->on_echo({*probe_.host, sequence, core_.now, never});
@@ -41,11 +41,11 @@ class SimEcho final : public EchoDevice {
                       [&core = core_, probe = probe_, inbox = inbox_, request] {
                         if (probe.answered) answer(core, probe, inbox, request);
                       });
-    return 0;
+    return {core_.now, 0};
   }
-  std::optional<Reply> receive() override {
+  std::optional<EchoReply> receive() override {
     if (inbox_->replies.empty()) return std::nullopt;
-    const Reply reply = inbox_->replies.front();
+    const EchoReply reply = inbox_->replies.front();
     inbox_->replies.pop_front();
     return reply;
   }
@@ -53,7 +53,7 @@ class SimEcho final : public EchoDevice {
  private:
   /// Outlives the component as long as packets are under way.
   struct Inbox {
-    std::deque<Reply> replies;
+    std::deque<EchoReply> replies;
     Devices::Readable readable;
   };
   struct Request {
@@ -75,16 +75,34 @@ class SimEcho final : public EchoDevice {
   std::shared_ptr<Inbox> inbox_;
 };
 
+/// What a file of the simulated computer tells of an interface.
+class SimWireless final : public network::WirelessDevice {
+ public:
+  SimWireless(Devices& devices, std::string interface, std::string file)
+      : devices_(devices), interface_(std::move(interface)), file_(std::move(file)) {}
+  network::WirelessReading read() override {
+    const auto text = devices_.read_text(file_);
+    return text ? network::parse_proc_wireless(*text, interface_)
+                : network::absent(file_ + " cannot be read");
+  }
+
+ private:
+  Devices& devices_;
+  std::string interface_;
+  std::string file_;
+};
+
 }  // namespace
 
 SimDevices::SimDevices(Core& core, RadioLink& link, const Place& place, std::string wireless_file)
     : core_(core), link_(link), place_(place), wireless_file_(std::move(wireless_file)) {}
 
-std::unique_ptr<SerialDevice> SimDevices::open_serial(const std::string& path, Readable readable) {
-  for (SimBase* base : bases_) {
-    if (base->path() == path) return base->open(std::move(readable));
-  }
-  return nullptr;
+OpenedSerial SimDevices::open_serial(const std::string& path, Readable readable) {
+  const auto base = std::find_if(bases_.begin(), bases_.end(),
+                                 [&](const SimBase* one) { return one->path() == path; });
+  auto port = base != bases_.end() ? (*base)->open(std::move(readable)) : nullptr;
+  if (!port) return AbsentDevices::open_serial(path, {});
+  return {OpenedSerial::Result::open, std::move(port), {}, false};
 }
 
 std::unique_ptr<EchoDevice> SimDevices::open_echo(const EchoTarget& target, Readable readable) {
@@ -96,6 +114,11 @@ std::unique_ptr<EchoDevice> SimDevices::open_echo(const EchoTarget& target, Read
   const SimEcho::Probe probe{&place_.host, &link_, Way(place_.direction, target.dscp),
                              ip_and_icmp_bytes + target.payload_bytes, answered};
   return std::make_unique<SimEcho>(core_, probe, std::move(readable));
+}
+
+std::unique_ptr<network::WirelessDevice> SimDevices::open_wireless(const std::string& interface,
+                                                                   const std::string& file) {
+  return std::make_unique<SimWireless>(*this, interface, file);
 }
 
 std::optional<std::string> SimDevices::read_text(const std::string& path) {

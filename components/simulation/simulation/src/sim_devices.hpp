@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "devices/absent_devices.hpp"
 #include "radio_link.hpp"
-#include "runtime/devices.hpp"
 #include "sim_base.hpp"
 
 namespace tocsin::simulation {
 
 /// The devices of one simulated host: the bases on it, its radio, and what /proc would tell.
-class SimDevices final : public Devices {
+class SimDevices final : public AbsentDevices {
  public:
   /// Whose devices they are.
   struct Place {
@@ -30,9 +30,12 @@ class SimDevices final : public Devices {
   /// Echo requests to this address are answered by the other side.
   void add_peer(const std::string& address) { peers_.push_back(address); }
 
-  std::unique_ptr<SerialDevice> open_serial(const std::string& path, Readable readable) override;
+  OpenedSerial open_serial(const std::string& path, Readable readable) override;
   /// Throws ConfigError when `target` is no IPv4 address, as the real one does.
   std::unique_ptr<EchoDevice> open_echo(const EchoTarget& target, Readable readable) override;
+  /// Knows what `file` tells of an interface; its kernel tells nothing more.
+  std::unique_ptr<network::WirelessDevice> open_wireless(const std::string& interface,
+                                                         const std::string& file) override;
   /// /proc/meminfo and /proc/stat of an invented computer: 1 GB, a quarter of one core busy.
   std::optional<std::string> read_text(const std::string& path) override;
 

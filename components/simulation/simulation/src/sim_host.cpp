@@ -11,12 +11,11 @@
 namespace tocsin::simulation {
 namespace {
 
-TrafficRules rules_of(const std::string& file, const std::string& role) {
+TrafficRules rules_of(const std::string& file, Role role) {
   static FileCache<TrafficRules> of_vehicles;
   static FileCache<TrafficRules> of_ground_stations;
-  const auto read = [&] { return TrafficRules(file, role); };
-  if (role == "uxv") return of_vehicles.get(file, read);
-  return role == "gcs" ? of_ground_stations.get(file, read) : read();
+  auto& known = role == Role::uxv ? of_vehicles : of_ground_stations;
+  return known.get(file, [&] { return TrafficRules(file, role); });
 }
 
 }  // namespace
@@ -28,15 +27,14 @@ SimLinkBus* Network::find_router(PeerId life) const {
   return nullptr;
 }
 
-SimHost::SimHost(Network& network, std::string name, std::string role,
-                 const std::string& traffic_file)
+SimHost::SimHost(Network& network, std::string name, Role role, const std::string& traffic_file)
     : network_(network),
       name_(std::move(name)),
-      role_(std::move(role)),
+      role_(role),
       rules_(rules_of(traffic_file, role_)) {}
 
 radio::Direction SimHost::direction() const {
-  return role_ == "uxv" ? radio::Direction::uplink : radio::Direction::downlink;
+  return role_ == Role::uxv ? radio::Direction::uplink : radio::Direction::downlink;
 }
 
 SimProcess& SimHost::add_process(const std::string& name, int life) {

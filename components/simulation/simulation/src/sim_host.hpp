@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "foundation/role.hpp"
 #include "radio_link.hpp"
 #include "runtime/bus.hpp"
 #include "runtime/middleware/qos_profile.hpp"
@@ -98,10 +99,10 @@ struct HostTopic {
 /// One side of the radio link: its processes and what they tell each other.
 class SimHost {
  public:
-  SimHost(Network& network, std::string name, std::string role, const std::string& traffic_file);
+  SimHost(Network& network, std::string name, Role role, const std::string& traffic_file);
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] const std::string& role() const { return role_; }
+  [[nodiscard]] Role role() const { return role_; }
   [[nodiscard]] const TrafficRules& rules() const { return rules_; }
   [[nodiscard]] radio::Direction direction() const;
 
@@ -127,7 +128,7 @@ class SimHost {
  private:
   Network& network_;
   std::string name_;
-  std::string role_;
+  Role role_;
   TrafficRules rules_;
   SimLinkBus* router_ = nullptr;
   std::map<std::string, HostTopic> topics_;

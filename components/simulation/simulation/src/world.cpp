@@ -142,7 +142,7 @@ void World::start(Process& process) {
 World::Instance& World::add_instance(const std::string& name, Process& process) {
   process.instances.push_back(
       {{*process.bus, name, process.side->host->role(), deployment_.run_dir,
-        [this, &process](int code) { exit(process, code); }, process.side->devices.get(),
+        [this, &process](int code) { exit(process, code); }, *process.side->devices,
         process_seed(deployment_.seed, process.side->host->name(), process.container->name)},
        nullptr});
   return process.instances.back();

@@ -17,7 +17,8 @@ deployment::Deployment two_hosts() {
   deployment::Deployment deployment;
   for (const char* name : {"uxv", "gcs"}) {
     deployment::Host host;
-    host.name = host.role = name;
+    host.name = name;
+    host.role = role_of(name).value();
     deployment::Container link;
     link.name = "link";
     deployment::Container view;

@@ -151,9 +151,9 @@ class LinkBusTest : public ::testing::Test {
   Core core_;
   RadioLink link_{core_, wire(), {}, 1};
   Network network_{core_, link_, QosProfiles(TOCSIN_REPOSITORY "/config/qos.yaml")};
-  SimHost uxv_{network_, "uxv", "uxv", TOCSIN_REPOSITORY "/config/traffic.yaml"};
-  SimHost gcs_{network_, "gcs", "gcs", TOCSIN_REPOSITORY "/config/traffic.yaml"};
-  SimHost tablet_{network_, "tablet", "gcs", TOCSIN_REPOSITORY "/config/traffic.yaml"};
+  SimHost uxv_{network_, "uxv", Role::uxv, TOCSIN_REPOSITORY "/config/traffic.yaml"};
+  SimHost gcs_{network_, "gcs", Role::gcs, TOCSIN_REPOSITORY "/config/traffic.yaml"};
+  SimHost tablet_{network_, "tablet", Role::gcs, TOCSIN_REPOSITORY "/config/traffic.yaml"};
   SimProcess& drive_ = uxv_.add_process("drive");
   SimProcess& payload_ = uxv_.add_process("payload");
   SimProcess& mission_ = gcs_.add_process("mission");

@@ -56,14 +56,14 @@ class SimDevicesTest : public ::testing::Test {
 TEST_F(SimDevicesTest, EchoComesBackAfterTheRoundTrip) {
   const auto echo = sut_.open_echo({"10.77.0.2", 64}, count_);
   const Time sent = core_.now;
-  EXPECT_EQ(echo->send(5), 0);
+  EXPECT_EQ(echo->send(5).error, 0);
   EXPECT_FALSE(echo->receive());
   run_for(1);
   EXPECT_EQ(readable_, 1);
   const auto reply = echo->receive();
   ASSERT_TRUE(reply);
   EXPECT_EQ(reply->sequence, 5);
-  EXPECT_EQ(reply->received, sent + seconds(0.02));
+  EXPECT_EQ(reply->received_at, sent + seconds(0.02));
   EXPECT_EQ(link_.pushed(), 2U);
 }
 
@@ -114,12 +114,12 @@ TEST_F(SimDevicesTest, RefusesATargetThatIsNoAddress) {
 }
 
 TEST_F(SimDevicesTest, HasOnlyThePortsOfItsBases) {
-  EXPECT_FALSE(sut_.open_serial("/dev/other", count_));
-  EXPECT_TRUE(sut_.open_serial("/dev/kobuki", count_));
+  EXPECT_EQ(sut_.open_serial("/dev/other", count_).result, OpenedSerial::Result::absent);
+  EXPECT_EQ(sut_.open_serial("/dev/kobuki", count_).result, OpenedSerial::Result::open);
 }
 
 TEST_F(SimDevicesTest, SerialPortGivesTheFramesOfTheBase) {
-  const auto port = sut_.open_serial("/dev/kobuki", count_);
+  const auto port = sut_.open_serial("/dev/kobuki", count_).port;
   run_for(0.1);
   EXPECT_EQ(readable_, 4);  // the fifth is still on the wire
   std::array<std::uint8_t, 1024> bytes{};
@@ -130,7 +130,7 @@ TEST_F(SimDevicesTest, SerialPortGivesTheFramesOfTheBase) {
 }
 
 TEST_F(SimDevicesTest, SerialPortCarriesCommandsToTheBase) {
-  const auto port = sut_.open_serial("/dev/kobuki", count_);
+  const auto port = sut_.open_serial("/dev/kobuki", count_).port;
   // Base control: 100 mm/s straight on, with header, length and checksum (Kobuki protocol).
   std::array<std::uint8_t, 10> command{0xaa, 0x55, 0x06, 0x01, 0x04, 100, 0, 0, 0, 0};
   for (std::size_t i = 2; i < 9; ++i)
@@ -141,7 +141,7 @@ TEST_F(SimDevicesTest, SerialPortCarriesCommandsToTheBase) {
 }
 
 TEST_F(SimDevicesTest, ClosedPortIsToldNothing) {
-  { const auto port = sut_.open_serial("/dev/kobuki", count_); }
+  { const auto port = sut_.open_serial("/dev/kobuki", count_).port; }
   run_for(1);
   EXPECT_EQ(readable_, 0);
 }
@@ -151,6 +151,13 @@ TEST_F(SimDevicesTest, TellsTheWirelessStateUnderBothPaths) {
   ASSERT_TRUE(text);
   EXPECT_NE(text->find("wlan0:"), std::string::npos);
   EXPECT_EQ(text, sut_.read_text("/run/wireless"));
+}
+
+TEST_F(SimDevicesTest, RadioIsReadFromTheFileThatTellsOfIt) {
+  const auto reading = sut_.open_wireless("wlan0", "/run/wireless")->read();
+  EXPECT_EQ(reading.source, network::WirelessSource::proc);
+  EXPECT_TRUE(reading.signal_dbm.has_value());
+  EXPECT_EQ(sut_.open_wireless("wlan0", "/run/other")->read().note, "/run/other cannot be read");
 }
 
 TEST_F(SimDevicesTest, CpuTimesGrowWithVirtualTime) {

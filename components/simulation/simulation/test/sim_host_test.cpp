@@ -56,8 +56,8 @@ class SimHostTest : public ::testing::Test {
   Core core_;
   RadioLink link_{core_, wire(), {}, 1};
   Network network_{core_, link_, QosProfiles(config + "qos.yaml")};
-  SimHost uxv_{network_, "uxv", "uxv", config + "traffic_thesis.yaml"};
-  SimHost gcs_{network_, "gcs", "gcs", config + "traffic_thesis.yaml"};
+  SimHost uxv_{network_, "uxv", Role::uxv, config + "traffic_thesis.yaml"};
+  SimHost gcs_{network_, "gcs", Role::gcs, config + "traffic_thesis.yaml"};
   SimProcess& drive_ = uxv_.add_process("drive");
   SimProcess& recorder_ = uxv_.add_process("recorder");
   SimProcess& mission_ = gcs_.add_process("mission");

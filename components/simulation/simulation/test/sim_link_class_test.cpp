@@ -60,8 +60,8 @@ class LinkClassTest : public ::testing::Test {
     Core core;
     RadioLink link;
     Network network{core, link, QosProfiles(TOCSIN_REPOSITORY "/config/qos.yaml")};
-    SimHost uxv{network, "uxv", "uxv", TOCSIN_REPOSITORY "/config/traffic.yaml"};
-    SimHost gcs{network, "gcs", "gcs", TOCSIN_REPOSITORY "/config/traffic.yaml"};
+    SimHost uxv{network, "uxv", Role::uxv, TOCSIN_REPOSITORY "/config/traffic.yaml"};
+    SimHost gcs{network, "gcs", Role::gcs, TOCSIN_REPOSITORY "/config/traffic.yaml"};
     SimProcess& payload = uxv.add_process("payload");
     SimProcess& view = gcs.add_process("view");
     PlainRouter up{network, uxv};

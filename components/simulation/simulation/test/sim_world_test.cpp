@@ -28,11 +28,13 @@ deployment::Deployment small() {
   deployment.qos = config + "qos.yaml";
   deployment.traffic = config + "traffic.yaml";
   deployment::Host uxv;
-  uxv.name = uxv.role = "uxv";
+  uxv.name = "uxv";
+  uxv.role = Role::uxv;
   uxv.programs = {{"base", {"kobuki_simulator", "--link", "/dev/kobuki"}}};
   uxv.containers = {container("drive")};
   deployment::Host gcs;
-  gcs.name = gcs.role = "gcs";
+  gcs.name = "gcs";
+  gcs.role = Role::gcs;
   gcs.containers = {container("mission")};
   deployment.hosts = {uxv, gcs};
   return deployment;

@@ -9,12 +9,6 @@
 namespace tocsin {
 namespace {
 
-std::string memory_path(const Context& context) {
-  const bool simulated = context.devices != nullptr && !context.devices->keeps_files();
-  const bool nowhere = context.run_dir.empty() || simulated;
-  return nowhere ? "" : context.run_dir + "/" + context.name + ".request";
-}
-
 bool is_by_station(const topic::SafetyStatus::Message& status) {
   const auto& names = status.stopped_by();
   return std::find(names.begin(), names.end(), topic::EmergencyStop::station_name) != names.end();
@@ -23,7 +17,7 @@ bool is_by_station(const topic::SafetyStatus::Message& status) {
 }  // namespace
 
 EmergencyStopComponent::EmergencyStopComponent(Context& context, const Params& params)
-    : Component(context), file_(memory_path(context)), keeper_(params) {
+    : Component(context), file_(context.state_path(".request")), keeper_(params) {
   known_.vehicle("unheard");
   if (!file_.load()) return;
   keeper_.restore();

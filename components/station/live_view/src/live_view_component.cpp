@@ -10,6 +10,7 @@
 #include <map>
 
 #include "foundation/error.hpp"
+#include "foundation/role.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -74,15 +75,15 @@ void LiveViewComponent::take_inputs(Time now) {
 
 void LiveViewComponent::take_states(Time now) {
   while (const auto message = transmission_.take()) {
-    const bool from_vehicle = message->role() == "uxv";
+    const bool from_vehicle = role_of(message->role()) == Role::uxv;
     if (from_vehicle) table_.on_sample(topic::TransmissionState::info.name, now);
     (from_vehicle ? view_.uxv : view_.gcs) = {*message, now};
   }
   while (const auto message = heartbeat_.take()) {
-    if (message->role() == "uxv") table_.on_sample(topic::Heartbeat::info.name, now);
+    if (role_of(message->role()) == Role::uxv) table_.on_sample(topic::Heartbeat::info.name, now);
   }
   while (const auto message = report_.take()) {
-    if (message->role() != "uxv") continue;
+    if (role_of(message->role()) != Role::uxv) continue;
     table_.on_sample(topic::TrafficReport::info.name, now);
     table_.on_report(*message, now);
   }
@@ -90,7 +91,7 @@ void LiveViewComponent::take_states(Time now) {
 
 void LiveViewComponent::take_link_states(Time now) {
   while (const auto message = link_state_.take()) {
-    const bool from_vehicle = message->role() == "uxv";
+    const bool from_vehicle = role_of(message->role()) == Role::uxv;
     if (from_vehicle) table_.on_sample(topic::LinkState::info.name, now);
     (from_vehicle ? view_.uplink : view_.downlink) = {*message, now};
   }

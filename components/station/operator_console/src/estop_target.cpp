@@ -44,7 +44,7 @@ EstopTarget target_of(const EstopOptions& options) {
   }
   BusOptions bus;
   bus.name = "estop";
-  bus.role = options.join.host;
+  bus.role = role_of(options.join.host).value_or(Role::gcs);
   bus.ros_namespace = options.ros_namespace;
   bus.host_domain = options.domain.value_or(nobodys_domain(options.link_domain));
   bus.processes = processes;
@@ -53,7 +53,7 @@ EstopTarget target_of(const EstopOptions& options) {
     bus.link_address = options.address;
     bus.link_peers = options.peers;
     bus.host = "estop";
-    bus.role = "gcs";
+    bus.role = Role::gcs;
     bus.traffic_file = share_folder(own_program()) / "config/traffic.yaml";
   }
   return {"", std::nullopt, std::move(bus), has_link};
@@ -79,7 +79,8 @@ std::optional<EstopTarget> target_of_file(const fs::path& run, const std::string
   try {
     const auto deployment = deployment::load_resolved(run / "deployment.yaml");
     for (const deployment::Host& host : deployment.hosts) {
-      if ((host.role != name && host.name != name) || deployment.radio) continue;
+      const bool is_it = host.name == name || role_of(name) == host.role;
+      if (!is_it || deployment.radio) continue;
       BusOptions bus = bus_of(deployment, host);
       const bool routed = deployment::is_routed(host);
       if (routed) bus.traffic_file = deployment.traffic;

@@ -18,6 +18,7 @@
 #include "command_line/programs.hpp"
 #include "deployment/resolved_copy.hpp"
 #include "foundation/error.hpp"
+#include "foundation/role.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin {
@@ -65,7 +66,7 @@ int run_and_wait(const std::vector<std::string>& command) {
 }
 
 bool is_wanted(const deployment::RunningHost& host, const JoinOptions& options) {
-  const bool is_it = host.host == options.host || host.itself().role == options.host;
+  const bool is_it = host.host == options.host || role_of(options.host) == host.itself().role;
   return is_it && (options.run_dir.empty() || host.is_of(options.run_dir));
 }
 

@@ -32,7 +32,7 @@ class EstopTargetTest : public ::testing::Test {
     deployment.ros_namespace = "robot";
     const auto none = std::make_shared<const YAML::Node>(YAML::NodeType::Map);
     deployment.hosts.push_back({"desk",
-                                "gcs",
+                                Role::gcs,
                                 "10.0.0.2",
                                 {"10.0.0.1"},
                                 0,
@@ -112,7 +112,8 @@ TEST_F(EstopTargetTest, AnEmulatedRadioThatHasEndedIsNoTarget) {
   auto emulated = run(folder_.path("runs/1"));
   emulated.radio = deployment::Radio{"/c.yaml", "/w.yaml"};
   emulated.hosts.push_back(emulated.hosts.front());
-  emulated.hosts[1].name = emulated.hosts[1].role = "uxv";
+  emulated.hosts[1].name = "uxv";
+  emulated.hosts[1].role = Role::uxv;
   fs::create_directories(folder_.path("runs/1"));
   write_resolved(emulated, folder_.path("runs/1/deployment.yaml"));
   EXPECT_THROW((void)find_targets(options_, Among::all, {}), EnvironmentError);

@@ -25,9 +25,9 @@ class RunningSystemTest : public ::testing::Test {
     deployment::Deployment deployment;
     deployment.hosts.resize(2);
     deployment.hosts[0].name = "vehicle";
-    deployment.hosts[0].role = "uxv";
+    deployment.hosts[0].role = Role::uxv;
     deployment.hosts[1].name = "station";
-    deployment.hosts[1].role = "gcs";
+    deployment.hosts[1].role = Role::gcs;
     deployment.hosts[1].containers.resize(1);
     deployment.hosts[1].containers[0].name = "view";
     deployment.hosts[1].containers[0].terminal = true;

@@ -11,21 +11,12 @@ namespace {
 
 constexpr int most_events = 256;  // in a tick: a broken pad must not hold it up
 
-GamepadOpener opener_for(const Context& context) {
-  if (context.devices == nullptr) return open_evdev_gamepad;
-  return [](const std::string&) { return nullptr; };
-}
-
 }  // namespace
 
 TeleopGamepadComponent::TeleopGamepadComponent(Context& context, const Params& params)
-    : TeleopGamepadComponent(context, params, opener_for(context)) {}
-
-TeleopGamepadComponent::TeleopGamepadComponent(Context& context, const Params& params,
-                                               GamepadOpener opener)
     : Component(context),
       params_(params),
-      opener_(std::move(opener)),
+      devices_(context.devices),
       teleop_(params.pad),
       sender_(params.sender) {}
 
@@ -34,37 +25,37 @@ TeleopGamepadComponent::~TeleopGamepadComponent() {
 }
 
 void TeleopGamepadComponent::tick(Time now) {
-  if (!port_) look_for_pad(now);
-  if (port_) read_events();
+  if (!pad_) look_for_pad(now);
+  if (pad_) read_events();
   sender_.hold(teleop_.velocity());
   if (const auto command = sender_.update(now)) send(*command, now);
-  wake_at(std::min(sender_.next_deadline(), port_ ? never : next_look_));
+  wake_at(std::min(sender_.next_deadline(), pad_ ? never : next_look_));
 }
 
 void TeleopGamepadComponent::look_for_pad(Time now) {
   if (now < next_look_) return;
   next_look_ = now + seconds(params_.retry_s);
-  port_ = opener_(params_.device);
-  if (port_) {
-    log().info("gamepad: {}", port_->name());
-    teleop_.on_connect(port_->axes());
-    if (port_->descriptor() >= 0) wake_on(port_->descriptor());
+  pad_ = devices_.open_gamepad(params_.device);
+  if (pad_) {
+    log().info("gamepad: {}", pad_->name());
+    teleop_.on_connect(pad_->axes());
+    wake_on(pad_->descriptor());
   } else if (!told_) {
     log().warn("waiting for a gamepad {}", params_.device);
   }
-  told_ = !port_;
+  told_ = !pad_;
 }
 
 void TeleopGamepadComponent::read_events() {
   PadEvent event;
   for (int i = 0; i < most_events; ++i) {
-    switch (port_->read(event)) {
-      case GamepadPort::Read::event:
+    switch (pad_->read(event)) {
+      case GamepadDevice::Read::event:
         teleop_.on_event(event);
         break;
-      case GamepadPort::Read::nothing:
+      case GamepadDevice::Read::nothing:
         return;
-      case GamepadPort::Read::lost:
+      case GamepadDevice::Read::lost:
         return lose_pad();
     }
   }
@@ -73,8 +64,8 @@ void TeleopGamepadComponent::read_events() {
 void TeleopGamepadComponent::lose_pad() {
   log().warn("the gamepad is gone");
   teleop_.on_disconnect();
-  if (port_->descriptor() >= 0) forget(port_->descriptor());
-  port_.reset();
+  forget(pad_->descriptor());
+  pad_.reset();
 }
 
 void TeleopGamepadComponent::send(const geometry::Twist& velocity, Time now) {

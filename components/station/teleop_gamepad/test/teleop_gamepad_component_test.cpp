@@ -6,6 +6,7 @@
 
 #include <deque>
 
+#include "devices/absent_devices.hpp"
 #include "runtime/sim_bus.hpp"
 
 namespace tocsin {
@@ -17,10 +18,9 @@ struct Pad {
   std::deque<PadEvent> events;
 };
 
-class FakePad final : public GamepadPort {
+class FakePad final : public GamepadDevice {
  public:
   explicit FakePad(Pad& pad) : pad_(pad) {}
-  [[nodiscard]] int descriptor() const override { return -1; }
   [[nodiscard]] std::string name() const override { return "fake"; }
   [[nodiscard]] PadAxes axes() const override { return {{ABS_X, {0, 255}}, {ABS_Y, {0, 255}}}; }
   [[nodiscard]] Read read(PadEvent& event) override {
@@ -35,14 +35,23 @@ class FakePad final : public GamepadPort {
   Pad& pad_;
 };
 
+/// A computer with that pad, while it is plugged.
+class PadDevices final : public AbsentDevices {
+ public:
+  explicit PadDevices(Pad& pad) : pad_(pad) {}
+  std::unique_ptr<GamepadDevice> open_gamepad(const std::string& path) override {
+    EXPECT_EQ(path, "") << "the first there is";
+    return pad_.plugged ? std::make_unique<FakePad>(pad_) : nullptr;
+  }
+
+ private:
+  Pad& pad_;
+};
+
 class TeleopGamepadComponentTest : public ::testing::Test {
  protected:
   TeleopGamepadComponentTest() {
-    const auto open = [this](const std::string&) {
-      return pad_.plugged ? std::make_unique<FakePad>(pad_) : nullptr;
-    };
-    sut_ =
-        std::make_unique<TeleopGamepadComponent>(context_, TeleopGamepadComponent::Params{}, open);
+    sut_ = std::make_unique<TeleopGamepadComponent>(context_, TeleopGamepadComponent::Params{});
   }
   /// Ticks as the runner would for `s` and returns the speeds that were sent.
   std::vector<double> run(double s) {
@@ -67,9 +76,10 @@ class TeleopGamepadComponentTest : public ::testing::Test {
   }
 
   SimBus bus_;
-  Context context_{bus_, "teleop_gamepad", "gcs", ""};
-  SimReader<topic::TeleopCmdVel> commands_{bus_};
   Pad pad_;
+  PadDevices devices_{pad_};
+  Context context_{bus_, "teleop_gamepad", Role::gcs, "", [](int) {}, devices_};
+  SimReader<topic::TeleopCmdVel> commands_{bus_};
   std::unique_ptr<TeleopGamepadComponent> sut_;
 };
 

@@ -21,17 +21,12 @@ std::string hindrance(const topic::SafetyStatus::Message& status) {
 }  // namespace
 
 TeleopKeyboardComponent::TeleopKeyboardComponent(Context& context, const Params& params)
-    : TeleopKeyboardComponent(context, params,
-                              context.devices == nullptr ? open_terminal() : nullptr) {}
-
-TeleopKeyboardComponent::TeleopKeyboardComponent(Context& context, const Params& params,
-                                                 std::unique_ptr<Terminal> terminal)
     : Component(context),
-      terminal_(std::move(terminal)),
+      terminal_(context.devices.open_terminal()),
       teleop_(params.keys),
       sender_(params.sender) {
   if (!terminal_) return;
-  if (terminal_->descriptor() >= 0) wake_on(terminal_->descriptor());
+  wake_on(terminal_->descriptor());
   terminal_->print(teleop_.help());
 }
 
@@ -55,7 +50,7 @@ void TeleopKeyboardComponent::read_keys(Time now) {
   if (bytes) return teleop_.on_bytes(*bytes, now);
   log().warn("no keys come any more");
   teleop_.on_end();
-  if (terminal_->descriptor() >= 0) forget(terminal_->descriptor());
+  forget(terminal_->descriptor());
   terminal_.reset();
 }
 

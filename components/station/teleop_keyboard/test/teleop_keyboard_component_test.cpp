@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "devices/absent_devices.hpp"
 #include "runtime/sim_bus.hpp"
 
 namespace tocsin {
@@ -18,10 +19,9 @@ struct Typed {
   std::string line;
 };
 
-class FakeTerminal final : public Terminal {
+class FakeTerminal final : public TerminalDevice {
  public:
   explicit FakeTerminal(Typed& typed) : typed_(typed) {}
-  [[nodiscard]] int descriptor() const override { return -1; }
   [[nodiscard]] std::optional<std::string> read() override {
     if (typed_.ended) return std::nullopt;
     return std::exchange(typed_.waiting, "");
@@ -33,11 +33,22 @@ class FakeTerminal final : public Terminal {
   Typed& typed_;
 };
 
+/// A computer at whose terminal somebody types.
+class TypedDevices final : public AbsentDevices {
+ public:
+  explicit TypedDevices(Typed& typed) : typed_(typed) {}
+  std::unique_ptr<TerminalDevice> open_terminal() override {
+    return std::make_unique<FakeTerminal>(typed_);
+  }
+
+ private:
+  Typed& typed_;
+};
+
 class TeleopKeyboardComponentTest : public ::testing::Test {
  protected:
   TeleopKeyboardComponentTest() {
-    sut_ = std::make_unique<TeleopKeyboardComponent>(context_, TeleopKeyboardComponent::Params{},
-                                                     std::make_unique<FakeTerminal>(typed_));
+    sut_ = std::make_unique<TeleopKeyboardComponent>(context_, TeleopKeyboardComponent::Params{});
   }
   /// Ticks as the runner would for `s` and returns the speeds that were sent.
   std::vector<double> run(double s) {
@@ -62,9 +73,10 @@ class TeleopKeyboardComponentTest : public ::testing::Test {
   }
 
   SimBus bus_;
-  Context context_{bus_, "teleop_keyboard", "gcs", ""};
-  SimReader<topic::TeleopCmdVel> commands_{bus_};
   Typed typed_;
+  TypedDevices devices_{typed_};
+  Context context_{bus_, "teleop_keyboard", Role::gcs, "", [](int) {}, devices_};
+  SimReader<topic::TeleopCmdVel> commands_{bus_};
   std::unique_ptr<TeleopKeyboardComponent> sut_;
 };
 
@@ -121,9 +133,11 @@ TEST_F(TeleopKeyboardComponentTest, ShowsSpeedsAndWhatHindersTheVehicle) {
 }
 
 TEST_F(TeleopKeyboardComponentTest, LivesWithoutATerminal) {
-  sut_ = std::make_unique<TeleopKeyboardComponent>(context_, TeleopKeyboardComponent::Params{},
-                                                   nullptr);
+  AbsentDevices devices;
+  Context context{bus_, "teleop_keyboard", Role::gcs, "", [](int) {}, devices};
+  sut_ = std::make_unique<TeleopKeyboardComponent>(context, TeleopKeyboardComponent::Params{});
   EXPECT_TRUE(run(1).empty());
+  sut_.reset();
 }
 
 }  // namespace

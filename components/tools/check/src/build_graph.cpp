@@ -14,7 +14,7 @@ template <class Make>
 void probe(Node node, const deployment::Deployment& deployment, BuiltGraph& built, Make make) {
   PortRecorder recorder;
   SilentDevices devices;
-  Context context{recorder, node.name, node.role, deployment.run_dir, [](int) {}, &devices};
+  Context context{recorder, node.name, node.role, deployment.run_dir, [](int) {}, devices};
   try {
     const auto component = make(context);
     node.ports = recorder.ports();

@@ -50,7 +50,7 @@ void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) 
   if (!has_containers(deployment)) return;  // then there is no QoS
   try {
     const QosProfiles qos(deployment.qos);
-    std::map<std::string, TrafficRules> traffic;
+    std::map<Role, TrafficRules> traffic;
     for (const deployment::Host& host : deployment.hosts) {
       traffic.emplace(host.role, TrafficRules(deployment.traffic, host.role));
     }

@@ -65,9 +65,9 @@ class Drawing {
   }
 
  private:
-  void draw_host(const std::string& host, const std::string& role) {
+  void draw_host(const std::string& host, Role role) {
     out_ << "  subgraph " << quoted("cluster_" + host)
-         << " {\n    label=" << quoted(host + " (role " + role + ")")
+         << " {\n    label=" << quoted(host + " (role " + to_string(role) + ")")
          << "; fontname=\"sans-serif\"; style=filled; color=\"#e8eef4\";\n";
     std::set<std::string> containers;
     for (const Node& node : graph_) {

@@ -189,7 +189,7 @@ class Examiner {
     }
   }
 
-  [[nodiscard]] bool written_by_role(const std::string& topic, const std::string& role) const {
+  [[nodiscard]] bool written_by_role(const std::string& topic, Role role) const {
     const auto found = topics_.find(topic);
     return found != topics_.end() &&
            std::any_of(found->second.begin(), found->second.end(),
@@ -203,7 +203,8 @@ class Examiner {
         if (!written_by_role(topic, role)) unused.push_back(topic);
       }
       if (unused.empty()) continue;
-      add(Severity::note, "traffic rules of role " + role + " name topics that nothing in this " +
+      add(Severity::note, "traffic rules of role " + std::string(to_string(role)) +
+                              " name topics that nothing in this " +
                               "role writes: " + joined(unused));
     }
     for (const std::string& topic : rules_.qos.overridden_topics()) {

@@ -14,7 +14,7 @@ namespace tocsin::check {
 /// What holds for all nodes of a graph.
 struct Rules {
   const QosProfiles& qos;
-  const std::map<std::string, TrafficRules>& traffic;  ///< by role
+  const std::map<Role, TrafficRules>& traffic;  ///< by role
 };
 
 /// What is wrong with a graph, in the order of its nodes:

@@ -39,7 +39,7 @@ std::optional<QosProfile> profile_of(const Port& port, const QosProfiles& qos) {
 
 /// Of a topic that goes before others; empty for one that does not, or has no class.
 std::optional<TrafficClass> class_above_low(const Node& node, const Port& port,
-                                            const std::map<std::string, TrafficRules>& rules) {
+                                            const std::map<Role, TrafficRules>& rules) {
   const auto of_role = rules.find(node.role);
   if (of_role == rules.end()) return std::nullopt;
   const auto rule = of_role->second.all().find(port.topic);
@@ -61,7 +61,7 @@ std::string warning(const Node& node, const Port& port, TrafficClass traffic_cla
 }  // namespace
 
 std::vector<Finding> examine_load(const Graph& graph, const QosProfiles& qos,
-                                  const std::map<std::string, TrafficRules>& rules,
+                                  const std::map<Role, TrafficRules>& rules,
                                   const PoorPlace& place) {
   std::vector<Finding> findings;
   for (const Node& node : graph) {

@@ -16,7 +16,7 @@ namespace tocsin::check {
 /// in a poor place, once for each other host: the classes below wait for ever there. Adaptive ones
 /// follow the link, and writers that do not tell what they expect are not judged. `rules`: by role.
 [[nodiscard]] std::vector<Finding> examine_load(const Graph& graph, const QosProfiles& qos,
-                                                const std::map<std::string, TrafficRules>& rules,
+                                                const std::map<Role, TrafficRules>& rules,
                                                 const PoorPlace& place);
 
 }  // namespace tocsin::check

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "foundation/role.hpp"
 #include "idl_support/topic_info.hpp"
 #include "runtime/bus.hpp"
 
@@ -25,7 +26,7 @@ struct Port {
 /// One component of a deployment with its ports.
 struct Node {
   std::string host;
-  std::string role;
+  Role role = Role::uxv;
   std::string container;
   std::string name;
   std::vector<Port> ports;

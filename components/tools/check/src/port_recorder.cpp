@@ -2,7 +2,6 @@
 #include "port_recorder.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <utility>
 
 namespace tocsin::check {
@@ -28,7 +27,8 @@ class NullPublication final : public Publication {
   const std::string topic_;
 };
 
-struct DeadLine : SerialDevice {
+class SilentLine final : public SerialDevice {
+ public:
   std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override {
     (void)to;
     (void)size;
@@ -39,14 +39,6 @@ struct DeadLine : SerialDevice {
     (void)size;
     return true;
   }
-};
-
-struct NoEcho : EchoDevice {
-  int send(std::uint16_t sequence) override {
-    (void)sequence;
-    return ENETUNREACH;
-  }
-  std::optional<Reply> receive() override { return std::nullopt; }
 };
 
 }  // namespace
@@ -83,22 +75,10 @@ std::unique_ptr<Publication> PortRecorder::advertise(const Endpoint& endpoint) {
   return std::make_unique<NullPublication>(*this, endpoint.topic.name);
 }
 
-std::unique_ptr<SerialDevice> SilentDevices::open_serial(const std::string& path,
-                                                         Readable readable) {
+OpenedSerial SilentDevices::open_serial(const std::string& path, Readable readable) {
   (void)path;
   (void)readable;
-  return std::make_unique<DeadLine>();
-}
-
-std::unique_ptr<EchoDevice> SilentDevices::open_echo(const EchoTarget& target, Readable readable) {
-  (void)target;
-  (void)readable;
-  return std::make_unique<NoEcho>();
-}
-
-std::optional<std::string> SilentDevices::read_text(const std::string& path) {
-  (void)path;
-  return std::nullopt;
+  return {OpenedSerial::Result::open, std::make_unique<SilentLine>(), {}, false};
 }
 
 }  // namespace tocsin::check

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "devices/absent_devices.hpp"
 #include "graph.hpp"
 #include "runtime/bus.hpp"
-#include "runtime/devices.hpp"
 #include "runtime/middleware/idle_link_bus.hpp"
 
 namespace tocsin::check {
@@ -36,13 +36,9 @@ class PortRecorder final : public Bus {
 
 /// A computer whose devices say nothing: a check opens no port and sends no packet. There is a
 /// device at every serial port, so that nobody complains that he waits for his.
-class SilentDevices final : public Devices {
+class SilentDevices final : public AbsentDevices {
  public:
-  [[nodiscard]] std::unique_ptr<SerialDevice> open_serial(const std::string& path,
-                                                          Readable readable) override;
-  [[nodiscard]] std::unique_ptr<EchoDevice> open_echo(const EchoTarget& target,
-                                                      Readable readable) override;
-  [[nodiscard]] std::optional<std::string> read_text(const std::string& path) override;
+  [[nodiscard]] OpenedSerial open_serial(const std::string& path, Readable readable) override;
 };
 
 }  // namespace tocsin::check

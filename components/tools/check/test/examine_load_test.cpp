@@ -24,7 +24,7 @@ class ExamineLoadTest : public ::testing::Test {
                   "  high: {while_poor: send, topics: [x, follows], adaptive: [follows]}\n"
                   "  low: {while_poor: drop, topics: [bulk]}\n"
                   "gcs: {}\n");
-    rules_.emplace("uxv", TrafficRules(folder_.path("traffic.yaml"), "uxv"));
+    rules_.emplace(Role::uxv, TrafficRules(folder_.path("traffic.yaml"), Role::uxv));
   }
   [[nodiscard]] std::vector<Finding> examine(double capacity, const std::string& topic = "x",
                                              const std::string& qos = "sensor",
@@ -34,12 +34,12 @@ class ExamineLoadTest : public ::testing::Test {
     Graph graph{vehicle("source", {writer}), vehicle("own", {reads(topic, scope, qos)}),
                 station("sink", {reads(topic, scope, qos)}),
                 station("another", {reads(topic, scope, qos)})};
-    if (third_host_) graph.push_back({"spare", "gcs", "desk", "sink", {}});
+    if (third_host_) graph.push_back({"spare", Role::gcs, "desk", "sink", {}});
     return examine_load(graph, QosProfiles(folder_.path("qos.yaml")), rules_,
                         {"radio.yaml", 9, capacity, 0.1});
   }
   const TemporaryFolder folder_;
-  std::map<std::string, TrafficRules> rules_;
+  std::map<Role, TrafficRules> rules_;
   std::optional<ExpectedLoad> load_ = ExpectedLoad{10, 900};
   bool third_host_ = false;
 };

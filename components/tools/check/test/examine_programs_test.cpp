@@ -20,8 +20,10 @@ class ExamineProgramsTest : public ::testing::Test {
     }
     deployment_.run_dir = "/run";
     deployment_.hosts.resize(2);
-    deployment_.hosts[0].name = deployment_.hosts[0].role = "uxv";
-    deployment_.hosts[1].name = deployment_.hosts[1].role = "gcs";
+    deployment_.hosts[0].name = "uxv";
+    deployment_.hosts[0].role = Role::uxv;
+    deployment_.hosts[1].name = "gcs";
+    deployment_.hosts[1].role = Role::gcs;
     deployment_.hosts[0].containers.emplace_back().name = "drive";
   }
   void add_program(const std::vector<std::string>& command) {

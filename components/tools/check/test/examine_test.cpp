@@ -21,8 +21,8 @@ class ExamineTest : public ::testing::Test {
   /// What is found, notes left out; as "error: text".
   [[nodiscard]] std::vector<std::string> found(const Graph& graph, bool notes = false) const {
     const QosProfiles qos(folder_.write("qos.yaml", qos_));
-    const std::map<std::string, TrafficRules> traffic{
-        {"uxv", TrafficRules(folder_.write("traffic.yaml", traffic_), "uxv")}};
+    const std::map<Role, TrafficRules> traffic{
+        {Role::uxv, TrafficRules(folder_.write("traffic.yaml", traffic_), Role::uxv)}};
     std::vector<std::string> texts;
     for (const Finding& finding : examine(graph, {qos, traffic})) {
       if (finding.severity == Severity::note && !notes) continue;

@@ -25,11 +25,11 @@ inline Port may_read(const std::string& topic, Scope scope = Scope::host) {
 }
 
 inline Node vehicle(const std::string& name, std::vector<Port> ports) {
-  return {"uxv", "uxv", "drive", name, std::move(ports)};
+  return {"uxv", Role::uxv, "drive", name, std::move(ports)};
 }
 
 inline Node station(const std::string& name, std::vector<Port> ports) {
-  return {"gcs", "gcs", "desk", name, std::move(ports)};
+  return {"gcs", Role::gcs, "desk", name, std::move(ports)};
 }
 
 }  // namespace tocsin::check

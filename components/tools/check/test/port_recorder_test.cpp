@@ -25,7 +25,7 @@ class Toy : public Component {
 
 TEST(PortRecorder, WritesDownEachPortOnce) {
   PortRecorder sut;
-  Context context{sut, "toy", "uxv", ""};
+  Context context{sut, "toy", Role::uxv, ""};
   const Toy toy(context);
   ASSERT_EQ(sut.ports().size(), 2U);
   EXPECT_EQ(sut.ports()[0].topic, "odom");
@@ -38,7 +38,7 @@ TEST(PortRecorder, WritesDownEachPortOnce) {
 
 TEST(PortRecorder, KeepsWhatAWriterExpectsToWrite) {
   PortRecorder sut;
-  Context context{sut, "toy", "uxv", ""};
+  Context context{sut, "toy", Role::uxv, ""};
   Toy toy(context);
   EXPECT_FALSE(sut.ports()[1].load);
   toy.expect(5, 400);
@@ -61,7 +61,7 @@ class Choosy : public Component {
 
 TEST(PortRecorder, KnowsWhichReadersNeedAWriter) {
   PortRecorder sut;
-  Context context{sut, "choosy", "uxv", ""};
+  Context context{sut, "choosy", Role::uxv, ""};
   const Choosy choosy(context);
   ASSERT_EQ(sut.ports().size(), 2U);
   EXPECT_EQ(sut.ports()[0].writers, Writers::optional);
@@ -70,11 +70,11 @@ TEST(PortRecorder, KnowsWhichReadersNeedAWriter) {
 
 TEST(SilentDevices, OpenAndSayNothing) {
   SilentDevices sut;
-  const auto port = sut.open_serial("/dev/kobuki", [] {});
+  const auto port = sut.open_serial("/dev/kobuki", [] {}).port;
   std::uint8_t byte = 0;
   EXPECT_EQ(port->read(&byte, 1), std::optional<std::size_t>(0));
   EXPECT_TRUE(port->write(&byte, 1));
-  EXPECT_NE(sut.open_echo({"10.0.0.1", 64}, [] {})->send(1), 0);
+  EXPECT_NE(sut.open_echo({"10.0.0.1", 64}, [] {})->send(1).error, 0);
   EXPECT_FALSE(sut.read_text("/proc/meminfo").has_value());
 }
 

@@ -11,6 +11,7 @@
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/parameters.hpp"
+#include "foundation/role.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::tools {
@@ -75,7 +76,7 @@ std::optional<fs::path> deployment_beside(const fs::path& recording) {
   if (fs::is_regular_file(folder / "deployment.yaml")) return folder / "deployment.yaml";
   // The recorder writes into a folder of its role; any other folder may lie beside a foreign file.
   const fs::path above = folder.parent_path() / "deployment.yaml";
-  const bool is_of_role = folder.filename() == "uxv" || folder.filename() == "gcs";
+  const bool is_of_role = role_of(folder.filename().string()).has_value();
   return is_of_role && fs::is_regular_file(above) ? std::optional(above) : std::nullopt;
 }
 

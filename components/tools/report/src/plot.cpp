@@ -76,12 +76,13 @@ std::string link_panel(const Recording& recording) {
   std::string curves;
   std::size_t index = 0;
   for (const auto& [role, states] : recording.routers) {
-    if (role == "uxv") curves += link_line(index, 2, "x1y1", 0, "uxv capacity") + ", ";
+    if (role == Role::uxv) curves += link_line(index, 2, "x1y1", 0, "uxv capacity") + ", ";
     ++index;
   }
   index = 0;
   for (const auto& [role, states] : recording.routers) {
-    curves += (index > 0 ? ", " : "") + link_line(index, 3, "x1y2", 1 + index, role + " backlog");
+    curves += (index > 0 ? ", " : "") +
+              link_line(index, 3, "x1y2", 1 + index, std::string(to_string(role)) + " backlog");
     ++index;
   }
   return "set ylabel 'capacity [kbit/s]'\nset yrange [0:*]\nset y2label 'backlog [ms]'\n"

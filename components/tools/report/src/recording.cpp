@@ -29,11 +29,11 @@ std::string file_of(std::string topic) {
 /// Send times of the samples of a topic that the receiver's own side has written. Only topics that
 /// both sides write have a field `role`.
 std::set<std::string> own_samples(const std::string& folder, const std::string& topic,
-                                  const std::string& receiver) {
+                                  Role receiver) {
   std::set<std::string> own;
-  const CsvTable table = CsvTable::read(folder + "/" + receiver + "/" + file_of(topic));
+  const CsvTable table = CsvTable::read(folder + "/" + to_string(receiver) + "/" + file_of(topic));
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (table.text(row, "role") == receiver) own.insert(table.text(row, "send_s"));
+    if (role_of(table.text(row, "role")) == receiver) own.insert(table.text(row, "send_s"));
   }
   return own;
 }
@@ -48,8 +48,8 @@ Arrival arrival_of(const CsvTable& table, std::size_t row) {
 }
 
 /// Adds what `role` wrote, as its own recorder saw it.
-void add_written(const Classes& classes, const std::string& role, Recording& recording) {
-  const std::string folder = recording.folder + "/" + role;
+void add_written(const Classes& classes, Role role, Recording& recording) {
+  const std::string folder = recording.folder + "/" + to_string(role);
   std::map<std::string, std::uint64_t> rows;
   const CsvTable table = CsvTable::read(folder + "/messages.csv");
   for (std::size_t row = 0; row < table.rows(); ++row) ++rows[table.text(row, "topic")];
@@ -61,8 +61,9 @@ void add_written(const Classes& classes, const std::string& role, Recording& rec
 }
 
 /// Adds what `receiver` got from the other side.
-void add_arrivals(const Classes& classes, const std::string& receiver, Recording& recording) {
-  const CsvTable table = CsvTable::read(recording.folder + "/" + receiver + "/messages.csv");
+void add_arrivals(const Classes& classes, Role receiver, Recording& recording) {
+  const CsvTable table =
+      CsvTable::read(recording.folder + "/" + to_string(receiver) + "/messages.csv");
   std::map<std::string, std::set<std::string>> own;
   for (const auto& [topic, name] : classes) {
     own[topic] = own_samples(recording.folder, topic, receiver);
@@ -85,7 +86,7 @@ CsvTable vehicle_table(const std::string& folder, const std::string& topic) {
 void add_decisions(Recording& recording) {
   const CsvTable table = vehicle_table(recording.folder, "transmission_state");
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (table.text(row, "role") != "uxv") continue;
+    if (role_of(table.text(row, "role")) != Role::uxv) continue;
     const std::string& active = table.text(row, "active");
     recording.decisions.push_back({table.number(row, "send_s"), active == "true" || active == "1",
                                    table.text(row, "policy"), table.text(row, "reason"),
@@ -112,13 +113,14 @@ void add_path(Recording& recording) {
 }
 
 /// What the router of a role told, as its own side recorded it, else as the other one did.
-void add_router(const std::string& role, Recording& recording) {
-  const std::string other = role == "uxv" ? "gcs" : "uxv";
-  for (const std::string& recorder : {role, other}) {
-    const CsvTable table = CsvTable::read(recording.folder + "/" + recorder + "/link_state.csv");
+void add_router(Role role, Recording& recording) {
+  const Role other = role == Role::uxv ? Role::gcs : Role::uxv;
+  for (const Role recorder : {role, other}) {
+    const CsvTable table =
+        CsvTable::read(recording.folder + "/" + to_string(recorder) + "/link_state.csv");
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const double time_s = table.number(row, "send_s");
-      if (table.text(row, "role") != role || !std::isfinite(time_s)) continue;
+      if (role_of(table.text(row, "role")) != role || !std::isfinite(time_s)) continue;
       recording.routers[role].push_back(
           {time_s, table.number(row, "capacity_bytes_per_s"), table.number(row, "backlog_s")});
     }
@@ -160,14 +162,13 @@ void find_limits(Recording& recording) {
 
 }  // namespace
 
-Classes load_classes(const std::string& traffic_file, const std::string& role,
-                     const std::string& share) {
+Classes load_classes(const std::string& traffic_file, Role role, const std::string& share) {
   YamlSources sources;
   const YAML::Node traffic = deployment::read_traffic_file(traffic_file, share, sources);
   Classes classes;
-  for (const auto& entry : traffic[role]) {
+  for (const auto& entry : traffic[to_string(role)]) {
     for (const auto& topic : entry.second["topics"]) {
-      classes[topic.Scalar()] = role + " " + entry.first.Scalar();
+      classes[topic.Scalar()] = std::string(to_string(role)) + " " + entry.first.Scalar();
     }
   }
   return classes;
@@ -177,16 +178,16 @@ Recording load_recording(const std::string& folder) {
   Recording recording;
   recording.folder = folder;
   const auto deployment = deployment::load_resolved(folder + "/deployment.yaml");
-  const Classes up = load_classes(deployment.traffic, "uxv", deployment.share);
-  const Classes down = load_classes(deployment.traffic, "gcs", deployment.share);
-  add_arrivals(up, "gcs", recording);
-  add_arrivals(down, "uxv", recording);
-  add_written(up, "uxv", recording);
-  add_written(down, "gcs", recording);
+  const Classes up = load_classes(deployment.traffic, Role::uxv, deployment.share);
+  const Classes down = load_classes(deployment.traffic, Role::gcs, deployment.share);
+  add_arrivals(up, Role::gcs, recording);
+  add_arrivals(down, Role::uxv, recording);
+  add_written(up, Role::uxv, recording);
+  add_written(down, Role::gcs, recording);
   add_decisions(recording);
   add_qualities(recording);
-  add_router("uxv", recording);
-  add_router("gcs", recording);
+  add_router(Role::uxv, recording);
+  add_router(Role::gcs, recording);
   add_mission(recording);
   add_path(recording);
   recording.link = read_link_log(folder + "/radio.jsonl");

@@ -61,14 +61,14 @@ TEST_F(PlotTest, ARunWithRoutersHasAPanelOfCapacityAndBacklog) {
   run_.write("gcs/link_state.csv",
              std::string(link_head) + "1001,1001,uxv,9,9,[]\n1003,1003,gcs,1000,0.001,[]\n");
   draw();
-  EXPECT_EQ(text("link.dat"), "3 8 1\n\n\n1 1000 20\n2 2000 300\n\n\n")
-      << "gcs, uxv; each as its own side recorded it; kbit/s and ms";
+  EXPECT_EQ(text("link.dat"), "1 1000 20\n2 2000 300\n\n\n3 8 1\n\n\n")
+      << "uxv, gcs; each as its own side recorded it; kbit/s and ms";
   const std::string script = text("plot.gnuplot");
   EXPECT_THAT(script, AllOf(HasSubstr("layout 3,1"), HasSubstr("size 1200,1200"),
-                            HasSubstr("index 1 using 1:2 axes x1y1"),
+                            HasSubstr("index 0 using 1:2 axes x1y1"),
                             HasSubstr("index 0 using 1:3 axes x1y2"),
                             HasSubstr("index 1 using 1:3 axes x1y2")));
-  EXPECT_THAT(script, Not(HasSubstr("index 0 using 1:2"))) << "the station sends no pictures";
+  EXPECT_THAT(script, Not(HasSubstr("index 1 using 1:2"))) << "the station sends no pictures";
   EXPECT_LT(script.find("graph 0 to"), script.find("'link.dat'")) << "pauses are shaded there, too";
 }
 

@@ -72,10 +72,20 @@ TEST(Recording, ARoutersStateComesFromTheOtherSideWhenItsOwnHasNone) {
             "1002,nan,uxv,1,1\n");
   const Recording sut = load_recording(run.path());
   ASSERT_EQ(sut.routers.size(), 1U) << "the station has no router";
-  ASSERT_THAT(sut.routers.at("uxv"), SizeIs(1)) << "a row without a time is left out";
-  EXPECT_EQ(sut.routers.at("uxv")[0].time_s, 1001);
-  EXPECT_EQ(sut.routers.at("uxv")[0].capacity_bytes_per_s, 5000);
-  EXPECT_EQ(sut.routers.at("uxv")[0].backlog_s, 0.25);
+  ASSERT_THAT(sut.routers.at(Role::uxv), SizeIs(1)) << "a row without a time is left out";
+  EXPECT_EQ(sut.routers.at(Role::uxv)[0].time_s, 1001);
+  EXPECT_EQ(sut.routers.at(Role::uxv)[0].capacity_bytes_per_s, 5000);
+  EXPECT_EQ(sut.routers.at(Role::uxv)[0].backlog_s, 0.25);
+}
+
+TEST(Recording, WhatARouterOfNoRoleToldIsNobodys) {
+  const ToyRun run;
+  run.write("gcs/link_state.csv",
+            "receive_s,send_s,role,capacity_bytes_per_s,backlog_s\n1001,1001,boat,1,1\n"
+            "1002,1002,gcs,2,2\n");
+  const Recording sut = load_recording(run.path());
+  EXPECT_EQ(sut.routers.count(Role::uxv), 0U);
+  EXPECT_THAT(sut.routers.at(Role::gcs), SizeIs(1));
 }
 
 TEST(Recording, KnowsWhereTheVehicleWas) {

@@ -28,7 +28,7 @@ using LinkMessage = topic::LinkState::Message;
 std::unique_ptr<Bus> make_bus() {
   BusOptions options;
   options.name = "top_program_test";
-  options.role = "uxv";
+  options.role = Role::uxv;
   options.qos_file = TOCSIN_REPOSITORY "/config/qos.yaml";
   options.traffic_file = TOCSIN_REPOSITORY "/config/traffic.yaml";
   options.host_domain = domain;

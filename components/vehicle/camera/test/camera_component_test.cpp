@@ -14,6 +14,7 @@
 #include <limits>
 #include <memory>
 
+#include "devices/absent_devices.hpp"
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
 #include "runtime/sim_bus.hpp"
@@ -50,7 +51,7 @@ class CameraTest : public ::testing::Test {
   std::string walls_file_;
   CameraComponent::Params params_;
   SimBus bus_;
-  Context context_{bus_, "camera", "uxv", ""};
+  Context context_{bus_, "camera", Role::uxv, ""};
   SimReader<topic::CameraImage> images_{bus_};
   std::unique_ptr<CameraComponent> sut_;
 };
@@ -123,7 +124,7 @@ TEST_F(CameraTest, TellsHowMuchItWillWriteWhenItIsAsked) {
     [[nodiscard]] std::int64_t wall_ns(Time) const override { return 0; }
     std::optional<ExpectedLoad> load;
   } bus;
-  Context context{bus, "camera", "uxv", ""};
+  Context context{bus, "camera", Role::uxv, ""};
   CameraComponent::Params params;
   params.walls_file = walls_file_;
   const CameraComponent sut(context, params);
@@ -157,20 +158,10 @@ TEST(CameraParams, KeepTheLensBelowTheTables) {
   EXPECT_THROW((void)load("camera_height_m: 0.71"), ConfigError);
 }
 
-/// A simulated computer without devices.
-class NoDevices : public Devices {
- public:
-  std::unique_ptr<SerialDevice> open_serial(const std::string&, Readable) override {
-    return nullptr;
-  }
-  std::unique_ptr<EchoDevice> open_echo(const EchoTarget&, Readable) override { return nullptr; }
-  std::optional<std::string> read_text(const std::string&) override { return std::nullopt; }
-};
-
-TEST_F(CameraTest, SendsZerosOfTheRightNumberInSimulatedTime) {
-  NoDevices devices;
-  context_.devices = &devices;
-  CameraComponent sized(context_, params_);
+TEST_F(CameraTest, SendsZerosOfTheRightNumberWhereNobodyLooksAtPictures) {
+  AbsentDevices devices;
+  Context context{bus_, "camera", Role::uxv, "", [](int) {}, devices};
+  CameraComponent sized(context, params_);
   SimBus& bus = bus_;
   bus.add(sized);
   bus.publish<topic::Location>(location(0, 0));
@@ -190,7 +181,7 @@ TEST(CameraReadme, ShowsTheParameters) {
 
 TEST(Camera, NeedsAWallsFile) {
   SimBus bus;
-  Context context{bus, "camera", "uxv", ""};
+  Context context{bus, "camera", Role::uxv, ""};
   EXPECT_THROW(CameraComponent(context, {}), ConfigError);
 }
 

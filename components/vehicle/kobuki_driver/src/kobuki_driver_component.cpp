@@ -5,14 +5,11 @@
 #include <utility>
 
 #include "foundation/error.hpp"
-#include "kobuki_driver/serial_port.hpp"
 #include "runtime/component_entry.hpp"
-#include "simulated_port.hpp"
 
 namespace tocsin {
 
 using kobuki::BaseState;
-using kobuki::Opened;
 using kobuki::Reading;
 
 namespace {
@@ -33,33 +30,15 @@ const char* text_of(BaseState state) {
   return "refused: its firmware is not of major version 1";
 }
 
-std::string memory_path(const Context& context) {
-  const bool simulated = context.devices != nullptr && !context.devices->keeps_files();
-  const bool nowhere = context.run_dir.empty() || simulated;
-  return nowhere ? "" : context.run_dir + "/" + context.name + ".odometry";
-}
-
-/// The port of this computer, or of the simulated one. The port lives no longer than `owner`.
-KobukiDriverComponent::Opener opener_for(const Context& context, Component& owner) {
-  if (context.devices == nullptr) return kobuki::open_serial_port;
-  return [devices = context.devices, &owner](const std::string& path) {
-    return kobuki::open_simulated_port(*devices, path,
-                                       [&owner] { owner.schedule().input_arrived(); });
-  };
-}
-
 }  // namespace
 
 KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& params)
-    : KobukiDriverComponent(context, params, opener_for(context, *this)) {}
-
-KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& params, Opener opener)
     : Component(context),
       params_(params),
       frame_topics_(*this, params.frame, params.driver.odometry.use_gyro_heading),
-      opener_(std::move(opener)),
+      devices_(context.devices),
       driver_(params.driver),
-      file_(memory_path(context)) {
+      file_(context.state_path(".odometry")) {
   if (params.publish_serial_bytes) serial_topics_.emplace(*this);
   if (const auto memory = file_.load()) driver_.resume(memory->odometry, memory->taken);
   open_at_start();
@@ -70,32 +49,36 @@ KobukiDriverComponent::~KobukiDriverComponent() {
 }
 
 void KobukiDriverComponent::open_at_start() {
-  Opened opened = opener_(params_.device_port);
+  OpenedSerial opened = open();
   // Without a living holder it is a leftover of a killed process, which the retries outlast.
-  if (opened.result == Opened::Result::busy && opened.held) {
+  if (opened.result == OpenedSerial::Result::busy && opened.held) {
     throw ConfigError(name() + ".device_port: " + opened.reason + "; stop it or set another port");
   }
   if (opened.port) return adopt(std::move(opened.port));
   log().warn("waiting for the base: {}", opened.reason);
 }
 
-void KobukiDriverComponent::adopt(std::unique_ptr<kobuki::BytePort> port) {
+OpenedSerial KobukiDriverComponent::open() {
+  return devices_.open_serial(params_.device_port, when_readable());
+}
+
+void KobukiDriverComponent::adopt(std::unique_ptr<SerialDevice> port) {
   port_ = std::move(port);
   write_failed_ = false;
-  if (port_->descriptor() >= 0) wake_on(port_->descriptor());
+  wake_on(port_->descriptor());
   driver_.on_port_open();
 }
 
 void KobukiDriverComponent::retry(Time now) {
   if (now < next_retry_) return;
   next_retry_ = now + seconds(params_.retry_s);
-  Opened opened = opener_(params_.device_port);
+  OpenedSerial opened = open();
   if (opened.port) adopt(std::move(opened.port));
 }
 
 void KobukiDriverComponent::close(const char* why) {
   log().warn("{}: {}", params_.device_port, why);
-  if (port_->descriptor() >= 0) forget(port_->descriptor());
+  forget(port_->descriptor());
   port_.reset();
   driver_.on_port_lost();
 }
@@ -136,7 +119,7 @@ void KobukiDriverComponent::read_port(Time now) {
 
 void KobukiDriverComponent::send(kobuki::ByteView bytes) {
   if (!port_) return;
-  if (!port_->write(bytes)) write_failed_ = true;
+  if (!port_->write(bytes.data, bytes.size)) write_failed_ = true;
   if (serial_topics_ && !serial_topics_->sent(bytes)) log().warn("sent bytes were not published");
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "devices/absent_devices.hpp"
 #include "kobuki_driver/kobuki_driver_component.hpp"
 #include "kobuki_model/base_model.hpp"
 #include "runtime/sim_bus.hpp"
@@ -16,7 +17,6 @@
 namespace tocsin {
 
 using kobuki::ByteView;
-using kobuki::Opened;
 
 /// A base in the bus's virtual time and the cable to it.
 struct Base {
@@ -28,10 +28,9 @@ struct Base {
   bool plugged = true;
 };
 
-class ModelPort final : public kobuki::BytePort {
+class ModelPort final : public SerialDevice {
  public:
   explicit ModelPort(Base& base) : base_(base) {}
-  int descriptor() const override { return -1; }
   std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override {
     base_.model.step(base_.bus.now(), [this](Time, ByteView frame) {
       base_.arrived.insert(base_.arrived.end(), frame.begin(), frame.end());
@@ -43,8 +42,8 @@ class ModelPort final : public kobuki::BytePort {
                         base_.arrived.begin() + static_cast<std::ptrdiff_t>(count));
     return count;
   }
-  bool write(ByteView bytes) override {
-    base_.model.receive(bytes, base_.bus.now());
+  bool write(const std::uint8_t* bytes, std::size_t size) override {
+    base_.model.receive({bytes, size}, base_.bus.now());
     return base_.plugged;
   }
 
@@ -52,17 +51,30 @@ class ModelPort final : public kobuki::BytePort {
   Base& base_;
 };
 
+/// A computer with one base on /dev/kobuki, while it is plugged.
+class ModelDevices final : public AbsentDevices {
+ public:
+  explicit ModelDevices(Base& base) : base_(base) {}
+  OpenedSerial open_serial(const std::string& path, Readable on) override {
+    ++attempts;
+    readable = std::move(on);
+    if (in_use) return {OpenedSerial::Result::busy, nullptr, *in_use, held};
+    if (!base_.plugged || path != "/dev/kobuki") return AbsentDevices::open_serial(path, {});
+    return {OpenedSerial::Result::open, std::make_unique<ModelPort>(base_), {}, false};
+  }
+  [[nodiscard]] bool keeps_files() const override { return true; }
+  Readable readable;
+  int attempts = 0;
+  std::optional<std::string> in_use;  ///< why the port is busy
+  bool held = false;                  ///< by a living process
+
+ private:
+  Base& base_;
+};
+
 class KobukiDriverComponentTest : public ::testing::Test {
  protected:
-  void start() {
-    sut_ = std::make_unique<KobukiDriverComponent>(context_, params_,
-                                                   [this](const std::string&) { return open(); });
-  }
-  Opened open() {
-    ++attempts_;
-    if (!base_.plugged) return {Opened::Result::absent, nullptr, "no such file", false};
-    return {Opened::Result::open, std::make_unique<ModelPort>(base_), {}, false};
-  }
+  void start() { sut_ = std::make_unique<KobukiDriverComponent>(context_, params_); }
   void run(double duration_s, double v_mps = 0, bool commanded = false) {
     for (int i = 0; i < std::lround(duration_s / 0.01); ++i) {
       if (commanded && i % 5 == 0) {
@@ -77,10 +89,10 @@ class KobukiDriverComponentTest : public ::testing::Test {
   void drive(double duration_s, double v_mps) { run(duration_s, v_mps, true); }
 
   SimBus bus_;
-  Context context_{bus_, "kobuki_driver", "uxv", ""};
-  KobukiDriverComponent::Params params_;
   Base base_{bus_};
-  int attempts_ = 0;
+  ModelDevices devices_{base_};
+  Context context_{bus_, "kobuki_driver", Role::uxv, "", [](int) {}, devices_};
+  KobukiDriverComponent::Params params_;
   std::unique_ptr<KobukiDriverComponent> sut_;
   SimReader<topic::Odom> odom_{bus_};
   SimReader<topic::Tf> tf_{bus_};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The component and its port: absent, lost, occupied, simulated, restarted.
+/// The component and its port: absent, lost, occupied, without a descriptor, restarted.
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -13,53 +13,19 @@ namespace {
 using ::testing::HasSubstr;
 using KobukiDriverPortTest = KobukiDriverComponentTest;
 
-/// A simulated computer with one base on /dev/kobuki.
-class ModelDevices final : public Devices {
- public:
-  explicit ModelDevices(Base& base) : base_(base) {}
-  std::unique_ptr<SerialDevice> open_serial(const std::string& path, Readable on) override {
-    readable = std::move(on);
-    if (path != "/dev/kobuki") return nullptr;
-    return std::make_unique<Line>(base_);
-  }
-  std::unique_ptr<EchoDevice> open_echo(const EchoTarget&, Readable) override { return nullptr; }
-  std::optional<std::string> read_text(const std::string&) override { return std::nullopt; }
-  Readable readable;
-
- private:
-  class Line final : public SerialDevice {
-   public:
-    explicit Line(Base& base) : port_(base) {}
-    std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override {
-      return port_.read(to, size);
-    }
-    bool write(const std::uint8_t* bytes, std::size_t size) override {
-      return port_.write({bytes, size});
-    }
-
-   private:
-    ModelPort port_;
-  };
-  Base& base_;
-};
-
-TEST_F(KobukiDriverPortTest, UsesThePortOfASimulatedComputerWhenItsBytesCome) {
-  ModelDevices devices(base_);
-  context_.devices = &devices;
+TEST_F(KobukiDriverPortTest, ReadsAPortWithoutADescriptorWhenItsBytesCome) {
   sut_ = std::make_unique<KobukiDriverComponent>(context_, params_);
   bus_.add(*sut_);
   bus_.run_for(seconds(0.03));
   odom_.take();
   bus_.run_for(seconds(0.02));
   EXPECT_TRUE(odom_.take().empty());  // nobody told that bytes wait
-  devices.readable();
+  devices_.readable();
   bus_.run_for(seconds(0.001));
   EXPECT_FALSE(odom_.take().empty());
 }
 
-TEST_F(KobukiDriverPortTest, WaitsForASimulatedPortThatIsNotThere) {
-  ModelDevices devices(base_);
-  context_.devices = &devices;
+TEST_F(KobukiDriverPortTest, WaitsForAPortThatIsNotThere) {
   params_.device_port = "/dev/other";
   sut_ = std::make_unique<KobukiDriverComponent>(context_, params_);
   bus_.add(*sut_);
@@ -71,7 +37,7 @@ TEST_F(KobukiDriverPortTest, WaitsForAnAbsentPort) {
   base_.plugged = false;
   start();
   run(3);
-  EXPECT_NEAR(attempts_, 7, 1);  // at start and every 0.5 s
+  EXPECT_NEAR(devices_.attempts, 7, 1);  // at start and every 0.5 s
   EXPECT_TRUE(odom_.take().empty());
   base_.plugged = true;
   run(1);
@@ -90,11 +56,10 @@ TEST_F(KobukiDriverPortTest, ReconnectsAfterTheCableWasPulled) {
 }
 
 TEST_F(KobukiDriverPortTest, EndsWhenAnotherProcessHasThePort) {
-  const auto busy = [](const std::string& path) {
-    return Opened{Opened::Result::busy, nullptr, path + " is in use by minicom (pid 7)", true};
-  };
+  devices_.in_use = "/dev/kobuki is in use by minicom (pid 7)";
+  devices_.held = true;
   try {
-    KobukiDriverComponent sut(context_, params_, busy);
+    KobukiDriverComponent sut(context_, params_);
     FAIL() << "no error";
   } catch (const ConfigError& error) {
     EXPECT_THAT(error.what(),
@@ -103,10 +68,8 @@ TEST_F(KobukiDriverPortTest, EndsWhenAnotherProcessHasThePort) {
 }
 
 TEST_F(KobukiDriverPortTest, OutlastsExclusiveUseThatNobodyHolds) {
-  const auto busy = [](const std::string&) {
-    return Opened{Opened::Result::busy, nullptr, "left over", false};
-  };
-  EXPECT_NO_THROW(KobukiDriverComponent(context_, params_, busy));
+  devices_.in_use = "left over";
+  EXPECT_NO_THROW(KobukiDriverComponent(context_, params_));
 }
 
 TEST_F(KobukiDriverPortTest, GoesOnWhereAKilledDriverWas) {

@@ -29,7 +29,7 @@ class SessionRig final : public EventWait, public SimulatorControl {
   }
 
   [[nodiscard]] Time now() const override { return now_; }
-  std::optional<char> wait(int, Time until) override;
+  std::optional<char> wait(std::optional<int>, Time until) override;
   [[nodiscard]] bool interrupted() const override { return now_ >= interrupt_at; }
   [[nodiscard]] std::optional<std::string> ask(const std::string& line) override;
 
@@ -45,12 +45,11 @@ class SessionRig final : public EventWait, public SimulatorControl {
   std::string refuses;  ///< a `set` that begins so does nothing
 
  private:
-  class Port final : public BytePort {
+  class Port final : public SerialDevice {
    public:
     explicit Port(SessionRig& rig) : rig_(rig) {}
-    [[nodiscard]] int descriptor() const override { return -1; }
     std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override;
-    bool write(ByteView bytes) override;
+    bool write(const std::uint8_t* bytes, std::size_t size) override;
 
    private:
     SessionRig& rig_;
@@ -72,13 +71,13 @@ inline std::optional<std::size_t> SessionRig::Port::read(std::uint8_t* to, std::
   return count;
 }
 
-inline bool SessionRig::Port::write(ByteView bytes) {
+inline bool SessionRig::Port::write(const std::uint8_t* bytes, std::size_t size) {
   if (rig_.now_ >= rig_.unplug_at) return false;
-  if (rig_.now_ < rig_.deaf_at) rig_.model_.receive(bytes, rig_.now_);
+  if (rig_.now_ < rig_.deaf_at) rig_.model_.receive({bytes, size}, rig_.now_);
   return true;
 }
 
-inline std::optional<char> SessionRig::wait(int, Time until) {
+inline std::optional<char> SessionRig::wait(std::optional<int>, Time until) {
   do {
     now_ += std::chrono::milliseconds(1);
     model_.step(now_, [&](Time sent, ByteView frame) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/role.hpp"
 #include "navigation/map_loader.hpp"
 #include "runtime/component_entry.hpp"
 
@@ -39,19 +40,13 @@ OdometryLocaliser make_localiser(const LocaliserFile& file, const geometry::Pose
   return memory ? OdometryLocaliser(*memory) : OdometryLocaliser(start);
 }
 
-std::string memory_path(const Context& context) {
-  const bool simulated = context.devices != nullptr && !context.devices->keeps_files();
-  const bool nowhere = context.run_dir.empty() || simulated;
-  return nowhere ? "" : context.run_dir + "/" + context.name + ".pose";
-}
-
 }  // namespace
 
 NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
     : Component(context),
       params_(params),
       navigator_(make_navigator(context.name, params)),
-      file_(memory_path(context)),
+      file_(context.state_path(".pose")),
       localiser_(
           make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})) {}
 
@@ -90,7 +85,7 @@ bool NavigatorComponent::take_orders(Time now) {
     any = true;
   }
   while (const auto heartbeat = heartbeat_.take()) {
-    if (heartbeat->role() == "gcs") navigator_.on_ground_station(now);
+    if (role_of(heartbeat->role()) == Role::gcs) navigator_.on_ground_station(now);
   }
   while (const auto goal = goal_.take()) {
     take_goal(*goal, now);

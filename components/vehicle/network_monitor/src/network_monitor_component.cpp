@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "network_monitor/icmp_socket.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -44,66 +43,32 @@ void put_wireless(const network::WirelessReading& reading, const network::Wirele
   message.wireless_source(network::name(reading.source));
 }
 
-/// A way to the target that a simulated computer offers.
-class SimulatedEcho final : public network::EchoPort {
- public:
-  SimulatedEcho(const Bus& bus, std::unique_ptr<EchoDevice> device)
-      : bus_(bus), device_(std::move(device)) {}
-  network::SendResult send(std::uint16_t sequence) override {
-    return {bus_.now(), device_->send(sequence)};
-  }
-  std::optional<network::EchoReply> receive() override {
-    const auto reply = device_->receive();
-    if (!reply) return std::nullopt;
-    return network::EchoReply{reply->sequence, reply->received};
-  }
-  int fd() const override { return -1; }
-
- private:
-  const Bus& bus_;
-  std::unique_ptr<EchoDevice> device_;
-};
-
-using Params = NetworkMonitorComponent::Params;
-
-std::unique_ptr<network::EchoPort> open_port(const Context& context, const Params& params,
-                                             Component& owner) {
-  const auto payload_bytes = static_cast<std::size_t>(params.payload_bytes);
-  const auto dscp = static_cast<std::uint8_t>(params.dscp);
-  if (context.devices == nullptr) {
-    return std::make_unique<network::IcmpSocket>(params.target, payload_bytes, dscp);
-  }
-  return std::make_unique<SimulatedEcho>(
-      context.bus, context.devices->open_echo({params.target, payload_bytes, dscp},
-                                              [&owner] { owner.schedule().input_arrived(); }));
+EchoTarget target_of(const NetworkMonitorComponent::Params& params) {
+  return {params.target, static_cast<std::size_t>(params.payload_bytes),
+          static_cast<std::uint8_t>(params.dscp)};
 }
 
-network::WirelessReader open_reader(const Context& context, const Params& params) {
-  if (context.devices == nullptr) return {params.interface_name, params.wireless_file};
-  return {
-      params.interface_name, params.wireless_file,
-      [devices = context.devices](const std::string& path) { return devices->read_text(path); }};
+std::unique_ptr<network::WirelessDevice> open_wireless(
+    Devices& devices, const NetworkMonitorComponent::Params& params) {
+  if (params.interface_name.empty()) return nullptr;
+  return devices.open_wireless(params.interface_name, params.wireless_file);
 }
 
 }  // namespace
 
 NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params& params)
-    : NetworkMonitorComponent(context, params, open_port(context, params, *this)) {}
-
-NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params& params,
-                                                 std::unique_ptr<network::EchoPort> port)
     : Component(context),
       interface_name_(params.interface_name),
-      port_(std::move(port)),
+      echo_(context.devices.open_echo(target_of(params), when_readable())),
       probe_period_(seconds(params.probe.period_s)),
       window_(params.probe),
-      reader_(open_reader(context, params)) {
-  if (port_->fd() >= 0) wake_on(port_->fd());
+      wireless_(open_wireless(context.devices, params)) {
+  wake_on(echo_->descriptor());
 }
 
 void NetworkMonitorComponent::tick(Time now) {
   if (!has_begun(now)) return wake_at(*begin_);
-  while (const auto reply = port_->receive()) {
+  while (const auto reply = echo_->receive()) {
     (void)window_.on_reply(reply->sequence, reply->received_at);
   }
   send_due(now);
@@ -120,7 +85,7 @@ bool NetworkMonitorComponent::has_begun(Time now) {
 void NetworkMonitorComponent::send_due(Time now) {
   const auto sequence = window_.take_due(now);
   if (!sequence) return;
-  const network::SendResult result = port_->send(*sequence);
+  const SendResult result = echo_->send(*sequence);
   if (result.error == 0) {
     window_.on_sent(*sequence, result.at);
   } else {
@@ -136,7 +101,7 @@ void NetworkMonitorComponent::send_due(Time now) {
 }
 
 void NetworkMonitorComponent::publish(const network::ProbeSample& sample, Time now) {
-  const network::WirelessReading reading = reader_.read();
+  const network::WirelessReading reading = read_wireless();
   report_change(reading);
   Message message;
   message.stamp(wall(now));
@@ -144,6 +109,10 @@ void NetworkMonitorComponent::publish(const network::ProbeSample& sample, Time n
   put_wireless(reading, trend_.update(reading), message);
   message.interface_name(interface_name_);
   if (quality_.write(std::move(message)) == Status::failed) log().warn("a sample was not sent");
+}
+
+network::WirelessReading NetworkMonitorComponent::read_wireless() {
+  return wireless_ ? wireless_->read() : network::absent("no interface is configured");
 }
 
 void NetworkMonitorComponent::report_change(const network::WirelessReading& reading) {

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <utility>
 
+#include "devices/absent_devices.hpp"
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
 #include "runtime/sim_bus.hpp"
@@ -21,39 +22,56 @@ namespace tocsin {
 namespace {
 
 /// A target that answers at once while `alive`; the reply is read at the next tick.
-class ScriptedPort : public network::EchoPort {
+struct Target {
+  bool alive = true;
+  int error = 0;
+};
+
+class ScriptedEcho final : public EchoDevice {
  public:
-  explicit ScriptedPort(const SimBus& bus) : bus_(bus) {}
-  network::SendResult send(std::uint16_t sequence) override {
-    if (error != 0) return {bus_.now(), error};
-    if (alive) replies_.push_back({sequence, bus_.now() + seconds(0.004)});
+  ScriptedEcho(const SimBus& bus, const Target& target) : bus_(bus), target_(target) {}
+  SendResult send(std::uint16_t sequence) override {
+    if (target_.error != 0) return {bus_.now(), target_.error};
+    if (target_.alive) replies_.push_back({sequence, bus_.now() + seconds(0.004)});
     return {bus_.now(), 0};
   }
-  std::optional<network::EchoReply> receive() override {
+  std::optional<EchoReply> receive() override {
     if (replies_.empty()) return std::nullopt;
     const auto reply = replies_.front();
     replies_.pop_front();
     return reply;
   }
-  int fd() const override { return -1; }
-
-  bool alive = true;
-  int error = 0;
 
  private:
   const SimBus& bus_;
-  std::deque<network::EchoReply> replies_;
+  const Target& target_;
+  std::deque<EchoReply> replies_;
+};
+
+/// A computer with that target and the radio of this one.
+class TargetDevices final : public AbsentDevices {
+ public:
+  TargetDevices(const SimBus& bus, const Target& target) : bus_(bus), target_(target) {}
+  std::unique_ptr<EchoDevice> open_echo(const EchoTarget&, Readable) override {
+    return std::make_unique<ScriptedEcho>(bus_, target_);
+  }
+  std::unique_ptr<network::WirelessDevice> open_wireless(const std::string& interface,
+                                                         const std::string& file) override {
+    return real_devices().open_wireless(interface, file);
+  }
+
+ private:
+  const SimBus& bus_;
+  const Target& target_;
 };
 
 class NetworkMonitorTest : public ::testing::Test {
  protected:
   NetworkMonitorTest() : file_("monitor_test_" + std::to_string(getpid())) {
-    auto port = std::make_unique<ScriptedPort>(bus_);
-    port_ = port.get();
     NetworkMonitorComponent::Params params;
     params.interface_name = "lo";
     params.wireless_file = file_;
-    sut_ = std::make_unique<NetworkMonitorComponent>(context_, params, std::move(port));
+    sut_ = std::make_unique<NetworkMonitorComponent>(context_, params);
   }
   ~NetworkMonitorTest() override { std::remove(file_.c_str()); }
 
@@ -67,10 +85,11 @@ class NetworkMonitorTest : public ::testing::Test {
   }
 
   SimBus bus_;
-  Context context_{bus_, "network_monitor", "uxv", ""};
+  Target target_;
+  TargetDevices devices_{bus_, target_};
+  Context context_{bus_, "network_monitor", Role::uxv, "", [](int) {}, devices_};
   SimReader<topic::NetworkQuality> samples_{bus_};
   std::string file_;
-  ScriptedPort* port_ = nullptr;
   bool running_ = false;
   std::unique_ptr<NetworkMonitorComponent> sut_;
 };
@@ -93,7 +112,7 @@ TEST_F(NetworkMonitorTest, ReportsALivingLink) {
 }
 
 TEST_F(NetworkMonitorTest, ReportsADeadLinkAsHundredPercentLost) {
-  port_->alive = false;
+  target_.alive = false;
   const auto samples = run(10);
   ASSERT_FALSE(samples.empty());
   for (const auto& sample : samples) {
@@ -104,11 +123,11 @@ TEST_F(NetworkMonitorTest, ReportsADeadLinkAsHundredPercentLost) {
 
 TEST_F(NetworkMonitorTest, GoesOnReportingWhenTheNetworkIsGone) {
   (void)run(5);
-  port_->error = ENETUNREACH;
+  target_.error = ENETUNREACH;
   const auto samples = run(10);
   ASSERT_EQ(samples.size(), 10U);
   EXPECT_EQ(samples.back().per_percent(), 100.0F);
-  port_->error = 0;
+  target_.error = 0;
   EXPECT_EQ(run(10).back().per_percent(), 0.0F);
 }
 
@@ -151,9 +170,9 @@ TEST_F(NetworkMonitorTest, FollowsTheInterfaceThroughALostAssociation) {
 
 TEST_F(NetworkMonitorTest, ReportsAShortOutageAsItsShareOfTheWindow) {
   (void)run(10);
-  port_->alive = false;
+  target_.alive = false;
   (void)run(1.5);  // five probes
-  port_->alive = true;
+  target_.alive = true;
   EXPECT_FLOAT_EQ(run(2.5).back().per_percent(), 25.0F);
   EXPECT_EQ(run(8).back().per_percent(), 0.0F);
 }
@@ -165,35 +184,36 @@ TEST_F(NetworkMonitorTest, SurvivesADamagedWirelessFile) {
   EXPECT_EQ(sample.per_percent(), 0.0F);
 }
 
-/// A simulated computer whose echo replies come when the test says so.
-class ScriptedDevices : public Devices {
+/// A computer whose devices have no descriptors: replies come when the test says so.
+class ScriptedDevices final : public AbsentDevices {
  public:
-  std::unique_ptr<SerialDevice> open_serial(const std::string&, Readable) override {
-    return nullptr;
-  }
+  explicit ScriptedDevices(const SimBus& bus) : bus_(bus) {}
   std::unique_ptr<EchoDevice> open_echo(const EchoTarget& target, Readable on) override {
     readable = std::move(on);
     echo_target = target;
     return std::make_unique<Echo>(*this);
   }
-  std::optional<std::string> read_text(const std::string& path) override {
-    asked = path;
-    return " wlan0: 0000   50.  -60.  -256        0      0      0      0      0        0\n";
+  std::unique_ptr<network::WirelessDevice> open_wireless(const std::string& interface,
+                                                         const std::string& file) override {
+    asked = interface + " " + file;
+    return std::make_unique<Wireless>();
   }
-  std::deque<EchoDevice::Reply> replies;
+  std::deque<EchoReply> replies;
   Readable readable;
   std::string asked;
   EchoTarget echo_target;
   int sent = 0;
 
  private:
-  class Echo : public EchoDevice {
+  class Echo final : public EchoDevice {
    public:
     explicit Echo(ScriptedDevices& devices) : devices_(devices) {}
-    int send(std::uint16_t) override { return devices_.sent++ == 0 ? 0 : ENETUNREACH; }
-    std::optional<Reply> receive() override {
+    SendResult send(std::uint16_t) override {
+      return {devices_.bus_.now(), devices_.sent++ == 0 ? 0 : ENETUNREACH};
+    }
+    std::optional<EchoReply> receive() override {
       if (devices_.replies.empty()) return std::nullopt;
-      const Reply reply = devices_.replies.front();
+      const EchoReply reply = devices_.replies.front();
       devices_.replies.pop_front();
       return reply;
     }
@@ -201,13 +221,20 @@ class ScriptedDevices : public Devices {
    private:
     ScriptedDevices& devices_;
   };
+  class Wireless final : public network::WirelessDevice {
+    network::WirelessReading read() override {
+      return network::parse_proc_wireless(
+          " wlan0: 0000   50.  -60.  -256        0      0      0      0      0        0\n",
+          "wlan0");
+    }
+  };
+  const SimBus& bus_;
 };
 
-TEST(NetworkMonitorOnASimulatedComputer, UsesItsDevices) {
+TEST(NetworkMonitorOnAnotherComputer, UsesItsDevices) {
   SimBus bus;
-  ScriptedDevices devices;
-  Context context{bus, "network_monitor", "uxv", ""};
-  context.devices = &devices;
+  ScriptedDevices devices(bus);
+  Context context{bus, "network_monitor", Role::uxv, "", [](int) {}, devices};
   SimReader<topic::NetworkQuality> samples(bus);
   NetworkMonitorComponent sut(context, {});
   bus.add(sut);
@@ -218,7 +245,7 @@ TEST(NetworkMonitorOnASimulatedComputer, UsesItsDevices) {
   bus.run_for(seconds(2.1));
   const auto got = samples.take();
   ASSERT_FALSE(got.empty());
-  EXPECT_EQ(devices.asked, "/proc/net/wireless");
+  EXPECT_EQ(devices.asked, "wlan0 /proc/net/wireless");
   EXPECT_EQ(got.back().wireless_source(), "proc");
   EXPECT_EQ(got.back().signal_dbm(), -60.0F);
   EXPECT_EQ(got.back().probes_received(), 1U);
@@ -226,11 +253,10 @@ TEST(NetworkMonitorOnASimulatedComputer, UsesItsDevices) {
   EXPECT_GT(got.back().per_percent(), 50.0F);  // all later ones were refused
 }
 
-TEST(NetworkMonitorOnASimulatedComputer, SendsProbesWithTheDscpOfClassLowUnlessToldOtherwise) {
+TEST(NetworkMonitorOnAnotherComputer, SendsProbesWithTheDscpOfClassLowUnlessToldOtherwise) {
   SimBus bus;
-  ScriptedDevices devices;
-  Context context{bus, "network_monitor", "uxv", ""};
-  context.devices = &devices;
+  ScriptedDevices devices(bus);
+  Context context{bus, "network_monitor", Role::uxv, "", [](int) {}, devices};
   NetworkMonitorComponent::Params params;
   const NetworkMonitorComponent by_default(context, params);
   EXPECT_EQ(devices.echo_target.dscp, dscp(TrafficClass::low));
@@ -240,9 +266,25 @@ TEST(NetworkMonitorOnASimulatedComputer, SendsProbesWithTheDscpOfClassLowUnlessT
   EXPECT_EQ(devices.echo_target.dscp, 46);
 }
 
+TEST(NetworkMonitorOnAnotherComputer, AsksNoRadioWhenNoInterfaceIsConfigured) {
+  SimBus bus;
+  ScriptedDevices devices(bus);
+  Context context{bus, "network_monitor", Role::uxv, "", [](int) {}, devices};
+  NetworkMonitorComponent::Params params;
+  params.interface_name = "";
+  SimReader<topic::NetworkQuality> samples(bus);
+  NetworkMonitorComponent sut(context, params);
+  bus.add(sut);
+  bus.run_for(seconds(3));
+  const auto got = samples.take();
+  ASSERT_FALSE(got.empty());
+  EXPECT_EQ(got.back().wireless_source(), "absent");
+  EXPECT_EQ(devices.asked, "");
+}
+
 TEST(NetworkMonitor, RefusesATargetThatIsNoAddress) {
   SimBus bus;
-  Context context{bus, "network_monitor", "uxv", ""};
+  Context context{bus, "network_monitor", Role::uxv, ""};
   NetworkMonitorComponent::Params params;
   EXPECT_THROW(NetworkMonitorComponent(context, params), ConfigError);
 }

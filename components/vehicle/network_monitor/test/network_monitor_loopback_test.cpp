@@ -4,7 +4,6 @@
 #include <poll.h>
 
 #include "foundation/error.hpp"
-#include "network_monitor/icmp_socket.hpp"
 #include "network_monitor/network_monitor_component.hpp"
 #include "runtime/sim_bus.hpp"
 
@@ -13,7 +12,7 @@ namespace {
 
 bool may_send_echo() {
   try {
-    network::IcmpSocket probe("127.0.0.1", 8);
+    (void)real_devices().open_echo({"127.0.0.1", 8}, [] {});
     return true;
   } catch (const EnvironmentError&) {
     return false;
@@ -35,7 +34,7 @@ void run(NetworkMonitorComponent& sut, Time end) {
 TEST(NetworkMonitor, MeasuresLoopbackWithoutLoss) {
   if (!may_send_echo()) GTEST_SKIP() << "neither kind of ICMP socket is allowed here";
   SimBus bus;
-  Context context{bus, "network_monitor", "uxv", ""};
+  Context context{bus, "network_monitor", Role::uxv, ""};
   SimReader<topic::NetworkQuality> samples(bus);
   NetworkMonitorComponent::Params params;
   params.target = "127.0.0.1";

@@ -24,16 +24,10 @@ bool same(const topic::SafetyStatus::Message& a, const topic::SafetyStatus::Mess
          a.stopped_by() == b.stopped_by();
 }
 
-std::string memory_path(const Context& context) {
-  const bool simulated = context.devices != nullptr && !context.devices->keeps_files();
-  const bool nowhere = context.run_dir.empty() || simulated;
-  return nowhere ? "" : context.run_dir + "/" + context.name + ".stop";
-}
-
 }  // namespace
 
 SafetyControllerComponent::SafetyControllerComponent(Context& context, const Params& params)
-    : Component(context), file_(memory_path(context)), controller_(params) {
+    : Component(context), file_(context.state_path(".stop")), controller_(params) {
   sensors_.emplace(*this);
   emergency_stop_.restore(file_.load());
   controller_.on_emergency_stop(emergency_stop_.stands());

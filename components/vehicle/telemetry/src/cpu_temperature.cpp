@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
-#include "telemetry/text_file.hpp"
 #include "telemetry/words.hpp"
 
 namespace tocsin::telemetry {
@@ -24,16 +22,21 @@ std::string trimmed(std::string text) {
   return text;
 }
 
-/// One thermometer per sub-folder that has both files.
-void list_folder(const std::string& folder, const std::string& name_file,
-                 const std::string& value_file, std::vector<Thermometer>& found) {
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const auto name = read_text(entry.path() / name_file);
-    const auto value = entry.path() / value_file;
-    if (name && std::filesystem::exists(value, error)) {
-      found.push_back({trimmed(*name), value.string()});
-    }
+/// The files of a thermometer.
+struct Files {
+  const char* name;
+  const char* value;
+};
+
+/// One thermometer per sub-folder that has both files; a sensor that fails counts.
+void list_devices(Devices& devices, const std::string& folder, const Files& files,
+                  std::vector<Thermometer>& found) {
+  for (const std::string& entry : devices.list_folder(folder)) {
+    const std::string device = folder + "/" + entry;
+    const auto name = devices.read_text(device + "/" + files.name);
+    const auto inside = devices.list_folder(device);
+    const bool has_value = std::find(inside.begin(), inside.end(), files.value) != inside.end();
+    if (name && has_value) found.push_back({trimmed(*name), device + "/" + files.value});
   }
 }
 
@@ -54,11 +57,11 @@ std::optional<Thermometer> choose_cpu_thermometer(const std::vector<Thermometer>
   return std::nullopt;
 }
 
-std::vector<Thermometer> list_thermometers(const std::string& thermal_dir,
+std::vector<Thermometer> list_thermometers(Devices& devices, const std::string& thermal_dir,
                                            const std::string& hwmon_dir) {
   std::vector<Thermometer> found;
-  list_folder(thermal_dir, "type", "temp", found);
-  list_folder(hwmon_dir, "name", "temp1_input", found);
+  list_devices(devices, thermal_dir, {"type", "temp"}, found);
+  list_devices(devices, hwmon_dir, {"name", "temp1_input"}, found);
   // The order of a folder's entries is the file system's; ours is not.
   std::sort(found.begin(), found.end(),
             [](const Thermometer& a, const Thermometer& b) { return a.file < b.file; });

@@ -6,17 +6,14 @@
 
 #include "runtime/component_entry.hpp"
 #include "telemetry/memory.hpp"
-#include "telemetry/text_file.hpp"
 
 namespace tocsin {
 namespace {
 
-/// A simulated computer has none.
 std::optional<telemetry::Thermometer> find_thermometer(const Context& context,
                                                        const TelemetryComponent::Params& params) {
-  if (context.devices != nullptr) return std::nullopt;
   return telemetry::choose_cpu_thermometer(
-      telemetry::list_thermometers(params.thermal_dir, params.hwmon_dir));
+      telemetry::list_thermometers(context.devices, params.thermal_dir, params.hwmon_dir));
 }
 
 }  // namespace
@@ -72,8 +69,7 @@ void TelemetryComponent::report_temperature(Time now) {
 }
 
 std::optional<std::string> TelemetryComponent::read(const std::string& path) const {
-  Devices* simulated = context().devices;
-  return simulated != nullptr ? simulated->read_text(path) : telemetry::read_text(path);
+  return context().devices.read_text(path);
 }
 
 void TelemetryComponent::say_once(const std::string& text) {

@@ -52,7 +52,7 @@ class ThermometerListTest : public ::testing::Test {
     std::ofstream(root_ / file) << text;
   }
   std::vector<Thermometer> list() const {
-    return list_thermometers(root_ / "thermal", root_ / "hwmon");
+    return list_thermometers(real_devices(), root_ / "thermal", root_ / "hwmon");
   }
   std::filesystem::path root_;
 };

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "devices/absent_devices.hpp"
 #include "foundation/parameters.hpp"
 #include "runtime/sim_bus.hpp"
 
@@ -44,7 +45,7 @@ class TelemetryTest : public ::testing::Test {
 
   std::filesystem::path root_;
   SimBus bus_;
-  Context context_{bus_, "telemetry", "uxv", ""};
+  Context context_{bus_, "telemetry", Role::uxv, ""};
   SimReader<topic::MemoryUsage> memory_{bus_};
   SimReader<topic::CpuLoad> load_{bus_};
   SimReader<topic::CpuTemperature> temperature_{bus_};
@@ -76,23 +77,23 @@ TEST_F(TelemetryTest, ReportsLoadFromTheSecondLookOn) {
   EXPECT_THAT(messages[0].core_percent(), ElementsAre(30.0F));
 }
 
-TEST_F(TelemetryTest, ReadsTheFilesOfASimulatedComputer) {
-  class Simulated : public Devices {
+TEST(TelemetryOfAnotherComputer, ReadsItsFiles) {
+  class Other : public AbsentDevices {
    public:
-    std::unique_ptr<SerialDevice> open_serial(const std::string&, Readable) override {
-      return nullptr;
-    }
-    std::unique_ptr<EchoDevice> open_echo(const EchoTarget&, Readable) override { return nullptr; }
     std::optional<std::string> read_text(const std::string& path) override {
       if (path.find("meminfo") == std::string::npos) return std::nullopt;
       return "MemTotal: 8000 kB\nMemAvailable: 6000 kB\n";
     }
   };
-  Simulated devices;
-  context_.devices = &devices;
-  start();
-  EXPECT_FLOAT_EQ(memory_.take().at(0).used_percent(), 25.0F);
-  EXPECT_EQ(temperature_.take().at(0).header().frame_id(), "absent");
+  Other devices;
+  SimBus bus;
+  Context context{bus, "telemetry", Role::uxv, "", [](int) {}, devices};
+  SimReader<topic::MemoryUsage> memory(bus);
+  SimReader<topic::CpuTemperature> temperature(bus);
+  TelemetryComponent sut(context, {});
+  bus.add(sut);
+  EXPECT_FLOAT_EQ(memory.take().at(0).used_percent(), 25.0F);
+  EXPECT_EQ(temperature.take().at(0).header().frame_id(), "absent");
 }
 
 TEST_F(TelemetryTest, ReportsTheTemperatureAndItsSensor) {
@@ -148,7 +149,7 @@ TEST_F(TelemetryTest, ReportsAgainWhenAFileComesBack) {
 
 TEST(Telemetry, ReadsThisComputer) {
   SimBus bus;
-  Context context{bus, "telemetry", "uxv", ""};
+  Context context{bus, "telemetry", Role::uxv, ""};
   SimReader<topic::MemoryUsage> memory(bus);
   TelemetryComponent sut(context, {});
   bus.add(sut);

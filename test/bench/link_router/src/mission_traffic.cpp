@@ -48,7 +48,7 @@ class Recorder final : public simulation::Observer {
     if (is_new) {
       traffic_.sources.push_back(
           {written.from.topic,
-           written.from.role == "uxv" ? radio::Direction::uplink : radio::Direction::downlink,
+           written.from.role == Role::uxv ? radio::Direction::uplink : radio::Direction::downlink,
            rule_of(written.from)});
     }
     traffic_.writes.push_back({written.time, place->second, written.bytes});

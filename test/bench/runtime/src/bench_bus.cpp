@@ -26,7 +26,7 @@ std::unique_ptr<Bus> make_bench_bus(const std::string& name, int domain, bool sh
                                     Timing timing) {
   BusOptions options;
   options.name = name;
-  options.role = "uxv";
+  options.role = Role::uxv;
   options.qos_file =
       file("qos.yaml", "bench: {reliability: reliable, depth: 4" +
                            std::string(timing == Timing::raw ? raw_timing : "") + "}\n");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "foundation/role.hpp"
 #include "foundation/yaml_sources.hpp"
 
 /// The bringup file in memory: which components run in which process, on which host.
@@ -61,7 +62,7 @@ struct Program {
 /// One side of the radio link.
 struct Host {
   std::string name;
-  std::string role;                ///< "uxv" or "gcs"
+  Role role = Role::uxv;
   std::string address;             ///< IPv4, of this host on the link
   std::vector<std::string> peers;  ///< IPv4 addresses of the other hosts
   int local_domain = 0;            ///< DDS domain id of topics that stay on this host

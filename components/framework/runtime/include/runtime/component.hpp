@@ -6,13 +6,15 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "devices/devices.hpp"
+#include "foundation/role.hpp"
 #include "foundation/time.hpp"
 #include "ros_idl/builtin_interfaces.hpp"
 #include "runtime/bus.hpp"
-#include "runtime/devices.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/schedule.hpp"
 
@@ -22,12 +24,15 @@ namespace tocsin {
 struct Context {
   Bus& bus;
   std::string name;     ///< instance name, from the bringup file
-  std::string role;     ///< side of the link: uxv or gcs
+  Role role;            ///< of its host
   std::string run_dir;  ///< folder for files of this run; exists
   /// Ends the process with this code after the current tick; 0 is "my work is done".
   std::function<void(int)> request_exit = [](int) {};
-  Devices* devices = nullptr;  ///< of a simulated computer; null: the real ones
-  std::uint64_t seed = 0;      ///< of the process, from the run's: see process_seed
+  Devices& devices = real_devices();  ///< of its computer
+  std::uint64_t seed = 0;             ///< of the process, from the run's: see process_seed
+
+  /// The file that this instance keeps for its successor, as ".pose"; empty where none is kept.
+  [[nodiscard]] std::string state_path(const std::string& extension) const;
 };
 
 /// Account of one input since start.
@@ -70,9 +75,12 @@ class Component {
   void wake_at(Time deadline);
   /// Tick each `period` (> 0) from now on, at its next_instant; a missed one is skipped.
   void wake_every(Duration period) { schedule_.repeat({period, phase_}); }
-  /// Tick whenever `descriptor` is readable, until `forget`. The caller keeps ownership.
-  void wake_on(int descriptor) { schedule_.descriptors.push_back(descriptor); }
-  void forget(int descriptor);
+  /// Tick whenever `descriptor` is readable, until `forget`. The caller keeps ownership. Empty:
+  /// there is nothing to poll, see Device.
+  void wake_on(std::optional<int> descriptor);
+  void forget(std::optional<int> descriptor);
+  /// What a device without a descriptor calls when something came: tick.
+  [[nodiscard]] Devices::Readable when_readable();
   /// Wall time at `now`, for the stamp of a message.
   [[nodiscard]] builtin_interfaces::msg::Time wall(Time now) const;
   [[nodiscard]] const Context& context() const { return context_; }

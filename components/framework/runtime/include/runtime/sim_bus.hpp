@@ -15,7 +15,7 @@ namespace tocsin {
 /// A bus in memory with virtual time and one thread: what component tests run on.
 ///
 ///     SimBus bus;
-///     Context context{bus, "link_monitor", "uxv", ""};
+///     Context context{bus, "link_monitor", Role::uxv, ""};
 ///     LinkMonitorComponent sut(context, {});
 ///     SimReader<topic::LinkState> states(bus);
 ///     bus.add(sut);

@@ -6,6 +6,12 @@
 #include "runtime/port.hpp"
 
 namespace tocsin {
+
+std::string Context::state_path(const std::string& extension) const {
+  if (run_dir.empty() || !devices.keeps_files()) return {};
+  return run_dir + "/" + name + extension;
+}
+
 Component::Component(Context& context)
     : context_(context), phase_(phase_of(context.seed, context.name)), log_(context.name) {}
 
@@ -17,7 +23,15 @@ void Component::wake_at(Time deadline) {
   schedule_.deadline = std::min(schedule_.deadline, deadline);
 }
 
-void Component::forget(int descriptor) {
+void Component::wake_on(std::optional<int> descriptor) {
+  if (descriptor) schedule_.descriptors.push_back(*descriptor);
+}
+
+Devices::Readable Component::when_readable() {
+  return [this] { schedule_.input_arrived(); };
+}
+
+void Component::forget(std::optional<int> descriptor) {
   auto& all = schedule_.descriptors;
   all.erase(std::remove(all.begin(), all.end(), descriptor), all.end());
 }

@@ -50,7 +50,7 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
                host.role,
                deployment.run_dir,
                std::move(request_exit),
-               nullptr,
+               real_devices(),
                process_seed(deployment.seed, host.name, container.name)} {
   const auto notice_failure = [this] { control_->schedule().input_arrived(); };
   threads_ = std::make_unique<RunnerThreads>(*bus_, container.shared_thread, container.name,

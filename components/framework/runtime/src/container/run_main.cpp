@@ -32,7 +32,7 @@ void declare(CLI::App& app, Options& options) {
   add_name_option(app, "--name", options.name, "of the instance [COMPONENT]");
   app.add_option("--set", options.set, "parameter: key=value")->expected(1)->take_all();
   add_host_option(app, options.role, "side of the link that it is on [uxv]")
-      ->check(CLI::IsMember({"uxv", "gcs"}));
+      ->check(CLI::IsMember(std::vector<std::string>{to_string(Role::uxv), to_string(Role::gcs)}));
   app.add_option("--domain", options.domain, "DDS domain of the host [$ROS_DOMAIN_ID, 0]")
       ->check(CLI::Range(0, 231));
   add_name_option(app, "--namespace", options.ros_namespace, "ROS namespace of the topics");
@@ -52,7 +52,8 @@ deployment::Deployment deployment_of(const Options& options) {
   deployment.traffic = options.traffic.empty() ? share + "/config/traffic.yaml" : options.traffic;
   deployment.ros_namespace = options.ros_namespace;
   deployment::Host host;
-  host.name = host.role = options.role;
+  host.name = options.role;
+  host.role = role_of(options.role).value();
   host.local_domain = options.domain >= 0 ? options.domain : default_domain();
   deployment.hosts.push_back(std::move(host));
   return deployment;

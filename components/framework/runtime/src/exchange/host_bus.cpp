@@ -32,7 +32,6 @@ BusOptions options_of_run(const HostChoice& choice) {
 BusOptions installed_options(const HostChoice& choice) {
   const std::string config = share_folder(own_program()).string() + "/config/";
   BusOptions options;
-  options.role = "uxv";
   options.ros_namespace = choice.ros_namespace;
   options.qos_file = config + "qos.yaml";
   options.traffic_file = config + "traffic.yaml";

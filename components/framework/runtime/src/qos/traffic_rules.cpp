@@ -55,7 +55,8 @@ DscpOfClass to_dscp(const DscpEntry& entry) {
 }
 
 void refuse_unknown_maps(const YAML::Node& file, const YamlSources& sources) {
-  const std::vector<std::string> known{"uxv", "gcs", "dscp"};
+  std::vector<std::string> known{"dscp"};
+  for (const Role role : roles) known.emplace_back(to_string(role));
   for (const auto& entry : file) {
     const std::string key = entry.first.Scalar();
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
@@ -96,8 +97,8 @@ WhilePoor to_while_poor(const std::string& word) {
 
 }  // namespace
 
-TrafficRules::TrafficRules(const std::string& path, const std::string& role)
-    : path_(path), role_(role) {
+TrafficRules::TrafficRules(const std::string& path, Role of) : path_(path), role_(of) {
+  const std::string role = to_string(of);
   YamlSources sources;
   const YAML::Node file =
       deployment::read_traffic_file(path, share_folder(own_program()).string(), sources);
@@ -131,7 +132,7 @@ const TrafficRule& TrafficRules::of(const std::string& topic) const {
   static const TrafficRule never_paused;
   if (path_.empty()) return never_paused;
   throw ConfigError("topic " + topic + ": crosses the link, but has no traffic class for role " +
-                    role_ + " in " + path_);
+                    to_string(role_) + " in " + path_);
 }
 
 }  // namespace tocsin

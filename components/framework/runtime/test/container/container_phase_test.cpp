@@ -66,7 +66,8 @@ deployment::Deployment deployment_of(const std::string& run_dir, int seed) {
   deployment.seed = seed;
   deployment.link_domain = domain + 2;
   deployment::Host& host = deployment.hosts.emplace_back();
-  host.name = host.role = "gcs";
+  host.name = "gcs";
+  host.role = Role::gcs;
   host.address = "127.0.0.1";
   host.local_domain = domain;
   deployment::Container& container = host.containers.emplace_back();
@@ -81,7 +82,7 @@ deployment::Deployment deployment_of(const std::string& run_dir, int seed) {
 std::unique_ptr<Bus> make_bus() {
   BusOptions options;
   options.name = "container_phase_test";
-  options.role = "gcs";
+  options.role = Role::gcs;
   options.qos_file = config + "qos.yaml";
   options.traffic_file = config + "traffic.yaml";
   options.host_domain = domain;

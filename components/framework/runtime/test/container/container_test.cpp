@@ -55,7 +55,8 @@ deployment::Deployment deployment_with(int domain, const std::string& run_dir, i
   deployment.qos = config + "qos.yaml";
   deployment.traffic = config + "traffic.yaml";
   deployment::Host& host = deployment.hosts.emplace_back();
-  host.name = host.role = "gcs";
+  host.name = "gcs";
+  host.role = Role::gcs;
   host.address = "127.0.0.1";
   host.local_domain = domain;
   deployment.link_domain = domain + 2;
@@ -100,7 +101,7 @@ class ContainerTest : public ::testing::Test {
   [[nodiscard]] std::unique_ptr<Bus> make_bus() const {
     BusOptions options;
     options.name = "container_test";
-    options.role = "gcs";
+    options.role = Role::gcs;
     options.qos_file = config + "qos.yaml";
     options.traffic_file = config + "traffic.yaml";
     options.host_domain = domain_;

@@ -37,7 +37,7 @@ class Echo : public Component {
 class SimBusTest : public ::testing::Test {
  protected:
   SimBus bus_;
-  Context context_{bus_, "echo", "uxv", ""};
+  Context context_{bus_, "echo", Role::uxv, ""};
 };
 
 /// The name of a topic with another type.

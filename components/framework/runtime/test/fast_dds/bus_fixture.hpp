@@ -61,7 +61,7 @@ inline std::unique_ptr<Bus> make_test_bus(int domain, const std::string& qos,
   std::ofstream(path + "_traffic.yaml") << "uxv: {}\n";
   BusOptions options;
   options.name = "test";
-  options.role = "uxv";
+  options.role = Role::uxv;
   options.qos_file = path + "_qos.yaml";
   options.traffic_file = path + "_traffic.yaml";
   options.host_domain = domain;

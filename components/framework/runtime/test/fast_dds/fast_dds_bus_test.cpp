@@ -28,10 +28,11 @@ class FastDdsBusTest : public ::testing::Test {
     return ++next;
   }
   /// A process of a host.
-  static std::unique_ptr<Bus> make(const std::string& role, int domain) {
+  static std::unique_ptr<Bus> make(Role role, int domain) {
     const std::string config = std::string(TOCSIN_REPOSITORY) + "/config/";
     BusOptions options;
-    options.name = options.role = role;
+    options.name = to_string(role);
+    options.role = role;
     options.qos_file = config + "qos.yaml";
     options.traffic_file = config + "traffic.yaml";
     options.host_domain = domain;
@@ -58,9 +59,9 @@ class FastDdsBusTest : public ::testing::Test {
 
 TEST_F(FastDdsBusTest, ATopicReachesAnotherProcessOfItsHostAndNoOtherHost) {
   const int host = domain();
-  const auto writer_bus = make("uxv", host);
-  const auto reader_bus = make("uxv", host);
-  const auto gcs = make("gcs", domain());
+  const auto writer_bus = make(Role::uxv, host);
+  const auto reader_bus = make(Role::uxv, host);
+  const auto gcs = make(Role::gcs, domain());
   Samples near;
   Samples far;
   const auto near_reader = reader_bus->subscribe(endpoint<topic::Location>(), near);
@@ -75,7 +76,7 @@ TEST_F(FastDdsBusTest, ATopicReachesAnotherProcessOfItsHostAndNoOtherHost) {
 }
 
 TEST_F(FastDdsBusTest, ReadersInTheProcessGetTheVeryObjectOnce) {
-  const auto bus = make("gcs", domain());
+  const auto bus = make(Role::gcs, domain());
   Samples own;
   const auto own_reader = bus->subscribe(endpoint<topic::Goal>(), own);
   const auto writer = bus->advertise(endpoint<topic::Goal>());
@@ -88,7 +89,7 @@ TEST_F(FastDdsBusTest, ReadersInTheProcessGetTheVeryObjectOnce) {
 }
 
 TEST_F(FastDdsBusTest, WhatATickWritesHasTheTimeOfTheTickAndOtherThingsTheirOwn) {
-  const auto bus = make("gcs", domain());
+  const auto bus = make(Role::gcs, domain());
   Samples collector;
   const auto reader = bus->subscribe(endpoint<topic::Goal>(), collector);
   const auto writer = bus->advertise(endpoint<topic::Goal>());
@@ -109,12 +110,12 @@ TEST_F(FastDdsBusTest, WhatATickWritesHasTheTimeOfTheTickAndOtherThingsTheirOwn)
 
 TEST_F(FastDdsBusTest, LateReaderOfAStateTopicGetsTheLastSample) {
   const int host = domain();
-  const auto uxv = make("uxv", host);
+  const auto uxv = make(Role::uxv, host);
   const auto writer = uxv->advertise(endpoint<topic::TransmissionState>());
   auto message = std::make_shared<tocsin_msgs::msg::TransmissionState>();
   message->decision(42);
   ASSERT_EQ(writer->write(message), Status::ok);
-  const auto later = make("uxv", host);
+  const auto later = make(Role::uxv, host);
   Samples collector;
   const auto reader = later->subscribe(endpoint<topic::TransmissionState>(), collector);
   ASSERT_TRUE(collector.wait_for(1));
@@ -125,7 +126,7 @@ TEST_F(FastDdsBusTest, LateReaderOfAStateTopicGetsTheLastSample) {
 }
 
 TEST_F(FastDdsBusTest, MissingProfileIsAConfigErrorNamingTheTopic) {
-  const auto bus = make("uxv", domain());
+  const auto bus = make(Role::uxv, domain());
   Endpoint wrong = endpoint<topic::Goal>();
   wrong.topic.qos = "nonsense";
   Samples collector;
@@ -134,7 +135,7 @@ TEST_F(FastDdsBusTest, MissingProfileIsAConfigErrorNamingTheTopic) {
 }
 
 TEST_F(FastDdsBusTest, ALinkTopicWithoutATrafficClassIsAConfigErrorNamingIt) {
-  const auto bus = make("gcs", domain());
+  const auto bus = make(Role::gcs, domain());
   EXPECT_THROW((void)bus->advertise(endpoint<topic::Location>()), ConfigError)
       << "the station writes no location";
 }

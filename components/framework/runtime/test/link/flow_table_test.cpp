@@ -35,7 +35,7 @@ class FlowTableTest : public ::testing::Test {
   }
 
   int woken_ = 0;
-  TrafficRules rules_{std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", "uxv"};
+  TrafficRules rules_{std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", Role::uxv};
   FlowTable sut_{"", rules_, [this] { ++woken_; }};
 };
 

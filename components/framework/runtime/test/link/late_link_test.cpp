@@ -38,7 +38,7 @@ BusOptions options_of(const std::string& address, const std::string& peer) {
   }();
   BusOptions options;
   options.name = options.host = "host_" + address;
-  options.role = "uxv";
+  options.role = Role::uxv;
   options.traffic_file = file;
   options.qos_file = std::string(TOCSIN_REPOSITORY) + "/config/qos.yaml";
   options.host_domain = address.back() - '0';

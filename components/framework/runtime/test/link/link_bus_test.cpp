@@ -20,12 +20,13 @@ class LinkBusTest : public ::testing::Test {
   static void SetUpTestSuite() { deliver_by_packets(); }
   LinkBusTest() : first_(next_domain()) {}
 
-  [[nodiscard]] BusOptions options(const std::string& role) const {
+  [[nodiscard]] BusOptions options(Role role) const {
     BusOptions options;
-    options.name = options.host = options.role = role;
+    options.name = options.host = to_string(role);
+    options.role = role;
     options.qos_file = std::string(TOCSIN_REPOSITORY) + "/config/qos.yaml";
     options.traffic_file = std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml";
-    options.host_domain = first_ + (role == "uxv" ? 0 : 1);
+    options.host_domain = first_ + (role == Role::uxv ? 0 : 1);
     options.link_domain = first_ + 2;
     options.link_address = "127.0.0.1";
     options.link_peers = {"127.0.0.1"};
@@ -33,7 +34,7 @@ class LinkBusTest : public ::testing::Test {
     return options;
   }
   /// An ordinary process of a host: it knows nothing of the link.
-  [[nodiscard]] std::unique_ptr<Bus> process(const std::string& role) const {
+  [[nodiscard]] std::unique_ptr<Bus> process(Role role) const {
     BusOptions ordinary = options(role);
     ordinary.link_address.clear();
     return make_fast_dds_bus(ordinary);
@@ -60,10 +61,10 @@ class LinkBusTest : public ::testing::Test {
 };
 
 TEST_F(LinkBusTest, ASampleCrossesToAnOrdinaryReaderOfTheOtherHostWithItsWriterNumberAndTime) {
-  const Relay uxv(options("uxv"));
-  Relay gcs(options("gcs"));
-  const auto vehicle = process("uxv");
-  const auto station = process("gcs");
+  const Relay uxv(options(Role::uxv));
+  Relay gcs(options(Role::gcs));
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
   Samples there;
   const auto far = station->subscribe(endpoint<topic::Location>(), there);
   const auto writer = vehicle->advertise(endpoint<topic::Location>());
@@ -81,10 +82,10 @@ TEST_F(LinkBusTest, ASampleCrossesToAnOrdinaryReaderOfTheOtherHostWithItsWriterN
 }
 
 TEST_F(LinkBusTest, EachTransmissionHasTheNextNumberOfItsFlow) {
-  const Relay uxv(options("uxv"));
-  Relay gcs(options("gcs"));
-  const auto vehicle = process("uxv");
-  const auto station = process("gcs");
+  const Relay uxv(options(Role::uxv));
+  Relay gcs(options(Role::gcs));
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
   Samples there;
   const auto far = station->subscribe(endpoint<topic::Location>(), there);
   const auto writer = vehicle->advertise(endpoint<topic::Location>());
@@ -102,10 +103,10 @@ TEST_F(LinkBusTest, EachTransmissionHasTheNextNumberOfItsFlow) {
 }
 
 TEST_F(LinkBusTest, WhatAWriterAnnouncesAndOffersIsKnownOnTheOtherHost) {
-  const Relay uxv(options("uxv"));
-  Relay gcs(options("gcs"));
-  const auto station = process("gcs");
-  const auto vehicle = process("uxv");
+  const Relay uxv(options(Role::uxv));
+  Relay gcs(options(Role::gcs));
+  const auto station = process(Role::gcs);
+  const auto vehicle = process(Role::uxv);
   Samples there;
   const auto far = vehicle->subscribe(endpoint<topic::EmergencyStop>(), there);
   const auto writer =
@@ -119,29 +120,29 @@ TEST_F(LinkBusTest, WhatAWriterAnnouncesAndOffersIsKnownOnTheOtherHost) {
 }
 
 TEST_F(LinkBusTest, ALateReaderOfTheOtherHostGetsTheLastSampleOfAState) {
-  const Relay uxv(options("uxv"));
-  Relay gcs(options("gcs"));
-  const auto vehicle = process("uxv");
+  const Relay uxv(options(Role::uxv));
+  Relay gcs(options(Role::gcs));
+  const auto vehicle = process(Role::uxv);
   const auto writer = vehicle->advertise(endpoint<topic::NavigationStatus>());
   ASSERT_TRUE(eventually([&] {
     (void)writer->write(std::make_shared<const topic::NavigationStatus::Message>());
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     return !gcs.crossed().empty();
   }));
-  const auto station = process("gcs");
+  const auto station = process(Role::gcs);
   Samples late;
   const auto far = station->subscribe(endpoint<topic::NavigationStatus>(), late);
   EXPECT_TRUE(late.wait_for(1));
 }
 
 TEST_F(LinkBusTest, AProcessWithoutAnAddressOnTheLinkHasNoWayOverIt) {
-  EXPECT_EQ(process("uxv")->open_link([] {}), nullptr);
+  EXPECT_EQ(process(Role::uxv)->open_link([] {}), nullptr);
 }
 
 TEST_F(LinkBusTest, PeersKnowEachOtherByTheNameOfTheirHostAndAreMissedWhenTheyLeave) {
-  Relay uxv(options("uxv"));
+  Relay uxv(options(Role::uxv));
   {
-    Relay gcs(options("gcs"));
+    Relay gcs(options(Role::gcs));
     ASSERT_TRUE(eventually([&] { return !uxv.peers().empty() && !gcs.peers().empty(); }));
     EXPECT_THAT(uxv.peers(), ::testing::ElementsAre("gcs"));
     EXPECT_THAT(gcs.peers(), ::testing::ElementsAre("uxv"));
@@ -150,11 +151,11 @@ TEST_F(LinkBusTest, PeersKnowEachOtherByTheNameOfTheirHostAndAreMissedWhenTheyLe
 }
 
 TEST_F(LinkBusTest, WhatIsNotInTheTrafficFileStaysOnItsHost) {
-  const Relay uxv(options("uxv"));
-  Relay gcs(options("gcs"));
-  const auto vehicle = process("uxv");
+  const Relay uxv(options(Role::uxv));
+  Relay gcs(options(Role::gcs));
+  const auto vehicle = process(Role::uxv);
   Samples there;
-  const auto station = process("gcs");
+  const auto station = process(Role::gcs);
   const auto far = station->subscribe(endpoint<topic::Location>(), there);
   const auto kept = vehicle->advertise(endpoint<topic::Odom>());
   const auto carried = vehicle->advertise(endpoint<topic::Location>());
@@ -165,9 +166,9 @@ TEST_F(LinkBusTest, WhatIsNotInTheTrafficFileStaysOnItsHost) {
 TEST_F(LinkBusTest, EveryPacketBearsItsMarkAndNoneIsAbove1400Bytes) {
   RtpsCapture capture;
   if (!capture.ok()) GTEST_SKIP() << "no packet socket: CAP_NET_RAW is needed";
-  Relay uxv(options("uxv"));
-  Relay gcs(options("gcs"));
-  const auto vehicle = process("uxv");
+  Relay uxv(options(Role::uxv));
+  Relay gcs(options(Role::gcs));
+  const auto vehicle = process(Role::uxv);
   const auto writer = vehicle->advertise(endpoint<topic::CameraImage>());
   const auto image = std::make_shared<topic::CameraImage::Message>();
   image->data().resize(10000);
@@ -176,7 +177,7 @@ TEST_F(LinkBusTest, EveryPacketBearsItsMarkAndNoneIsAbove1400Bytes) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     return gcs.crossed().size() > 3;
   }));
-  const int port = 7400 + 250 * options("uxv").link_domain;
+  const int port = 7400 + 250 * options(Role::uxv).link_domain;
   std::size_t fragments = 0;
   for (const CapturedSubmessage& one : capture.take()) {
     if (one.port < port || one.port >= port + 250) continue;

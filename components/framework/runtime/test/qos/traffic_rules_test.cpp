@@ -17,21 +17,21 @@ using ::testing::HasSubstr;
 const std::string config = std::string(TOCSIN_REPOSITORY) + "/config";
 
 TEST(TrafficRules, ShippedFilePausesTheCameraAndNoGoal) {
-  const TrafficRules uxv(config + "/traffic.yaml", "uxv");
+  const TrafficRules uxv(config + "/traffic.yaml", Role::uxv);
   EXPECT_EQ(uxv.of(topic::CameraImage::info.name).while_poor, WhilePoor::drop);
   EXPECT_EQ(uxv.of(topic::Location::info.name).while_poor, WhilePoor::send);
-  const TrafficRules gcs(config + "/traffic.yaml", "gcs");
+  const TrafficRules gcs(config + "/traffic.yaml", Role::gcs);
   EXPECT_EQ(gcs.of(topic::Goal::info.name).while_poor, WhilePoor::send);
   EXPECT_EQ(gcs.of(topic::EmergencyStop::info.name).while_poor, WhilePoor::send);
 }
 
 TEST(TrafficRules, ShippedFileOfTheThesisKeepsTheNewestGoal) {
-  const TrafficRules gcs(config + "/traffic_thesis.yaml", "gcs");
+  const TrafficRules gcs(config + "/traffic_thesis.yaml", Role::gcs);
   EXPECT_EQ(gcs.of(topic::Goal::info.name).while_poor, WhilePoor::latest);
 }
 
 TEST(TrafficRules, ShippedFileOfTheThesisIsTheOtherButForGoals) {
-  for (const char* role : {"uxv", "gcs"}) {
+  for (const Role role : roles) {
     const TrafficRules shipped(config + "/traffic.yaml", role);
     const TrafficRules thesis(config + "/traffic_thesis.yaml", role);
     EXPECT_EQ(thesis.all().size(), shipped.all().size());
@@ -48,7 +48,7 @@ TEST(TrafficRules, AFileMayExtendAnotherAndMoveATopic) {
   file.write("base.yaml",
              "uxv:\n  high: {while_poor: send, topics: [a]}\n"
              "  low: {while_poor: drop, topics: [b, c]}\n");
-  const TrafficRules sut(file.path(), "uxv");
+  const TrafficRules sut(file.path(), Role::uxv);
   EXPECT_EQ(sut.of("b").traffic_class, TrafficClass::high);
   EXPECT_EQ(sut.of("b").while_poor, WhilePoor::send);
   EXPECT_EQ(sut.of("a").while_poor, WhilePoor::send);
@@ -58,15 +58,15 @@ TEST(TrafficRules, AFileMayExtendAnotherAndMoveATopic) {
 TEST(TrafficRules, AMistakeInAFileThatIsExtendedHasItsFileAndLine) {
   const ConfigFile file("extends: base.yaml\nuxv: {high: {topics: [b]}}\n");
   file.write("base.yaml", "uxv:\n  high: {topics: [a]}\n  low: {while_poor: delete}\n");
-  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }), HasSubstr("base.yaml:3)"));
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), Role::uxv); }), HasSubstr("base.yaml:3)"));
 }
 
 TEST(TrafficRules, AnAdaptiveTopicIsOneOfTheRole) {
   const ConfigFile file("uxv:\n  low: {topics: [camera], adaptive: [camra]}\n");
-  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), Role::uxv); }),
               HasSubstr("uxv.low.adaptive: camra is in no class of this role"));
   const ConfigFile right("uxv:\n  low: {topics: [camera, cpu], adaptive: [camera]}\n");
-  const TrafficRules sut(right.path(), "uxv");
+  const TrafficRules sut(right.path(), Role::uxv);
   EXPECT_TRUE(sut.of("camera").adaptive);
   EXPECT_FALSE(sut.of("cpu").adaptive);
 }
@@ -74,12 +74,12 @@ TEST(TrafficRules, AnAdaptiveTopicIsOneOfTheRole) {
 TEST(TrafficRules, ATopicThatAFileMovesToAnotherClassMayHaveBeenAdaptive) {
   const ConfigFile file("extends: base.yaml\nuxv: {high: {topics: [camera]}}\n");
   file.write("base.yaml", "uxv:\n  low: {topics: [camera, cpu], adaptive: [camera]}\n");
-  EXPECT_EQ(TrafficRules(file.path(), "uxv").of("camera").traffic_class, TrafficClass::high);
+  EXPECT_EQ(TrafficRules(file.path(), Role::uxv).of("camera").traffic_class, TrafficClass::high);
 }
 
 TEST(TrafficRules, ATopicWithoutClassIsAnError) {
   const ConfigFile file("uxv:\n  low: {while_poor: drop, topics: [a]}\n");
-  const TrafficRules sut(file.path(), "uxv");
+  const TrafficRules sut(file.path(), Role::uxv);
   EXPECT_THAT(error_of([&] { (void)sut.of("b"); }),
               HasSubstr("topic b: crosses the link, but has no traffic class for role uxv"));
 }
@@ -93,33 +93,33 @@ TEST(TrafficRules, WithoutAFileNothingIsPaused) {
 
 TEST(TrafficRules, ATopicInTwoClassesIsAnError) {
   const ConfigFile file("uxv:\n  low: {topics: [a]}\n  high: {topics: [a]}\n");
-  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), Role::uxv); }),
               HasSubstr("a is in two classes"));
 }
 
 TEST(TrafficRules, AnUnknownRoleIsAnError) {
   const ConfigFile file("uxv: {}\n");
-  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "boat"); }),
-              HasSubstr("has no map for the role 'boat'"));
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), Role::gcs); }),
+              HasSubstr("has no map for the role 'gcs'"));
 }
 
 TEST(TrafficRules, AnUnknownClassIsAnErrorWithItsPlace) {
   const ConfigFile file("uxv:\n  hihg: {topics: [a]}\n");
-  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), Role::uxv); }),
               AllOf(HasSubstr("uxv.hihg: is no traffic class; did you mean 'high'?"),
                     HasSubstr(file.path() + ":2)")));
 }
 
 TEST(TrafficRules, AKeyThatIsNoRoleIsAnErrorWithItsPlace) {
   const ConfigFile file("uxv: {}\ndcsp: {high: 34}\n");
-  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), Role::uxv); }),
               AllOf(HasSubstr("'dcsp' is neither a role nor dscp; did you mean"),
                     HasSubstr(file.path() + ":2)")));
 }
 
 TEST(TrafficRules, ClassesHaveTheDefaultDscpUnlessTheFileSaysAnother) {
   const ConfigFile file("uxv: {}\ndscp: {high: 34, low: 0}\n");
-  const TrafficRules sut(file.path(), "uxv");
+  const TrafficRules sut(file.path(), Role::uxv);
   EXPECT_EQ(sut.dscp(TrafficClass::critical), 48);
   EXPECT_EQ(sut.dscp(TrafficClass::high), 34);
   EXPECT_EQ(sut.dscp(TrafficClass::normal), 0);
@@ -129,20 +129,20 @@ TEST(TrafficRules, ClassesHaveTheDefaultDscpUnlessTheFileSaysAnother) {
 TEST(TrafficRules, AFileThatExtendsAnotherHasItsDscp) {
   const ConfigFile file("extends: base.yaml\ndscp: {high: 40}\n");
   file.write("base.yaml", "uxv: {}\ndscp: {high: 34, low: 0}\n");
-  const TrafficRules sut(file.path(), "uxv");
+  const TrafficRules sut(file.path(), Role::uxv);
   EXPECT_EQ(sut.dscp(TrafficClass::high), 40);
   EXPECT_EQ(sut.dscp(TrafficClass::low), 0);
 }
 
 TEST(TrafficRules, ADscpAbove63IsAnErrorWithItsPlace) {
   const ConfigFile file("uxv: {}\ndscp: {high: 64}\n");
-  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), Role::uxv); }),
               AllOf(HasSubstr("dscp.high: 64 is outside [0, 63]"), HasSubstr(":2)")));
 }
 
 TEST(TrafficRules, ADscpOfAnUnknownClassIsAnError) {
   const ConfigFile file("uxv: {}\ndscp: {urgent: 46}\n");
-  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), Role::uxv); }),
               HasSubstr("dscp.urgent: unknown key; allowed: "));
 }
 
@@ -153,7 +153,7 @@ TEST(TrafficRules, WithoutAFileClassesHaveTheDefaultDscp) {
 
 TEST(TrafficRules, AnUnknownActionIsAnError) {
   const ConfigFile file("uxv:\n  low: {while_poor: delete}\n");
-  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), "uxv"); }),
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), Role::uxv); }),
               HasSubstr("'delete' is not one of: send, latest, drop"));
 }
 

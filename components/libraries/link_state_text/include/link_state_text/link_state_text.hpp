@@ -11,7 +11,7 @@
 namespace tocsin::link_text {
 
 /// The way that the sender of a role feeds: `Uplink` from the vehicle, `Downlink` from the ground
-/// station; `Link` for another role.
+/// station; `Link` for another word than those of roles.
 [[nodiscard]] std::string direction(const std::string& role);
 
 /// The state in one line, what matters most first: peers that are silent, a closed gate, capacity,

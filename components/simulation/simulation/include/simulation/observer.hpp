@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "foundation/role.hpp"
 #include "foundation/time.hpp"
 #include "foundation/traffic_class.hpp"
 #include "idl_support/topic_info.hpp"
@@ -18,7 +19,7 @@ namespace tocsin::simulation {
 /// A topic in one process. Lives as long as the world, so that its address may serve as a key.
 struct TopicEnd {
   std::string host;
-  std::string role;  ///< of the host: uxv or gcs
+  Role role = Role::uxv;  ///< of the host
   std::string process;
   std::string topic;
   std::optional<TrafficClass> traffic_class;  ///< of a link topic that it writes

@@ -5,23 +5,10 @@
 #include <map>
 #include <string>
 
+#include "devices/gamepad_device.hpp"
 #include "geometry/twist.hpp"
 
 namespace tocsin {
-
-/// One event of the kernel's input layer; the numbers are those of linux/input-event-codes.h.
-struct PadEvent {
-  std::uint16_t type = 0;
-  std::uint16_t code = 0;
-  std::int32_t value = 0;
-};
-
-/// What an axis can say.
-struct PadAxis {
-  std::int32_t min = 0;
-  std::int32_t max = 255;
-};
-using PadAxes = std::map<std::uint16_t, PadAxis>;  ///< by code
 
 /// Drives by a gamepad's stick while its dead-man button is held.
 ///

@@ -7,7 +7,6 @@
 #include "geometry/twist.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
-#include "teleop_gamepad/gamepad_port.hpp"
 #include "teleop_gamepad/gamepad_teleop.hpp"
 #include "teleop_sender/teleop_sender.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -31,9 +30,7 @@ class TeleopGamepadComponent final : public Component {
     }
   };
 
-  /// Uses the gamepads of this computer; in simulated time there are none.
   TeleopGamepadComponent(Context& context, const Params& params);
-  TeleopGamepadComponent(Context& context, const Params& params, GamepadOpener opener);
   /// Leaves the vehicle standing.
   ~TeleopGamepadComponent() override;
   void tick(Time now) override;
@@ -46,8 +43,8 @@ class TeleopGamepadComponent final : public Component {
 
   Output<topic::TeleopCmdVel> command_{*this};
   Params params_;
-  GamepadOpener opener_;
-  std::unique_ptr<GamepadPort> port_;
+  Devices& devices_;
+  std::unique_ptr<GamepadDevice> pad_;
   GamepadTeleop teleop_;
   TeleopSender sender_;
   Time next_look_ = Time::min();

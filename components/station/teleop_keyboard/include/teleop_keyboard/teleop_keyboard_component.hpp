@@ -8,7 +8,6 @@
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "teleop_keyboard/keyboard_teleop.hpp"
-#include "teleop_keyboard/terminal.hpp"
 #include "teleop_sender/teleop_sender.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -27,11 +26,7 @@ class TeleopKeyboardComponent final : public Component {
     }
   };
 
-  /// Uses the terminal of this process; in simulated time there are no keys.
   TeleopKeyboardComponent(Context& context, const Params& params);
-  /// `terminal` may be null: no keys.
-  TeleopKeyboardComponent(Context& context, const Params& params,
-                          std::unique_ptr<Terminal> terminal);
   /// Leaves the vehicle standing.
   ~TeleopKeyboardComponent() override;
   void tick(Time now) override;
@@ -45,7 +40,7 @@ class TeleopKeyboardComponent final : public Component {
   Input<topic::Location> location_{*this};
   Output<topic::TeleopCmdVel> command_{*this};
 
-  std::unique_ptr<Terminal> terminal_;
+  std::unique_ptr<TerminalDevice> terminal_;  ///< null: nobody can type
   KeyboardTeleop teleop_;
   TeleopSender sender_;
   std::shared_ptr<const topic::SafetyStatus::Message> safety_seen_;

@@ -41,7 +41,7 @@ void set_mission(const simulation::Written& written, report::Recording& recordin
 
 /// Who sends, and class.
 std::string class_of(const simulation::TopicEnd& end) {
-  return end.role + " " + to_string(*end.traffic_class);
+  return std::string(to_string(end.role)) + " " + to_string(*end.traffic_class);
 }
 
 /// Airtime and bytes of both directions.
@@ -61,13 +61,13 @@ report::LinkState state_of(const radio::LinkReport& report, Time now) {
 RecordingObserver::Writer RecordingObserver::writer_of(const simulation::TopicEnd& end) {
   Writer writer;
   writer.classified = end.traffic_class.has_value();
-  const auto is = [&](const char* role, const char* topic) {
+  const auto is = [&](Role role, const char* topic) {
     return end.role == role && end.topic == topic;
   };
-  if (is("gcs", topic::MissionStatus::info.name)) writer.kept = Kept::mission;
-  if (is("uxv", topic::TransmissionState::info.name)) writer.kept = Kept::decision;
-  if (is("uxv", topic::NetworkQuality::info.name)) writer.kept = Kept::quality;
-  if (is("uxv", topic::Location::info.name)) writer.kept = Kept::place;
+  if (is(Role::gcs, topic::MissionStatus::info.name)) writer.kept = Kept::mission;
+  if (is(Role::uxv, topic::TransmissionState::info.name)) writer.kept = Kept::decision;
+  if (is(Role::uxv, topic::NetworkQuality::info.name)) writer.kept = Kept::quality;
+  if (is(Role::uxv, topic::Location::info.name)) writer.kept = Kept::place;
   return writer;
 }
 

@@ -13,7 +13,8 @@ const Time t0{std::chrono::seconds(100)};
 simulation::TopicEnd end_of(const char* role, const char* process, const char* topic,
                             std::optional<TrafficClass> traffic_class) {
   simulation::TopicEnd end;
-  end.host = end.role = role;
+  end.host = role;
+  end.role = role_of(role).value();
   end.process = process;
   end.topic = topic;
   end.traffic_class = traffic_class;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "foundation/role.hpp"
 #include "report/statistics.hpp"
 
 namespace tocsin::report {
@@ -73,7 +74,7 @@ struct Recording {
   std::vector<Place> path;
   std::vector<LinkState> link;
   /// Role of the sending side -> what its router told; nothing of a side without a router.
-  std::map<std::string, std::vector<RouterState>> routers;
+  std::map<Role, std::vector<RouterState>> routers;
   Mission mission;
   double begin_s = 0;  ///< first and last time seen
   double end_s = 0;
@@ -84,7 +85,7 @@ using Classes = std::map<std::string, std::string>;
 
 /// The classes of a traffic file, named "uxv low", "gcs high" and so on; `share` is the installed
 /// folder, for a file that extends a shipped one. Throws ConfigError.
-[[nodiscard]] Classes load_classes(const std::string& traffic_file, const std::string& role,
+[[nodiscard]] Classes load_classes(const std::string& traffic_file, Role role,
                                    const std::string& share);
 
 /// Reads the folder of a run: `deployment.yaml` names the traffic classes, `uxv/` and `gcs/` hold

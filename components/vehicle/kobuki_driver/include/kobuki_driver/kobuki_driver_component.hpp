@@ -3,13 +3,12 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "devices/devices.hpp"
 #include "kobuki_driver/base_topics.hpp"
-#include "kobuki_driver/byte_port.hpp"
 #include "kobuki_driver/command_topics.hpp"
 #include "kobuki_driver/frame_topics.hpp"
 #include "kobuki_driver/kobuki_driver.hpp"
@@ -43,19 +42,16 @@ class KobukiDriverComponent final : public Component {
       driver.visit(v);
     }
   };
-  /// Opens the port of a path; replaced in simulated time.
-  using Opener = std::function<kobuki::Opened(const std::string& path)>;
-
   /// Throws ConfigError when another process uses the port. An absent port is waited for.
   KobukiDriverComponent(Context& context, const Params& params);
-  KobukiDriverComponent(Context& context, const Params& params, Opener opener);
   /// Leaves the base standing.
   ~KobukiDriverComponent() override;
   void tick(Time now) override;
 
  private:
   void open_at_start();
-  void adopt(std::unique_ptr<kobuki::BytePort> port);
+  [[nodiscard]] OpenedSerial open();
+  void adopt(std::unique_ptr<SerialDevice> port);
   void retry(Time now);
   void close(const char* why);
   void take_commands(Time now);
@@ -76,11 +72,11 @@ class KobukiDriverComponent final : public Component {
   Params params_;
   FrameTopics frame_topics_;
   std::optional<SerialTopics> serial_topics_;
-  Opener opener_;
+  Devices& devices_;
   kobuki::KobukiDriver driver_;
   const kobuki::KobukiDriver::ByteSink to_port_ = [this](kobuki::ByteView bytes) { send(bytes); };
   kobuki::OdometryFile file_;
-  std::unique_ptr<kobuki::BytePort> port_;
+  std::unique_ptr<SerialDevice> port_;
   std::array<std::uint8_t, 1024> received_{};
   bool write_failed_ = false;
   bool versions_reported_ = false;

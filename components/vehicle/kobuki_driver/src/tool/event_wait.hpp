@@ -13,9 +13,9 @@ class EventWait {
  public:
   virtual ~EventWait() = default;
   [[nodiscard]] virtual Time now() const = 0;
-  /// Until bytes wait at the descriptor, a key is pressed, or `until`; may return earlier. The key
-  /// that was pressed.
-  virtual std::optional<char> wait(int descriptor, Time until) = 0;
+  /// Until bytes wait at the descriptor, if there is one, a key is pressed, or `until`; may return
+  /// earlier. The key that was pressed.
+  virtual std::optional<char> wait(std::optional<int> descriptor, Time until) = 0;
   /// Whether the user wants it to end.
   [[nodiscard]] virtual bool interrupted() const = 0;
 };

@@ -5,8 +5,8 @@
 
 #include "command_line/command.hpp"
 #include "control_client.hpp"
+#include "devices/devices.hpp"
 #include "foundation/error.hpp"
-#include "kobuki_driver/serial_port.hpp"
 #include "terminal_wait.hpp"
 #include "verbs.hpp"
 
@@ -16,8 +16,8 @@ using namespace tocsin::kobuki;
 using tocsin::ConfigError;
 using tocsin::EnvironmentError;
 
-std::unique_ptr<BytePort> open_port(const std::string& path) {
-  Opened opened = open_serial_port(path);
+std::unique_ptr<tocsin::SerialDevice> open_port(const std::string& path) {
+  tocsin::OpenedSerial opened = tocsin::real_devices().open_serial(path, [] {});
   if (!opened.port) throw EnvironmentError(opened.reason);
   return std::move(opened.port);
 }

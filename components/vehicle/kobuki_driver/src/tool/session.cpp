@@ -13,7 +13,7 @@ constexpr Duration silence = std::chrono::seconds(3);
 
 }  // namespace
 
-Session::Session(std::unique_ptr<BytePort> port, std::string name, EventWait& wait)
+Session::Session(std::unique_ptr<SerialDevice> port, std::string name, EventWait& wait)
     : port_(std::move(port)), name_(std::move(name)), wait_(wait), heard_(wait.now()) {
   driver_.on_port_open();
 }
@@ -42,7 +42,7 @@ void Session::check() const {
 }
 
 void Session::send(ByteView bytes) {
-  if (!port_->write(bytes)) lose(Loss::port);
+  if (!port_->write(bytes.data, bytes.size)) lose(Loss::port);
 }
 
 void Session::read(Time now) {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "devices/serial_device.hpp"
 #include "event_wait.hpp"
-#include "kobuki_driver/byte_port.hpp"
 #include "kobuki_driver/kobuki_driver.hpp"
 
 namespace tocsin::kobuki {
@@ -24,7 +24,7 @@ enum class Loss {
 class Session {
  public:
   /// `name` stands for the port in messages. `wait` must outlive this.
-  Session(std::unique_ptr<BytePort> port, std::string name, EventWait& wait);
+  Session(std::unique_ptr<SerialDevice> port, std::string name, EventWait& wait);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -61,7 +61,7 @@ class Session {
   void send(ByteView bytes);
   void lose(Loss loss);
 
-  std::unique_ptr<BytePort> port_;
+  std::unique_ptr<SerialDevice> port_;
   std::string name_;
   EventWait& wait_;
   KobukiDriver driver_{KobukiDriver::Params{}};

@@ -21,10 +21,12 @@ TerminalWait::TerminalWait() {
   std::signal(SIGTERM, on_signal);
 }
 
-std::optional<char> TerminalWait::wait(int descriptor, Time until) {
+std::optional<char> TerminalWait::wait(std::optional<int> descriptor, Time until) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - now());
   const int ms = static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 1000));
-  std::array<pollfd, 2> asked{{{descriptor, POLLIN, 0}, {keys_.descriptor(), POLLIN, 0}}};
+  // poll skips a negative descriptor.
+  std::array<pollfd, 2> asked{
+      {{descriptor.value_or(-1), POLLIN, 0}, {keys_.descriptor(), POLLIN, 0}}};
   if (::poll(asked.data(), asked.size(), ms) < 0) return std::nullopt;
   return asked[1].revents != 0 ? keys_.read() : std::nullopt;
 }

@@ -11,7 +11,7 @@ class TerminalWait final : public EventWait {
  public:
   TerminalWait();
   [[nodiscard]] Time now() const override { return std::chrono::steady_clock::now(); }
-  std::optional<char> wait(int descriptor, Time until) override;
+  std::optional<char> wait(std::optional<int> descriptor, Time until) override;
   [[nodiscard]] bool interrupted() const override;
   /// Whether anybody can press a key.
   [[nodiscard]] bool has_keys() const { return keys_.descriptor() >= 0; }

@@ -5,10 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "devices/devices.hpp"
 #include "foundation/traffic_class.hpp"
-#include "network_monitor/echo_port.hpp"
 #include "network_monitor/probe_window.hpp"
-#include "network_monitor/wireless_reader.hpp"
 #include "network_monitor/wireless_trend.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
@@ -41,24 +40,22 @@ class NetworkMonitorComponent final : public Component {
 
   /// ConfigError when `target` is not an IPv4 address, EnvironmentError without ICMP sockets.
   NetworkMonitorComponent(Context& context, const Params& params);
-  /// With another way to the target than a socket.
-  NetworkMonitorComponent(Context& context, const Params& params,
-                          std::unique_ptr<network::EchoPort> port);
   void tick(Time now) override;
 
  private:
   [[nodiscard]] bool has_begun(Time now);
   void send_due(Time now);
   void publish(const network::ProbeSample& sample, Time now);
+  [[nodiscard]] network::WirelessReading read_wireless();
   void report_change(const network::WirelessReading& reading);
 
   Output<topic::NetworkQuality> quality_{*this};
   std::string interface_name_;
-  std::unique_ptr<network::EchoPort> port_;
+  std::unique_ptr<EchoDevice> echo_;
   const Duration probe_period_;
   std::optional<Time> begin_;  ///< of probing
   network::ProbeWindow window_;
-  network::WirelessReader reader_;
+  std::unique_ptr<network::WirelessDevice> wireless_;  ///< null: no interface is configured
   network::WirelessTrend trend_;
   std::string reported_;
   int send_error_ = 0;

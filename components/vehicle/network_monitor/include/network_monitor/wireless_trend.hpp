@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "network_monitor/wireless.hpp"
+#include "devices/wireless.hpp"
 
 namespace tocsin::network {
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "devices/devices.hpp"
+
 namespace tocsin::telemetry {
 
 /// A temperature input of the kernel.
@@ -24,7 +26,8 @@ struct Thermometer {
 
 /// All thermometers below /sys/class/thermal and /sys/class/hwmon (or folders of the same form).
 /// A missing folder has none.
-[[nodiscard]] std::vector<Thermometer> list_thermometers(const std::string& thermal_dir,
+[[nodiscard]] std::vector<Thermometer> list_thermometers(Devices& devices,
+                                                         const std::string& thermal_dir,
                                                          const std::string& hwmon_dir);
 
 }  // namespace tocsin::telemetry

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "foundation/role.hpp"
 #include "runtime/bus.hpp"
 #include "runtime/middleware/link_bus.hpp"
 
@@ -17,7 +18,7 @@ constexpr int others_on_host = 12;
 /// What one process needs to join the DDS domain of its host, and a router that of the link.
 struct BusOptions {
   std::string name;                     ///< participant name, shown by discovery tools
-  std::string role;                     ///< uxv or gcs: which rules of traffic.yaml hold
+  Role role = Role::uxv;                ///< which rules of traffic.yaml hold
   std::string ros_namespace;            ///< of all topics; empty for none
   std::string qos_file;                 ///< empty: the profiles that are built in
   std::string traffic_file;             ///< empty: any link topic may be written

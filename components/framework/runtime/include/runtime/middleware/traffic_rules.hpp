@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "foundation/role.hpp"
 #include "foundation/traffic_class.hpp"
 
 namespace tocsin {
@@ -29,9 +30,9 @@ class TrafficRules {
  public:
   /// Without a file: everything is of class normal and never paused.
   TrafficRules() = default;
-  /// Throws ConfigError with file and line: unreadable file, unknown role, class or key, a DSCP
-  /// above 63, a topic named twice.
-  TrafficRules(const std::string& path, const std::string& role);
+  /// Throws ConfigError with file and line: unreadable file, no map for the role, unknown class or
+  /// key, a DSCP above 63, a topic named twice.
+  TrafficRules(const std::string& path, Role role);
   /// Throws ConfigError when the role's rules do not name the topic.
   [[nodiscard]] const TrafficRule& of(const std::string& topic) const;
   /// By topic.
@@ -43,7 +44,7 @@ class TrafficRules {
 
  private:
   std::string path_;  ///< empty: without a file
-  std::string role_;
+  Role role_ = Role::uxv;
   std::map<std::string, TrafficRule> rules_;
   DscpOfClass dscp_;
 };
