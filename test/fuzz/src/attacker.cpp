@@ -42,21 +42,27 @@ std::optional<double> cpu_of(const std::filesystem::path& task) {
 
 }  // namespace
 
-std::vector<std::uint16_t> bound_ports() {
+std::vector<sockaddr_in> bound_addresses() {
   std::ifstream file("/proc/self/net/udp");
   std::string line;
   std::getline(file, line);
-  std::set<std::uint16_t> ports;
+  std::set<std::pair<std::uint32_t, std::uint16_t>> seen;
+  std::vector<sockaddr_in> found;
   while (std::getline(file, line)) {
-    const std::size_t at = line.find(':', line.find(':') + 1);
-    ports.insert(static_cast<std::uint16_t>(std::stoul(line.substr(at + 1, 4), nullptr, 16)));
+    const std::size_t at = line.find(": ") + 2;  // address in the computer's byte order, port
+    sockaddr_in one =
+        loopback(static_cast<std::uint16_t>(std::stoul(line.substr(at + 9, 4), nullptr, 16)));
+    const auto address = static_cast<std::uint32_t>(std::stoul(line.substr(at, 8), nullptr, 16));
+    if (address != 0) one.sin_addr.s_addr = address;
+    if (seen.emplace(one.sin_addr.s_addr, one.sin_port).second) found.push_back(one);
   }
-  return {ports.begin(), ports.end()};
+  return found;
 }
 
-Attacker::Attacker() : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-  for (const std::uint16_t port : bound_ports()) targets_.push_back(port);
-  sockaddr_in own = loopback(0);
+Attacker::Attacker()
+    : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)), targets_(bound_addresses()) {
+  sockaddr_in own{};
+  own.sin_family = AF_INET;
   socklen_t size = sizeof own;
   (void)::bind(socket_, reinterpret_cast<const sockaddr*>(&own), sizeof own);
   (void)getsockname(socket_, reinterpret_cast<sockaddr*>(&own), &size);
@@ -68,11 +74,13 @@ Attacker::Attacker() : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) 
 Attacker::~Attacker() { ::close(socket_); }
 
 void Attacker::send_to_all(const Packet& packet) const {
-  for (const std::uint16_t port : targets_) {
-    const sockaddr_in to = loopback(port);
-    (void)::sendto(socket_, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr*>(&to),
-                   sizeof to);
-  }
+  for (std::size_t i = 0; i < targets_.size(); ++i) send_to_one(packet, i);
+}
+
+void Attacker::send_to_one(const Packet& packet, std::size_t draw) const {
+  const sockaddr_in& to = targets_[draw % targets_.size()];
+  (void)::sendto(socket_, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr*>(&to),
+                 sizeof to);
 }
 
 std::vector<Packet> Attacker::announced_by_others(std::chrono::milliseconds limit) const {

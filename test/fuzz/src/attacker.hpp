@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <netinet/in.h>
 #include <sys/types.h>
 
 #include <chrono>
@@ -13,7 +14,7 @@
 
 namespace tocsin::fuzz {
 
-/// Somebody with a UDP socket on loopback, in the network namespace of the victims.
+/// Somebody with a UDP socket, in the network namespace of the victims.
 class Attacker {
  public:
   Attacker();
@@ -22,8 +23,10 @@ class Attacker {
   Attacker& operator=(const Attacker&) = delete;
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
-  /// To every UDP port that is bound in this network namespace but its own.
+  /// To every UDP socket that is bound in this network namespace but its own.
   void send_to_all(const Packet& packet) const;
+  /// To one of them; `draw` says which.
+  void send_to_one(const Packet& packet, std::size_t draw) const;
   /// Announces itself, and waits until somebody answers with an announcement of their own; returns
   /// the prefixes of all who do within `limit`.
   [[nodiscard]] std::vector<Packet> announced_by_others(std::chrono::milliseconds limit) const;
@@ -31,11 +34,11 @@ class Attacker {
  private:
   int socket_;
   std::uint16_t port_ = 0;
-  std::vector<std::uint16_t> targets_;
+  std::vector<sockaddr_in> targets_;
 };
 
-/// UDP ports that are bound in this network namespace.
-[[nodiscard]] std::vector<std::uint16_t> bound_ports();
+/// Where UDP sockets of this network namespace hear; those of any address on loopback.
+[[nodiscard]] std::vector<sockaddr_in> bound_addresses();
 
 /// How a process is.
 struct Vitals {

@@ -14,9 +14,11 @@ constexpr double mib = 1024.0 * 1024.0;
 
 void send_storm(const Attacker& attacker, const StormSize& size) {
   constexpr int at_once = 50;
+  constexpr int to_one = 25;  // what one says may make what the next one does worse
   std::mt19937 random(size.seed);
   const std::vector<Packet>& captures = captured_packets();
   StormSize left = size;
+  std::size_t target = 0;
   for (std::uint64_t sent = 1; left.mutated + left.random + left.structured > 0; ++sent) {
     const std::uint64_t all = std::uint64_t{left.mutated} + left.random + left.structured;
     const std::uint64_t drawn = random() % all;
@@ -32,7 +34,8 @@ void send_storm(const Attacker& attacker, const StormSize& size) {
       --left.structured;
       packet = structured_packet(random);
     }
-    attacker.send_to_all(packet);
+    attacker.send_to_one(packet, target);
+    if (sent % to_one == 0) target = random();
     // So that sockets do not drop what the victims should have to look at.
     if (sent % at_once == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

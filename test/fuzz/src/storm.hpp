@@ -18,7 +18,7 @@ struct StormSize {
   std::uint32_t structured = 0;
   unsigned seed = 1;
 };
-/// Sends them in a mixed order, no faster than sockets can take, to everybody on loopback.
+/// Sends them in a mixed order, no faster than sockets can take, to one socket after the other.
 void send_storm(const Attacker& attacker, const StormSize& size);
 
 /// What has become of processes that were attacked.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sends hostile packets at all DDS participants on loopback and watches processes.
+// Sends hostile packets at all DDS participants of this network namespace and watches processes.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
   std::vector<pid_t> processes;
   std::string only;
   StormSize size;
-  CLI::App app("Sends hostile RTPS packets at all participants on loopback.");
+  CLI::App app("Sends hostile RTPS packets at all participants of this network namespace.");
   app.add_option("--pid", processes, "processes to watch")->required();
   app.add_option("--only", only, "named packets with this text only");
   app.add_option("--mutated", size.mutated, "mutated captures");

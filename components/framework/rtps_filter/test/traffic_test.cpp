@@ -44,7 +44,7 @@ TEST_P(Traffic, CutShortIsDroppedOrEndsWithASubmessage) {
   EXPECT_GT(dropped, all * 9 / 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Vendors, Traffic, ::testing::Values("fast_dds", "cyclone"));
+INSTANTIATE_TEST_SUITE_P(Vendors, Traffic, ::testing::Values("fast_dds", "cyclone", "secured"));
 
 }  // namespace
 }  // namespace tocsin::rtps_filter
