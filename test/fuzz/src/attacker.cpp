@@ -59,10 +59,11 @@ std::vector<sockaddr_in> bound_addresses() {
   return found;
 }
 
-Attacker::Attacker()
+Attacker::Attacker(const std::string& address)
     : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)), targets_(bound_addresses()) {
   sockaddr_in own{};
   own.sin_family = AF_INET;
+  (void)inet_pton(AF_INET, address.c_str(), &own.sin_addr);
   socklen_t size = sizeof own;
   (void)::bind(socket_, reinterpret_cast<const sockaddr*>(&own), sizeof own);
   (void)getsockname(socket_, reinterpret_cast<sockaddr*>(&own), &size);
@@ -84,10 +85,15 @@ void Attacker::send_to_one(const Packet& packet, std::size_t draw) const {
 }
 
 std::vector<Packet> Attacker::announced_by_others(std::chrono::milliseconds limit) const {
+  return answers_to(hostile_announcement({{127, 0, 0, 1}, port_}), limit);
+}
+
+std::vector<Packet> Attacker::answers_to(const Packet& announcement,
+                                         std::chrono::milliseconds limit) const {
   constexpr std::size_t prefix_at = 8;
   constexpr std::size_t prefix_bytes = 12;
   std::set<Packet> found;
-  send_to_all(hostile_announcement(port_));
+  send_to_all(announcement);
   const auto end = std::chrono::steady_clock::now() + limit;
   while (std::chrono::steady_clock::now() < end) {
     std::array<std::uint8_t, 65536> bytes{};

@@ -17,7 +17,8 @@ namespace tocsin::fuzz {
 /// Somebody with a UDP socket, in the network namespace of the victims.
 class Attacker {
  public:
-  Attacker();
+  /// `address`: where it sends from and hears; empty: any.
+  explicit Attacker(const std::string& address = "");
   ~Attacker();
   Attacker(const Attacker&) = delete;
   Attacker& operator=(const Attacker&) = delete;
@@ -30,6 +31,9 @@ class Attacker {
   /// Announces itself, and waits until somebody answers with an announcement of their own; returns
   /// the prefixes of all who do within `limit`.
   [[nodiscard]] std::vector<Packet> announced_by_others(std::chrono::milliseconds limit) const;
+  /// The same, with another announcement of its own.
+  [[nodiscard]] std::vector<Packet> answers_to(const Packet& announcement,
+                                               std::chrono::milliseconds limit) const;
 
  private:
   int socket_;

@@ -138,16 +138,17 @@ std::vector<NamedPacket> hostile_from_anybody() {
   };
 }
 
-Packet hostile_announcement(std::uint16_t port, std::uint32_t number) {
+Packet hostile_announcement(const Whereabouts& here, std::uint32_t number) {
   constexpr std::uint32_t endpoints_of_discovery = 0x00000c3f;
-  const Bytes here = Wire().u32(1).u32(port).zeros(12).raw({127, 0, 0, 1}).bytes();
+  const Bytes address(here.address.begin(), here.address.end());
+  const Bytes locator = Wire().u32(1).u32(here.port).zeros(12).raw(address).bytes();
   const Wire list = Wire()
                         .parameter(0x15, {2, 1, 0, 0})
                         .parameter(0x16, {1, 3, 0, 0})
                         .parameter(0x58, Wire().u32(endpoints_of_discovery).bytes())
                         .parameter(0x02, Wire().u32(1000).u32(0).bytes())
-                        .parameter(0x31, here)
-                        .parameter(0x32, here);
+                        .parameter(0x31, locator)
+                        .parameter(0x32, locator);
   Packet packet = announcement(attacker, list);
   const std::array<std::uint8_t, 4> digits{
       static_cast<std::uint8_t>(number), static_cast<std::uint8_t>(number >> 8U),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -17,9 +18,15 @@ struct NamedPacket {
 
 /// Packets that crash Fast DDS 2.9.1, make it take gigabytes or walk for ever, whoever sends them.
 [[nodiscard]] std::vector<NamedPacket> hostile_from_anybody();
-/// The announcement of the participant that the others are from. `port`: where it hears.
-[[nodiscard]] Packet hostile_announcement(std::uint16_t port, std::uint32_t number = 0);
-/// The same from a participant that has been announced by `hostile_announcement(port)`.
+/// An address to which answers are wanted.
+struct Whereabouts {
+  std::array<std::uint8_t, 4> address;
+  std::uint16_t port;
+};
+/// The announcement of the participant that the others are from; of another one for each `number`
+/// but zero.
+[[nodiscard]] Packet hostile_announcement(const Whereabouts& here, std::uint32_t number = 0);
+/// The same as from anybody, from a participant that has been announced.
 [[nodiscard]] std::vector<NamedPacket> hostile_from_announced();
 /// Says that the participant whose GUIDs begin with `prefix` leaves.
 [[nodiscard]] Packet forged_disposal(const Packet& prefix);
