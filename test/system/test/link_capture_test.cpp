@@ -120,8 +120,8 @@ TEST(LinkCapture, EachPacketOfAMissionBearsTheMarkOfItsClassAndNoneIsAbove1400By
   const std::int64_t since = wall_now_ns();
   ASSERT_EQ(kill(stack.pid("uxv/link"), SIGKILL), 0);
   ASSERT_EQ(kill(stack.pid("gcs/link"), SIGKILL), 0);
-  const TrafficRules uxv_rules(stack.share("config/traffic.yaml"), "uxv");
-  const TrafficRules gcs_rules(stack.share("config/traffic.yaml"), "gcs");
+  const TrafficRules uxv_rules(stack.share("config/traffic.yaml"), Role::uxv);
+  const TrafficRules gcs_rules(stack.share("config/traffic.yaml"), Role::gcs);
   const auto topics = [&](const RadioTap& tap) {
     std::set<std::string> names;
     for (const Sent& one : sent(tap, since)) names.insert(one.topic);
