@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rtps_filter/rtps_filter.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "fragments.hpp"
 #include "participants.hpp"
 #include "sources.hpp"
 #include "structure.hpp"
@@ -14,6 +16,7 @@ struct RtpsFilter::State {
   const Limits limits;
   Participants participants{limits};
   Sources sources{limits};
+  Fragments fragments;
 };
 
 namespace {
@@ -26,23 +29,25 @@ class Admission {
       : state_(state), header_(header), from_(from), now_(now) {}
 
   Inspection admit(const std::uint8_t* bytes, std::size_t size) {
-    Inspection inspection;
     Seals seals;
     Submessages submessages(bytes, size);
+    FragmentPlace place{bytes};
     while (const auto submessage = submessages.next()) {
       seals.pass(submessage->kind);
+      if (submessage->kind == kind::info_dst) place.destination = submessage->content.here();
       const bool sealed = state_.limits.secured && seals.sealed();
-      inspection.drop =
-          admit(*submessage, {header_, state_.limits, bytes, sealed}, inspection.strip);
-      if (inspection.drop) break;
+      const Context context{header_, state_.limits, bytes, sealed};
+      const bool fragment = submessage->kind == kind::data_frag && !sealed;
+      inspection_.drop =
+          fragment ? admit_fragment(*submessage, place) : admit_one(*submessage, context);
+      if (inspection_.drop) break;
     }
-    return inspection;
+    return std::move(inspection_);
   }
 
  private:
-  Wrong admit(const Submessage& submessage, const Context& context,
-              std::vector<std::size_t>& strip) {
-    if (submessage.kind == kind::data) return admit_data(submessage, context, strip);
+  Wrong admit_one(const Submessage& submessage, const Context& context) {
+    if (submessage.kind == kind::data) return admit_data(submessage, context);
     if (submessage.kind == kind::heartbeat) {
       const auto read = read_heartbeat(submessage);
       return state_.participants.heartbeat(header_.prefix, std::get<Heartbeat>(read), now_);
@@ -53,23 +58,49 @@ class Admission {
     return std::nullopt;
   }
 
-  Wrong admit_data(const Submessage& submessage, const Context& context,
-                   std::vector<std::size_t>& strip) {
+  Wrong admit_data(const Submessage& submessage, const Context& context) {
     const Data data = std::get<Data>(read_data(submessage));
     const Purpose purpose = purpose_of(data.reader, data.writer);
     if (purpose != Purpose::participants && purpose != Purpose::endpoints) return std::nullopt;
     const auto what = std::get<Announcement>(read_announcement(data, context));
     if (const Wrong wrong = state_.sources.announcement(from_, now_)) return wrong;
-    strip.insert(strip.end(), what.strip.begin(), what.strip.end());
+    inspection_.strip.insert(inspection_.strip.end(), what.strip.begin(), what.strip.end());
     if (purpose == Purpose::endpoints) return state_.participants.endpoint(header_.prefix, what);
     return state_.participants.announced(header_.prefix, what, from_, now_);
+  }
+
+  /// Hides a fragment of discovery, and looks at the whole once it is there.
+  Wrong admit_fragment(const Submessage& submessage, const FragmentPlace& place) {
+    constexpr std::size_t submessage_header = 4;
+    const Data data = std::get<Data>(read_data_frag(submessage, state_.limits.sample_bytes));
+    if (purpose_of(data.reader, data.writer) == Purpose::user_data) return std::nullopt;
+    inspection_.hide.push_back(static_cast<std::size_t>(submessage.content.here() - place.packet) -
+                               submessage_header);
+    if (!inspection_.before.empty()) return std::nullopt;  // one at a time; it is sent again
+    auto whole = state_.fragments.add(submessage, data, place);
+    if (!whole) return std::nullopt;
+    const Survey found = survey(whole->data(), whole->size(), header_, state_.limits);
+    if (found.wrong) return found.wrong;
+    const Inspection of_whole =
+        Admission(state_, header_, from_, now_).admit(whole->data(), whole->size());
+    if (of_whole.drop) return of_whole.drop;
+    for (const std::size_t at : of_whole.strip) std::fill_n(whole->data() + at, 2, std::uint8_t{0});
+    inspection_.before = std::move(*whole);
+    return std::nullopt;
   }
 
   State& state_;
   const Header& header_;
   const Source from_;
   const Time now_;
+  Inspection inspection_;
 };
+
+Inspection dropped(DropReason reason) {
+  Inspection inspection;
+  inspection.drop = reason;
+  return inspection;
+}
 
 }  // namespace
 
@@ -80,13 +111,14 @@ RtpsFilter& RtpsFilter::operator=(RtpsFilter&&) noexcept = default;
 
 Inspection RtpsFilter::inspect(const std::uint8_t* bytes, std::size_t size, Source from, Time now) {
   const Limits& limits = state_->limits;
-  if (limits.hears && !limits.hears(from.address)) return {DropReason::unknown_source, {}};
-  if (const Wrong wrong = state_->sources.packet(from, size, now)) return {wrong, {}};
+  if (limits.hears && !limits.hears(from.address)) return dropped(DropReason::unknown_source);
+  if (const Wrong wrong = state_->sources.packet(from, size, now)) return dropped(*wrong);
   const auto header = read_header(bytes, size);
-  if (!header) return {DropReason::not_rtps, {}};
+  if (!header) return dropped(DropReason::not_rtps);
   const Survey found = survey(bytes, size, *header, limits);
-  if (found.wrong) return {found.wrong, {}};
-  if (const Wrong wrong = state_->participants.heard(header->prefix, from, now)) return {wrong, {}};
+  if (found.wrong) return dropped(*found.wrong);
+  if (const Wrong wrong = state_->participants.heard(header->prefix, from, now))
+    return dropped(*wrong);
   if (!found.needs_memory) return {};
   return Admission<State>(*state_, *header, from, now).admit(bytes, size);
 }

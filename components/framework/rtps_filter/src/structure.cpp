@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "fragments.hpp"
+
 namespace tocsin::rtps_filter {
 namespace {
 
@@ -51,15 +53,16 @@ Wrong check_data(const Submessage& submessage, const Context& context) {
   return DropReason::discovery_payload;
 }
 
-/// What a fragment of an announcement says cannot be told before it is whole, and Fast DDS puts it
-/// together behind the filter.
+/// What a fragment of an announcement says cannot be told before it is whole.
 Wrong check_data_frag(const Submessage& submessage, const Limits& limits) {
   const auto read = read_data_frag(submessage, limits.sample_bytes);
   const auto* data = std::get_if<Data>(&read);
   if (data == nullptr) return wrong_of(read);
   const Purpose purpose = purpose_of(data->reader, data->writer);
-  if (purpose == Purpose::user_data || purpose == Purpose::authentication) return std::nullopt;
-  return DropReason::discovery_payload;
+  if (purpose == Purpose::user_data) return std::nullopt;
+  if (purpose == Purpose::confused) return DropReason::discovery_payload;
+  if (data->fragments.sample > most_announcement_bytes) return DropReason::sample_size;
+  return std::nullopt;
 }
 
 Wrong check_gap(const Submessage& submessage, const Limits& limits) {
@@ -161,14 +164,16 @@ Wrong check(const Submessage& submessage, const Context& context) {
   }
 }
 
-/// DATA of discovery, and what tells numbers of a writer.
+/// DATA and fragments of discovery, and what tells numbers of a writer.
 bool needs_memory(const Submessage& submessage) {
   if (submessage.kind == kind::heartbeat || submessage.kind == kind::gap) return true;
-  if (submessage.kind != kind::data) return false;
+  const bool whole = submessage.kind == kind::data;
+  if (!whole && submessage.kind != kind::data_frag) return false;
   Cursor at = submessage.content;
   at.skip(2 + 2);
   const std::uint32_t reader = at.entity();
   const Purpose purpose = purpose_of(reader, at.entity());
+  if (!whole) return purpose != Purpose::user_data;
   return purpose == Purpose::participants || purpose == Purpose::endpoints;
 }
 

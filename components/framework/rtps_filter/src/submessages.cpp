@@ -60,13 +60,12 @@ Checked<Data> read_sample(const Submessage& submessage, std::uint16_t fixed) {
 }
 
 /// Fragments that lie within their sample and are all there.
-Wrong check_fragments(Cursor at, std::size_t payload_bytes, std::uint32_t sample_bytes) {
-  at.skip(2 + 2 + 4 + 4 + 8);
-  const std::uint64_t first = at.u32();
-  const std::uint64_t count = at.u16();
-  const std::uint64_t size = at.u16();
-  const std::uint64_t sample = at.u32();
-  if (!at.ok()) return DropReason::submessage_length;
+Wrong check_fragments(const Data::Fragments& fragments, std::size_t payload_bytes,
+                      std::uint32_t sample_bytes) {
+  const std::uint64_t first = fragments.first;
+  const std::uint64_t count = fragments.count;
+  const std::uint64_t size = fragments.size;
+  const std::uint64_t sample = fragments.sample;
   if (first == 0 || count == 0 || size == 0 || sample == 0) return DropReason::fragment;
   if (sample > sample_bytes) return DropReason::sample_size;
   const std::uint64_t before = (first - 1) * size;
@@ -121,7 +120,14 @@ Checked<Data> read_data_frag(const Submessage& submessage, std::uint32_t sample_
   auto read = read_sample(submessage, fixed);
   auto* data = std::get_if<Data>(&read);
   if (data == nullptr) return read;
-  if (const Wrong wrong = check_fragments(submessage.content, data->payload.left(), sample_bytes)) {
+  Cursor at = submessage.content;
+  at.skip(2 + 2 + 4 + 4 + 8);  // until behind the number
+  data->fragments.first = at.u32();
+  data->fragments.count = at.u16();
+  data->fragments.size = at.u16();
+  data->fragments.sample = at.u32();
+  if (!at.ok()) return DropReason::submessage_length;
+  if (const Wrong wrong = check_fragments(data->fragments, data->payload.left(), sample_bytes)) {
     return *wrong;
   }
   data->has_key = (submessage.flags & flag_key_of_fragment) != 0;

@@ -70,6 +70,14 @@ struct Data {
   Cursor payload;
   bool has_payload = false;  ///< serialized data, or a fragment
   bool has_key = false;      ///< a serialized key instead
+  /// Of DATA_FRAG: its first fragment, counted from 1, how many it has, and the bytes of each but
+  /// the sample's last, and of the sample.
+  struct Fragments {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t size = 0;
+    std::uint32_t sample = 0;
+  } fragments;
 };
 [[nodiscard]] Checked<Data> read_data(const Submessage& submessage);
 /// `sample_bytes`: the largest sample that is allowed.

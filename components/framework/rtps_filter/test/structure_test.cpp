@@ -183,9 +183,14 @@ TEST(Fragment, WithInlineQosAndNoOffsetIsDropped) {
             DropReason::inline_qos_offset);
 }
 
-TEST(Fragment, OfAnAnnouncementIsDropped) {
-  const Wire content = data_head(sedp_writer, 1, 28).u32(1).u16(1).u16(1000).u32(3000);
-  EXPECT_EQ(drop_of_fragment(Wire(content).raw(Bytes(1000, 0))), DropReason::discovery_payload);
+TEST(Fragment, OfAnAnnouncementBeyond64KiBIsDropped) {
+  const auto with = [](std::uint32_t sample, std::uint32_t reader = 0) {
+    const Wire head = data_head(sedp_writer, 1, 28, reader).u32(1).u16(1).u16(1000).u32(sample);
+    return drop_of_fragment(Wire(head).raw(Bytes(1000, 0)));
+  };
+  EXPECT_EQ(with(65'536), passes);
+  EXPECT_EQ(with(65'537), DropReason::sample_size);
+  EXPECT_EQ(with(3000, 0x00000104), DropReason::discovery_payload);
 }
 
 TEST(Heartbeat, HasANumberRangeThatCanBe) {

@@ -20,6 +20,12 @@ struct Inspection {
   /// Places of parameters in the packet that the participant must not read. Their parameter id, two
   /// bytes there, becomes PID_PAD (zero) before the packet is handed on.
   std::vector<std::size_t> strip;
+  /// Places of submessages in the packet that the participant must not read. Their kind, one byte
+  /// there, becomes PAD before the packet is handed on.
+  std::vector<std::size_t> hide;
+  /// A message that the participant is to be shown before the packet, whole and stripped already:
+  /// an announcement whose fragments were hidden. Mostly empty.
+  std::vector<std::uint8_t> before;
 };
 
 /// Decides which packets that arrive at a participant's sockets it may be shown.

@@ -36,9 +36,10 @@ class HoldingTransport : public ChainingTransport {
   void receive(TransportReceiverInterface* next, const rtps::octet* bytes, std::uint32_t size,
                const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
     descriptor_.reception->wait();
-    descriptor_.filter->pass(bytes, size, remote, [&](const rtps::octet* shown) {
-      next->OnDataReceived(shown, size, local, remote);
-    });
+    descriptor_.filter->pass(
+        bytes, size, remote, [&](const rtps::octet* shown, std::size_t length) {
+          next->OnDataReceived(shown, static_cast<std::uint32_t>(length), local, remote);
+        });
   }
   /// Not chained: the lower transport would not know its own channel again, and open another for
   /// each peer.

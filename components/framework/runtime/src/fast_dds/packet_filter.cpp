@@ -108,9 +108,12 @@ rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::si
 }
 
 std::vector<std::uint8_t> PacketFilter::without(const std::uint8_t* bytes, std::size_t size,
-                                                const std::vector<std::size_t>& parameters) {
+                                                const rtps_filter::Inspection& inspection) {
+  constexpr std::uint8_t pid_pad = 0;
+  constexpr std::uint8_t kind_pad = 1;
   std::vector<std::uint8_t> copy(bytes, bytes + size);
-  for (const std::size_t at : parameters) std::fill_n(copy.data() + at, 2, std::uint8_t{0});
+  for (const std::size_t at : inspection.strip) std::fill_n(copy.data() + at, 2, pid_pad);
+  for (const std::size_t at : inspection.hide) copy[at] = kind_pad;
   return copy;
 }
 

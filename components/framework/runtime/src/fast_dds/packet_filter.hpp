@@ -29,22 +29,24 @@ class PacketFilter {
  public:
   explicit PacketFilter(rtps_filter::Limits limits) : filter_(std::move(limits)) {}
 
-  /// Calls `show(bytes)` with the packet, or a copy without what must not be read; or does not.
+  /// Calls `show(bytes, size)` with the packet, or a copy without what must not be read, and before
+  /// it with an announcement that it completes; or does not.
   template <class Show>
   void pass(const std::uint8_t* bytes, std::size_t size,
             const eprosima::fastrtps::rtps::Locator_t& from, Show show) {
     const rtps_filter::Inspection inspection = inspect(bytes, size, from);
     if (inspection.drop) return;
-    if (inspection.strip.empty()) return show(bytes);
-    const std::vector<std::uint8_t> stripped = without(bytes, size, inspection.strip);
-    show(stripped.data());
+    if (!inspection.before.empty()) show(inspection.before.data(), inspection.before.size());
+    if (inspection.strip.empty() && inspection.hide.empty()) return show(bytes, size);
+    const std::vector<std::uint8_t> shown = without(bytes, size, inspection);
+    show(shown.data(), shown.size());
   }
 
  private:
   rtps_filter::Inspection inspect(const std::uint8_t* bytes, std::size_t size,
                                   const eprosima::fastrtps::rtps::Locator_t& from);
   static std::vector<std::uint8_t> without(const std::uint8_t* bytes, std::size_t size,
-                                           const std::vector<std::size_t>& parameters);
+                                           const rtps_filter::Inspection& inspection);
   std::mutex mutex_;
   rtps_filter::RtpsFilter filter_;
 };

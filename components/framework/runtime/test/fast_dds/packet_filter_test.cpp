@@ -46,8 +46,9 @@ std::vector<std::uint8_t> announcement(std::uint8_t last_octet) {
 std::vector<std::uint8_t> shown(PacketFilter& sut, const std::vector<std::uint8_t>& packet,
                                 const rtps::Locator_t& from) {
   std::vector<std::uint8_t> seen;
-  sut.pass(packet.data(), packet.size(), from,
-           [&](const std::uint8_t* bytes) { seen.assign(bytes, bytes + packet.size()); });
+  sut.pass(packet.data(), packet.size(), from, [&](const std::uint8_t* bytes, std::size_t size) {
+    seen.insert(seen.end(), bytes, bytes + size);
+  });
   return seen;
 }
 
@@ -68,6 +69,26 @@ TEST(PacketFilter, LocatorOfAThirdIsNotShownAndNothingElseChanges) {
   auto expected = announcement(9);
   expected[locator_at] = 0;
   EXPECT_EQ(shown(sut, announcement(9), locator_of("10.77.0.2")), expected);
+}
+
+TEST(PacketFilter, AnnouncementInFragmentsIsShownWholeAndTheFragmentsNot) {
+  PacketFilter sut(limits_in(radio));
+  auto whole = announcement(2);
+  whole[22] = whole[23] = 0;  // until the end of the message
+  const std::size_t payload_at = 20 + 4 + 20;
+  const std::size_t bytes = whole.size() - payload_at;
+  // One fragment: the DATA with another kind and, behind the number, what a DATA_FRAG has more.
+  std::vector<std::uint8_t> packet = whole;
+  packet[20] = 0x16;
+  packet[21] = 1;
+  packet[26] = 28;
+  const auto size = static_cast<std::uint8_t>(bytes);
+  const std::vector<std::uint8_t> more{1, 0, 0, 0, 1, 0, size, 0, size, 0, 0, 0};
+  packet.insert(packet.begin() + payload_at, more.begin(), more.end());
+  auto expected = whole;
+  expected.insert(expected.end(), packet.begin(), packet.end());
+  expected[whole.size() + 20] = 1;  // PAD
+  EXPECT_EQ(shown(sut, packet, locator_of("10.77.0.2")), expected);
 }
 
 TEST(PacketFilter, OnTheHostItsOwnAddressesAndGroupsAreAnswered) {
