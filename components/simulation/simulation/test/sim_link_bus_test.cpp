@@ -72,7 +72,7 @@ TEST_F(LinkBusTest, AFlowIsWhatItsWriterAnnounces) {
   EXPECT_EQ(flow.what, up().got<HostFlow>()[0].what);
   EXPECT_EQ(flow.what.topic, "camera/image_raw/compressed");
   EXPECT_EQ(flow.what.type, "sensor_msgs::msg::dds_::CompressedImage_");
-  EXPECT_FALSE(flow.what.reliable);
+  EXPECT_TRUE(flow.what.reliable);
   EXPECT_FALSE(flow.what.transient_local);
   EXPECT_EQ(flow.what.depth, 1);
   EXPECT_EQ(flow.what.lifespan_s, 1);

@@ -90,9 +90,12 @@ int QosHistory::room() const {
 }
 
 QosProfile requested(const TopicInfo& topic, QosProfile offered) {
-  if (topic.requests == Requests::profile) return offered;
+  const bool everything = topic.requests == Requests::profile;
+  if (!everything || offered.requested_reliability == "best_effort") {
+    offered.reliability = "best_effort";
+  }
+  if (everything) return offered;
   const QosContract least;
-  offered.reliability = "best_effort";
   offered.durability = "volatile";
   offered.deadline_s = least.deadline_s;
   offered.liveliness = least.liveliness;

@@ -72,7 +72,7 @@ QosProfiles::QosProfiles() : path_("the built-in profiles") {
   add("stream", 1, plain.heartbeat_period_s, 1);
   add("log", 100, plain.heartbeat_period_s, 10);
   for (const char* name : {"sensor", "telemetry", "stream"}) {
-    profiles_[name].reliability = "best_effort";
+    profiles_[name].requested_reliability = "best_effort";
   }
   for (const char* name : {"state", "log"}) profiles_[name].durability = "transient_local";
 }

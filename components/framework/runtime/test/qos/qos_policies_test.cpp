@@ -162,6 +162,16 @@ TEST(Requested, IsTheProfileItselfUnlessTheTopicAsksForNothing) {
   EXPECT_EQ(sut.deadline_s, 1);
 }
 
+TEST(Requested, ReadersMayAskForNoRepairOfWritersThatOfferIt) {
+  QosProfile offered;
+  offered.durability = "transient_local";
+  offered.requested_reliability = "best_effort";
+  const QosProfile sut = requested({"odom", "sensor", Scope::host}, offered);
+  EXPECT_EQ(sut.reliability, "best_effort");
+  EXPECT_EQ(sut.durability, "transient_local");
+  EXPECT_THAT(incompatibilities(offered, sut), ::testing::IsEmpty());
+}
+
 TEST(Requested, ATopicThatAsksForNothingMatchesEveryWriter) {
   const TopicInfo stop{"stop", "state", Scope::link, Requests::anything};
   QosProfile strict;

@@ -18,6 +18,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 std::string error_of_file(const std::string& text) {
   const ConfigFile file(text);
@@ -59,6 +60,42 @@ TEST(QosProfiles, ShippedFileHasTheProfileOfEveryLinkTopicAndOfHostTopics) {
   expect_profile<topic::CmdVel>(sut);
   expect_profile<topic::Odom>(sut);
   expect_profile<topic::Tf>(sut);
+}
+
+/// ROS 2's default for publishers and subscribers (rmw_qos_profile_default).
+const QosContract ros_default;
+
+template <class Topic>
+void expect_ros_reads_and_is_read(const QosProfiles& profiles) {
+  const QosProfile offered = profiles.of(Topic::info.qos, Topic::info.name);
+  EXPECT_THAT(incompatibilities(offered, ros_default), IsEmpty()) << Topic::info.name;
+  // A state is not heard of who would not tell it to late readers; the file says why.
+  const bool late_readers = offered.keeps_last() && Topic::info.requests == Requests::profile;
+  const std::vector<std::string> expected(late_readers ? 1 : 0, "durability");
+  EXPECT_EQ(incompatibilities(ros_default, requested(Topic::info, offered)), expected)
+      << Topic::info.name;
+}
+template <class... Topics>
+void expect_ros_reads_and_is_read(const QosProfiles& profiles, topic::List<Topics...>) {
+  (expect_ros_reads_and_is_read<Topics>(profiles), ...);
+}
+
+TEST(QosProfiles, EveryTopicIsReadByRos2AsItSubscribesByDefaultAndHeardButForStates) {
+  const QosProfiles sut(config + "/qos.yaml");
+  expect_ros_reads_and_is_read(sut, topic::AllHostTopics{});
+  expect_ros_reads_and_is_read(sut, topic::AllLinkTopics{});
+}
+
+TEST(QosProfiles, MeasurementsAreHeardOfRos2sSensorsAndTransformsAndRead) {
+  QosContract sensor_data;
+  sensor_data.reliability = "best_effort";
+  const QosProfiles sut(config + "/qos.yaml");
+  for (const char* const name : {"sensor", "telemetry", "stream"}) {
+    const QosProfile offered = sut.of(name, "x");
+    const QosProfile heard = requested({"x", name, Scope::host}, offered);
+    EXPECT_THAT(incompatibilities(sensor_data, heard), IsEmpty()) << name;
+    EXPECT_THAT(incompatibilities(offered, sensor_data), IsEmpty()) << name;
+  }
 }
 
 TEST(QosProfiles, AMissingProfileNamesTopicAndFile) {

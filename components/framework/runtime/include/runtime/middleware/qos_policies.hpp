@@ -114,6 +114,7 @@ struct QosDelivery {
   int priority = 10;
   int bandwidth_reservation_percent = 0;
   int ownership_strength = 0;
+  std::string requested_reliability = "offered";
   double max_rate_hz = std::numeric_limits<double>::infinity();
   double minimum_separation_s = 0;
   std::string user_data;
@@ -128,6 +129,8 @@ struct QosDelivery {
     v("bandwidth_reservation_percent", bandwidth_reservation_percent, {0, 100},
       "[%] of the flow controller that is this writer's");
     v("ownership_strength", ownership_strength, {0, 1000000}, "[1] of an exclusive writer");
+    v("requested_reliability", requested_reliability, {"offered", "best_effort"},
+      "best_effort: readers hear every writer, and ask for no repair");
     v("max_rate_hz", max_rate_hz, {0.001, inf}, "[Hz] a writer drops and counts what is more");
     v("minimum_separation_s", minimum_separation_s, {0, 3600},
       "[s] a reader drops what follows the writer's last delivered sample sooner");
@@ -150,8 +153,8 @@ struct QosProfile : QosContract, QosHistory, QosTiming, QosDelivery {
   }
 };
 
-/// What the readers of a topic request whose writers offer `offered`: the same, or nothing at all,
-/// see Requests. Readers that request nothing keep 16 samples, so that one writer's sample does not
+/// What the readers of a topic request whose writers offer `offered`: the same, less reliability if
+/// the profile says so, or nothing at all, see Requests. Readers that request nothing keep 16 samples, so that one writer's sample does not
 /// push out another's before it is taken.
 [[nodiscard]] QosProfile requested(const TopicInfo& topic, QosProfile offered);
 
