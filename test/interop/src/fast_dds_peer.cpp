@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/dds/topic/TopicDataType.hpp>
+#include <fastdds/dds/topic/TypeSupport.hpp>
+#include <ros_idl/std_msgs.hpp>
+#include <stdexcept>
+
+#include "peer.hpp"
+
+namespace tocsin::interop {
+namespace {
+
+namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+using Message = std_msgs::msg::String;
+using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
+
+class StringType : public dds::TopicDataType {
+ public:
+  StringType() {
+    setName(type_on_wire);
+    m_typeSize = 1024;
+    m_isGetKeyDefined = false;
+    auto_fill_type_information(false);
+  }
+  bool serialize(void* data, rtps::SerializedPayload_t* payload) override {
+    payload->length = static_cast<std::uint32_t>(
+        type_info<Message>().serialize(data, payload->data, payload->max_size));
+    payload->encapsulation = CDR_LE;
+    return payload->length > 0;
+  }
+  bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
+    return type_info<Message>().deserialize(payload->data, payload->length, data);
+  }
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
+    return
+        [data] { return static_cast<std::uint32_t>(type_info<Message>().serialized_size(data)); };
+  }
+  void* createData() override { return new Message; }
+  void deleteData(void* data) override { delete static_cast<Message*>(data); }
+  bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
+};
+
+class FastDdsPeer : public Peer {
+ public:
+  explicit FastDdsPeer(int domain)
+      : participant_(dds::DomainParticipantFactory::get_instance()->create_participant(
+            static_cast<std::uint32_t>(domain), dds::PARTICIPANT_QOS_DEFAULT)) {
+    if (participant_ == nullptr) throw std::runtime_error("Fast DDS: no participant");
+    dds::TypeSupport(new StringType).register_type(participant_);
+    auto* const topic =
+        participant_->create_topic(topic_on_wire, type_on_wire, dds::TOPIC_QOS_DEFAULT);
+    dds::DataReaderQos reader;
+    reader.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
+    reader.history().depth = 100;
+    reader_ = participant_->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT)
+                  ->create_datareader(topic, reader);
+    dds::DataWriterQos writer;
+    writer.durability().kind = dds::VOLATILE_DURABILITY_QOS;
+    writer.history().depth = 10;
+    writer_ = participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT)
+                  ->create_datawriter(topic, writer);
+  }
+  ~FastDdsPeer() override {
+    participant_->delete_contained_entities();
+    dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
+  }
+
+  void write(const std::string& text) override {
+    Message message;
+    message.data(text);
+    writer_->write(&message);
+  }
+  std::vector<std::string> take() override {
+    std::vector<std::string> texts;
+    Message message;
+    dds::SampleInfo info;
+    while (reader_->take_next_sample(&message, &info) == ReturnCode::RETCODE_OK) {
+      if (info.valid_data) texts.push_back(message.data());
+    }
+    return texts;
+  }
+
+ private:
+  dds::DomainParticipant* participant_;
+  dds::DataReader* reader_ = nullptr;
+  dds::DataWriter* writer_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Peer> make_fast_dds_peer(int domain) {
+  return std::make_unique<FastDdsPeer>(domain);
+}
+
+}  // namespace tocsin::interop

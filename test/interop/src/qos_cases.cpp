@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "qos_cases.hpp"
+
+#include <fnmatch.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+
+namespace tocsin::interop {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// Each of `values` offered against each of them requested.
+void cross(std::vector<Case>& all, const std::string& policy,
+           const std::vector<QosContract>& values) {
+  for (const QosContract& offered : values) {
+    for (const QosContract& requested : values) all.push_back({policy, offered, requested});
+  }
+}
+
+/// Without best effort and transient local, which our QoS files refuse: old samples are sent as
+/// repairs.
+std::vector<QosContract> reliabilities_and_durabilities() {
+  std::vector<QosContract> values(3);
+  values[0].reliability = "best_effort";
+  values[2].durability = "transient_local";
+  return values;
+}
+
+std::vector<QosContract> livelinesses() {
+  std::vector<QosContract> values;
+  for (const char* const kind : {"automatic", "manual_by_participant", "manual_by_topic"}) {
+    for (const double lease_s : {inf, 20.0, 10.0}) {
+      values.emplace_back();
+      values.back().liveliness = kind;
+      values.back().liveliness_lease_s = lease_s;
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<Case> all_cases() {
+  std::vector<Case> all;
+  cross(all, "reliability, durability", reliabilities_and_durabilities());
+  cross(all, "liveliness and its lease", livelinesses());
+  std::vector<QosContract> deadlines(3);
+  deadlines[1].deadline_s = 20;
+  deadlines[2].deadline_s = 10;
+  cross(all, "deadline", deadlines);
+  std::vector<QosContract> ownerships(2);
+  ownerships[1].ownership = "exclusive";
+  cross(all, "ownership", ownerships);
+  std::vector<QosContract> partitions(4);
+  partitions[1].partition = {"a"};
+  partitions[2].partition = {"b", "c"};
+  partitions[3].partition = {"a*"};
+  cross(all, "partition", partitions);
+  all.pop_back();  // the same expression on both sides, see below
+  return all;
+}
+
+namespace {
+
+int rank(const std::string& word) {
+  static const std::map<std::string, int> ranks{{"best_effort", 0},    {"reliable", 1},
+                                                {"volatile", 0},       {"transient_local", 1},
+                                                {"automatic", 0},      {"manual_by_participant", 1},
+                                                {"manual_by_topic", 2}};
+  return ranks.at(word);
+}
+
+/// A name and an expression meet, not two expressions (section 2.2.3.13). No partition is the one
+/// without a name.
+bool share_a_partition(std::vector<std::string> one, std::vector<std::string> other) {
+  for (auto* const list : {&one, &other}) {
+    if (list->empty()) list->emplace_back();
+  }
+  for (const std::string& a : one) {
+    for (const std::string& b : other) {
+      const bool both_expressions = a.find_first_of("*?[") != std::string::npos &&
+                                    b.find_first_of("*?[") != std::string::npos;
+      if (!both_expressions &&
+          (fnmatch(a.c_str(), b.c_str(), 0) == 0 || fnmatch(b.c_str(), a.c_str(), 0) == 0)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool fits(const QosContract& offered, const QosContract& requested) {
+  return rank(offered.reliability) >= rank(requested.reliability) &&
+         rank(offered.durability) >= rank(requested.durability) &&
+         offered.deadline_s <= requested.deadline_s &&
+         rank(offered.liveliness) >= rank(requested.liveliness) &&
+         offered.liveliness_lease_s <= requested.liveliness_lease_s &&
+         offered.ownership == requested.ownership &&
+         share_a_partition(offered.partition, requested.partition);
+}
+
+std::string profile(const std::string& name, const QosContract& qos) {
+  std::ostringstream text;
+  text << name << ": {reliability: " << qos.reliability << ", durability: " << qos.durability
+       << ", liveliness: " << qos.liveliness << ", ownership: " << qos.ownership;
+  if (std::isfinite(qos.deadline_s)) text << ", deadline_s: " << qos.deadline_s;
+  if (std::isfinite(qos.liveliness_lease_s)) {
+    text << ", liveliness_lease_s: " << qos.liveliness_lease_s;
+  }
+  if (!qos.partition.empty()) {
+    text << ", partition: [";
+    for (const std::string& one : qos.partition) text << "\"" << one << "\", ";
+    text << "]";
+  }
+  text << "}\n";
+  return text.str();
+}
+
+}  // namespace tocsin::interop

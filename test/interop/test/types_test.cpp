@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every type of the workspace there and back: our runtime writes it, Cyclone DDS decodes it by the
+// code that its own generator made from the same IDL, encodes it again, and we compare the bytes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <list>
+#include <mutex>
+#include <thread>
+
+#include "cyclone.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
+#include "types.hpp"
+
+namespace tocsin::interop {
+namespace {
+
+using ::testing::IsEmpty;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr int domain = 26;
+constexpr std::size_t encapsulation_bytes = 4;
+
+/// A type of this name whose messages are Bytes, taken as they come.
+TypeInfo raw_type(const char* name) {
+  TypeInfo type{};
+  type.name = name;
+  type.create = []() -> std::shared_ptr<void> { return std::make_shared<Bytes>(); };
+  type.serialized_size = [](const void* message) {
+    return static_cast<const Bytes*>(message)->size();
+  };
+  type.serialize = [](const void* message, std::uint8_t* buffer, std::size_t) {
+    const auto& bytes = *static_cast<const Bytes*>(message);
+    std::copy(bytes.begin(), bytes.end(), buffer);
+    return bytes.size();
+  };
+  type.deserialize = [](const std::uint8_t* bytes, std::size_t size, void* message) {
+    static_cast<Bytes*>(message)->assign(bytes, bytes + size);
+    return true;
+  };
+  type.visit = [](const void*, FieldVisitor&) {};
+  type.skip = [](WireCursor&) { return true; };
+  return type;
+}
+
+Bytes encoded(const TypeInfo& type, const void* message) {
+  Bytes bytes(type.serialized_size(message));
+  bytes.resize(type.serialize(message, bytes.data(), bytes.size()));
+  return bytes;
+}
+
+/// Cyclone DDS fills up to four bytes, and says in the header's last two bits by how many.
+Bytes without_padding(Bytes bytes) {
+  constexpr std::size_t options_at = 3;
+  if (bytes.size() < encapsulation_bytes) return bytes;
+  bytes.resize(bytes.size() - (bytes[options_at] & 3U));
+  bytes[options_at] = 0;
+  return bytes;
+}
+
+std::unique_ptr<Bus> make_bus() {
+  BusOptions options;
+  options.name = "types";
+  options.host_domain = domain;
+  return make_fast_dds_bus(options);
+}
+
+/// The way of one type.
+class Echo : private Receiver {
+ public:
+  /// A participant has one type of a name, so what comes back is taken raw by another.
+  Echo(Bus& bus, Bus& raw_bus, const CycloneParticipant& cyclone, const MessageType& type)
+      : type_(type), raw_(raw_type(type.ours->name)) {
+    const auto qos = CycloneParticipant::qos();
+    dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, DDS_MSECS(100));
+    dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, 100);
+    reader_ = cyclone.reader(cyclone.topic(*type.cyclone, "rt/" + there_, type.ours->name), qos);
+    writer_ = cyclone.writer(cyclone.topic(*type.cyclone, "rt/" + back_, type.ours->name), qos);
+    publication_ = bus.advertise({{there_.c_str(), "event", Scope::host}, type.ours});
+    subscription_ = raw_bus.subscribe({{back_.c_str(), "event", Scope::host}, &raw_}, *this);
+  }
+  [[nodiscard]] const char* name() const { return type_.ours->name; }
+  [[nodiscard]] bool is_connected() const {
+    dds_publication_matched_status_t back{};
+    (void)dds_get_publication_matched_status(writer_, &back);
+    return publication_->has_readers() && back.current_count == 1;
+  }
+  void send(Random& random) {
+    const std::shared_ptr<const void> message = type_.make(random);
+    sent_.push_back(encoded(*type_.ours, message.get()));
+    (void)publication_->write(message);
+  }
+  /// Lets Cyclone DDS write what it has read.
+  void return_all() const {
+    void* sample = nullptr;
+    dds_sample_info_t info{};
+    while (dds_take(reader_, &sample, &info, 1, 1) == 1) {
+      if (info.valid_data) (void)dds_write(writer_, sample);
+      (void)dds_return_loan(reader_, &sample, 1);
+      sample = nullptr;
+    }
+  }
+  [[nodiscard]] std::size_t sent() const { return sent_.size(); }
+  [[nodiscard]] std::size_t returned() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return returned_.size();
+  }
+  [[nodiscard]] bool bytes_are_equal() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::equal(sent_.begin(), sent_.end(), returned_.begin(), returned_.end(),
+                      [](const Bytes& one, const Bytes& other) {
+                        return without_padding(one) == without_padding(other);
+                      });
+  }
+
+ private:
+  static inline int count = 0;
+  void receive(const Sample& sample) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    returned_.push_back(*static_cast<const Bytes*>(sample.message.get()));
+  }
+  const MessageType type_;
+  const std::string number_ = std::to_string(++count);
+  const std::string there_ = "there_" + number_;
+  const std::string back_ = "back_" + number_;
+  const TypeInfo raw_;
+  dds_entity_t reader_ = 0;
+  dds_entity_t writer_ = 0;
+  std::mutex mutex_;
+  std::vector<Bytes> sent_;
+  std::vector<Bytes> returned_;
+  std::unique_ptr<Publication> publication_;
+  std::unique_ptr<Subscription> subscription_;
+};
+
+template <class Condition>
+bool eventually(const Condition& condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(15);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
+}
+
+TEST(Types, EveryOneHasTheBytesOfCycloneDdsThereAndBack) {
+  const auto bus = make_bus();
+  const auto raw_bus = make_bus();
+  const CycloneParticipant cyclone(domain);
+  std::list<Echo> echoes;
+  for (const MessageType& type : all_types()) {
+    echoes.emplace_back(*bus, *raw_bus, cyclone, type);
+  }
+  ASSERT_GT(echoes.size(), 50U);
+  ASSERT_TRUE(eventually([&] {
+    return std::all_of(echoes.begin(), echoes.end(), [](auto& one) { return one.is_connected(); });
+  }));
+  Random random(1);
+  for (int i = 0; i < 20; ++i) {
+    for (Echo& one : echoes) one.send(random);
+  }
+  (void)eventually([&] {
+    bool all = true;
+    for (Echo& one : echoes) {
+      one.return_all();
+      all = all && one.returned() == one.sent();
+    }
+    return all;
+  });
+  std::vector<std::string> different;
+  for (Echo& one : echoes) {
+    if (!one.bytes_are_equal()) different.emplace_back(one.name());
+  }
+  EXPECT_THAT(different, IsEmpty());
+  RecordProperty("types", static_cast<int>(echoes.size()));
+}
+
+}  // namespace
+}  // namespace tocsin::interop
