@@ -36,7 +36,6 @@ BusOptions on_host(int domain, const std::string& qos_file) {
   options.qos_file = qos_file;
   options.name = "crossing";
   options.host_domain = domain;
-  options.processes = 24;
   return options;
 }
 

@@ -39,7 +39,6 @@ BusOptions vehicle_domain(int domain) {
   BusOptions options;
   options.name = "peer";
   options.host_domain = domain;
-  options.processes = 24;
   return options;
 }
 

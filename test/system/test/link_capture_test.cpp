@@ -162,7 +162,6 @@ BusOptions on_vehicle() {
   BusOptions options;
   options.name = "peer";
   options.host_domain = standing_domain;
-  options.processes = 24;
   return options;
 }
 

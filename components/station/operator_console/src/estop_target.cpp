@@ -14,10 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Participants that are looked for on each host: more than those of a bringup file, as other
-/// commands of the operator may run.
-constexpr int processes = 24;
-
 BusOptions bus_of(const deployment::Deployment& deployment, const deployment::Host& host) {
   BusOptions bus;
   bus.name = "estop";
@@ -27,7 +23,6 @@ BusOptions bus_of(const deployment::Deployment& deployment, const deployment::Ho
   bus.link_domain = deployment.link_domain;
   bus.link_address = host.address;
   bus.link_peers = host.peers;
-  bus.processes = processes;
   bus.host = "estop";
   return bus;
 }
@@ -47,7 +42,6 @@ EstopTarget target_of(const EstopOptions& options) {
   bus.role = role_of(options.join.host).value_or(Role::gcs);
   bus.ros_namespace = options.ros_namespace;
   bus.host_domain = options.domain.value_or(nobodys_domain(options.link_domain));
-  bus.processes = processes;
   if (has_link) {
     bus.link_domain = *options.link_domain;
     bus.link_address = options.address;

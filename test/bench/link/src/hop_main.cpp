@@ -174,7 +174,6 @@ void measure(int small, int images) {
   BusOptions on_host;
   on_host.name = "hop";
   on_host.host_domain = standing_domain;
-  on_host.processes = 24;
   fmt::print("from write to packet [us]: raw, routed, more; 10th percentile, median, p99\n");
   measure(stack, on_host, {"crossing/up", 56, milliseconds(20), small});
   measure(stack, on_host, {"crossing/image", 30'000, milliseconds(150), images});

@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "fast_dds/dropped_packets.hpp"
@@ -14,15 +13,6 @@
 
 namespace tocsin {
 namespace {
-
-/// The larger number of containers of the hosts.
-int processes_of(const deployment::Deployment& deployment) {
-  std::size_t most = 1;
-  for (const deployment::Host& host : deployment.hosts) {
-    most = std::max(most, host.containers.size());
-  }
-  return static_cast<int>(most);
-}
 
 BusOptions bus_options(const deployment::Deployment& deployment, const deployment::Host& host,
                        const deployment::Container& container) {
@@ -35,7 +25,6 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
           deployment.link_domain,
           host.address,
           host.peers,
-          processes_of(deployment),
           false,
           host.name};
 }

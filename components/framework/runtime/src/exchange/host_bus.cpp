@@ -15,8 +15,6 @@
 namespace tocsin {
 namespace {
 
-constexpr int processes = 16;
-
 BusOptions options_of_run(const HostChoice& choice) {
   const auto running = deployment::running_host(choice.run_dir, choice.host);
   deployment::enter_namespaces(running.process);
@@ -73,7 +71,6 @@ int default_domain() {
 std::unique_ptr<Bus> open_host_bus(const HostChoice& choice, const std::string& name) {
   BusOptions options = choice.run_dir.empty() ? installed_options(choice) : options_of_run(choice);
   options.name = name;
-  options.processes = processes;
   if (choice.domain >= 0) options.host_domain = choice.domain;
   return make_fast_dds_bus(options);
 }

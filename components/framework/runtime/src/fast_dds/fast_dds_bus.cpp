@@ -16,8 +16,6 @@
 namespace tocsin {
 namespace {
 
-const char* const loopback = "127.0.0.1";
-
 std::int64_t wall_now_ns() {
   return std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())
       .count();
@@ -40,6 +38,15 @@ class WallClock {
   std::atomic<std::int64_t> offset_ns_{0};
 };
 
+ParticipantOptions host_options(const BusOptions& options, const QosProfiles& profiles) {
+  ParticipantOptions host;
+  host.name = options.name;
+  host.domain = options.host_domain;
+  host.shared_memory = options.shared_memory;
+  host.flow_controllers = profiles.flow_controllers();
+  return host;
+}
+
 class FastDdsBus : public Bus {
  public:
   explicit FastDdsBus(const BusOptions& options)
@@ -47,14 +54,7 @@ class FastDdsBus : public Bus {
         profiles_(options.qos_file.empty() ? QosProfiles() : QosProfiles(options.qos_file)),
         rules_(options.traffic_file.empty() ? TrafficRules()
                                             : TrafficRules(options.traffic_file, options.role)),
-        participant_({options.name,
-                      options.host_domain,
-                      loopback,
-                      {loopback},
-                      options.processes + others_on_host,
-                      false,
-                      options.shared_memory,
-                      profiles_.flow_controllers()}) {}
+        participant_(host_options(options, profiles_)) {}
 
   std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;

@@ -40,7 +40,6 @@ class FastDdsParticipant {
     return writer.guidPrefix == prefix_;
   }
   [[nodiscard]] const eprosima::fastrtps::rtps::GuidPrefix_t& prefix() const { return prefix_; }
-  [[nodiscard]] bool radio() const { return options_.radio; }
   [[nodiscard]] const RemoteEnds& remote_ends() const { return remote_ends_; }
 
  private:

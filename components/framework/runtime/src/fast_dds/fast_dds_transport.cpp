@@ -12,6 +12,8 @@
 #include <random>
 
 #include "fast_dds/fast_dds_qos.hpp"
+#include "fast_dds/host_multicast.hpp"
+#include "fast_dds/host_transport.hpp"
 #include "fast_dds/packet_filter.hpp"
 
 namespace tocsin {
@@ -27,23 +29,17 @@ constexpr std::uint32_t segment_bytes = 32U << 20U;
 /// A picture of a few MB in one burst must fit; the kernel caps it at net.core.rmem_max.
 constexpr std::uint32_t host_socket_bytes = 4U << 20U;
 
-std::shared_ptr<UDPv4TransportDescriptor> udp_of(const ParticipantOptions& options) {
-  auto transport = std::make_shared<UDPv4TransportDescriptor>();
-  transport->interfaceWhiteList = {options.address};
-  transport->maxInitialPeersRange = static_cast<std::uint32_t>(options.peer_participants);
-  if (options.radio) {
-    transport->maxMessageSize = radio_message_bytes;
-  } else {
-    transport->sendBufferSize = host_socket_bytes;
-    transport->receiveBufferSize = host_socket_bytes;
-  }
-  return transport;
+bool is_on_link(const ParticipantOptions& options) {
+  return options.marks != nullptr || !options.peers.empty();
 }
 
 std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(
     const ParticipantOptions& options) {
-  if (options.marks == nullptr) return udp_of(options);
-  return marked(udp_of(options), options.marks);
+  if (!is_on_link(options)) return host_transport(options.domain, host_socket_bytes);
+  auto udp = std::make_shared<UDPv4TransportDescriptor>();
+  udp->interfaceWhiteList = {options.address};
+  if (!options.marks) return udp;
+  return marked(std::move(udp), options.marks);
 }
 
 std::shared_ptr<SharedMemTransportDescriptor> shared_memory_transport() {
@@ -53,7 +49,7 @@ std::shared_ptr<SharedMemTransportDescriptor> shared_memory_transport() {
   return transport;
 }
 
-rtps::Locator_t udp_locator(const std::string& address, int port = 0) {
+rtps::Locator_t udp_locator(const std::string& address, int port) {
   rtps::Locator_t locator;
   locator.kind = LOCATOR_KIND_UDPv4;
   rtps::IPLocator::setIPv4(locator, address);
@@ -79,9 +75,8 @@ bool is_free(const std::string& address, int port) {
   return free;
 }
 
-/// A router's ports are known, so that one announcement finds it; participants without a known
-/// number are asked for at each number that they might have.
-void locate_router(const ParticipantOptions& options, dds::DomainParticipantQos& qos) {
+/// A router's ports are known, so that one announcement finds it.
+void locate_on_link(const ParticipantOptions& options, dds::DomainParticipantQos& qos) {
   rtps::BuiltinAttributes& builtin = qos.wire_protocol().builtin;
   int own = 0;
   while (own + 1 < most_at_one_address &&
@@ -103,14 +98,28 @@ void locate_router(const ParticipantOptions& options, dds::DomainParticipantQos&
   builtin.discovery_config.leaseDuration_announcementperiod = dds_duration(2);
 }
 
-void locate(const ParticipantOptions& options, dds::DomainParticipantQos& qos) {
+/// Numbers of participants that peers without multicast have, and look for: Cyclone DDS gives
+/// itself the first free one of ten where its interface cannot multicast, such as loopback.
+constexpr int numbers_of_others = 10;
+
+/// Everybody on the host is found by the discovery group, however many they are; we leave the low
+/// numbers to those who are found by them alone.
+void locate_on_host(const ParticipantOptions& options, dds::DomainParticipantQos& qos) {
   rtps::BuiltinAttributes& builtin = qos.wire_protocol().builtin;
-  builtin.metatrafficUnicastLocatorList.push_back(udp_locator(options.address));
-  for (const std::string& peer : options.peers) {
-    builtin.initialPeersList.push_back(udp_locator(peer));
+  const rtps::Locator_t group = udp_locator(discovery_group, discovery_group_port(options.domain));
+  const int port = discovery_port(options.domain, numbers_of_others);
+  builtin.metatrafficMulticastLocatorList.push_back(group);
+  builtin.metatrafficUnicastLocatorList.push_back(udp_locator(options.address, port));
+  qos.wire_protocol().default_unicast_locator_list.push_back(
+      udp_locator(options.address, port + 1));
+  builtin.initialPeersList.push_back(group);
+  for (int i = 0; i < numbers_of_others; ++i) {
+    builtin.initialPeersList.push_back(
+        udp_locator(options.address, discovery_port(options.domain, i)));
   }
-  builtin.discovery_config.leaseDuration = dds_duration(options.radio ? 60 : 5);
-  builtin.discovery_config.leaseDuration_announcementperiod = dds_duration(options.radio ? 5 : 1);
+  builtin.discovery_config.leaseDuration = dds_duration(5);
+  // A peer that was stopped for longer than the lease has forgotten us, and waits for this.
+  builtin.discovery_config.leaseDuration_announcementperiod = dds_duration(0.5);
 }
 
 /// A shared-memory port that no other process has, nor had: when a process was killed, its peers
@@ -131,19 +140,17 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   dds::DomainParticipantQos qos;
   qos.name(options.name);
   qos.transport().use_builtin_transports = false;
-  auto filter =
-      std::make_shared<PacketFilter>(limits_in({options.address, options.peers, options.radio}));
+  auto filter = std::make_shared<PacketFilter>(
+      limits_in({options.address, options.peers, options.marks != nullptr}));
   qos.transport().user_transports = {
       hold(transport_of(options), options.reception, std::move(filter))};
   if (options.shared_memory) {
     qos.transport().user_transports.push_back(shared_memory_transport());
-    auto& own = qos.wire_protocol().default_unicast_locator_list;
-    own.push_back(udp_locator(options.address));
-    own.push_back(fresh_shared_memory_port());
+    qos.wire_protocol().default_unicast_locator_list.push_back(fresh_shared_memory_port());
   }
   rtps::BuiltinAttributes& builtin = qos.wire_protocol().builtin;
   builtin.avoid_builtin_multicast = true;
-  options.marks == nullptr ? locate(options, qos) : locate_router(options, qos);
+  is_on_link(options) ? locate_on_link(options, qos) : locate_on_host(options, qos);
   builtin.discovery_config.initial_announcements.count = 10;
   builtin.discovery_config.initial_announcements.period = dds_duration(0.1);
   for (const auto& [name, controller] : options.flow_controllers) {

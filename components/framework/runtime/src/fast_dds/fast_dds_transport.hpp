@@ -13,21 +13,20 @@
 
 namespace tocsin {
 
-/// Where a participant lives and whom it looks for. Discovery is UDP and unicast: nothing is
-/// multicast, and traffic stays on the interface of `address`.
+/// Where a participant lives and whom it looks for: on its host (see host_transport), or on the
+/// link, if it has peers. There discovery is unicast, and traffic stays on the interface of
+/// `address`.
 struct ParticipantOptions {
   std::string name;
   int domain = 0;
-  std::string address;             ///< IPv4 of the only interface that is used
-  std::vector<std::string> peers;  ///< IPv4 addresses that are asked for participants
-  int peer_participants = 4;       ///< [1, 100] participant ids that are asked at each of them
-  bool radio = false;              ///< small RTPS messages, asynchronous writers, patient lease
-  bool shared_memory = false;      ///< samples go by shared memory where the peer has it, too
+  std::string address = "127.0.0.1";    ///< on the link: IPv4 of the only interface that is used
+  std::vector<std::string> peers = {};  ///< on the link: IPv4 addresses; none: on the host
+  bool shared_memory = false;           ///< samples go so where the peer has it, too
   std::map<std::string, FlowController> flow_controllers = {};
   /// Called by discovery with what others announce; must not call Fast DDS.
   RemoteEnds::OnEnd on_end = {};
   RemoteEnds::OnParticipant on_participant = {};
-  std::shared_ptr<RadioMarks> marks = {};  ///< of the packets of a radio; null: none
+  std::shared_ptr<RadioMarks> marks = {};  ///< of a router's packets
   /// Released when the participant is complete.
   std::shared_ptr<DeferredReception> reception = std::make_shared<DeferredReception>();
 };

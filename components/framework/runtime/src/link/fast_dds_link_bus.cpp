@@ -12,7 +12,6 @@
 namespace tocsin {
 namespace {
 
-const char* const host_address = "127.0.0.1";
 /// The link's participant of a host has the host's name and this.
 const std::string router_suffix = "_link_router";
 
@@ -64,11 +63,9 @@ FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> 
 }
 
 ParticipantOptions FastDdsLinkBus::host_options() {
-  ParticipantOptions host{options_.name + "_router",
-                          options_.host_domain,
-                          host_address,
-                          {host_address},
-                          options_.processes + others_on_host};
+  ParticipantOptions host;
+  host.name = options_.name + "_router";
+  host.domain = options_.host_domain;
   host.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_host_end(guid, end, there);
   };
@@ -76,12 +73,8 @@ ParticipantOptions FastDdsLinkBus::host_options() {
 }
 
 ParticipantOptions FastDdsLinkBus::link_options() {
-  ParticipantOptions link{options_.host + router_suffix,
-                          options_.link_domain,
-                          options_.link_address,
-                          options_.link_peers,
-                          2,
-                          true};
+  ParticipantOptions link{options_.host + router_suffix, options_.link_domain,
+                          options_.link_address, options_.link_peers};
   link.marks = marks_;
   link.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_link_end(guid, end, there);

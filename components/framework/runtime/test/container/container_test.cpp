@@ -105,7 +105,6 @@ class ContainerTest : public ::testing::Test {
     options.qos_file = config + "qos.yaml";
     options.traffic_file = config + "traffic.yaml";
     options.host_domain = domain_;
-    options.processes = 40;
     return make_fast_dds_bus(options);
   }
   /// The state of the component in the process, once it is `wanted`; else the last one.

@@ -65,7 +65,6 @@ inline std::unique_ptr<Bus> make_test_bus(int domain, const std::string& qos,
   options.qos_file = path + "_qos.yaml";
   options.traffic_file = path + "_traffic.yaml";
   options.host_domain = domain;
-  options.processes = 40;  // one process makes many participants here
   options.shared_memory = shared_memory;
   auto bus = make_fast_dds_bus(options);
   unlink(options.qos_file.c_str());

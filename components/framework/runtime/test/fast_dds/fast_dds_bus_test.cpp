@@ -36,7 +36,6 @@ class FastDdsBusTest : public ::testing::Test {
     options.qos_file = config + "qos.yaml";
     options.traffic_file = config + "traffic.yaml";
     options.host_domain = domain;
-    options.processes = 60;
     return make_fast_dds_bus(options);
   }
 

@@ -76,7 +76,6 @@ TEST_F(RequestsTest, TheBuiltInProfilesReachAProfileWithAPartition) {
   BusOptions options;
   options.name = "built_in";
   options.host_domain = domain_;
-  options.processes = 40;
   const auto peer = make_fast_dds_bus(options);
   const auto writer = peer->advertise(stop);
   EXPECT_TRUE(say(*writer, north));

@@ -45,7 +45,6 @@ BusOptions options_of(const std::string& address, const std::string& peer) {
   options.link_domain = 20;
   options.link_address = address;
   options.link_peers = {peer};
-  options.processes = 40;  // one process makes many participants here
   return options;
 }
 

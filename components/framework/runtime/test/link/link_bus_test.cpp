@@ -30,7 +30,6 @@ class LinkBusTest : public ::testing::Test {
     options.link_domain = first_ + 2;
     options.link_address = "127.0.0.1";
     options.link_peers = {"127.0.0.1"};
-    options.processes = 40;
     return options;
   }
   /// An ordinary process of a host: it knows nothing of the link.

@@ -11,10 +11,6 @@
 
 namespace tocsin {
 
-/// Participants on a host besides one for each of its processes: the router's second, people's
-/// tools, peers of other makers.
-constexpr int others_on_host = 12;
-
 /// What one process needs to join the DDS domain of its host, and a router that of the link.
 struct BusOptions {
   std::string name;                     ///< participant name, shown by discovery tools
@@ -26,18 +22,15 @@ struct BusOptions {
   int link_domain = 1;                  ///< [0, 231] of topics that cross the radio
   std::string link_address;             ///< of a router: own IPv4 on the link; empty: no link
   std::vector<std::string> link_peers;  ///< of a router: IPv4 of the other sides
-  /// [1, 100] processes with a bus on this host. Fast DDS numbers the participants of a process in
-  /// one row and asks peers by number, so a process that has had many buses needs more.
-  int processes = 8;
   /// Samples go to other processes of this host by shared memory instead of loopback UDP. A
   /// process that is killed leaves files in /dev/shm; the next start removes them.
   bool shared_memory = false;
   std::string host = "";  ///< name of this side, as the peers of its router know it
 };
 
-/// The bus on Fast DDS in real time. All topics use loopback only; what crosses the link does so by
-/// the host's router. Advertising a link topic that `traffic_file` does not name throws
-/// ConfigError.
+/// The bus on Fast DDS in real time. All topics stay on the host, where any participant with the
+/// default settings of its library finds them; what crosses the link does so by the host's router.
+/// Advertising a link topic that `traffic_file` does not name throws ConfigError.
 ///
 /// Throws ConfigError for bad files, EnvironmentError when a participant cannot be created.
 [[nodiscard]] std::unique_ptr<Bus> make_fast_dds_bus(const BusOptions& options);

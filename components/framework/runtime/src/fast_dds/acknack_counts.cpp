@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fast_dds/acknack_counts.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+
+namespace tocsin {
+namespace {
+
+// RTPS 2.2 sections 9.4.4, 9.4.5.1 and 9.4.5.3.
+constexpr std::size_t message_header_bytes = 20;
+constexpr std::size_t prefix_at = 8;
+constexpr std::size_t bytes_before_content = 4;
+constexpr std::uint8_t acknack_kind = 0x06;
+constexpr std::uint8_t little_endian_flag = 0x01;
+constexpr std::uint8_t final_flag = 0x02;
+constexpr std::size_t writer_at = 4;
+constexpr std::size_t base_at = 8;
+constexpr std::size_t bits_at = 16;
+constexpr std::size_t bitmap_at = 20;
+constexpr std::size_t most_bits = 256;
+/// Pairs of a reader and a writer that are remembered for sure.
+constexpr std::size_t pairs = 4096;
+
+std::uint32_t number_at(const std::uint8_t* at, bool little_endian) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < sizeof value; ++i) {
+    value |= static_cast<std::uint32_t>(at[i]) << 8U * (little_endian ? i : 3 - i);
+  }
+  return value;
+}
+
+void put_number(std::uint8_t* at, std::uint32_t value, bool little_endian) {
+  for (std::size_t i = 0; i < sizeof value; ++i) {
+    at[i] = static_cast<std::uint8_t>(value >> 8U * (little_endian ? i : 3 - i));
+  }
+}
+
+/// Where the parts of an ACKNACK stand in its message.
+struct AckNack {
+  std::size_t content;
+  std::size_t count;
+  bool little_endian;
+  bool preemptive;  ///< asks for a HEARTBEAT and for nothing else
+};
+
+/// The submessage at `at`, of `length` bytes after its header; nothing when it is no ACKNACK, or
+/// one that is cut off.
+std::optional<AckNack> acknack_in(const std::uint8_t* message, std::size_t at, std::size_t length) {
+  if (message[at] != acknack_kind || length < bitmap_at) return std::nullopt;
+  const std::uint8_t flags = message[at + 1];
+  const std::size_t content = at + bytes_before_content;
+  AckNack found{content, 0, (flags & little_endian_flag) != 0, false};
+  const std::uint32_t bits = number_at(message + content + bits_at, found.little_endian);
+  if (bits > most_bits) return std::nullopt;
+  const std::size_t count = bitmap_at + (bits + 31) / 32 * 4;
+  if (count + sizeof(std::uint32_t) > length) return std::nullopt;
+  found.count = content + count;
+  const std::uint8_t* const base = message + content + base_at;
+  found.preemptive = (flags & final_flag) == 0 && bits == 0 &&
+                     number_at(base, found.little_endian) == 0 &&
+                     number_at(base + sizeof bits, found.little_endian) <= 1;
+  return found;
+}
+
+template <class OnAckNack>
+void each_acknack(const std::uint8_t* message, std::size_t size, const OnAckNack& on_acknack) {
+  for (std::size_t at = message_header_bytes; at + bytes_before_content <= size;) {
+    const bool little_endian = (message[at + 1] & little_endian_flag) != 0;
+    const std::size_t low = message[little_endian ? at + 2 : at + 3];
+    const std::size_t high = message[little_endian ? at + 3 : at + 2];
+    const std::size_t rest = size - at - bytes_before_content;
+    const std::size_t told = low | high << 8U;
+    const std::size_t length = told == 0 ? rest : told;  // 0: until the end of the message
+    if (length > rest) return;
+    if (const auto found = acknack_in(message, at, length)) on_acknack(*found);
+    at += bytes_before_content + length;
+  }
+}
+
+template <class Id>
+Id id_at(const std::uint8_t* at) {
+  Id id;
+  std::copy_n(at, sizeof id.value, id.value);
+  return id;
+}
+
+}  // namespace
+
+std::uint32_t AckNackCounts::next(const Pair& pair, std::uint32_t heard, bool preemptive) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto place = counts_.try_emplace(pair);
+  Count& count = place.first->second;
+  if (place.second) {
+    if (const auto known = older_.find(pair); known != older_.end()) count = known->second;
+  }
+  const std::uint32_t ahead = heard - count.heard;
+  const bool newer = ahead != 0 && ahead < 1U << 31U;  // serial number arithmetic
+  if (preemptive) {
+    ++count.told;
+  } else if (newer) {
+    count.told += ahead;
+  }
+  if (preemptive || newer) count.heard = heard;
+  const std::uint32_t told = count.told;
+  if (counts_.size() >= pairs) {
+    older_ = std::move(counts_);
+    counts_.clear();
+  }
+  return told;
+}
+
+std::pair<const std::uint8_t*, std::size_t> AckNackCounts::translate(
+    const std::uint8_t* message, std::size_t size, std::vector<std::uint8_t>& changed) {
+  const std::uint8_t* result = message;
+  each_acknack(message, size, [&](const AckNack& one) {
+    using eprosima::fastrtps::rtps::GuidPrefix_t;
+    const GuidPrefix_t prefix = id_at<GuidPrefix_t>(message + prefix_at);
+    const Pair pair{{prefix, id_at<Entity>(message + one.content)},
+                    id_at<Entity>(message + one.content + writer_at)};
+    const std::uint32_t heard = number_at(message + one.count, one.little_endian);
+    const std::uint32_t told = next(pair, heard, one.preemptive);
+    if (told == heard && !one.preemptive) return;
+    if (result == message) {
+      changed.assign(message, message + size);
+      result = changed.data();
+    }
+    put_number(changed.data() + one.count, told, one.little_endian);
+    if (!one.preemptive) return;
+    constexpr std::size_t base_low = base_at + sizeof(std::uint32_t);
+    put_number(changed.data() + one.content + base_low, 0, one.little_endian);
+  });
+  return {result, size};
+}
+
+}  // namespace tocsin

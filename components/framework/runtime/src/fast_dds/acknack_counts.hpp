@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/rtps/common/Guid.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace tocsin {
+
+/// Makes Fast DDS 2.9.1 answer a reader that starts anew at a writer that still knows it.
+///
+/// A peer that has not heard us for a lease forgets our writers. When it finds them again, its
+/// readers ask for a HEARTBEAT by a pre-emptive ACKNACK (RTPS 2.2 section 8.4.2.3.4). Where we have
+/// not forgotten the peer, Fast DDS ignores it: its count starts again below the last one; and from
+/// Cyclone DDS it ignores every one, since its count is 0 and Fast DDS knows a pre-emptive ACKNACK
+/// by a base of 0, not by the specification's 1. So the count of each reader at each writer goes on
+/// here where it was, and the base of a pre-emptive one becomes 0. Thread-safe.
+class AckNackCounts {
+ public:
+  /// The message to hand on: `message` itself, or `changed`, which is overwritten.
+  [[nodiscard]] std::pair<const std::uint8_t*, std::size_t> translate(
+      const std::uint8_t* message, std::size_t size, std::vector<std::uint8_t>& changed);
+
+ private:
+  using Entity = eprosima::fastrtps::rtps::EntityId_t;
+  using Pair = std::pair<eprosima::fastrtps::rtps::GUID_t, Entity>;  ///< a reader and a writer
+  struct Count {
+    std::uint32_t heard = 0;  ///< last one of the reader
+    std::uint32_t told = 0;   ///< what it became
+  };
+  [[nodiscard]] std::uint32_t next(const Pair& pair, std::uint32_t heard, bool preemptive);
+
+  std::mutex mutex_;
+  std::map<Pair, Count> counts_;
+  std::map<Pair, Count> older_;  ///< not heard since counts_ was full the last time
+};
+
+}  // namespace tocsin

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fast_dds/host_transport.hpp"
+
+#include <arpa/inet.h>
+#include <fastdds/rtps/transport/ChainingTransport.h>
+#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastrtps/utils/IPFinder.h>
+#include <fastrtps/utils/IPLocator.h>
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "fast_dds/acknack_counts.hpp"
+#include "fast_dds/host_multicast.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace rtps = eprosima::fastrtps::rtps;
+using namespace eprosima::fastdds::rtps;
+using Deadline = std::chrono::steady_clock::time_point;
+using rtps::IPLocator;
+
+const char* const loopback = "127.0.0.1";
+
+/// What goes to the discovery group also goes to interfaces other than loopback.
+class AnnouncementSender : public rtps::SenderResource {
+ public:
+  AnnouncementSender() : SenderResource(LOCATOR_KIND_UDPv4) {
+    send_lambda_ = [this](const rtps::octet* bytes, std::uint32_t size,
+                          rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
+                          const Deadline&) {
+      for (; *first != *last; ++*first) {
+        const rtps::Locator_t& to = **first;
+        if (to.kind != LOCATOR_KIND_UDPv4 || !IPLocator::isMulticast(to)) continue;
+        socket_.send(bytes, size, IPLocator::getPhysicalPort(to));
+      }
+      return true;
+    };
+  }
+
+ private:
+  HostMulticastSender socket_;
+};
+
+struct HostDescriptor : ChainingTransportDescriptor {
+  HostDescriptor(std::shared_ptr<TransportDescriptorInterface> low, std::uint16_t group_port)
+      : ChainingTransportDescriptor(std::move(low)),
+        port(group_port),
+        group(std::make_shared<HostMulticastReceiver>(group_port)) {}
+  [[nodiscard]] TransportInterface* create_transport() const override;
+  std::uint16_t port;
+  std::shared_ptr<HostMulticastReceiver> group;
+};
+
+class HostTransport : public ChainingTransport {
+ public:
+  explicit HostTransport(HostDescriptor descriptor)
+      : ChainingTransport(descriptor), descriptor_(std::move(descriptor)) {}
+
+  [[nodiscard]] TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
+  bool OpenInputChannel(const rtps::Locator_t& at, TransportReceiverInterface* receiver,
+                        std::uint32_t largest) override;
+  bool CloseInputChannel(const rtps::Locator_t& at) override;
+  [[nodiscard]] bool IsInputChannelOpen(const rtps::Locator_t& at) const override {
+    return IPLocator::isMulticast(at) ? descriptor_.group->is_running()
+                                      : ChainingTransport::IsInputChannelOpen(at);
+  }
+  /// Whom we hear is on this host, and whoever listens to an address of this host, listens to
+  /// loopback. Peers are never sent to by multicast, since each listens to it on an interface of
+  /// its choice only; the group of our own domain is for announcements.
+  bool transform_remote_locator(const rtps::Locator_t& remote,
+                                rtps::Locator_t& result) const override;
+  void receive(TransportReceiverInterface* next, const rtps::octet* bytes, std::uint32_t size,
+               const rtps::Locator_t& local, const rtps::Locator_t& remote) override;
+  bool OpenOutputChannel(SendResourceList& channels, const rtps::Locator_t& to) override;
+  // NOLINTNEXTLINE(readability-function-size): the signature is that of Fast DDS
+  bool send(rtps::SenderResource* channel, const rtps::octet* bytes, std::uint32_t size,
+            rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
+            const Deadline& deadline) override {
+    return channel->send(bytes, size, first, last, deadline);
+  }
+
+ private:
+  HostDescriptor descriptor_;
+  AckNackCounts counts_;
+  /// Announcements come by the group, what follows by unicast: who announces itself is not known
+  /// yet while Fast DDS answers, and what it says then would be thrown away.
+  std::mutex discovery_;
+};
+
+TransportInterface* HostDescriptor::create_transport() const { return new HostTransport(*this); }
+
+/// Ports for discovery are even, those for samples odd (RTPS 2.2 section 9.6.1.1).
+bool is_for_discovery(const rtps::Locator_t& local) { return local.port % 2 == 0; }
+
+rtps::Locator_t locator_of(const sockaddr_in& address) {
+  rtps::Locator_t locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  IPLocator::setIPv4(locator, reinterpret_cast<const rtps::octet*>(&address.sin_addr));
+  locator.port = ntohs(address.sin_port);
+  return locator;
+}
+
+bool HostTransport::OpenInputChannel(const rtps::Locator_t& at,
+                                     TransportReceiverInterface* receiver, std::uint32_t largest) {
+  if (!IPLocator::isMulticast(at)) {
+    return ChainingTransport::OpenInputChannel(at, receiver, largest);
+  }
+  descriptor_.group->start(
+      [this, receiver, at](const std::uint8_t* bytes, std::size_t size, const sockaddr_in& from) {
+        receive(receiver, bytes, static_cast<std::uint32_t>(size), at, locator_of(from));
+      });
+  return true;
+}
+
+bool HostTransport::CloseInputChannel(const rtps::Locator_t& at) {
+  if (!IPLocator::isMulticast(at)) return ChainingTransport::CloseInputChannel(at);
+  descriptor_.group->stop();
+  return true;
+}
+
+bool HostTransport::transform_remote_locator(const rtps::Locator_t& remote,
+                                             rtps::Locator_t& result) const {
+  if (remote.kind != LOCATOR_KIND_UDPv4) return false;
+  result = remote;
+  if (IPLocator::isMulticast(remote)) {
+    return IPLocator::toIPv4string(remote) == discovery_group && remote.port == descriptor_.port;
+  }
+  IPLocator::setIPv4(result, loopback);
+  return true;
+}
+
+void HostTransport::receive(TransportReceiverInterface* next, const rtps::octet* bytes,
+                            std::uint32_t size, const rtps::Locator_t& local,
+                            const rtps::Locator_t& remote) {
+  std::unique_lock<std::mutex> turn(discovery_, std::defer_lock);
+  if (is_for_discovery(local)) turn.lock();
+  thread_local std::vector<std::uint8_t> changed;
+  const auto message = counts_.translate(bytes, size, changed);
+  next->OnDataReceived(message.first, static_cast<std::uint32_t>(message.second), local, remote);
+}
+
+bool HostTransport::OpenOutputChannel(SendResourceList& channels, const rtps::Locator_t& to) {
+  // Not chained: the lower transport would not know its own channel again, and open another for
+  // each peer.
+  if (!low_level_transport_->OpenOutputChannel(channels, to)) return false;
+  const bool there = std::any_of(channels.begin(), channels.end(), [](const auto& one) {
+    return dynamic_cast<const AnnouncementSender*>(one.get()) != nullptr;
+  });
+  if (!there) channels.push_back(std::make_unique<AnnouncementSender>());
+  return true;
+}
+
+}  // namespace
+
+std::shared_ptr<TransportDescriptorInterface> host_transport(int domain,
+                                                             std::uint32_t socket_bytes) {
+  auto udp = std::make_shared<UDPv4TransportDescriptor>();
+  udp->interfaceWhiteList = {loopback};
+  udp->sendBufferSize = socket_bytes;
+  udp->receiveBufferSize = socket_bytes;
+  return std::make_shared<HostDescriptor>(std::move(udp), discovery_group_port(domain));
+}
+
+}  // namespace tocsin
