@@ -228,7 +228,7 @@ void mutate(Packet& packet, std::mt19937& random) {
 const std::vector<Packet>& captured_packets() {
   static const std::vector<Packet> all = [] {
     std::vector<Packet> packets;
-    for (const char* vendor : {"fast_dds", "cyclone", "secured"}) {
+    for (const char* vendor : {"fast_dds", "cyclone", "cyclone_fragments", "secured"}) {
       for (const Captured& packet : read_captures(vendor)) packets.push_back(packet.bytes);
     }
     return packets;

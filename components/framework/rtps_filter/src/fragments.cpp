@@ -6,7 +6,7 @@
 namespace tocsin::rtps_filter {
 namespace {
 
-constexpr std::size_t most_open = 16;
+constexpr std::size_t most_open = 64;
 
 Prefix prefix_in(const std::uint8_t* packet) {
   Prefix prefix;
@@ -16,6 +16,14 @@ Prefix prefix_in(const std::uint8_t* packet) {
 
 void append(std::vector<std::uint8_t>& message, const std::uint8_t* bytes, std::size_t size) {
   message.insert(message.end(), bytes, bytes + size);
+}
+
+void append_number(std::vector<std::uint8_t>& message, std::uint32_t number, unsigned bytes,
+                   bool little) {
+  for (unsigned i = 0; i < bytes; ++i) {
+    const unsigned shift = 8 * (little ? i : bytes - 1 - i);
+    message.push_back(static_cast<std::uint8_t>(number >> shift));
+  }
 }
 
 /// The message of a whole sample: who speaks, to whom, and one DATA until its end.
@@ -48,8 +56,9 @@ std::vector<std::uint8_t> whole_message(const Submessage& submessage, const Data
 
 }  // namespace
 
-std::list<Fragments::Sample>::iterator Fragments::sample_of(const Data& data,
-                                                            const std::uint8_t* packet) {
+bool Fragments::full() const { return open_.size() >= most_open; }
+
+Fragments::Samples::iterator Fragments::sample_of(const Data& data, const std::uint8_t* packet) {
   const Prefix prefix = prefix_in(packet);
   const auto found = std::find_if(open_.begin(), open_.end(), [&](const Sample& sample) {
     return sample.prefix == prefix && sample.writer == data.writer && sample.number == data.number;
@@ -57,8 +66,9 @@ std::list<Fragments::Sample>::iterator Fragments::sample_of(const Data& data,
   const bool fits = found != open_.end() && found->shape.size == data.fragments.size &&
                     found->shape.sample == data.fragments.sample;
   if (fits) return found;
+  if (rule_ == Rule::hide_last && (found != open_.end() || full())) return open_.end();
   if (found != open_.end()) open_.erase(found);  // its writer begins anew
-  if (open_.size() >= most_open) open_.pop_front();
+  if (full()) open_.pop_front();
   Sample sample;
   sample.prefix = prefix;
   sample.writer = data.writer;
@@ -83,20 +93,53 @@ void Fragments::store(Sample& sample, const Data& data) {
   }
 }
 
-std::optional<std::vector<std::uint8_t>> Fragments::add(const Submessage& submessage,
-                                                        const Data& data,
-                                                        const FragmentPlace& place) {
+FragmentFate Fragments::add(const Submessage& submessage, const Data& data,
+                            const FragmentPlace& place) {
   const auto sample = sample_of(data, place.packet);
+  if (sample == open_.end()) return {};
   store(*sample, data);
   if (std::find(sample->there.begin(), sample->there.end(), false) != sample->there.end()) {
-    return std::nullopt;
+    return {rule_ == Rule::hide_all, std::nullopt};
   }
   Data whole = data;
   whole.inline_qos =
       Cursor(sample->inline_qos.data(), sample->inline_qos.size(), data.inline_qos.little());
   whole.payload = Cursor(sample->payload.data(), sample->payload.size(), true);
-  auto message = whole_message(submessage, whole, place);
-  open_.erase(sample);
+  FragmentFate fate{true, whole_message(submessage, whole, place)};
+  open_.splice(open_.end(), open_, sample);
+  // What is not good stays complete, so that its fragments stay hidden.
+  if (rule_ == Rule::hide_all) open_.pop_back();
+  return fate;
+}
+
+std::vector<std::uint8_t> as_fragments(const std::vector<std::uint8_t>& whole,
+                                       const Data::Fragments& fragment) {
+  constexpr std::size_t submessage_header = 4;
+  constexpr std::size_t ids_and_number = 4 + 4 + 8;
+  constexpr std::uint8_t flag_key_of_data = 8;
+  constexpr std::uint8_t flag_key_of_fragment = 4;
+  constexpr std::uint8_t octets_to_inline_qos = 28;
+  const std::size_t begin =
+      header_bytes + (whole[header_bytes] == kind::info_dst ? submessage_header + 12 : 0);
+  const std::uint8_t flags = whole[begin + 1];
+  const bool little = (flags & 1U) != 0;
+  const bool key = (flags & flag_key_of_data) != 0;
+  std::vector<std::uint8_t> message(whole.begin(),
+                                    whole.begin() + static_cast<std::ptrdiff_t>(begin));
+  const auto new_flags =
+      static_cast<std::uint8_t>((flags & 3U) | (key ? flag_key_of_fragment : 0U));
+  message.insert(message.end(), {kind::data_frag, new_flags, 0, 0, 0, 0});
+  message.push_back(little ? octets_to_inline_qos : std::uint8_t{0});
+  message.push_back(little ? std::uint8_t{0} : octets_to_inline_qos);
+  const std::uint8_t* ids = whole.data() + begin + submessage_header + 2 + 2;
+  append(message, ids, ids_and_number);
+  const std::uint32_t count = (fragment.sample + fragment.size - 1) / fragment.size;
+  append_number(message, 1, 4, little);
+  append_number(message, count, 2, little);
+  append_number(message, fragment.size, 2, little);
+  append_number(message, fragment.sample, 4, little);
+  const std::uint8_t* rest = ids + ids_and_number;
+  append(message, rest, static_cast<std::size_t>(whole.data() + whole.size() - rest));
   return message;
 }
 

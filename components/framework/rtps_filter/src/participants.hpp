@@ -25,6 +25,7 @@ class Participants {
   [[nodiscard]] Wrong endpoint(const Prefix& prefix, const Announcement& what);
   [[nodiscard]] Wrong heartbeat(const Prefix& prefix, const Heartbeat& heartbeat, Time now);
   [[nodiscard]] Wrong gap(const Prefix& prefix, const Gap& gap, Time now);
+  [[nodiscard]] bool knows(const Prefix& prefix) const { return known_.count(prefix) > 0; }
   [[nodiscard]] std::size_t size() const { return known_.size(); }
 
  private:

@@ -16,7 +16,8 @@ struct RtpsFilter::State {
   const Limits limits;
   Participants participants{limits};
   Sources sources{limits};
-  Fragments fragments;
+  Fragments best_effort{Fragments::Rule::hide_all};  ///< fragments of SPDP and of authentication
+  Fragments reliable{Fragments::Rule::hide_last};    ///< of SEDP and of liveliness
 };
 
 namespace {
@@ -69,24 +70,46 @@ class Admission {
     return state_.participants.announced(header_.prefix, what, from_, now_);
   }
 
-  /// Hides a fragment of discovery, and looks at the whole once it is there.
+  /// Looks at a sample of discovery once all of it is there, which nobody behind must have before.
   Wrong admit_fragment(const Submessage& submessage, const FragmentPlace& place) {
     constexpr std::size_t submessage_header = 4;
     const Data data = std::get<Data>(read_data_frag(submessage, state_.limits.sample_bytes));
-    if (purpose_of(data.reader, data.writer) == Purpose::user_data) return std::nullopt;
-    inspection_.hide.push_back(static_cast<std::size_t>(submessage.content.here() - place.packet) -
-                               submessage_header);
-    if (!inspection_.before.empty()) return std::nullopt;  // one at a time; it is sent again
-    auto whole = state_.fragments.add(submessage, data, place);
-    if (!whole) return std::nullopt;
-    const Survey found = survey(whole->data(), whole->size(), header_, state_.limits);
-    if (found.wrong) return found.wrong;
-    const Inspection of_whole =
-        Admission(state_, header_, from_, now_).admit(whole->data(), whole->size());
-    if (of_whole.drop) return of_whole.drop;
-    for (const std::size_t at : of_whole.strip) std::fill_n(whole->data() + at, 2, std::uint8_t{0});
-    inspection_.before = std::move(*whole);
+    const Purpose purpose = purpose_of(data.reader, data.writer);
+    if (purpose == Purpose::user_data) return std::nullopt;
+    const bool reliable = purpose == Purpose::endpoints || purpose == Purpose::liveliness;
+    FragmentFate fate;
+    if (inspection_.before.empty()) {  // else one at a time; it is sent again
+      fate = reliable ? add_reliable(submessage, data, place)
+                      : state_.best_effort.add(submessage, data, place);
+    }
+    if (fate.hide) {
+      const auto content = static_cast<std::size_t>(submessage.content.here() - place.packet);
+      inspection_.hide.push_back(content - submessage_header);
+    }
+    if (!fate.whole) return std::nullopt;
+    if (const Wrong wrong = admit_whole(*fate.whole)) return wrong;
+    if (reliable) state_.reliable.close();
+    inspection_.before = reliable ? as_fragments(*fate.whole, data.fragments) : *fate.whole;
     return std::nullopt;
+  }
+
+  /// Of participants that Fast DDS does not know it takes nothing, either.
+  FragmentFate add_reliable(const Submessage& submessage, const Data& data,
+                            const FragmentPlace& place) {
+    const auto is_known = [this](const Prefix& who) { return state_.participants.knows(who); };
+    if (!is_known(header_.prefix)) return {};
+    if (state_.reliable.full()) state_.reliable.keep(is_known);
+    return state_.reliable.add(submessage, data, place);
+  }
+
+  Wrong admit_whole(std::vector<std::uint8_t>& whole) {
+    const Survey found = survey(whole.data(), whole.size(), header_, state_.limits);
+    if (found.wrong) return found.wrong;
+    const Inspection inspection =
+        Admission(state_, header_, from_, now_).admit(whole.data(), whole.size());
+    for (const std::size_t at : inspection.strip)
+      std::fill_n(whole.data() + at, 2, std::uint8_t{0});
+    return inspection.drop;
   }
 
   State& state_;

@@ -124,7 +124,7 @@ TEST(Fragments, OfTheOldestOfManySamplesAreForgotten) {
   RtpsFilter sut{Limits{}};
   const auto first = fragments_of(participant(), spdp_writer);
   (void)inspect(sut, first[0]);
-  for (std::int64_t number = 2; number <= 17; ++number) {
+  for (std::int64_t number = 2; number <= 65; ++number) {
     (void)inspect(sut, fragments_of(participant(), spdp_writer, number)[0]);
   }
   EXPECT_TRUE(inspect(sut, first[1]).before.empty());
@@ -137,6 +137,62 @@ TEST(Fragments, OfAnotherShapeBeginASampleAnew) {
   const Wire name = Wire().parameter(0x62, Wire().text("a name of some length").bytes());
   (void)inspect(sut, fragments_of(participant(name), spdp_writer)[0]);
   EXPECT_FALSE(last_of(sut, shorter).before.empty());
+}
+
+Bytes endpoint(std::uint32_t token = 0) {
+  const Wire text = Wire().parameter(0x05, Wire().text("a topic's name").bytes());
+  const Wire odd = token == 0 ? text : Wire().parameter(0x73, Wire().u32(token).bytes());
+  return parameters_payload(
+      Wire().parameter(0x5a, guid_of('a', user_writer)).raw(odd.bytes()).sentinel());
+}
+
+TEST(Fragments, OfAnEndpointAreShownButTheLast) {
+  RtpsFilter sut{Limits{}};
+  (void)inspect(sut, announcement('a'));
+  const auto messages = fragments_of(endpoint(), sedp_writer);
+  ASSERT_GT(messages.size(), 2U);
+  EXPECT_TRUE(inspect(sut, messages[0]).hide.empty());
+  const Inspection last = last_of(sut, messages);
+  EXPECT_EQ(last.hide.size(), 1U);
+  const auto size = static_cast<std::uint32_t>(endpoint().size());
+  const Wire content = data_head(sedp_writer, 1, 28)
+                           .u32(1)
+                           .u16((size + fragment_bytes - 1) / fragment_bytes)
+                           .u16(fragment_bytes)
+                           .u32(size)
+                           .raw(endpoint());
+  Bytes expected = Message('a').add(0x16, 0, content.bytes()).bytes();
+  expected[22] = expected[23] = 0;
+  EXPECT_EQ(last.before, expected);
+}
+
+TEST(Fragments, OfAnEndpointOfAStrangerAreHidden) {
+  RtpsFilter sut{Limits{}};
+  EXPECT_EQ(inspect(sut, fragments_of(endpoint(), sedp_writer)[0]).hide.size(), 1U);
+}
+
+TEST(Fragments, ThatWereShownAreNeverCompletedUnlookedAt) {
+  RtpsFilter sut{Limits{}};
+  (void)inspect(sut, announcement('a'));
+  const auto bad = fragments_of(endpoint(0xffffffff), sedp_writer);
+  EXPECT_EQ(last_of(sut, bad).drop, DropReason::parameter_content);
+  for (std::int64_t number = 2; number <= 100; ++number) {  // others do not make it forgotten
+    (void)inspect(sut, fragments_of(endpoint(), sedp_writer, number)[0]);
+  }
+  const Inspection again = inspect(sut, bad.back());
+  EXPECT_TRUE(again.drop || again.hide.size() == 1);
+  EXPECT_TRUE(again.before.empty());
+}
+
+TEST(Fragments, OfSamplesThatAreManyAtOnceAreHidden) {
+  RtpsFilter sut{Limits{}};
+  (void)inspect(sut, announcement('a'));
+  for (std::int64_t number = 1; number <= 64; ++number) {
+    EXPECT_TRUE(inspect(sut, fragments_of(endpoint(), sedp_writer, number)[0]).hide.empty());
+  }
+  EXPECT_EQ(inspect(sut, fragments_of(endpoint(), sedp_writer, 65)[0]).hide.size(), 1U);
+  EXPECT_EQ(drop_of(sut, departure('a', 'a')), passes);
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 std::vector<Bytes> corpus() {
   std::vector<Bytes> packets;
-  for (const char* vendor : {"fast_dds", "cyclone", "secured"}) {
+  for (const char* vendor : {"fast_dds", "cyclone", "cyclone_fragments", "secured"}) {
     for (const Captured& packet : read_captures(vendor)) packets.push_back(packet.bytes);
   }
   packets.push_back(departure('a', 'a'));

@@ -44,7 +44,20 @@ TEST_P(Traffic, CutShortIsDroppedOrEndsWithASubmessage) {
   EXPECT_GT(dropped, all * 9 / 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Vendors, Traffic, ::testing::Values("fast_dds", "cyclone", "secured"));
+TEST(FragmentedAnnouncements, OfCycloneDdsAreShownWhole) {
+  constexpr std::size_t endpoints = 6;
+  RtpsFilter sut{Limits{}};
+  std::size_t whole = 0;
+  for (const Captured& packet : read_captures("cyclone_fragments")) {
+    const Inspection inspection = inspect(sut, packet.bytes, packet.from);
+    EXPECT_EQ(inspection.drop, passes);
+    whole += inspection.before.empty() ? 0U : 1U;
+  }
+  EXPECT_GE(whole, endpoints);
+}
+
+INSTANTIATE_TEST_SUITE_P(Vendors, Traffic,
+                         ::testing::Values("fast_dds", "cyclone", "cyclone_fragments", "secured"));
 
 }  // namespace
 }  // namespace tocsin::rtps_filter
