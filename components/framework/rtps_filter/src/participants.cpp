@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "participants.hpp"
 
+#include <algorithm>
+#include <chrono>
+
 namespace tocsin::rtps_filter {
 
 bool Participants::is_over(const Participant& participant, Time now) {
   return now - participant.heard > participant.lease;
+}
+
+bool Participants::is_source(Participant& participant, Source from, Time now) const {
+  constexpr std::size_t most_sockets = 8;
+  constexpr Duration settling = std::chrono::seconds(60);  // longer than anybody's period
+  auto& sources = participant.sources;
+  if (std::find(sources.begin(), sources.end(), from) != sources.end()) return true;
+  const bool elsewhere = limits_.participant_has_address && sources.front().address != from.address;
+  if (elsewhere || now - participant.admitted > settling || sources.size() >= most_sockets) {
+    return false;
+  }
+  sources.push_back(from);
+  return true;
 }
 
 Participants::Known::iterator Participants::erase(Known::iterator at) {
@@ -16,7 +32,7 @@ Wrong Participants::heard(const Prefix& prefix, Source from, Time now) {
   const auto found = known_.find(prefix);
   if (found == known_.end()) return std::nullopt;
   Participant& participant = found->second;
-  if (limits_.participant_has_address && participant.owner.address != from.address &&
+  if (limits_.participant_has_address && participant.sources.front().address != from.address &&
       !is_over(participant, now)) {
     return DropReason::forged_source;
   }
@@ -29,14 +45,17 @@ Wrong Participants::announced(const Prefix& prefix, const Announcement& what, So
   const auto found = known_.find(prefix);
   if (what.leaves) {
     if (found == known_.end()) return std::nullopt;  // and not known to Fast DDS either
-    if (found->second.owner != from) return DropReason::forged_disposal;
+    const auto& sources = found->second.sources;
+    if (std::find(sources.begin(), sources.end(), from) == sources.end()) {
+      return DropReason::forged_disposal;
+    }
     erase(found);
     return std::nullopt;
   }
   if (!what.guid) return DropReason::discovery_payload;
   if (found == known_.end()) return admit(prefix, what, from, now);
   Participant& participant = found->second;
-  if (participant.owner != from) return DropReason::forged_source;
+  if (!is_source(participant, from, now)) return DropReason::forged_source;
   participant.lease = what.lease;
   return std::nullopt;
 }
@@ -49,8 +68,8 @@ Wrong Participants::admit(const Prefix& prefix, const Announcement& what, Source
   }
   if (known_.size() >= limits_.participants) return DropReason::too_many_participants;
   Participant& participant = known_[prefix];
-  participant.owner = from;
-  participant.heard = now;
+  participant.sources = {from};
+  participant.admitted = participant.heard = now;
   participant.lease = what.lease;
   return std::nullopt;
 }

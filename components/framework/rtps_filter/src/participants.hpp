@@ -4,6 +4,7 @@
 #include <cstring>
 #include <unordered_map>
 #include <unordered_set>
+#include <vector>
 
 #include "discovery.hpp"
 #include "rtps_filter/source.hpp"
@@ -39,7 +40,8 @@ class Participants {
     }
   };
   struct Participant {
-    Source owner;
+    std::vector<Source> sources;  ///< it has announced itself from, the first one first
+    Time admitted{};
     Time heard{};
     Duration lease{};
     std::unordered_map<std::uint32_t, std::int64_t> first;  ///< of each writer's HEARTBEAT
@@ -49,6 +51,8 @@ class Participants {
   };
   using Known = std::unordered_map<Prefix, Participant, Hash>;
   [[nodiscard]] Wrong admit(const Prefix& prefix, const Announcement& what, Source from, Time now);
+  /// Whether a participant announces itself from there; at first it may have several sockets.
+  [[nodiscard]] bool is_source(Participant& participant, Source from, Time now) const;
   static bool is_over(const Participant& participant, Time now);
   Known::iterator erase(Known::iterator at);
 

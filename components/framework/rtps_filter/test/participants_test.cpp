@@ -45,11 +45,28 @@ TEST(Participant, IsNotDisposedByASerializedKeyThatFastDdsTakesForAKeyHash) {
 
 TEST(Participant, NobodyKnowsMayLeave) { EXPECT_EQ(drop_of(departure('a', 'a')), passes); }
 
-TEST(Participant, IsNotAnnouncedByAnotherSource) {
+TEST(Participant, IsNotAnnouncedByAnotherSourceOnceItsSocketsAreKnown) {
   RtpsFilter sut{Limits{}};
   EXPECT_EQ(drop_of(sut, announcement('a')), passes);
-  EXPECT_EQ(drop_of(sut, announcement('a'), mallory), DropReason::forged_source);
+  EXPECT_EQ(drop_of(sut, announcement('a'), mallory, t0 + seconds(61)), DropReason::forged_source);
+  EXPECT_EQ(drop_of(sut, announcement('a'), alice, t0 + seconds(61)), passes);
+}
+
+TEST(Participant, MayHaveASocketForEachInterfaceAndGroup) {
+  constexpr Source second{ipv4(192, 168, 7, 5), 40002};
+  RtpsFilter sut{Limits{}};
   EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(drop_of(sut, announcement('a'), second, t0 + seconds(60)), passes);
+  EXPECT_EQ(drop_of(sut, announcement('a'), second, t0 + seconds(90)), passes);
+  EXPECT_EQ(drop_of(sut, departure('a', 'a'), second, t0 + seconds(90)), passes);
+}
+
+TEST(Participant, HasNotMoreThanEightSockets) {
+  RtpsFilter sut{Limits{}};
+  for (std::uint16_t port = 1; port <= 8; ++port) {
+    EXPECT_EQ(drop_of(sut, announcement('a'), {alice.address, port}), passes);
+  }
+  EXPECT_EQ(drop_of(sut, announcement('a'), {alice.address, 9}), DropReason::forged_source);
 }
 
 TEST(Participant, SpeaksFromOneAddressWhereThatIsFixed) {
