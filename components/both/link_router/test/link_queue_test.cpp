@@ -149,11 +149,11 @@ TEST(LinkQueue, TakesOutAllOfAStream) {
 
 TEST(WireCost, CountsPacketsAndHeaders) {
   EXPECT_EQ(wire_cost(100).packets, 1U);
-  // IP and UDP 28, RTPS 20 + 16, time stamp 12, DATA 24, origin 32, statistics 60.
-  EXPECT_EQ(wire_cost(100).bytes, 100U + 192U);
+  // IP and UDP 28, RTPS 20 + 16, time stamp 12, DATA 24, origin 32.
+  EXPECT_EQ(wire_cost(100).bytes, 100U + 132U);
   const WireCost picture = wire_cost(40000);
   EXPECT_EQ(picture.packets, 34U) << "1192 bytes in each";
-  EXPECT_EQ(picture.bytes, 40000U + 34 * 204U) << "DATA_FRAG has 12 bytes more";
+  EXPECT_EQ(picture.bytes, 40000U + 34 * 144U) << "DATA_FRAG has 12 bytes more";
 }
 
 }  // namespace

@@ -8,12 +8,12 @@ namespace tocsin::simulation {
 namespace {
 
 /// Around a whole sample: IP and UDP, RTPS header, destination, time stamp, DATA, the origin as
-/// inline QoS, the statistics submessage of Debian's build.
-constexpr std::size_t around_sample = 28 + 20 + 16 + 12 + 24 + 32 + 60;
+/// inline QoS.
+constexpr std::size_t around_sample = 28 + 20 + 16 + 12 + 24 + 32;
 /// The same around a fragment, whose DATA_FRAG is longer by 12.
 constexpr std::size_t around_fragment = around_sample + 12;
 constexpr std::size_t most_of_a_fragment = 1400 - 20 - 16 - 12 - 36 - 32 - 32 - 60;
-constexpr std::size_t announcement = 546;
+constexpr std::size_t announcement = 486;
 
 std::size_t padded(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 

@@ -45,19 +45,19 @@ class ExamineLoadTest : public ::testing::Test {
 };
 
 TEST_F(ExamineLoadTest, WarnsOfAStreamAboveClassLowThatIsMoreThanThePoorPlaceCarries) {
-  EXPECT_TRUE(examine(10'920).empty());
-  const auto findings = examine(10'919);
+  EXPECT_TRUE(examine(10'320).empty());
+  const auto findings = examine(10'319);
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].severity, Severity::warning);
   EXPECT_THAT(findings[0].text,
-              HasSubstr("topic x: uxv/drive/source writes 11 kB/s on the radio in class high; in "
-                        "its poor places (9 dB) radio.yaml carries 11 kB/s"));
+              HasSubstr("topic x: uxv/drive/source writes 10 kB/s on the radio in class high; in "
+                        "its poor places (9 dB) radio.yaml carries 10 kB/s"));
 }
 
 TEST_F(ExamineLoadTest, CountsACopyForEachOtherHost) {
   third_host_ = true;
-  EXPECT_TRUE(examine(21'840).empty());
-  EXPECT_EQ(examine(21'839).size(), 1U);
+  EXPECT_TRUE(examine(20'640).empty());
+  EXPECT_EQ(examine(20'639).size(), 1U);
 }
 
 TEST_F(ExamineLoadTest, DoesNotWarnOfClassLowWhichWaitsForAllOthers) {
@@ -78,8 +78,8 @@ TEST_F(ExamineLoadTest, LeavesAMissingProfileOrClassToOthers) {
 }
 
 TEST_F(ExamineLoadTest, AMaximumRateBoundsWhatIsOffered) {
-  EXPECT_TRUE(examine(5'460, "x", "slow").empty());
-  EXPECT_EQ(examine(5'459, "x", "slow").size(), 1U);
+  EXPECT_TRUE(examine(5'160, "x", "slow").empty());
+  EXPECT_EQ(examine(5'159, "x", "slow").size(), 1U);
 }
 
 TEST_F(ExamineLoadTest, JudgesOnlyWritersThatTellWhatTheyExpect) {

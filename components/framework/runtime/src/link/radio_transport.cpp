@@ -101,8 +101,9 @@ class MarkingSender : public rtps::SenderResource {
   [[nodiscard]] bool usable() const { return socket_.usable(); }
 
  private:
-  bool send_to_all(const rtps::octet* bytes, std::uint32_t size, rtps::LocatorsIterator& next,
+  bool send_to_all(const rtps::octet* bytes, std::size_t whole, rtps::LocatorsIterator& next,
                    const rtps::LocatorsIterator& last) {
+    const std::size_t size = size_without_statistics(bytes, whole);
     const auto state = discovery_state_in(bytes, size);
     bool all = true;
     for (; next != last; ++next) {

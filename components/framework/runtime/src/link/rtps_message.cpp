@@ -76,6 +76,17 @@ std::optional<rtps::EntityId_t> sender_in(const std::uint8_t* message, std::size
   return std::nullopt;
 }
 
+std::size_t size_without_statistics(const std::uint8_t* message, std::size_t size) {
+  constexpr std::uint8_t statistics = 0x80;
+  constexpr std::size_t statistics_bytes = 56;
+  Submessages submessages(message, size);
+  std::optional<Submessage> last;
+  while (const auto next = submessages.next()) last = next;
+  const bool ends_so = last && last->kind == statistics && last->bytes == statistics_bytes &&
+                       last->content + last->bytes == message + size;
+  return ends_so ? size - statistics_bytes - submessage_header_bytes : size;
+}
+
 bool is_builtin(const rtps::EntityId_t& endpoint) {
   constexpr rtps::octet builtin = 0xc0;
   return (endpoint.value[3] & builtin) == builtin;

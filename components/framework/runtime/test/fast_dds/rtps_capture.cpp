@@ -22,6 +22,9 @@ std::uint32_t big32(const std::uint8_t* p) {
          static_cast<std::uint32_t>(p[2]) << 8U | p[3];
 }
 
+/// How the submessage begins: its kind, flags, and the 56 bytes that follow.
+constexpr std::uint8_t statistics[]{0x80, 0x01, 0x38, 0x00};
+
 /// Offset of the writer entity id behind the submessage header, 0 when it has none of interest.
 std::size_t writer_offset(std::uint8_t kind) {
   switch (kind) {
@@ -106,6 +109,8 @@ void RtpsCapture::parse(const std::uint8_t* packet, std::size_t size) {
   common.port = static_cast<std::uint16_t>(packet[ip + 2] << 8U | packet[ip + 3]);
   common.packet_bytes = static_cast<std::uint32_t>(size);
   common.dscp = packet[1] >> 2U;
+  common.statistics =
+      size > 60 && std::memcmp(packet + size - 60, statistics, sizeof statistics) == 0;
   parse_submessages(rtps + rtps_header, size - ip - udp - rtps_header, common);
 }
 

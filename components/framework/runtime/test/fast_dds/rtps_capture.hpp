@@ -16,6 +16,7 @@ struct CapturedSubmessage {
   std::uint32_t writer;        ///< writer entity id; its low byte tells builtin (0xc2, 0xc3) apart
   std::uint16_t port;          ///< UDP destination port
   std::uint32_t packet_bytes;  ///< of the whole IP packet
+  bool statistics;             ///< the packet ends with 60 bytes of Fast DDS's statistics
   int dscp;                    ///< of its IP header
   [[nodiscard]] bool builtin() const { return (writer & 0xC0U) == 0xC0U; }
 };

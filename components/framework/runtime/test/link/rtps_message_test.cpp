@@ -16,6 +16,37 @@ std::uint32_t sender(const Bytes& bytes) {
   return found ? wire_id_of(*found) : 0;
 }
 
+std::size_t shortened(const Bytes& bytes) {
+  return size_without_statistics(bytes.data(), bytes.size());
+}
+
+TEST(SizeWithoutStatistics, LeavesOutTheLastSubmessageOfFastDds) {
+  Bytes bytes = message();
+  append(bytes, data, data_of(7));
+  const std::size_t without = bytes.size();
+  append(bytes, of_vendor, Bytes(56), false);
+  EXPECT_EQ(shortened(bytes), without);
+  EXPECT_EQ(bytes.size(), without + 60);
+}
+
+TEST(SizeWithoutStatistics, LeavesAnythingElseAsItIs) {
+  Bytes sample = message();
+  append(sample, data, Bytes(100, of_vendor));
+  EXPECT_EQ(shortened(sample), sample.size()) << "a sample of such bytes";
+  Bytes other = message();
+  append(other, of_vendor, Bytes(55));
+  EXPECT_EQ(shortened(other), other.size()) << "another size";
+  Bytes first = message();
+  append(first, of_vendor, Bytes(56));
+  append(first, data, data_of(7));
+  EXPECT_EQ(shortened(first), first.size()) << "not the last";
+  Bytes cut = message();
+  append(cut, of_vendor, Bytes(56));
+  cut.pop_back();
+  EXPECT_EQ(shortened(cut), cut.size()) << "cut off";
+  EXPECT_EQ(size_without_statistics(cut.data(), 0), 0U);
+}
+
 TEST(SenderIn, DataAndFragmentsComeFromTheirWriter) {
   for (const std::uint8_t kind : {data, fragment}) {
     Bytes bytes = message();
