@@ -12,7 +12,7 @@ namespace tocsin {
 namespace {
 
 TypeInfo named(const char* name) {
-  return {name, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
+  return {name, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
 }
 
 TEST(TypeRegistry, KnowsNoTypeOfANameThatNobodyRegistered) {

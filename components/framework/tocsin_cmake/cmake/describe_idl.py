@@ -24,6 +24,11 @@ def visit_function(scope, name, fields):
     return f"void visit_fields(FieldVisitor& v, const {'::'.join(scope + [name])}& m) {{\n{body}}}\n"
 
 
+def edit_function(scope, name, fields):
+    body = "".join(f'  cdr::edit_value(e, "{field}", m.{field}());\n' for field in fields)
+    return f"void edit_fields(FieldEditor& e, {'::'.join(scope + [name])}& m) {{\n{body}}}\n"
+
+
 def skip_function(scope, name, fields):
     body = " &&\n         ".join(
         f"cdr::skip_field<decltype(std::declval<const M&>().{field}())>(c)" for field in fields)
@@ -36,7 +41,7 @@ def source(package, stem, types):
     text.append('#include <utility>\n\n#include "idl_support/cdr_type.hpp"\n')
     text.append('#include "idl_support/type_registry.hpp"\n\n')
     text.append("namespace tocsin {\nnamespace {\n")
-    text += [visit_function(*item) + skip_function(*item) for item in types]
+    text += [visit_function(*item) + edit_function(*item) + skip_function(*item) for item in types]
     text.append("}  // namespace\n")
     for scope, name, _ in types:
         qualified = "::".join(scope + [name])
@@ -45,6 +50,8 @@ def source(package, stem, types):
                     f'  static const TypeInfo info = cdr::make_type_info<{qualified}>(\n'
                     f'      "{wire}", [](const void* m, FieldVisitor& v) {{\n'
                     f"        visit_fields(v, *static_cast<const {qualified}*>(m));\n      }},\n"
+                    f"      [](void* m, FieldEditor& e) {{\n"
+                    f"        edit_fields(e, *static_cast<{qualified}*>(m));\n      }},\n"
                     f"      skip_{scoped(scope, name)});\n"
                     "  return info;\n}\n")
     text.append("namespace {\nconst bool registered = [] {\n")

@@ -7,6 +7,7 @@
 #include <fastcdr/exceptions/Exception.h>
 
 #include <array>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -116,8 +117,12 @@ void visit_value(FieldVisitor& visitor, const char* name, const std::array<T, si
 
 template <class T>
 void visit_value(FieldVisitor& visitor, const char* name, const T& value) {
-  if constexpr (std::is_floating_point_v<T>) {
+  if constexpr (std::is_same_v<T, float>) {
+    visitor.single(name, value);
+  } else if constexpr (std::is_floating_point_v<T>) {
     visitor.number(name, value);
+  } else if constexpr (std::is_same_v<T, bool>) {
+    visitor.boolean(name, value);
   } else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>) {
     visitor.integer(name, static_cast<std::int64_t>(value));
   } else if constexpr (std::is_same_v<T, std::string>) {
@@ -151,9 +156,68 @@ void visit_value(FieldVisitor& visitor, const char* name, const std::array<T, si
 }
 
 template <class T>
+constexpr IntegerRange range_of() {
+  if constexpr (std::is_enum_v<T>) {
+    return {0, std::numeric_limits<std::uint32_t>::max()};
+  } else if constexpr (std::is_same_v<T, std::uint64_t>) {
+    return {0, std::numeric_limits<std::int64_t>::max()};
+  } else {
+    return {std::numeric_limits<T>::min(), std::numeric_limits<T>::max()};
+  }
+}
+
+template <class T>
+void edit_value(FieldEditor& editor, const char* name, std::vector<T>& list);
+template <class T, std::size_t size>
+void edit_value(FieldEditor& editor, const char* name, std::array<T, size>& list);
+
+template <class T>
+void edit_value(FieldEditor& editor, const char* name, T& value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    double wide = static_cast<double>(value);
+    editor.number(name, wide);
+    value = static_cast<T>(wide);
+  } else if constexpr (std::is_same_v<T, bool>) {
+    editor.boolean(name, value);
+  } else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>) {
+    auto wide = static_cast<std::int64_t>(value);
+    editor.integer(name, wide, range_of<T>());
+    value = static_cast<T>(wide);
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    editor.text(name, value);
+  } else {
+    editor.begin_struct(name);
+    type_info<T>().edit(&value, editor);
+    editor.end_struct();
+  }
+}
+
+template <class T>
+void edit_value(FieldEditor& editor, const char* name, std::vector<T>& list) {
+  if constexpr (std::is_same_v<T, std::uint8_t>) {
+    editor.bytes(name, list);
+  } else {
+    list.resize(editor.begin_list(name, list.size()));
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      T item = list[i];  // the elements of vector<bool> are no bools
+      edit_value(editor, name, item);
+      list[i] = std::move(item);
+    }
+    editor.end_list();
+  }
+}
+
+template <class T, std::size_t size>
+void edit_value(FieldEditor& editor, const char* name, std::array<T, size>& list) {
+  (void)editor.begin_list(name, size);
+  for (T& item : list) edit_value(editor, name, item);
+  editor.end_list();
+}
+
+template <class T>
 TypeInfo make_type_info(const char* name, void (*visit)(const void*, FieldVisitor&),
-                        bool (*skip)(WireCursor&)) {
-  return {name, create<T>, serialized_size<T>, serialize<T>, deserialize<T>, visit, skip};
+                        void (*edit)(void*, FieldEditor&), bool (*skip)(WireCursor&)) {
+  return {name, create<T>, serialized_size<T>, serialize<T>, deserialize<T>, visit, edit, skip};
 }
 
 }  // namespace tocsin::cdr

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace tocsin {
 
@@ -16,12 +17,37 @@ class FieldVisitor {
  public:
   virtual ~FieldVisitor() = default;
   virtual void number(const char* name, double value) = 0;
+  /// A 32-bit number.
+  virtual void single(const char* name, float value) { number(name, static_cast<double>(value)); }
   virtual void integer(const char* name, std::int64_t value) = 0;
+  virtual void boolean(const char* name, bool value) { integer(name, value ? 1 : 0); }
   virtual void text(const char* name, const std::string& value) = 0;
   virtual void bytes(const char* name, const std::uint8_t* data, std::size_t size) = 0;
   virtual void begin_struct(const char* name) = 0;
   virtual void end_struct() = 0;
   virtual void begin_list(const char* name, std::size_t size) = 0;
+  virtual void end_list() = 0;
+};
+
+/// What an integer field can hold. An unsigned 64-bit field: only what the signed one can, too.
+struct IntegerRange {
+  std::int64_t least;
+  std::int64_t most;
+};
+
+/// Is given the fields of a message in the order of its IDL, to change those that it will.
+class FieldEditor {
+ public:
+  virtual ~FieldEditor() = default;
+  virtual void number(const char* name, double& value) = 0;
+  virtual void integer(const char* name, std::int64_t& value, const IntegerRange& range) = 0;
+  virtual void boolean(const char* name, bool& value) = 0;
+  virtual void text(const char* name, std::string& value) = 0;
+  virtual void bytes(const char* name, std::vector<std::uint8_t>& value) = 0;
+  virtual void begin_struct(const char* name) = 0;
+  virtual void end_struct() = 0;
+  /// Returns how many elements a sequence gets; an array keeps its `size`.
+  virtual std::size_t begin_list(const char* name, std::size_t size) = 0;
   virtual void end_list() = 0;
 };
 
@@ -42,6 +68,8 @@ struct TypeInfo {
   bool (*deserialize)(const std::uint8_t* buffer, std::size_t size, void* message);
   /// Shows every field to `visitor`.
   void (*visit)(const void* message, FieldVisitor& visitor);
+  /// Gives every field to `editor`.
+  void (*edit)(void* message, FieldEditor& editor);
   /// Passes one encoded message; false when the bytes end before it does.
   bool (*skip)(WireCursor& cursor);
 };

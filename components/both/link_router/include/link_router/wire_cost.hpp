@@ -6,8 +6,8 @@
 
 namespace tocsin::router {
 
-/// IP packets in which a sample of `bytes` (serialised) crosses to one peer, in order, each with all
-/// headers from IP on: as Fast DDS 2.9.1 of Debian 12 sends it in RTPS messages of at most 1400
+/// IP packets in which a sample of `bytes` (serialised) crosses to one peer, in order, each with
+/// all headers from IP on: as Fast DDS 2.9.1 of Debian 12 sends it in RTPS messages of at most 1400
 /// bytes, with the origin that the link's writer adds to each.
 [[nodiscard]] std::vector<std::size_t> packets_of(std::size_t bytes);
 

@@ -23,8 +23,8 @@ struct Inspection {
   /// Places of submessages in the packet that the participant must not read. Their kind, one byte
   /// there, becomes PAD before the packet is handed on.
   std::vector<std::size_t> hide;
-  /// A message that the participant is to be shown before the packet, whole and stripped already: an
-  /// announcement of which the last fragment was hidden. Mostly empty.
+  /// A message that the participant is to be shown before the packet, whole and stripped already:
+  /// an announcement of which the last fragment was hidden. Mostly empty.
   std::vector<std::uint8_t> before;
 };
 

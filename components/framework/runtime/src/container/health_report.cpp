@@ -177,8 +177,8 @@ Diagnostic diagnose(const std::string& container, const DropAccount& dropped,
     sources.push_back(rtps_filter::to_text(address) + ": " + reasons_text(counts));
   }
   if (grown.total() > 0) {
-    finding.grade(
-        WARN, fmt::format("{} packets dropped, from {}", grown.total(), joined(sources, "; ")));
+    finding.grade(WARN,
+                  fmt::format("{} packets dropped, from {}", grown.total(), joined(sources, "; ")));
   }
   finding.value("dropped", dropped.total());
   for (std::size_t i = 0; i < rtps_filter::drop_reasons; ++i) {

@@ -15,8 +15,14 @@
 namespace tocsin {
 namespace {
 
+<<<<<<< HEAD
 BusOptions options_of_run(const HostChoice& choice) {
   const auto running = deployment::running_host(choice.run_dir, choice.host);
+=======
+constexpr int processes = 16;
+
+BusOptions options_of_run(const deployment::RunningHost& running) {
+>>>>>>> 2169a4e (tocsin topic: list, info, echo, hz, bw, delay, pub, find and type, as ros2 topic has them; commands find the one run on this computer)
   deployment::enter_namespaces(running.process);
   BusOptions options;
   options.role = running.itself().role;
@@ -37,10 +43,32 @@ BusOptions installed_options(const HostChoice& choice) {
   return options;
 }
 
+bool is_set(const char* variable) {
+  const char* const text = std::getenv(variable);
+  return text != nullptr && *text != '\0';
+}
+
+/// The run that was named; else, when no domain was, the only one on this computer.
+std::optional<deployment::RunningHost> chosen_run(const HostChoice& choice) {
+  if (!choice.run_dir.empty()) return deployment::running_host(choice.run_dir, choice.host);
+  if (choice.domain || is_set("ROS_DOMAIN_ID")) return std::nullopt;
+  const auto running = deployment::running_hosts();
+  if (running.hosts.empty()) return std::nullopt;
+  const std::string& run_dir = running.hosts.front().deployment.run_dir;
+  for (const deployment::RunningHost& one : running.hosts) {
+    if (one.is_of(run_dir)) continue;
+    throw ConfigError("several systems run here: choose one with --run-dir " + run_dir + ", " +
+                      one.deployment.run_dir + " or --domain");
+  }
+  return deployment::running_host(run_dir, choice.host);
+}
+
 }  // namespace
 
 void HostChoice::declare(CLI::App& app) {
-  app.add_option("--domain", domain, "DDS domain of the host [of --run-dir, or $ROS_DOMAIN_ID, 0]")
+  app.add_option(
+         "--domain", domain,
+         "DDS domain of the host [of --run-dir, $ROS_DOMAIN_ID, the run on this computer, 0]")
       ->check(CLI::Range(0, 231));
   app.add_option("--run-dir", run_dir, "folder of a run of tocsin launch");
   add_host_option(app, host, "host of that run [its first]");
@@ -68,11 +96,22 @@ int default_domain() {
   return static_cast<int>(domain);
 }
 
-std::unique_ptr<Bus> open_host_bus(const HostChoice& choice, const std::string& name) {
-  BusOptions options = choice.run_dir.empty() ? installed_options(choice) : options_of_run(choice);
+BusOptions host_bus_options(const HostChoice& choice, const std::string& name) {
+  const auto run = chosen_run(choice);
+  BusOptions options = run ? options_of_run(*run) : installed_options(choice);
   options.name = name;
+<<<<<<< HEAD
   if (choice.domain >= 0) options.host_domain = choice.domain;
   return make_fast_dds_bus(options);
+=======
+  options.processes = processes;
+  if (choice.domain) options.host_domain = *choice.domain;
+  return options;
+}
+
+std::unique_ptr<Bus> open_host_bus(const HostChoice& choice, const std::string& name) {
+  return make_fast_dds_bus(host_bus_options(choice, name));
+>>>>>>> 2169a4e (tocsin topic: list, info, echo, hz, bw, delay, pub, find and type, as ros2 topic has them; commands find the one run on this computer)
 }
 
 }  // namespace tocsin

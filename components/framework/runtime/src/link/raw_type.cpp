@@ -33,6 +33,7 @@ TypeInfo raw(const char* name) {
   type.serialize = serialize;
   type.deserialize = deserialize;
   type.visit = [](const void*, FieldVisitor&) {};
+  type.edit = [](void*, FieldEditor&) {};
   type.skip = [](WireCursor&) { return true; };
   return type;
 }

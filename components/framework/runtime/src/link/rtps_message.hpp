@@ -36,8 +36,8 @@ class Submessages {
 [[nodiscard]] std::optional<eprosima::fastrtps::rtps::EntityId_t> sender_in(
     const std::uint8_t* message, std::size_t size);
 
-/// The size of a message without the submessage that Fast DDS 2.9.1 ends each message with when it is
-/// built with statistics, as Debian's is: 60 bytes that say nothing to a peer of ours.
+/// The size of a message without the submessage that Fast DDS 2.9.1 ends each message with when it
+/// is built with statistics, as Debian's is: 60 bytes that say nothing to a peer of ours.
 [[nodiscard]] std::size_t size_without_statistics(const std::uint8_t* message, std::size_t size);
 
 /// Whether it is one of those by which participants discover each other (section 9.3.1.2).

@@ -40,7 +40,9 @@ struct Pair {
     }
     visitor.text("text", "x");
   }
-  static TypeInfo info() { return {"pair", create, nullptr, nullptr, deserialize, visit, skip}; }
+  static TypeInfo info() {
+    return {"pair", create, nullptr, nullptr, deserialize, visit, nullptr, skip};
+  }
 };
 
 template <class Number>

@@ -118,7 +118,7 @@ TEST(ExperimentFile, ShippedOnesLoad) {
   EXPECT_EQ(make_plan(thesis).size(), 800U);
   EXPECT_NO_THROW((void)make_plan(load_experiment(config + "study.yaml")));
   EXPECT_EQ(make_plan(load_experiment(config + "replay.yaml")).size(), 15U);
-  EXPECT_EQ(make_plan(load_experiment(config + "link.yaml")).size(), 280U);
+  EXPECT_EQ(make_plan(load_experiment(config + "link.yaml")).size(), 560U);
 }
 
 TEST(ExperimentFile, ShippedOnesFitOnSeedsThatAreNotCompared) {

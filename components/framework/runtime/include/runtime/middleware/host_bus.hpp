@@ -2,9 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "runtime/bus.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace CLI {
 class App;
@@ -14,10 +15,12 @@ namespace tocsin {
 
 /// Which running host a command of the user talks to.
 struct HostChoice {
-  int domain = -1;      ///< its host domain; -1: of `run_dir`, else $ROS_DOMAIN_ID, else 0
-  std::string run_dir;  ///< of a `tocsin launch`; empty: none
-  std::string host;     ///< of that run; empty: the first one
-  std::string ros_namespace;
+  /// Its host domain; empty: of `run_dir`, else $ROS_DOMAIN_ID, else of the one run on this
+  /// computer, else 0.
+  std::optional<int> domain = std::nullopt;
+  std::string run_dir = "";  ///< of a `tocsin launch`; empty: none is named
+  std::string host = "";     ///< of that run; empty: the first one
+  std::string ros_namespace = "";
 
   /// Adds --domain, --run-dir, --host and --namespace to a command.
   void declare(CLI::App& app);
@@ -27,6 +30,11 @@ struct HostChoice {
 
 /// $ROS_DOMAIN_ID, or 0. Throws ConfigError when it is no domain id.
 [[nodiscard]] int default_domain();
+
+/// How to join the host's domain as `name`. Enters the host's network namespace when the run gave
+/// it one: call it before the program has a second thread. Throws ConfigError for a wrong choice,
+/// EnvironmentError when the namespace cannot be entered.
+[[nodiscard]] BusOptions host_bus_options(const HostChoice& choice, const std::string& name);
 
 /// Joins the host's domain as `name`, in the host's network namespace when the run gave it one.
 /// Call it before the program has a second thread. Throws ConfigError for a wrong choice,

@@ -154,8 +154,8 @@ struct QosProfile : QosContract, QosHistory, QosTiming, QosDelivery {
 };
 
 /// What the readers of a topic request whose writers offer `offered`: the same, less reliability if
-/// the profile says so, or nothing at all, see Requests. Readers that request nothing keep 16 samples, so that one writer's sample does not
-/// push out another's before it is taken.
+/// the profile says so, or nothing at all, see Requests. Readers that request nothing keep 16
+/// samples, so that one writer's sample does not push out another's before it is taken.
 [[nodiscard]] QosProfile requested(const TopicInfo& topic, QosProfile offered);
 
 /// Names of the policies by which a reader that requests `requested` will not match a writer that

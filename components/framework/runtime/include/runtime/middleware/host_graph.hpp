@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "foundation/time.hpp"
+#include "runtime/middleware/fast_dds_bus.hpp"
+#include "runtime/middleware/qos_policies.hpp"
+
+namespace tocsin {
+
+/// One end of a topic that a participant of a host has announced.
+struct GraphEnd {
+  std::string topic;        ///< on the wire: `rt/odom`
+  std::string type;         ///< on the wire: `nav_msgs::msg::dds_::Odometry_`
+  std::string participant;  ///< name of its participant
+  std::string gid;          ///< of the end: its GUID in hexadecimal
+  bool writer = false;
+  QosContract qos = {};                                         ///< what it offers or requests
+  double lifespan_s = std::numeric_limits<double>::infinity();  ///< of a writer
+  std::string user_data = "";
+};
+
+/// A message of any type.
+struct RawSample {
+  std::shared_ptr<const std::vector<std::uint8_t>> bytes;  ///< encapsulation header included
+  std::uint64_t source = 0;                                ///< as in Sample
+  std::uint64_t sequence = 0;
+  std::int64_t sent_wall_ns = 0;  ///< [ns] since the Unix epoch, writer's clock
+  Time received{};
+};
+
+/// A topic as it stands on the wire, and what is asked of its other ends.
+struct RawTopic {
+  std::string name;
+  std::string type;
+  bool reliable = false;
+  bool transient_local = false;
+};
+
+/// Reads as long as it lives.
+class RawReading {
+ public:
+  virtual ~RawReading() = default;
+};
+
+class RawWriting {
+ public:
+  virtual ~RawWriting() = default;
+  /// An encoded message with its encapsulation header. False when the middleware refused it.
+  virtual bool write(const std::vector<std::uint8_t>& bytes) = 0;
+  /// Readers that were matched since it was made. Any thread.
+  [[nodiscard]] virtual int readers() const = 0;
+};
+
+/// Who is on a host's domain, and topics of any type there, known or not: for tools.
+class HostGraph {
+ public:
+  virtual ~HostGraph() = default;
+  /// All ends of other participants that were heard so far, by topic and type. Any thread.
+  [[nodiscard]] virtual std::vector<GraphEnd> ends() const = 0;
+  /// `on_sample` is called by another thread, one sample at a time.
+  [[nodiscard]] virtual std::unique_ptr<RawReading> read(
+      const RawTopic& topic, std::function<void(RawSample&&)> on_sample) = 0;
+  [[nodiscard]] virtual std::unique_ptr<RawWriting> write(const RawTopic& topic) = 0;
+};
+
+/// Throws EnvironmentError when the participant cannot be created.
+[[nodiscard]] std::unique_ptr<HostGraph> make_host_graph(const BusOptions& options);
+
+}  // namespace tocsin

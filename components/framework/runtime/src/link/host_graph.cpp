@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/middleware/host_graph.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <random>
+#include <sstream>
+#include <tuple>
+#include <utility>
+
+#include "link/flow_ends.hpp"
+#include "link/raw_type.hpp"
+
+namespace tocsin {
+namespace {
+
+const char* const loopback = "127.0.0.1";
+constexpr int writer_depth = 10;
+
+std::string text_of(const RemoteEnds::Guid& guid) {
+  std::ostringstream text;
+  text << guid;
+  return text.str();
+}
+
+QosProfile profile_of(const RawTopic& topic) {
+  QosProfile profile;
+  profile.reliability = topic.reliable ? "reliable" : "best_effort";
+  profile.durability = topic.transient_local ? "transient_local" : "volatile";
+  profile.depth = topic.transient_local ? 1 : writer_depth;
+  return profile;
+}
+
+std::int64_t wall_now_ns() {
+  return std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+std::uint64_t fresh_source() {
+  std::random_device random;
+  return (static_cast<std::uint64_t>(random()) << 32U) + random();
+}
+
+class Reading final : public RawReading {
+ public:
+  Reading(FastDdsParticipant& participant, const RawTopic& topic, FlowReader::OnSample on_sample)
+      : reader_(participant, {topic.name, topic.type, topic.reliable, topic.transient_local},
+                std::move(on_sample)) {}
+
+ private:
+  FlowReader reader_;
+};
+
+class Writing final : public RawWriting {
+ public:
+  Writing(FastDdsParticipant& participant, const RawTopic& topic)
+      : profile_(profile_of(topic)),
+        writer_(participant, topic.name, topic.type, profile_,
+                [this](const auto&) { ++readers_; }) {}
+
+  bool write(const std::vector<std::uint8_t>& bytes) override {
+    CarriedSample sample;
+    sample.content = std::make_shared<EncodedMessage>(EncodedMessage{bytes});
+    sample.bytes = static_cast<std::uint32_t>(bytes.size());
+    sample.source = source_;
+    sample.sequence = ++sequence_;
+    sample.sent_wall_ns = wall_now_ns();
+    return writer_.write(sample).has_value();
+  }
+  [[nodiscard]] int readers() const override { return readers_; }
+
+ private:
+  std::atomic<int> readers_{0};  // before the writer, whose discovery counts
+  const QosProfile profile_;
+  FlowWriter writer_;
+  const std::uint64_t source_ = fresh_source();
+  std::uint64_t sequence_ = 0;
+};
+
+RawSample sample_of(TakenSample&& taken) {
+  const auto encoded = std::static_pointer_cast<const EncodedMessage>(taken.sample.content);
+  RawSample sample;
+  sample.bytes = {encoded, &encoded->bytes};
+  sample.source = taken.sample.source;
+  sample.sequence = taken.sample.sequence;
+  sample.sent_wall_ns = taken.sample.sent_wall_ns;
+  sample.received = std::chrono::steady_clock::now();
+  return sample;
+}
+
+class FastDdsHostGraph final : public HostGraph {
+ public:
+  explicit FastDdsHostGraph(const BusOptions& options) : participant_(participant_of(options)) {}
+
+  [[nodiscard]] std::vector<GraphEnd> ends() const override;
+  [[nodiscard]] std::unique_ptr<RawReading> read(
+      const RawTopic& topic, std::function<void(RawSample&&)> on_sample) override {
+    return std::make_unique<Reading>(participant_, topic,
+                                     [on_sample = std::move(on_sample)](TakenSample&& taken) {
+                                       on_sample(sample_of(std::move(taken)));
+                                     });
+  }
+  [[nodiscard]] std::unique_ptr<RawWriting> write(const RawTopic& topic) override {
+    return std::make_unique<Writing>(participant_, topic);
+  }
+
+ private:
+  [[nodiscard]] ParticipantOptions participant_of(const BusOptions& options);
+
+  mutable std::mutex mutex_;  // before the participant, whose discovery uses it
+  std::map<RemoteEnds::Guid, AnnouncedEnd> ends_;
+  std::map<RemoteEnds::Participant, std::string> names_;
+  FastDdsParticipant participant_;
+};
+
+ParticipantOptions FastDdsHostGraph::participant_of(const BusOptions& options) {
+  ParticipantOptions made{
+      options.name, options.host_domain, loopback, {loopback}, options.processes + others_on_host};
+  made.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (there) {
+      ends_[guid] = end;
+    } else {
+      ends_.erase(guid);
+    }
+  };
+  made.on_participant = [this](const auto& prefix, const std::string& name, bool there) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (there) names_[prefix] = name;
+  };
+  return made;
+}
+
+std::vector<GraphEnd> FastDdsHostGraph::ends() const {
+  std::vector<GraphEnd> all;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& [guid, end] : ends_) {
+    const auto name = names_.find(guid.guidPrefix);
+    all.push_back({end.topic, end.type, name == names_.end() ? "" : name->second, text_of(guid),
+                   end.writer, end.qos, end.lifespan_s, end.user_data});
+  }
+  std::sort(all.begin(), all.end(), [](const GraphEnd& one, const GraphEnd& other) {
+    return std::tie(one.topic, one.type, one.gid) < std::tie(other.topic, other.type, other.gid);
+  });
+  return all;
+}
+
+}  // namespace
+
+std::unique_ptr<HostGraph> make_host_graph(const BusOptions& options) {
+  return std::make_unique<FastDdsHostGraph>(options);
+}
+
+}  // namespace tocsin

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "graph_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "foundation/error.hpp"
+#include "foundation/joined.hpp"
+#include "foundation/printable.hpp"
+#include "ros_names.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+struct Topic {
+  std::set<std::string> types;
+  std::vector<const GraphEnd*> writers;
+  std::vector<const GraphEnd*> readers;
+};
+using Topics = std::map<std::string, Topic>;
+
+Topics topics_in(const std::vector<GraphEnd>& ends) {
+  Topics topics;
+  for (const GraphEnd& end : ends) {
+    const auto name = ros_topic(end.topic);
+    if (!name) continue;
+    Topic& topic = topics[*name];
+    topic.types.insert(ros_type(end.type));
+    (end.writer ? topic.writers : topic.readers).push_back(&end);
+  }
+  return topics;
+}
+
+bool is_hidden(const std::string& topic) { return topic.find("/_") != std::string::npos; }
+
+std::string types_text(const Topic& topic) {
+  const std::vector<std::string> types(topic.types.begin(), topic.types.end());
+  return printable(joined(types, ", "));
+}
+
+/// One side of the verbose list.
+std::string counted(const Topics& topics, const char* title, const char* word,
+                    std::vector<const GraphEnd*> Topic::*ends) {
+  std::string text = title;
+  for (const auto& [name, topic] : topics) {
+    const std::size_t count = (topic.*ends).size();
+    if (count == 0) continue;
+    text += fmt::format(" * {} [{}] {} {}{}\n", printable(name), types_text(topic), count, word,
+                        count == 1 ? "" : "s");
+  }
+  return text;
+}
+
+std::string seconds_text(double s) {
+  return std::isinf(s) ? "Infinite" : fmt::format("{} nanoseconds", std::llround(s * 1e9));
+}
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+/// GUIDs of Fast DDS are "01.0f.xx|0.0.1.3"; ROS 2 writes their bytes with a dot between.
+std::string gid_text(std::string guid) {
+  std::replace(guid.begin(), guid.end(), '|', '.');
+  return guid;
+}
+
+std::string end_text(const GraphEnd& end) {
+  return fmt::format(
+      "Participant name: {}\nTopic type: {}\nEndpoint type: {}\nGID: {}\nQoS profile:\n"
+      "  Reliability: {}\n  History (Depth): UNKNOWN\n  Durability: {}\n  Lifespan: {}\n"
+      "  Deadline: {}\n  Liveliness: {}\n  Liveliness lease duration: {}\nUser data: {}\n",
+      printable(end.participant), printable(ros_type(end.type)),
+      end.writer ? "PUBLISHER" : "SUBSCRIPTION", gid_text(end.gid), upper(end.qos.reliability),
+      upper(end.qos.durability), seconds_text(end.writer ? end.lifespan_s : HUGE_VAL),
+      seconds_text(end.qos.deadline_s), upper(end.qos.liveliness),
+      seconds_text(end.qos.liveliness_lease_s), printable(end.user_data));
+}
+
+std::string ends_text(const std::vector<const GraphEnd*>& ends, bool verbose) {
+  std::string text;
+  for (const GraphEnd* end : ends) {
+    if (verbose) text += "\n" + end_text(*end);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string list_text(const std::vector<GraphEnd>& ends, const ListOptions& options) {
+  Topics topics = topics_in(ends);
+  for (auto it = topics.begin(); it != topics.end();) {
+    it = !options.hidden && is_hidden(it->first) ? topics.erase(it) : std::next(it);
+  }
+  if (options.count) return fmt::format("{}\n", topics.size());
+  if (options.verbose) {
+    return counted(topics, "Published topics:\n", "publisher", &Topic::writers) +
+           counted(topics, "\nSubscribed topics:\n", "subscriber", &Topic::readers);
+  }
+  std::string text;
+  for (const auto& [name, topic] : topics) {
+    text += printable(name) + (options.types ? " [" + types_text(topic) + "]" : "") + "\n";
+  }
+  return text;
+}
+
+std::string info_text(const std::vector<GraphEnd>& ends, const std::string& ros_topic,
+                      bool verbose) {
+  const Topics topics = topics_in(ends);
+  const auto found = topics.find(ros_topic);
+  if (found == topics.end()) return "";
+  const Topic& topic = found->second;
+  const char* const gap = verbose ? "\n" : "";
+  return fmt::format("Type: {}\n{}Publisher count: {}\n{}{}Subscription count: {}\n{}",
+                     types_text(topic), gap, topic.writers.size(),
+                     ends_text(topic.writers, verbose), gap, topic.readers.size(),
+                     ends_text(topic.readers, verbose));
+}
+
+std::vector<std::string> types_of(const std::vector<GraphEnd>& ends, const std::string& ros_topic) {
+  const Topics topics = topics_in(ends);
+  const auto found = topics.find(ros_topic);
+  if (found == topics.end()) return {};
+  return {found->second.types.begin(), found->second.types.end()};
+}
+
+std::vector<std::string> topics_of_type(const std::vector<GraphEnd>& ends,
+                                        const std::string& ros_type) {
+  std::vector<std::string> names;
+  for (const auto& [name, topic] : topics_in(ends)) {
+    if (topic.types.count(ros_type) != 0) names.push_back(name);
+  }
+  return names;
+}
+
+RawTopic readable(const std::vector<GraphEnd>& ends, const std::string& ros_topic) {
+  const Topics topics = topics_in(ends);
+  const auto found = topics.find(ros_topic);
+  if (found == topics.end()) {
+    throw EnvironmentError("topic " + ros_topic + " does not appear to be published yet");
+  }
+  const Topic& topic = found->second;
+  const auto& writers = topic.writers;
+  const auto all = [&](auto offers) {
+    return !writers.empty() && std::all_of(writers.begin(), writers.end(), offers);
+  };
+  RawTopic readable;
+  readable.name = wire_topic(ros_topic);
+  readable.type = (writers.empty() ? topic.readers : writers).front()->type;
+  readable.reliable = all([](const auto* end) { return end->qos.reliability == "reliable"; });
+  readable.transient_local =
+      readable.reliable && all([](const auto* end) { return end->qos.durability != "volatile"; });
+  return readable;
+}
+
+}  // namespace tocsin::topic_tool

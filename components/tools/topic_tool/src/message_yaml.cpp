@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "message_yaml.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "foundation/error.hpp"
+#include "foundation/printable.hpp"
+#include "foundation/spelling.hpp"
+#include "foundation/yaml_sources.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+/// A message as it is printed.
+struct Tree {
+  enum class Kind { scalar, map, list } kind = Kind::scalar;
+  std::string text;                                   ///< of a scalar
+  std::vector<std::pair<std::string, Tree>> members;  ///< of a map; of a list without names
+};
+
+/// YAML's own words for numbers that are none, and a point in every other.
+std::string float_text(std::string digits) {
+  if (digits == "nan" || digits == "-nan") return ".nan";
+  if (digits == "inf") return ".inf";
+  if (digits == "-inf") return "-.inf";
+  return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
+}
+
+std::string shortest(float value) {
+  char text[32];
+  const auto end = std::to_chars(std::begin(text), std::end(text), value);
+  return {std::begin(text), end.ptr};
+}
+
+/// Plain where YAML would read the same text again, else in quotes.
+std::string quoted(const std::string& text) {
+  static const std::regex plain("[A-Za-z/_][A-Za-z0-9_/.+-]*( [A-Za-z0-9_/.+-]+)*");
+  static const std::set<std::string> words{"true", "false", "null", "yes", "no", "on", "off"};
+  std::string lower = text;
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (std::regex_match(text, plain) && words.count(lower) == 0) return text;
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
+  return result + "'";
+}
+
+/// Makes the tree.
+class Planter final : public FieldVisitor {
+ public:
+  explicit Planter(const EchoOptions& options) : options_(options) {}
+  void number(const char* name, double value) override {
+    add(name, float_text(shortest_text(value)));
+  }
+  void single(const char* name, float value) override { add(name, float_text(shortest(value))); }
+  void integer(const char* name, std::int64_t value) override { add(name, std::to_string(value)); }
+  void boolean(const char* name, bool value) override { add(name, value ? "true" : "false"); }
+  void text(const char* name, const std::string& value) override {
+    if (options_.no_texts) return add(name, fmt::format("'<string length: <{}>>'", value.size()));
+    const bool cut = options_.longest > 0 && value.size() > options_.longest;
+    const std::string shown = cut ? value.substr(0, options_.longest) + "..." : value;
+    add(name, quoted(printable(shown, shown.size())));
+  }
+  void bytes(const char* name, const std::uint8_t* data, std::size_t size) override {
+    begin_list(name, size);
+    for (std::size_t i = 0; i < size && !is_full(); ++i) integer(name, data[i]);
+    end_list();
+  }
+  void begin_struct(const char* name) override { open(name, Tree::Kind::map); }
+  void end_struct() override { path_.pop_back(); }
+  void begin_list(const char* name, std::size_t size) override {
+    if (!options_.no_lists) return open(name, Tree::Kind::list);
+    add(name, fmt::format("'<sequence type: {} elements>'", size));
+    path_.push_back(&beyond_);
+    beyond_ = {Tree::Kind::list, "", {}};
+  }
+  void end_list() override { path_.pop_back(); }
+  [[nodiscard]] Tree take() { return std::move(root_); }
+
+ private:
+  /// Of a list that shows no more.
+  [[nodiscard]] bool is_full() {
+    return options_.longest > 0 && at().kind == Tree::Kind::list &&
+           at().members.size() > options_.longest;
+  }
+  Tree& at() { return path_.empty() ? root_ : *path_.back(); }
+  void add(const char* name, std::string text) {
+    if (is_full()) return;
+    const bool last = at().kind == Tree::Kind::list && options_.longest > 0 &&
+                      at().members.size() == options_.longest;
+    at().members.push_back({name, {Tree::Kind::scalar, last ? "'...'" : std::move(text), {}}});
+  }
+  void open(const char* name, Tree::Kind kind) {
+    if (is_full()) {
+      path_.push_back(&beyond_);
+      beyond_ = {kind, "", {}};
+      return;
+    }
+    at().members.push_back({name, {kind, "", {}}});
+    path_.push_back(&at().members.back().second);
+  }
+  const EchoOptions& options_;
+  Tree root_{Tree::Kind::map, "", {}};
+  Tree beyond_;  ///< takes what is cut
+  std::vector<Tree*> path_;
+};
+
+void print(const Tree& tree, std::size_t indent, std::string& out);
+
+/// What stands behind "key:" or "-".
+void print_value(const Tree& tree, std::size_t indent, std::string& out) {
+  if (tree.kind == Tree::Kind::scalar) {
+    out += " " + tree.text + "\n";
+  } else if (tree.members.empty()) {
+    out += tree.kind == Tree::Kind::map ? " {}\n" : " []\n";
+  } else {
+    out += "\n";
+    print(tree, tree.kind == Tree::Kind::map ? indent + 2 : indent, out);
+  }
+}
+
+void print(const Tree& tree, std::size_t indent, std::string& out) {
+  const std::string space(indent, ' ');
+  for (const auto& [name, member] : tree.members) {
+    if (tree.kind == Tree::Kind::map) {
+      out += space + name + ":";
+      print_value(member, indent, out);
+      continue;
+    }
+    if (member.kind != Tree::Kind::map || member.members.empty()) {
+      out += space + "-";
+      print_value(member, indent + 2, out);
+      continue;
+    }
+    std::string inner;  // the first line of a map stands behind the dash
+    print(member, indent + 2, inner);
+    out += space + "- " + inner.substr(indent + 2);
+  }
+}
+
+const Tree& member_of(const Tree& tree, const std::string& path, const TypeInfo& type) {
+  const Tree* at = &tree;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string name = path.substr(begin, end - begin);
+    std::vector<std::string> known;
+    const Tree* next = nullptr;
+    for (const auto& [member, child] : at->members) {
+      known.push_back(member);
+      if (at->kind == Tree::Kind::map && member == name) next = &child;
+    }
+    if (next == nullptr) {
+      throw ConfigError("--field " + path + ": " + type.name + " has no field '" + name + "'" +
+                        did_you_mean(known, name, "fields"));
+    }
+    at = next;
+    begin = end + 1;
+  }
+  return *at;
+}
+
+/// Takes the values of a message out of YAML.
+class Filler final : public FieldEditor {
+ public:
+  explicit Filler(const YAML::Node& root) { frames_.push_back({root, "", false, 0, {}}); }
+
+  void number(const char* name, double& value) override { take(name, value, "a number"); }
+  void boolean(const char* name, bool& value) override { take(name, value, "true or false"); }
+  void text(const char* name, std::string& value) override { take(name, value, "a text"); }
+  void integer(const char* name, std::int64_t& value, const IntegerRange& range) override {
+    std::int64_t given = value;
+    take(name, given, "a whole number");
+    if (given < range.least || given > range.most) {
+      throw ConfigError(
+          fmt::format("{}: {} is outside [{}, {}]", path_of(name), given, range.least, range.most));
+    }
+    value = given;
+  }
+  void bytes(const char* name, std::vector<std::uint8_t>& value) override {
+    value.resize(begin_list(name, value.size()));
+    for (std::uint8_t& byte : value) {
+      std::int64_t wide = byte;
+      integer(name, wide, {0, 255});
+      byte = static_cast<std::uint8_t>(wide);
+    }
+    end_list();
+  }
+  void begin_struct(const char* name) override { enter(name, false); }
+  void end_struct() override { leave(); }
+  std::size_t begin_list(const char* name, std::size_t size) override {
+    enter(name, true);
+    const YAML::Node& list = frames_.back().node;
+    return list.IsDefined() && !list.IsNull() ? list.size() : size;
+  }
+  void end_list() override { leave(); }
+  /// Throws ConfigError for keys that no field has.
+  void leave() {
+    const Frame& frame = frames_.back();
+    if (!frame.list && frame.node.IsMap()) {
+      for (const auto& entry : frame.node) refuse_unknown(entry.first.Scalar(), frame);
+    }
+    frames_.pop_back();
+  }
+
+ private:
+  struct Frame {
+    YAML::Node node;
+    std::string path;
+    bool list;
+    std::size_t index;
+    std::vector<std::string> fields;
+  };
+  static void refuse_unknown(const std::string& key, const Frame& frame) {
+    if (std::find(frame.fields.begin(), frame.fields.end(), key) != frame.fields.end()) return;
+    throw ConfigError((frame.path.empty() ? "" : frame.path + ": ") + "no field '" +
+                      printable(key) + "'" + did_you_mean(frame.fields, key, "fields"));
+  }
+  [[nodiscard]] std::string path_of(const char* name) const {
+    const Frame& frame = frames_.back();
+    if (frame.list) return frame.path + "[" + std::to_string(frame.index - 1) + "]";
+    return frame.path.empty() ? name : frame.path + "." + name;
+  }
+  YAML::Node next(const char* name) {
+    Frame& frame = frames_.back();
+    const YAML::Node none(YAML::NodeType::Undefined);
+    if (!frame.list) frame.fields.emplace_back(name);
+    if (!frame.node.IsDefined() || frame.node.IsNull()) return none;
+    if (!frame.list) return frame.node[name];
+    return frame.index < frame.node.size() ? frame.node[frame.index++] : none;
+  }
+  void enter(const char* name, bool list) {
+    const YAML::Node node = next(name);
+    const std::string path = path_of(name);
+    const bool given = node.IsDefined() && !node.IsNull();
+    if (given && (list ? !node.IsSequence() : !node.IsMap())) {
+      throw ConfigError(path + ": must be " + (list ? "a list" : "a map of its fields"));
+    }
+    frames_.push_back({node, path, list, 0, {}});
+  }
+  template <class Value>
+  void take(const char* name, Value& value, const char* what) {
+    const YAML::Node node = next(name);
+    if (!node.IsDefined() || node.IsNull()) return;
+    if (node.IsScalar() && YAML::convert<Value>::decode(node, value)) return;
+    const std::string given =
+        node.IsScalar() ? "'" + printable(node.Scalar()) + "' is not" : "is not";
+    throw ConfigError(path_of(name) + ": " + given + " " + what);
+  }
+  std::vector<Frame> frames_;
+};
+
+}  // namespace
+
+std::string to_yaml(const TypeInfo& type, const void* message, const EchoOptions& options) {
+  Planter planter(options);
+  type.visit(message, planter);
+  const Tree root = planter.take();
+  std::string out;
+  if (options.field.empty()) {
+    print(root, 0, out);
+    return out;
+  }
+  const Tree& member = member_of(root, options.field, type);
+  if (member.kind == Tree::Kind::scalar) return member.text + "\n";
+  if (member.members.empty()) return member.kind == Tree::Kind::map ? "{}\n" : "[]\n";
+  print(member, 0, out);
+  return out;
+}
+
+std::shared_ptr<void> from_yaml(const TypeInfo& type, const std::string& text) {
+  YamlSources sources;
+  const YAML::Node root = sources.parse(text, "message");
+  if (root.IsDefined() && !root.IsNull() && !root.IsMap()) {
+    throw ConfigError("message: must be a map of fields, such as '{data: hello}'");
+  }
+  std::shared_ptr<void> message = type.create();
+  Filler filler(root);
+  type.edit(message.get(), filler);
+  filler.leave();
+  return message;
+}
+
+}  // namespace tocsin::topic_tool

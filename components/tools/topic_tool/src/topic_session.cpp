@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "topic_session.hpp"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "graph_text.hpp"
+#include "idl_support/type_registry.hpp"
+#include "ros_names.hpp"
+#include "runtime/middleware/idl_libraries.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+constexpr Duration look = std::chrono::milliseconds(50);
+constexpr Duration quiet = std::chrono::milliseconds(400);
+
+volatile std::sig_atomic_t over = 0;
+
+}  // namespace
+
+TopicSession::TopicSession(const HostChoice& host, double spin_s)
+    : spin_s_(spin_s), graph_(make_host_graph(host_bus_options(host, "tocsin_topic"))) {
+  for (const int number : {SIGINT, SIGTERM}) std::signal(number, [](int) { over = 1; });
+}
+
+bool TopicSession::is_over() { return over != 0; }
+
+std::vector<GraphEnd> TopicSession::ends() const {
+  std::size_t before = 0;
+  Duration unchanged{0};
+  for (Duration waited{0}; waited < seconds(spin_s_) && unchanged < quiet && !is_over();
+       waited += look) {
+    std::this_thread::sleep_for(look);
+    const std::size_t now = graph_->ends().size();
+    unchanged = now == before && now > 0 ? unchanged + look : Duration{0};
+    before = now;
+  }
+  return graph_->ends();
+}
+
+RawTopic TopicSession::find(const std::string& ros_topic) const {
+  for (Duration waited{0}; waited < seconds(spin_s_) && !is_over(); waited += look) {
+    if (!types_of(graph_->ends(), ros_topic).empty()) return readable(ends(), ros_topic);
+    std::this_thread::sleep_for(look);
+  }
+  return readable(graph_->ends(), ros_topic);
+}
+
+const TypeInfo& known_type(const std::string& on_wire) {
+  load_idl_libraries();
+  const TypeInfo* const type = find_type(on_wire);
+  if (type != nullptr) return *type;
+  throw ConfigError("the message type '" + ros_type(on_wire) +
+                    "' is not known here: no installed package has its IDL; source the setup.bash "
+                    "of the workspace that has it");
+}
+
+SampleQueue::SampleQueue(HostGraph& graph, const RawTopic& topic)
+    : reading_(graph.read(topic, [this](RawSample&& sample) {
+        {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          if (samples_.size() == room) {
+            samples_.pop_front();
+            ++dropped_;
+          }
+          samples_.push_back(std::move(sample));
+        }
+        came_.notify_one();
+      })) {}
+
+std::optional<RawSample> SampleQueue::take(Duration patience) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  // Looks up now and then, as a signal wakes nobody.
+  for (Duration waited{0}; waited < patience && !TopicSession::is_over(); waited += look) {
+    const Duration most = std::min(look, patience - waited);
+    if (!came_.wait_for(lock, most, [this] { return !samples_.empty(); })) continue;
+    RawSample sample = std::move(samples_.front());
+    samples_.pop_front();
+    return sample;
+  }
+  return std::nullopt;
+}
+
+std::size_t SampleQueue::dropped() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return dropped_;
+}
+
+}  // namespace tocsin::topic_tool

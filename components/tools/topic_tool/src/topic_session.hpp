@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <condition_variable>
+#include <csignal>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "idl_support/type_info.hpp"
+#include "runtime/middleware/host_bus.hpp"
+#include "runtime/middleware/host_graph.hpp"
+
+namespace tocsin::topic_tool {
+
+/// A host's domain as a command of a person uses it: waits until those who are there were heard.
+class TopicSession {
+ public:
+  /// `spin_s` [s]: how long is waited for what does not appear.
+  TopicSession(const HostChoice& host, double spin_s);
+
+  /// All ends, once nothing new has come for a while.
+  [[nodiscard]] std::vector<GraphEnd> ends() const;
+  /// Waits until somebody has announced the topic. Throws EnvironmentError when nobody does.
+  [[nodiscard]] RawTopic find(const std::string& ros_topic) const;
+  [[nodiscard]] HostGraph& graph() { return *graph_; }
+
+  /// Ctrl-C was pressed.
+  [[nodiscard]] static bool is_over();
+
+ private:
+  double spin_s_;
+  std::unique_ptr<HostGraph> graph_;
+};
+
+/// The type of this wire name, of this and other workspaces. Throws ConfigError when it is unknown.
+[[nodiscard]] const TypeInfo& known_type(const std::string& on_wire);
+
+/// Samples of a topic that wait for the thread that prints.
+class SampleQueue {
+ public:
+  SampleQueue(HostGraph& graph, const RawTopic& topic);
+  /// Waits for one at most `patience`; empty when none came, or Ctrl-C was pressed.
+  [[nodiscard]] std::optional<RawSample> take(Duration patience);
+  [[nodiscard]] std::size_t dropped() const;
+
+ private:
+  static constexpr std::size_t room = 1000;
+  mutable std::mutex mutex_;
+  std::condition_variable came_;
+  std::deque<RawSample> samples_;
+  std::size_t dropped_ = 0;
+  std::unique_ptr<RawReading> reading_;  // last: destroyed first
+};
+
+}  // namespace tocsin::topic_tool

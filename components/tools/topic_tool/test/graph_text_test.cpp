@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "graph_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+GraphEnd end(const std::string& topic, bool writer, const std::string& name = "String") {
+  GraphEnd made;
+  made.topic = topic;
+  made.type = "std_msgs::msg::dds_::" + name + "_";
+  made.participant = "talker";
+  made.gid = "01.0f|0.3";
+  made.writer = writer;
+  made.qos.reliability = "reliable";
+  return made;
+}
+
+const std::vector<GraphEnd> ends{end("rt/chatter", true),       end("rt/chatter", false),
+                                 end("rt/chatter", false),      end("rt/_hidden", true),
+                                 end("rt/alarm", true, "Bool"), end("rq/spinRequest", false)};
+
+TEST(ListText, HasTopicsOfRosByName) { EXPECT_EQ(list_text(ends, {}), "/alarm\n/chatter\n"); }
+
+TEST(ListText, ShowsTypesCountsAndHiddenOnesWhenAsked) {
+  ListOptions options;
+  options.types = true;
+  EXPECT_EQ(list_text(ends, options),
+            "/alarm [std_msgs/msg/Bool]\n/chatter [std_msgs/msg/String]\n");
+  options.count = true;
+  EXPECT_EQ(list_text(ends, options), "2\n");
+  options.hidden = true;
+  EXPECT_EQ(list_text(ends, options), "3\n");
+}
+
+TEST(ListText, SaysWhoIsThereWhenItIsVerbose) {
+  ListOptions options;
+  options.verbose = true;
+  EXPECT_EQ(list_text(ends, options),
+            "Published topics:\n * /alarm [std_msgs/msg/Bool] 1 publisher\n"
+            " * /chatter [std_msgs/msg/String] 1 publisher\n\n"
+            "Subscribed topics:\n * /chatter [std_msgs/msg/String] 2 subscribers\n");
+}
+
+TEST(InfoText, CountsBothSides) {
+  EXPECT_EQ(info_text(ends, "/chatter", false),
+            "Type: std_msgs/msg/String\nPublisher count: 1\nSubscription count: 2\n");
+  EXPECT_EQ(info_text(ends, "/nothing", false), "");
+}
+
+TEST(InfoText, ShowsTheQosOfEachEndWhenItIsVerbose) {
+  GraphEnd late = end("rt/state", true);
+  late.qos.durability = "transient_local";
+  late.qos.deadline_s = 0.5;
+  late.lifespan_s = 5;
+  const std::string sut = info_text({late}, "/state", true);
+  EXPECT_THAT(sut, HasSubstr("Participant name: talker\nTopic type: std_msgs/msg/String\n"
+                             "Endpoint type: PUBLISHER\nGID: 01.0f.0.3\nQoS profile:\n"
+                             "  Reliability: RELIABLE\n"));
+  EXPECT_THAT(sut, HasSubstr("  Durability: TRANSIENT_LOCAL\n  Lifespan: 5000000000 nanoseconds\n"
+                             "  Deadline: 500000000 nanoseconds\n  Liveliness: AUTOMATIC\n"));
+}
+
+TEST(Types, OfATopicAndTopicsOfAType) {
+  std::vector<GraphEnd> two = ends;
+  two.push_back(end("rt/chatter", true, "Bool"));
+  EXPECT_THAT(types_of(two, "/chatter"), ElementsAre("std_msgs/msg/Bool", "std_msgs/msg/String"));
+  EXPECT_THAT(types_of(two, "/nothing"), IsEmpty());
+  EXPECT_THAT(topics_of_type(two, "std_msgs/msg/Bool"), ElementsAre("/alarm", "/chatter"));
+}
+
+TEST(Readable, IsWhatAllWritersOffer) {
+  GraphEnd reliable = end("rt/x", true);
+  reliable.qos.durability = "transient_local";
+  EXPECT_TRUE(readable({reliable}, "/x").reliable);
+  EXPECT_TRUE(readable({reliable}, "/x").transient_local);
+  GraphEnd best_effort = end("rt/x", true);
+  best_effort.qos.reliability = "best_effort";
+  EXPECT_FALSE(readable({reliable, best_effort}, "/x").reliable);
+  EXPECT_FALSE(readable({reliable, best_effort}, "/x").transient_local);
+  EXPECT_FALSE(readable({end("rt/x", false)}, "/x").reliable) << "writers are to come";
+  EXPECT_EQ(readable({reliable}, "/x").name, "rt/x");
+  EXPECT_EQ(readable({reliable}, "/x").type, "std_msgs::msg::dds_::String_");
+}
+
+TEST(Readable, NeedsSomebodyWhoKnowsTheType) {
+  EXPECT_THROW((void)readable(ends, "/nothing"), EnvironmentError);
+}
+
+}  // namespace
+}  // namespace tocsin::topic_tool

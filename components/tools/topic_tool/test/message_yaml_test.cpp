@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "message_yaml.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "foundation/error.hpp"
+#include "ros_idl/geometry_msgs.hpp"
+#include "ros_idl/nav_msgs.hpp"
+#include "ros_idl/sensor_msgs.hpp"
+#include "ros_idl/std_msgs.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+using ::testing::HasSubstr;
+
+template <class Message>
+std::string shown(const Message& message, const EchoOptions& options = {}) {
+  return to_yaml(type_info<Message>(), &message, options);
+}
+
+template <class Message>
+Message read(const std::string& text) {
+  return *std::static_pointer_cast<Message>(from_yaml(type_info<Message>(), text));
+}
+
+template <class Message>
+std::string refusal(const std::string& text) {
+  try {
+    (void)read<Message>(text);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std_msgs::msg::String text(const std::string& data) {
+  std_msgs::msg::String message;
+  message.data(data);
+  return message;
+}
+
+TEST(ToYaml, IndentsStructsAndPrintsNumbersAsRos2Does) {
+  geometry_msgs::msg::Twist twist;
+  twist.linear().x(0.25);
+  twist.angular().z(-2);
+  EXPECT_EQ(shown(twist),
+            "linear:\n  x: 0.25\n  y: 0.0\n  z: 0.0\nangular:\n  x: 0.0\n  y: 0.0\n  z: -2.0\n");
+}
+
+TEST(ToYaml, PrintsA32BitNumberAsShortAsItReadsBack) {
+  sensor_msgs::msg::BatteryState battery;
+  battery.voltage(0.1F);
+  battery.current(std::numeric_limits<float>::quiet_NaN());
+  EXPECT_THAT(shown(battery), HasSubstr("voltage: 0.1\n"));
+  EXPECT_THAT(shown(battery), HasSubstr("current: .nan\n"));
+  EXPECT_THAT(shown(battery), HasSubstr("present: false\n"));
+}
+
+TEST(ToYaml, QuotesTextsThatYamlWouldReadAsSomethingElse) {
+  EXPECT_EQ(shown(text("hello world")), "data: hello world\n");
+  EXPECT_EQ(shown(text("")), "data: ''\n");
+  EXPECT_EQ(shown(text("true")), "data: 'true'\n");
+  EXPECT_EQ(shown(text("1.5")), "data: '1.5'\n");
+  EXPECT_EQ(shown(text("it's")), "data: 'it''s'\n");
+  EXPECT_EQ(shown(text("a: b")), "data: 'a: b'\n");
+  EXPECT_EQ(shown(text("\x1b[31m")), "data: '\\x1b[31m'\n") << "a terminal is not told anything";
+}
+
+nav_msgs::msg::Path path_of(std::size_t poses) {
+  nav_msgs::msg::Path path;
+  path.header().frame_id("map");
+  path.poses().resize(poses);
+  for (std::size_t i = 0; i < poses; ++i)
+    path.poses()[i].pose().position().x(static_cast<double>(i));
+  return path;
+}
+
+TEST(ToYaml, PrintsAListOfStructsWithADashBeforeEach) {
+  EXPECT_THAT(shown(path_of(2)), HasSubstr("\nposes:\n- header:\n    stamp:\n      sec: 0\n"));
+  EXPECT_THAT(shown(path_of(2)), HasSubstr("\n  pose:\n    position:\n      x: 1.0\n"));
+  EXPECT_THAT(shown(path_of(0)), HasSubstr("\nposes: []\n"));
+}
+
+TEST(ToYaml, CutsLongTextsAndLists) {
+  EchoOptions options;
+  options.longest = 3;
+  EXPECT_EQ(shown(text("abcd"), options), "data: abc...\n");
+  EXPECT_EQ(shown(text("abc"), options), "data: abc\n");
+  sensor_msgs::msg::CompressedImage image;
+  image.data({1, 2, 3});
+  EXPECT_THAT(shown(image, options), HasSubstr("data:\n- 1\n- 2\n- 3\n"));
+  image.data({1, 2, 3, 4, 5});
+  const std::string cut = shown(image, options);
+  EXPECT_EQ(cut.substr(cut.find("data:")), "data:\n- 1\n- 2\n- 3\n- '...'\n");
+  options.longest = 0;
+  EXPECT_THAT(shown(image, options), HasSubstr("- 4\n- 5\n"));
+  options.longest = 1;
+  EXPECT_THAT(shown(path_of(3), options), Not(HasSubstr("x: 2.0")));
+}
+
+TEST(ToYaml, LeavesOutListsAndTextsWhenItShall) {
+  EchoOptions options;
+  options.no_lists = options.no_texts = true;
+  const std::string sut = shown(path_of(2), options);
+  EXPECT_THAT(sut, HasSubstr("poses: '<sequence type: 2 elements>'\n"));
+  EXPECT_THAT(sut, HasSubstr("frame_id: '<string length: <3>>'\n"));
+  EXPECT_THAT(sut, Not(HasSubstr("position")));
+}
+
+TEST(ToYaml, ShowsOneField) {
+  EchoOptions options;
+  options.field = "header.frame_id";
+  EXPECT_EQ(shown(path_of(1), options), "map\n");
+  options.field = "header.stamp";
+  EXPECT_EQ(shown(path_of(1), options), "sec: 0\nnanosec: 0\n");
+  options.field = "poses";
+  EXPECT_EQ(shown(path_of(0), options), "[]\n");
+  options.field = "header.frame";
+  EXPECT_THROW((void)shown(path_of(1), options), ConfigError);
+}
+
+TEST(FromYaml, SetsWhatItNamesAndLeavesTheRest) {
+  const auto twist = read<geometry_msgs::msg::Twist>("{linear: {x: 0.2}, angular: {z: -1}}");
+  EXPECT_EQ(twist.linear().x(), 0.2);
+  EXPECT_EQ(twist.linear().y(), 0);
+  EXPECT_EQ(twist.angular().z(), -1);
+  EXPECT_EQ(read<geometry_msgs::msg::Twist>(""), geometry_msgs::msg::Twist());
+}
+
+TEST(FromYaml, ReadsBackWhatToYamlPrints) {
+  nav_msgs::msg::Path path = path_of(2);
+  path.poses()[1].header().frame_id("it's: #1");
+  EXPECT_EQ(read<nav_msgs::msg::Path>(shown(path)), path);
+  sensor_msgs::msg::CompressedImage image;
+  image.data({0, 255});
+  image.format("jpeg");
+  EXPECT_EQ(read<sensor_msgs::msg::CompressedImage>(shown(image)), image);
+}
+
+TEST(FromYaml, RefusesWhatIsNoFieldOrNoValueOfIt) {
+  using Twist = geometry_msgs::msg::Twist;
+  EXPECT_THAT(refusal<Twist>("{liner: {x: 1}}"), HasSubstr("no field 'liner'"));
+  EXPECT_THAT(refusal<Twist>("{linear: {w: 1}}"), HasSubstr("linear: no field 'w'"));
+  EXPECT_THAT(refusal<Twist>("{linear: {x: fast}}"), HasSubstr("linear.x: 'fast' is not a number"));
+  EXPECT_THAT(refusal<Twist>("{linear: 3}"), HasSubstr("linear: must be a map"));
+  EXPECT_THAT(refusal<Twist>("[1]"), HasSubstr("must be a map of fields"));
+  EXPECT_THAT(refusal<nav_msgs::msg::Path>("{poses: 1}"), HasSubstr("poses: must be a list"));
+  EXPECT_THAT(refusal<nav_msgs::msg::Path>("{poses: [{}, {pose: {position: {x: a}}}]}"),
+              HasSubstr("poses[1].pose.position.x: 'a' is not a number"));
+  EXPECT_THAT(refusal<sensor_msgs::msg::CompressedImage>("{data: [256]}"),
+              HasSubstr("data[0]: 256 is outside [0, 255]"));
+}
+
+}  // namespace
+}  // namespace tocsin::topic_tool

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ros_names.hpp"
+
+#include <gtest/gtest.h>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+TEST(RosNames, OfTopicsLoseTheirPrefixAndPlainDdsTopicsAreNone) {
+  EXPECT_EQ(ros_topic("rt/odom"), "/odom");
+  EXPECT_EQ(ros_topic("rt/uxv/odom"), "/uxv/odom");
+  EXPECT_EQ(ros_topic("rq/spinRequest"), std::nullopt);
+  EXPECT_EQ(ros_topic("Square"), std::nullopt);
+  EXPECT_EQ(ros_topic(""), std::nullopt);
+}
+
+TEST(RosNames, OfTopicsMayComeWithTheSlashOrWithout) {
+  EXPECT_EQ(wire_topic("/odom"), "rt/odom");
+  EXPECT_EQ(wire_topic("uxv/odom"), "rt/uxv/odom");
+}
+
+TEST(RosNames, OfTypesGoBothWays) {
+  EXPECT_EQ(ros_type("nav_msgs::msg::dds_::Odometry_"), "nav_msgs/msg/Odometry");
+  EXPECT_EQ(wire_type("nav_msgs/msg/Odometry"), "nav_msgs::msg::dds_::Odometry_");
+  EXPECT_EQ(wire_type("nav_msgs/Odometry"), "nav_msgs::msg::dds_::Odometry_");
+}
+
+TEST(RosNames, ATypeOfAnotherShapeStaysAsItIs) {
+  EXPECT_EQ(ros_type("ShapeType"), "ShapeType");
+  EXPECT_EQ(ros_type("a::b::C"), "a::b::C");
+}
+
+TEST(RosNames, WhatIsNoTypeIsRefused) {
+  for (const char* wrong : {"", "Odometry", "a/b/c/d", "a/b c", "/a/b"}) {
+    EXPECT_THROW((void)wire_type(wrong), ConfigError) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace tocsin::topic_tool
