@@ -79,7 +79,7 @@ void LinkEstimator::learn_capacity(const Received& received, Time arrived) {
   const Time turn = std::max(received.sent, bulk_arrived_);
   bulk_arrived_ = std::max(bulk_arrived_, arrived);
   drained_ += arrived - received.expected;
-  measured_ = true;
+  is_capacity_measured_ = measured_ = true;
   const Duration service = std::max(arrived - turn, shortest_service);
   const double measured = std::clamp(static_cast<double>(received.cost.bytes) / to_seconds(service),
                                      least_capacity_bytes_per_s, most_capacity_bytes_per_s);

@@ -49,7 +49,7 @@ LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
       sender_(params.link, this_life),
       receiver_(params.link, this_life),
       link_(open_link(bus(), schedule())),
-      receipts_(link_->open(receipt_flow(), link_->rules().dscp(TrafficClass::critical))) {}
+      receipts_(link_->open(receipt_flow(), TrafficClass::critical)) {}
 
 void LinkRouterComponent::tick(Time now) {
   follow_gate(now);
@@ -81,7 +81,7 @@ void LinkRouterComponent::take_events(Time now) {
 void LinkRouterComponent::on(const link_event::HostFlow& event, Time) {
   const TrafficRule& rule = link_->rules().of(event.what.topic);
   Outgoing& flow = outgoing_[event.flow];
-  flow.on_link = link_->open(event.what, link_->rules().dscp(rule.traffic_class));
+  flow.on_link = link_->open(event.what, rule.traffic_class);
   flow.topic = event.what.topic;
   flow.rule = stream_rule(event.what, rule);
   by_link_[flow.on_link] = &flow;
@@ -101,7 +101,6 @@ void LinkRouterComponent::on(const link_event::HostFlowGone& event, Time now) {
 void LinkRouterComponent::on(const link_event::HostSample& event, Time now) {
   const auto found = outgoing_.find(event.flow);
   if (found == outgoing_.end()) return;
-  ++found->second.written;
   sender_.offer(found->second.on_link,
                 {origin_of(event.sample), event.sample.bytes, event.sample.content}, now);
 }
@@ -188,7 +187,6 @@ void LinkRouterComponent::send(Time now) {
       sender_.on_not_written(*transmission, now);
       continue;
     }
-    if (!transmission->repair) ++flow.sent;
     flow.sent_bytes += transmission->sample.bytes;
   }
 }
@@ -221,13 +219,9 @@ void LinkRouterComponent::tell_budgets(Time now) {
 
 void LinkRouterComponent::report(Time now) {
   next_report_ = next_instant(seconds(params_.report_period_s), now);
-  tocsin_msgs::msg::LinkState message = to_message(sender_.state(now));
+  tocsin_msgs::msg::LinkState message = to_message(sender_.state(now), link_->packets());
   message.stamp(wall(now));
   message.role(to_string(context().role));
-  const LinkPackets packets = link_->packets();
-  message.packets(packets.packets);
-  message.bytes(packets.bytes);
-  message.discovery_bytes(packets.discovery_bytes);
   if (link_state_.write(std::move(message)) == Status::failed) {
     log().warn("the state of the link was not told");
   }
@@ -245,11 +239,11 @@ void LinkRouterComponent::report_traffic(Time now) {
     one.topic(flow.topic);
     one.traffic_class(to_string(link_->rules().of(flow.topic).traffic_class));
     one.paused(!open_ && flow.rule.while_paused != router::WhilePaused::send);
-    one.written(flow.written);
-    // A durable sample may be sent before anybody wants it, and again to a peer that comes later.
-    const std::uint64_t sent = std::min(flow.sent, flow.written);
-    one.sent(sent);
-    one.dropped(flow.written - sent);
+    const router::StreamCounts counts = sender_.stream_counts(flow.on_link);
+    one.written(counts.offered);
+    one.sent(counts.sent);
+    one.dropped(counts.dropped);
+    one.held(counts.paused);
     one.sent_bytes(flow.sent_bytes);
     message.topics().push_back(std::move(one));
   }

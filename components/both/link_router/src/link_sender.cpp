@@ -158,6 +158,7 @@ void LinkSender::offer(StreamId stream, const Sample& sample, Time now) {
   if (found == streams_.end()) return;
   Stream& to = found->second;
   ++counts(to.rule.traffic_class).offered;
+  ++to.counts.offered;
   const WireCost cost = wire_cost(sample.bytes);
   meter_offer(to, cost, now);
   Waiting waiting{stream, sample, cost, now, later(now, to.rule.lifespan), Time::min()};
@@ -171,14 +172,12 @@ void LinkSender::enqueue(Stream& stream, const Waiting& waiting) {
 }
 
 void LinkSender::hold(Stream& stream, const Waiting& waiting) {
-  std::uint64_t& dropped =
-      counts(stream.rule.traffic_class).dropped[static_cast<std::size_t>(DropReason::paused)];
   if (stream.rule.while_paused == WhilePaused::drop) {
-    ++dropped;
+    count_dropped(stream, DropReason::paused);
     return;
   }
   auto& held = source_of(stream, waiting.sample).held;
-  if (held) ++dropped;
+  if (held) count_dropped(stream, DropReason::paused);
   held = waiting;
 }
 
@@ -201,9 +200,19 @@ void LinkSender::set_paused(bool paused, Time now) {
 
 void LinkSender::count_dropped(const std::vector<Dropped>& dropped) {
   for (const Dropped& one : dropped) {
-    const TrafficClass traffic_class = streams_.at(one.waiting.stream).rule.traffic_class;
-    ++counts(traffic_class).dropped[static_cast<std::size_t>(one.reason)];
+    count_dropped(streams_.at(one.waiting.stream), one.reason);
   }
+}
+
+void LinkSender::count_dropped(Stream& stream, DropReason reason) {
+  ++counts(stream.rule.traffic_class).dropped[static_cast<std::size_t>(reason)];
+  ++stream.counts.dropped;
+  if (reason == DropReason::paused) ++stream.counts.paused;
+}
+
+StreamCounts LinkSender::stream_counts(StreamId stream) const {
+  const auto found = streams_.find(stream);
+  return found == streams_.end() ? StreamCounts{} : found->second.counts;
 }
 
 std::vector<StreamBudget> LinkSender::budgets(Time now) const {
@@ -234,6 +243,8 @@ LinkStateValues LinkSender::state(Time now) const {
     }
   }
   values.capacity_bytes_per_s = capacity_bytes_per_s(now);
+  const LinkEstimator* const slowest = slowest_peer(now);
+  values.capacity_measured = slowest != nullptr && slowest->is_capacity_measured();
   values.backlog = backlog(now);
   values.scale = scale_.scale();
   values.repair_share = std::min(repairs_.bytes_per_s(now) / values.capacity_bytes_per_s, 1.0);

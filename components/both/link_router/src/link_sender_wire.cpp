@@ -22,15 +22,22 @@ bool LinkSender::is_silent(Time now) const {
   });
 }
 
-double LinkSender::capacity_bytes_per_s(Time now) const {
-  double least = std::numeric_limits<double>::infinity();
+const LinkEstimator* LinkSender::slowest_peer(Time now) const {
+  const LinkEstimator* slowest = nullptr;
   const bool silent = is_silent(now);
   for (const auto& entry : peers_) {
-    const LinkEstimator& estimator = entry.second.estimator;
-    if (silent || !estimator.is_silent(now))
-      least = std::min(least, estimator.capacity_bytes_per_s());
+    const LinkEstimator& one = entry.second.estimator;
+    if (!silent && one.is_silent(now)) continue;
+    if (slowest == nullptr || one.capacity_bytes_per_s() < slowest->capacity_bytes_per_s()) {
+      slowest = &one;
+    }
   }
-  return peers_.empty() ? params_.capacity_start_bytes_per_s : least;
+  return slowest;
+}
+
+double LinkSender::capacity_bytes_per_s(Time now) const {
+  const LinkEstimator* const slowest = slowest_peer(now);
+  return slowest == nullptr ? params_.capacity_start_bytes_per_s : slowest->capacity_bytes_per_s();
 }
 
 Duration LinkSender::backlog(Time now) const {
@@ -78,6 +85,7 @@ std::optional<Transmission> LinkSender::next(Time now) {
       ++counts(traffic_class).sent;
       const SentSamplePtr sent = make_sent(*waiting);
       Stream& stream = streams_.at(sent->stream);
+      ++stream.counts.sent;
       source_of(stream, sent->sample).sent = now;
       supersede(*sent, stream.rule.depth);
       open_.push_back(sent);
@@ -143,7 +151,6 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
   sent->repair_at = now + repair_wait(*sent, expected);
   log_.add(record);
   ClassCounts& count = counts(sent->traffic_class);
-  count.bytes += cost.bytes;
   if (!stream.rule.adaptive) others_.add(cost.bytes, now);
   if (repair || !sent->counted) {
     ++count.repairs;

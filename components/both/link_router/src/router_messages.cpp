@@ -38,6 +38,7 @@ tocsin_msgs::msg::LinkClass to_message(TrafficClass traffic_class,
   message.delivered(counts.delivered);
   message.late(counts.late);
   message.lost(counts.lost);
+  message.unwanted(counts.unwanted);
   message.repaired(counts.repaired);
   message.repairs(counts.repairs);
   message.dropped_paused(dropped(counts, DropReason::paused));
@@ -45,7 +46,6 @@ tocsin_msgs::msg::LinkClass to_message(TrafficClass traffic_class,
   message.dropped_thinned(dropped(counts, DropReason::thinned));
   message.dropped_expired(dropped(counts, DropReason::expired));
   message.dropped_overflow(dropped(counts, DropReason::overflow));
-  message.bytes(counts.bytes);
   message.queue_samples(static_cast<std::uint32_t>(counts.waiting_samples));
   message.queue_bytes(static_cast<std::uint32_t>(counts.waiting_bytes));
   message.delay_s(counts.delay ? static_cast<float>(to_seconds(*counts.delay))
@@ -102,19 +102,25 @@ std::optional<router::LinkReceipt> to_receipt(
   return receipt;
 }
 
-tocsin_msgs::msg::LinkState to_message(const router::LinkStateValues& values) {
+tocsin_msgs::msg::LinkState to_message(const router::LinkStateValues& values,
+                                       const LinkPackets& packets) {
   tocsin_msgs::msg::LinkState message;
   message.paused(values.paused);
   message.live_peers(static_cast<std::uint32_t>(values.live_peers));
   message.silent_peers(static_cast<std::uint32_t>(values.silent_peers));
   message.capacity_bytes_per_s(static_cast<float>(values.capacity_bytes_per_s));
+  message.capacity_measured(values.capacity_measured);
   message.backlog_s(static_cast<float>(to_seconds(values.backlog)));
   message.loss(static_cast<float>(values.loss));
   message.scale(static_cast<float>(values.scale));
   message.repair_share(static_cast<float>(values.repair_share));
   for (const TrafficClass one : traffic_classes) {
     message.classes().push_back(to_message(one, values.classes[router::index_of(one)]));
+    message.classes().back().bytes(packets.class_bytes[router::index_of(one)]);
   }
+  message.packets(packets.packets);
+  message.bytes(packets.bytes);
+  message.discovery_bytes(packets.discovery_bytes);
   return message;
 }
 

@@ -24,7 +24,8 @@ namespace tocsin {
     const tocsin_msgs::msg::LinkReceipt& message,
     const std::function<std::optional<router::StreamId>(std::uint32_t)>& stream_of);
 
-/// Without stamp, role and packets.
-[[nodiscard]] tocsin_msgs::msg::LinkState to_message(const router::LinkStateValues& values);
+/// Without stamp and role.
+[[nodiscard]] tocsin_msgs::msg::LinkState to_message(const router::LinkStateValues& values,
+                                                     const LinkPackets& packets);
 
 }  // namespace tocsin

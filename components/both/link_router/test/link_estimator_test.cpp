@@ -122,6 +122,16 @@ TEST_F(LinkEstimatorTest, IsSilentOnlyAfterSeveralUnansweredAndTheTime) {
   EXPECT_FALSE(sut.is_silent(now));
 }
 
+TEST_F(LinkEstimatorTest, ACapacityIsMeasuredFromTheFirstBulkOnAndStaysSo) {
+  (void)cross(small, 2 * ms);
+  EXPECT_FALSE(sut.is_capacity_measured());
+  now += 200 * ms;
+  (void)cross(bulk, 52 * ms);
+  EXPECT_TRUE(sut.is_capacity_measured());
+  sut.start_over(now);
+  EXPECT_TRUE(sut.is_capacity_measured()) << "half of what was measured";
+}
+
 TEST_F(LinkEstimatorTest, StartsOverWithHalfOfWhatWasMeasuredAndAnEmptyQueue) {
   (void)cross(small, 2 * ms);
   for (int i = 0; i < 30; ++i, now += 200 * ms) (void)cross(bulk, 52 * ms);

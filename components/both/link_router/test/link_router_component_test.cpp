@@ -11,8 +11,8 @@ namespace {
 TEST_F(LinkRouterTest, AFlowOfTheHostIsOpenedWithTheCodePointOfItsClass) {
   const FlowId critical = begin("heartbeat");
   const FlowId low = begin("camera/image_raw/compressed", host_flow + 1);
-  EXPECT_EQ(script_.opened.at(critical).dscp, 48);
-  EXPECT_EQ(script_.opened.at(low).dscp, 8);
+  EXPECT_EQ(script_.opened.at(critical).traffic_class, TrafficClass::critical);
+  EXPECT_EQ(script_.opened.at(low).traffic_class, TrafficClass::low);
 }
 
 TEST_F(LinkRouterTest, ASampleOfTheHostGoesOnTheLinkAsItIs) {
@@ -54,7 +54,7 @@ TEST_F(LinkRouterTest, TellsThePeerWhatCame) {
   run(0.2);
   const FlowId receipts = script_.opened_for("link_receipt");
   ASSERT_GE(script_.sent_on(receipts), 1U);
-  EXPECT_EQ(script_.opened.at(receipts).dscp, 48);
+  EXPECT_EQ(script_.opened.at(receipts).traffic_class, TrafficClass::critical);
   const auto& receipt = *static_cast<const Receipt*>(script_.sent.back().sample.content.get());
   EXPECT_EQ(receipt.from_life(), ScriptedLink::own_life);
   EXPECT_EQ(receipt.to_life(), station);

@@ -101,8 +101,17 @@ TEST(RouterMessages, AStateHasOneEntryForEachClassInTheirOrder) {
   values.classes[1].offered = 11;
   values.classes[1].dropped[static_cast<std::size_t>(router::DropReason::expired)] = 3;
   values.classes[1].delay = std::chrono::milliseconds(20);
-  const auto message = to_message(values);
+  values.classes[1].unwanted = 2;
+  values.capacity_measured = true;
+  const auto message = to_message(values, {7, 700, 2, 200, {0, 300, 0, 100}});
   ASSERT_EQ(message.classes().size(), 4U);
+  EXPECT_TRUE(message.capacity_measured());
+  EXPECT_EQ(message.packets(), 7U);
+  EXPECT_EQ(message.bytes(), 700U);
+  EXPECT_EQ(message.discovery_bytes(), 200U);
+  EXPECT_EQ(message.classes()[1].bytes(), 300U);
+  EXPECT_EQ(message.classes()[3].bytes(), 100U);
+  EXPECT_EQ(message.classes()[1].unwanted(), 2U);
   EXPECT_TRUE(message.paused());
   EXPECT_FLOAT_EQ(message.loss(), 0.25F);
   EXPECT_EQ(message.classes()[0].traffic_class(), "critical");

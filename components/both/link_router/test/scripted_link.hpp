@@ -22,7 +22,7 @@ class ScriptedLink {
 
   struct Opened {
     Flow flow;
-    int dscp;
+    TrafficClass traffic_class;
     bool closed = false;
   };
   struct Sent {
@@ -74,8 +74,8 @@ class ScriptedLinkBus final : public LinkBus {
     return event;
   }
   [[nodiscard]] PeerId self() const override { return ScriptedLink::own_life; }
-  FlowId open(const Flow& flow, int dscp) override {
-    script_.opened[++last_] = {flow, dscp};
+  FlowId open(const Flow& flow, TrafficClass traffic_class) override {
+    script_.opened[++last_] = {flow, traffic_class};
     return last_;
   }
   [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override { return 1000 + flow; }
@@ -103,7 +103,7 @@ class ScriptedLinkBus final : public LinkBus {
   }
   void on_gate(bool open) override { script_.gate.push_back(open); }
   [[nodiscard]] const TrafficRules& rules() const override { return script_.rules; }
-  [[nodiscard]] LinkPackets packets() const override { return {7, 700, 2, 200}; }
+  [[nodiscard]] LinkPackets packets() const override { return {7, 700, 2, 200, {400, 0, 0, 100}}; }
 
  private:
   ScriptedLink& script_;

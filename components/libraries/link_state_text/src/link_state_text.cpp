@@ -27,6 +27,7 @@ std::string number(double value, int digits, const char* unit) {
 }
 
 std::string capacity(const LinkState& state) {
+  if (!state.capacity_measured()) return "capacity not measured";
   return number(state.capacity_bytes_per_s() / 1000.0, 0, " kB/s");
 }
 
@@ -70,8 +71,9 @@ std::uint64_t dropped(const LinkClass& one) {
 
 std::vector<terminal::Cell> row(const LinkState& state, const LinkClass& one) {
   std::vector<terminal::Cell> cells{{direction(state.role()) + " " + one.traffic_class()}};
-  for (const std::uint64_t count : {one.offered(), one.sent(), one.delivered(), one.late(),
-                                    one.lost(), one.repaired(), one.repairs(), dropped(one)}) {
+  for (const std::uint64_t count :
+       {one.offered(), one.sent(), one.delivered(), one.late(), one.lost(), one.unwanted(),
+        one.repaired(), one.repairs(), dropped(one)}) {
     cells.push_back({std::to_string(count)});
   }
   cells.push_back({std::to_string(one.queue_samples())});
@@ -121,6 +123,7 @@ std::vector<Line> table(const std::vector<LinkState>& states, std::size_t width)
                        {"DELIVERED", Align::right, 2},
                        {"LATE", Align::right, 0},
                        {"LOST", Align::right, 0},
+                       {"UNWANTED", Align::right, 8},
                        {"REPAIRED", Align::right, 4},
                        {"REPAIRS", Align::right, 6},
                        {"DROPPED", Align::right, 1},

@@ -23,6 +23,7 @@ LinkState healthy() {
   state.role("uxv");
   state.live_peers(1);
   state.capacity_bytes_per_s(1182400);
+  state.capacity_measured(true);
   state.backlog_s(0.0034F);
   state.loss(0.012F);
   state.scale(0.75F);
@@ -40,6 +41,7 @@ LinkState healthy() {
   state.classes()[3].late(99);
   state.classes()[3].dropped_paused(5);
   state.classes()[3].dropped_expired(2);
+  state.classes()[3].unwanted(6);
   state.classes()[3].delay_s(0.0415F);
   return state;
 }
@@ -100,9 +102,17 @@ TEST(LinkStateText, WhatIsNoNumberIsADash) {
   LinkState state;
   state.live_peers(1);
   state.capacity_bytes_per_s(std::numeric_limits<float>::infinity());
+  state.capacity_measured(true);
   state.loss(std::numeric_limits<float>::quiet_NaN());
   EXPECT_EQ(text_of(state),
             "-, backlog 0 ms, loss -, late 0+0, repaired 0+0, scale 0.00, discovery -");
+}
+
+TEST(LinkStateText, ACapacityThatIsOnlyAssumedIsNotShown) {
+  LinkState state = healthy();
+  state.capacity_measured(false);
+  EXPECT_THAT(text_of(state), StartsWith("capacity not measured, backlog 3 ms"));
+  EXPECT_EQ(summary(state), "uplink capacity not measured, loss 1 %");
 }
 
 TEST(LinkStateText, ALogGetsTheWayItsCapacityAndLoss) {
@@ -119,8 +129,8 @@ TEST(LinkStateText, TheTableHasARowForEachClassThatTheHostUses) {
   const std::string text = table_of({healthy(), down});
   EXPECT_THAT(text, AllOf(HasSubstr("Uplink critical"), HasSubstr("Uplink low"),
                           HasSubstr("Downlink low"), Not(HasSubstr("normal"))));
-  EXPECT_THAT(text, ::testing::ContainsRegex("Uplink low +50 .* 99 .* 7 +0 +4[12]\n"))
-      << "7 dropped, for two reasons";
+  EXPECT_THAT(text, ::testing::ContainsRegex("Uplink low +50 .* 99 .* 6 .* 7 +0 +4[12]\n"))
+      << "6 unwanted, 7 dropped, for two reasons";
   EXPECT_TRUE(table({}, 80).empty());
 }
 

@@ -65,6 +65,8 @@ void SimHost::attach(SimProcess::Topic& topic) {
 
 void SimHost::set_router(SimLinkBus* router) {
   router_ = router;
+  // What it had carried it kept for late readers as a writer of this host, which has died with it.
+  for (auto& entry : topics_) entry.second.last_carried.clear();
   if (router == nullptr) return;
   for (const auto& entry : topics_) {
     const HostTopic& all = entry.second;
@@ -78,6 +80,7 @@ void SimHost::set_router(SimLinkBus* router) {
 }
 
 void SimHost::give(const Flow& flow, const CarriedSample& carried, const Freight& freight) {
+  if (freight.from == nullptr) return;
   HostTopic& all = topics_[flow.topic];
   Sample sample;
   sample.message = freight.message;

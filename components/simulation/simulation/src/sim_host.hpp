@@ -107,9 +107,11 @@ class SimHost {
   [[nodiscard]] radio::Direction direction() const;
 
   /// Null: it has none now. A new one learns of the writers and of the last samples of states.
+  /// States that the one before had carried here are lost for late readers.
   void set_router(SimLinkBus* router);
   [[nodiscard]] SimLinkBus* router() const { return router_; }
-  /// To all readers of this host what a router has carried here.
+  /// To all readers of this host what a router has carried here; nothing of a message between
+  /// routers, which no host has written.
   void give(const Flow& flow, const CarriedSample& sample, const Freight& freight);
 
   SimProcess& add_process(const std::string& name, int life = 0);

@@ -144,9 +144,9 @@ void SimLinkBus::learn(SimLinkBus& peer, FlowId flow) {
   peer.push(link_event::PeerListens{flow, life_});
 }
 
-FlowId SimLinkBus::open(const Flow& flow, int dscp) {
+FlowId SimLinkBus::open(const Flow& flow, TrafficClass traffic_class) {
   const FlowId id = ++last_flow_;
-  sending_[id] = {flow, dscp, 0};
+  sending_[id] = {flow, traffic_class, 0};
   for (const auto& peer : peers_) {
     network_.core.events.at(network_.core.now + meeting_takes,
                             [&network = network_, own = life_, other = peer.second, id] {
@@ -182,6 +182,7 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
         {*cargo.from, network_.core.now, number, cargo.written, sample.bytes});
   }
   const auto packets = router::packets_of(sample.bytes);
+  const std::uint8_t dscp = host_.rules().dscp(sending.traffic_class);
   for (const auto& peer : peers_) {
     auto on_whole = [&network = network_, own = life_, other = peer.second, flow, number, sample] {
       if (SimLinkBus* const to = network.find_router(other)) {
@@ -190,10 +191,10 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
     };
     const auto transmission = std::make_shared<Transmission>(std::move(on_whole), packets.size());
     for (std::size_t i = 0; i < packets.size(); ++i) {
-      network_.link.send({host_.direction(), static_cast<std::uint8_t>(sending.dscp)}, packets[i],
-                         transmission, i);
+      network_.link.send({host_.direction(), dscp}, packets[i], transmission, i);
       ++packets_.packets;
       packets_.bytes += packets[i];
+      packets_.class_bytes[static_cast<std::size_t>(sending.traffic_class)] += packets[i];
     }
   }
   return number;

@@ -35,7 +35,7 @@ class SimLinkBus final : public LinkBus {
 
   [[nodiscard]] std::optional<LinkEvent> take() override;
   [[nodiscard]] PeerId self() const override { return life_; }
-  FlowId open(const Flow& flow, int dscp) override;
+  FlowId open(const Flow& flow, TrafficClass traffic_class) override;
   [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override { return flow; }
   void close(FlowId flow) override;
   [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow,
@@ -60,7 +60,7 @@ class SimLinkBus final : public LinkBus {
  private:
   struct Sending {
     Flow flow;
-    int dscp = 0;
+    TrafficClass traffic_class = TrafficClass::low;
     std::uint64_t last = 0;
   };
   struct HostFlow {

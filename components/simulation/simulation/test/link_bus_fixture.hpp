@@ -80,8 +80,7 @@ class PlainRouter {
   template <class Event>
   void on(const Event&) {}
   void on(const link_event::HostFlow& flow) {
-    const auto of_class = rules_.of(flow.what.topic).traffic_class;
-    opened[flow.flow] = bus.open(flow.what, rules_.dscp(of_class));
+    opened[flow.flow] = bus.open(flow.what, rules_.of(flow.what.topic).traffic_class);
     if (flow.what.transient_local) states_[opened[flow.flow]] = {};
   }
   void on(const link_event::HostFlowGone& flow) { bus.close(opened[flow.flow]); }

@@ -103,7 +103,7 @@ TEST_F(LinkBusTest, ThePeerListensATenthOfASecondAfterAFlowIsOpened) {
 
 TEST_F(LinkBusTest, AFlowThatIsClosedBeforeThePeerHearsOfItIsUnknownToIt) {
   connect();
-  const FlowId flow = up().bus.open({}, 0);
+  const FlowId flow = up().bus.open({}, TrafficClass::critical);
   up().bus.close(flow);
   run_for(1);
   EXPECT_EQ(down().count<PeerFlow>(), 0U);

@@ -10,6 +10,7 @@ namespace {
 using link_event::HostFlow;
 using link_event::HostSample;
 using link_event::LinkSample;
+using link_event::PeerFlow;
 using link_event::PeerFound;
 using link_event::PeerListens;
 
@@ -115,6 +116,33 @@ TEST_F(LinkBusTest, TransmissionsOfEachFlowAreNumberedFromOne) {
   std::vector<std::uint64_t> came;
   for (const LinkSample& one : down().got<LinkSample>()) came.push_back(one.number);
   EXPECT_EQ(came, up().numbers);
+}
+
+TEST_F(LinkBusTest, AStateThatADeadRouterCarriedIsLostForLateReadersUntilItIsCarriedAgain) {
+  connect();
+  const auto writer = drive_.advertise(endpoint<topic::TransmissionState>());
+  (void)read<topic::TransmissionState>(mission_);
+  run_for(1);
+  (void)writer->write(message<topic::TransmissionState>());
+  run_for(1);
+  kill_router(gcs_);
+  Reader& late = read<topic::TransmissionState>(view_);
+  EXPECT_TRUE(late.samples.empty());
+  start(gcs_);
+  run_for(1);
+  EXPECT_EQ(late.samples.size(), 1U);
+}
+
+TEST_F(LinkBusTest, AMessageBetweenRoutersIsGivenToNoReader) {
+  connect();
+  Reader& away = read<topic::Location>(mission_);
+  const auto writer = drive_.advertise(endpoint<topic::Location>());
+  run_for(1);
+  ASSERT_EQ(down().count<PeerFlow>(), 1U);
+  const auto packed =
+      down().bus.pack(type_info<topic::Location::Message>(), message<topic::Location>());
+  down().bus.give(down().got<PeerFlow>()[0].flow, packed);
+  EXPECT_TRUE(away.samples.empty());
 }
 
 TEST_F(LinkBusTest, WhatTheAirLosesIsNotRepairedByTheBus) {
@@ -257,7 +285,7 @@ TEST_F(LinkBusTest, AMessageBetweenRoutersIsUnpackedAsItWasPacked) {
   const auto packed = message<topic::Goal>();
   const CarriedSample sample = up().bus.pack(type, packed);
   EXPECT_EQ(sample.bytes, type.serialized_size(packed.get()));
-  const FlowId flow = up().bus.open({}, 0);
+  const FlowId flow = up().bus.open({}, TrafficClass::critical);
   run_for(0.2);
   EXPECT_EQ(up().bus.send(flow, sample), 1U);
   core_.now += seconds(0.01);

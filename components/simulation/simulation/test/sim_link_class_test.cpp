@@ -186,7 +186,7 @@ TEST_F(LinkBusTest, ObserversSeeTheGateOfARouterAndItsEnd) {
 TEST_F(LinkBusTest, ObserversDoNotSeeWhatRoutersTellEachOther) {
   LinkWatch watch;
   connect();
-  const FlowId flow = up().bus.open({}, 0);
+  const FlowId flow = up().bus.open({}, TrafficClass::critical);
   core_.observer = &watch;
   const auto told = up().bus.pack(type_info<topic::Goal::Message>(), message<topic::Goal>());
   EXPECT_EQ(up().bus.send(flow, told), 1U);

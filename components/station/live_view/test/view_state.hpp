@@ -29,6 +29,7 @@ inline tocsin_msgs::msg::LinkState link_of(const std::string& role) {
   link.role(role);
   link.live_peers(1);
   link.capacity_bytes_per_s(180000);
+  link.capacity_measured(true);
   link.backlog_s(0.012F);
   link.loss(0.03F);
   link.scale(0.75F);

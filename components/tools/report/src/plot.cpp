@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/plot.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -69,14 +71,22 @@ std::string link_line(std::size_t index, int column, const char* axes, std::size
          " title " + gnuplot_text(title);
 }
 
-/// The vehicle's capacity, which pictures measure, and the backlog of both sides; empty without
-/// routers.
+bool has_capacity(const std::vector<RouterState>& states) {
+  return std::any_of(states.begin(), states.end(), [](const RouterState& state) {
+    return std::isfinite(state.capacity_bytes_per_s);
+  });
+}
+
+/// The capacity of the sides that measured it, as pictures let the vehicle do, and the backlog of
+/// both; empty without routers.
 std::string link_panel(const Recording& recording) {
   if (recording.routers.empty()) return "";
   std::string curves;
   std::size_t index = 0;
   for (const auto& [role, states] : recording.routers) {
-    if (role == Role::uxv) curves += link_line(index, 2, "x1y1", 0, "uxv capacity") + ", ";
+    const std::string title = std::string(to_string(role)) + " capacity";
+    if (has_capacity(states))
+      curves += link_line(index, 2, "x1y1", index == 0 ? 0 : 3, title) + ", ";
     ++index;
   }
   index = 0;

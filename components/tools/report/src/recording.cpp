@@ -121,8 +121,10 @@ void add_router(Role role, Recording& recording) {
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const double time_s = table.number(row, "send_s");
       if (role_of(table.text(row, "role")) != role || !std::isfinite(time_s)) continue;
+      const bool measured = table.number(row, "capacity_measured") == 1;
       recording.routers[role].push_back(
-          {time_s, table.number(row, "capacity_bytes_per_s"), table.number(row, "backlog_s")});
+          {time_s, measured ? table.number(row, "capacity_bytes_per_s") : std::nan(""),
+           table.number(row, "backlog_s")});
     }
     if (recording.routers.count(role) != 0) return;
   }

@@ -52,17 +52,18 @@ TEST_F(PlotTest, TrafficHasABlockForEachClassAndAPointForEachSecond) {
               AllOf(HasSubstr("index 0 "), HasSubstr("index 2 "), Not(HasSubstr("index 3 "))));
 }
 
-const char* const link_head = "receive_s,send_s,role,capacity_bytes_per_s,backlog_s,classes\n";
+const char* const link_head =
+    "receive_s,send_s,role,capacity_bytes_per_s,backlog_s,classes,capacity_measured\n";
 
 TEST_F(PlotTest, ARunWithRoutersHasAPanelOfCapacityAndBacklog) {
   run_.write("uxv/link_state.csv", std::string(link_head) +
-                                       "1001,1001,uxv,125000,0.02,[]\n1001,1001,gcs,7,7,[]\n"
-                                       "1002,1002,uxv,250000,0.3,[]\n");
+                                       "1001,1001,uxv,125000,0.02,[],0\n1001,1001,gcs,7,7,[],0\n"
+                                       "1002,1002,uxv,250000,0.3,[],1\n");
   run_.write("gcs/link_state.csv",
-             std::string(link_head) + "1001,1001,uxv,9,9,[]\n1003,1003,gcs,1000,0.001,[]\n");
+             std::string(link_head) + "1001,1001,uxv,9,9,[],1\n1003,1003,gcs,1000,0.001,[],0\n");
   draw();
-  EXPECT_EQ(text("link.dat"), "1 1000 20\n2 2000 300\n\n\n3 8 1\n\n\n")
-      << "uxv, gcs; each as its own side recorded it; kbit/s and ms";
+  EXPECT_EQ(text("link.dat"), "1 nan 20\n2 2000 300\n\n\n3 nan 1\n\n\n")
+      << "uxv, gcs; each as its own side recorded it; kbit/s and ms; what was not measured is none";
   const std::string script = text("plot.gnuplot");
   EXPECT_THAT(script, AllOf(HasSubstr("layout 3,1"), HasSubstr("size 1200,1200"),
                             HasSubstr("index 0 using 1:2 axes x1y1"),
@@ -73,9 +74,9 @@ TEST_F(PlotTest, ARunWithRoutersHasAPanelOfCapacityAndBacklog) {
 }
 
 TEST_F(PlotTest, ARouterOfTheStationAloneShowsItsBacklog) {
-  run_.write("gcs/link_state.csv", std::string(link_head) + "1003,1003,gcs,1000,nan,[]\n");
+  run_.write("gcs/link_state.csv", std::string(link_head) + "1003,1003,gcs,1000,nan,[],0\n");
   draw();
-  EXPECT_EQ(text("link.dat"), "3 8 nan\n\n\n");
+  EXPECT_EQ(text("link.dat"), "3 nan nan\n\n\n");
   EXPECT_THAT(text("plot.gnuplot"), AllOf(HasSubstr("plot 'link.dat' index 0 using 1:3 axes x1y2"),
                                           Not(HasSubstr("using 1:2 axes"))));
 }

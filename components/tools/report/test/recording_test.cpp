@@ -68,14 +68,15 @@ TEST(Recording, CountsWhatWasWrittenHeldBackOrNot) {
 TEST(Recording, ARoutersStateComesFromTheOtherSideWhenItsOwnHasNone) {
   const ToyRun run;
   run.write("gcs/link_state.csv",
-            "receive_s,send_s,role,capacity_bytes_per_s,backlog_s\n1001.5,1001,uxv,5000,0.25\n"
-            "1002,nan,uxv,1,1\n");
+            "receive_s,send_s,role,capacity_bytes_per_s,backlog_s,capacity_measured\n"
+            "1001.5,1001,uxv,5000,0.25,1\n1002,nan,uxv,1,1,1\n1003,1003,uxv,5000,0.25,0\n");
   const Recording sut = load_recording(run.path());
   ASSERT_EQ(sut.routers.size(), 1U) << "the station has no router";
-  ASSERT_THAT(sut.routers.at(Role::uxv), SizeIs(1)) << "a row without a time is left out";
+  ASSERT_THAT(sut.routers.at(Role::uxv), SizeIs(2)) << "a row without a time is left out";
   EXPECT_EQ(sut.routers.at(Role::uxv)[0].time_s, 1001);
   EXPECT_EQ(sut.routers.at(Role::uxv)[0].capacity_bytes_per_s, 5000);
   EXPECT_EQ(sut.routers.at(Role::uxv)[0].backlog_s, 0.25);
+  EXPECT_TRUE(std::isnan(sut.routers.at(Role::uxv)[1].capacity_bytes_per_s)) << "only assumed";
 }
 
 TEST(Recording, WhatARouterOfNoRoleToldIsNobodys) {

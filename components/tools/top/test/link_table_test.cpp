@@ -17,6 +17,7 @@ tocsin_msgs::msg::LinkState state_of(const std::string& role, float capacity = 1
   state.role(role);
   state.live_peers(1);
   state.capacity_bytes_per_s(capacity);
+  state.capacity_measured(true);
   state.classes().resize(2);
   state.classes()[0].traffic_class("critical");
   state.classes()[0].offered(40);

@@ -71,6 +71,7 @@ class Reporter {
       state.role("uxv");
       state.live_peers(1);
       state.capacity_bytes_per_s(180000);
+      state.capacity_measured(true);
       (void)link->write(std::make_shared<const LinkMessage>(state));
       for (const auto& one : {report_of("drive/navigator", 0, "active"),
                               report_of("drive/camera", 2, "blocks since 7 s")}) {

@@ -55,6 +55,8 @@ class LinkEstimator {
 
   /// [B/s]
   [[nodiscard]] double capacity_bytes_per_s() const { return capacity_bytes_per_s_; }
+  /// Whether bulk has ever told it; else it is only assumed.
+  [[nodiscard]] bool is_capacity_measured() const { return is_capacity_measured_; }
   /// How long what is sent at `now` would wait in the radio.
   [[nodiscard]] Duration backlog(Time now) const;
   /// The wait that a small sample must reckon with before a receipt can tell of it: recent delays
@@ -76,6 +78,7 @@ class LinkEstimator {
   LinkRouterParams params_;
   WindowedMinimum least_;  ///< of small samples: by the peer's clock, from sending to arrival
   double capacity_bytes_per_s_;
+  bool is_capacity_measured_ = false;
   bool measured_ = false;  ///< the capacity, since the last start_over()
   double loss_ = 0;
   double delay_s_ = 0;                 ///< smoothed, RFC 6298

@@ -48,8 +48,6 @@ class LinkRouterComponent final : public Component {
     FlowId on_link = 0;
     std::string topic;
     router::StreamRule rule;
-    std::uint64_t written = 0;
-    std::uint64_t sent = 0;
     std::uint64_t sent_bytes = 0;
   };
   /// A flow of a peer on its way to the host.

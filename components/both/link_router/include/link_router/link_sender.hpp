@@ -73,6 +73,8 @@ class LinkSender {
   /// Of each adaptive stream.
   [[nodiscard]] std::vector<StreamBudget> budgets(Time now) const;
   [[nodiscard]] LinkStateValues state(Time now) const;
+  /// Zeroes when there is no such stream.
+  [[nodiscard]] StreamCounts stream_counts(StreamId stream) const;
 
  private:
   /// What was last offered or sent of one source of a stream.
@@ -83,6 +85,7 @@ class LinkSender {
   };
   struct Stream {
     StreamRule rule;
+    StreamCounts counts;
     TransmissionNumber last = 0;
     std::map<SourceId, Source> sources;
     RateMeter nominal;            ///< of an adaptive stream: what it would take at scale 1
@@ -110,6 +113,8 @@ class LinkSender {
   void enqueue(Stream& stream, const Waiting& waiting);
   void hold(Stream& stream, const Waiting& waiting);
   void count_dropped(const std::vector<Dropped>& dropped);
+  void count_dropped(Stream& stream, DropReason reason);
+  [[nodiscard]] const LinkEstimator* slowest_peer(Time now) const;
 
   [[nodiscard]] std::optional<Waiting> take_waiting(TrafficClass traffic_class, Time now);
   [[nodiscard]] std::size_t packets_allowed(TrafficClass traffic_class, Time now) const;

@@ -22,17 +22,25 @@ struct ClassCounts {
   std::uint64_t repaired = 0;   ///< of delivered: only by a repair
   std::uint64_t repairs = 0;    ///< transmissions of samples that were sent before
   std::array<std::uint64_t, drop_reason_count> dropped{};  ///< by DropReason
-  std::uint64_t bytes = 0;                                 ///< on the wire, repairs included
   std::size_t waiting_samples = 0;                         ///< now, in the router
   std::size_t waiting_bytes = 0;                           ///< now, serialised
   /// Of the last delivered one: one-way delay over the least that was seen lately.
   std::optional<Duration> delay;
 };
 
+/// Of one stream, counted since it was added: offered = sent + dropped + waiting.
+struct StreamCounts {
+  std::uint64_t offered = 0;
+  std::uint64_t sent = 0;     ///< put on the wire at least once
+  std::uint64_t dropped = 0;  ///< never sent, for whatever reason
+  std::uint64_t paused = 0;   ///< of dropped: DropReason::paused
+};
+
 /// What the router knows of the link and does about it.
 struct LinkStateValues {
   std::array<ClassCounts, traffic_classes.size()> classes;
   double capacity_bytes_per_s = 0;  ///< [B/s] estimate, headers included; of the slowest live peer
+  bool capacity_measured = false;   ///< else it is what the parameters assume
   Duration backlog{0};              ///< what is in the radio's queue, by the estimate
   double loss = 0;                  ///< [0, 1] recent share of transmissions that did not come
   double scale = 1;                 ///< [0.25, 1] of the adaptive streams

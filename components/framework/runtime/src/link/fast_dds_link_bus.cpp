@@ -97,7 +97,7 @@ void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
       [this, id](const auto& peer) {
         table_.push(link_event::PeerListens{id, FlowTable::peer_of(peer)});
       });
-  marks_->set(sending.writer->entity(), sending.dscp);
+  marks_->set(sending.writer->entity(), rules_.dscp(sending.traffic_class), sending.traffic_class);
 }
 
 std::optional<LinkEvent> FastDdsLinkBus::take() {
@@ -143,11 +143,11 @@ void FastDdsLinkBus::on_link_sample(TakenSample&& taken) {
   table_.push(link_event::LinkSample{*id, taken.number, std::move(taken.sample), steady_now()});
 }
 
-FlowId FastDdsLinkBus::open(const Flow& flow, int dscp) {
+FlowId FastDdsLinkBus::open(const Flow& flow, TrafficClass traffic_class) {
   const FlowId id = table_.fresh_id();
   Sending& sending = sending_[id];
   sending.flow = flow;
-  sending.dscp = dscp;
+  sending.traffic_class = traffic_class;
   if (link_) connect(id, sending);
   return id;
 }

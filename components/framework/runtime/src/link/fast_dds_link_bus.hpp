@@ -27,7 +27,7 @@ class FastDdsLinkBus final : public LinkBus {
   [[nodiscard]] PeerId self() const override {
     return link_ ? FlowTable::peer_of(link_->prefix()) : 0;
   }
-  FlowId open(const Flow& flow, int dscp) override;
+  FlowId open(const Flow& flow, TrafficClass traffic_class) override;
   [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override;
   void close(FlowId flow) override;
   [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow,
@@ -44,7 +44,7 @@ class FastDdsLinkBus final : public LinkBus {
  private:
   struct Sending {
     Flow flow;
-    int dscp;
+    TrafficClass traffic_class;
     std::unique_ptr<FlowWriter> writer;  ///< null while the link is not up
   };
   using Readers = std::map<ReaderKey, std::unique_ptr<FlowReader>>;

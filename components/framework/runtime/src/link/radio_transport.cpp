@@ -205,9 +205,9 @@ TransportInterface* MarkingDescriptor::create_transport() const {
 
 }  // namespace
 
-void RadioMarks::set(const Endpoint& endpoint, int dscp) {
+void RadioMarks::set(const Endpoint& endpoint, int dscp, TrafficClass traffic_class) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  marks_[endpoint] = dscp;
+  marks_[endpoint] = {dscp, traffic_class};
 }
 
 void RadioMarks::forget(const Endpoint& endpoint) {
@@ -227,7 +227,10 @@ int RadioMarks::mark(const std::uint8_t* message, std::size_t size) {
     return network_control;
   }
   const auto found = marks_.find(*endpoint);
-  return found == marks_.end() ? network_control : found->second;
+  if (found == marks_.end()) return network_control;
+  packets_.class_bytes[static_cast<std::size_t>(found->second.traffic_class)] +=
+      size + ip_and_udp_bytes;
+  return found->second.dscp;
 }
 
 LinkPackets RadioMarks::packets() const {

@@ -25,8 +25,9 @@ class RadioMarks {
  public:
   static constexpr int network_control = 48;  ///< CS6 (RFC 4594 section 3.1)
 
-  /// `dscp` [0, 63].
-  void set(const eprosima::fastrtps::rtps::EntityId_t& endpoint, int dscp);
+  /// `dscp` [0, 63]. Its bytes are counted for the class.
+  void set(const eprosima::fastrtps::rtps::EntityId_t& endpoint, int dscp,
+           TrafficClass traffic_class);
   void forget(const eprosima::fastrtps::rtps::EntityId_t& endpoint);
   /// Notes a message that is sent, and returns its code point.
   [[nodiscard]] int mark(const std::uint8_t* message, std::size_t size);
@@ -35,7 +36,11 @@ class RadioMarks {
  private:
   using Endpoint = eprosima::fastrtps::rtps::EntityId_t;
   mutable std::mutex mutex_;
-  std::map<Endpoint, int> marks_;
+  struct Mark {
+    int dscp;
+    TrafficClass traffic_class;
+  };
+  std::map<Endpoint, Mark> marks_;
   LinkPackets packets_;
 };
 

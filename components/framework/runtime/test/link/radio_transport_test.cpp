@@ -17,10 +17,27 @@ TEST(RadioMarks, APacketBearsTheMarkOfItsWriter) {
   Bytes bytes = message();
   append(bytes, data, data_of(7));
   EXPECT_EQ(sut.mark(bytes.data(), bytes.size()), 48) << "not known yet";
-  sut.set(writer, 8);
+  sut.set(writer, 8, TrafficClass::low);
   EXPECT_EQ(sut.mark(bytes.data(), bytes.size()), 8);
   sut.forget(writer);
   EXPECT_EQ(sut.mark(bytes.data(), bytes.size()), 48);
+}
+
+TEST(RadioMarks, TheBytesOfAWriterCountForItsClassAlsoWhenItIsForgotten) {
+  RadioMarks sut;
+  rtps::EntityId_t writer;
+  writer.value[2] = 7;
+  writer.value[3] = 3;
+  Bytes bytes = message();
+  append(bytes, data, data_of(7));
+  (void)sut.mark(bytes.data(), bytes.size());
+  sut.set(writer, 32, TrafficClass::high);
+  (void)sut.mark(bytes.data(), bytes.size());
+  (void)sut.mark(bytes.data(), bytes.size());
+  sut.forget(writer);
+  const auto& by_class = sut.packets().class_bytes;
+  EXPECT_EQ(by_class[1], 2 * (bytes.size() + 28));
+  EXPECT_EQ(by_class[0] + by_class[2] + by_class[3], 0U);
 }
 
 TEST(RadioMarks, DiscoveryGoesFirstAndIsCounted) {

@@ -12,7 +12,7 @@
 
 namespace tocsin {
 
-constexpr int relay_dscp = 32;
+constexpr int relay_dscp = 32;  ///< of class high
 
 /// A router that carries everything at once, as it comes. Its thread has the network namespace of
 /// who makes it.
@@ -56,7 +56,7 @@ class Relay {
     }
   }
   void on(LinkBus& bus, const link_event::HostFlow& event) {
-    sending_[event.flow] = bus.open(event.what, relay_dscp);
+    sending_[event.flow] = bus.open(event.what, TrafficClass::high);
   }
   void on(LinkBus& bus, const link_event::HostFlowGone& event) {
     bus.close(sending_[event.flow]);

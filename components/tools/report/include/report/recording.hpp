@@ -48,7 +48,7 @@ struct LinkState {
 /// What the router of one side estimates of its way over the link, once a second.
 struct RouterState {
   double time_s;
-  double capacity_bytes_per_s;  ///< headers included
+  double capacity_bytes_per_s;  ///< headers included; NaN: not measured
   double backlog_s;             ///< what waits in the radio: the delay of the next packet
 };
 

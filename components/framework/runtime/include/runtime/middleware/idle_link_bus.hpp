@@ -15,7 +15,7 @@ class IdleLinkBus final : public LinkBus {
 
   [[nodiscard]] std::optional<LinkEvent> take() override { return std::nullopt; }
   [[nodiscard]] PeerId self() const override { return 0; }
-  FlowId open(const Flow&, int) override { return ++last_; }
+  FlowId open(const Flow&, TrafficClass) override { return ++last_; }
   [[nodiscard]] std::uint32_t wire_id(FlowId) const override { return 0; }
   void close(FlowId) override {}
   [[nodiscard]] std::optional<std::uint64_t> send(FlowId, const CarriedSample&) override {

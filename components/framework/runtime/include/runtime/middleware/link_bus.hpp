@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <variant>
 
 #include "foundation/time.hpp"
+#include "foundation/traffic_class.hpp"
 #include "idl_support/type_info.hpp"
 #include "runtime/middleware/traffic_rules.hpp"
 
@@ -94,6 +96,8 @@ struct LinkPackets {
   std::uint64_t bytes = 0;              ///< with IP and UDP headers
   std::uint64_t discovery_packets = 0;  ///< of participants and endpoints
   std::uint64_t discovery_bytes = 0;
+  /// Of bytes: those of the flows of each class.
+  std::array<std::uint64_t, traffic_classes.size()> class_bytes{};
 };
 
 /// What the one process that owns the radio of a host needs of the middleware: topics of any type
@@ -109,8 +113,8 @@ class LinkBus {
   [[nodiscard]] virtual std::optional<LinkEvent> take() = 0;
   /// This router's own life, as its peers see it; zero while the link is not up.
   [[nodiscard]] virtual PeerId self() const = 0;
-  /// Makes a writer on the link. `dscp` [0, 63]: what its packets bear (RFC 2474).
-  virtual FlowId open(const Flow& flow, int dscp) = 0;
+  /// Makes a writer on the link, whose packets bear the DSCP of the class.
+  virtual FlowId open(const Flow& flow, TrafficClass traffic_class) = 0;
   /// The number by which the peers know a flow of `open`: the entity id of its writer. Zero while
   /// the link is not up.
   [[nodiscard]] virtual std::uint32_t wire_id(FlowId flow) const = 0;
