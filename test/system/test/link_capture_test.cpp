@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <map>
 #include <new>
 #include <set>
 
@@ -17,10 +16,9 @@
 #include "foundation/temporary_folder.hpp"
 #include "link/flow_ends.hpp"
 #include "link/raw_type.hpp"
-#include "link/rtps_message.hpp"
 #include "radio_tap.hpp"
 #include "ros_idl/std_msgs.hpp"
-#include "rtps_view.hpp"
+#include "sent_packets.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -34,57 +32,6 @@ using String = std_msgs::msg::String;
 constexpr int discovery_dscp = 48;
 /// IP and UDP headers, and the largest RTPS message of a router.
 constexpr std::size_t largest_packet = 28 + 1400;
-
-/// What a packet of a router is.
-struct Sent {
-  std::int64_t time_ns;
-  std::size_t bytes;
-  int dscp;
-  bool discovery;
-  std::uint8_t kind;  ///< of its first submessage that names a sender
-  std::string topic;  ///< ROS name; empty: of discovery, or of a writer that was not announced yet
-};
-
-std::uint8_t kind_of(const RtpsPacket& packet) {
-  Submessages all(packet.message, packet.bytes);
-  while (const auto one = all.next()) {
-    if (one->kind != 0x09 && one->kind != 0x0e) return one->kind;  // INFO_TS, INFO_DST
-  }
-  return 0;
-}
-
-/// Topics of the writers that a host announces. Samples may leave before their announcement.
-std::map<EndpointGuid, std::string> topics_in(const std::vector<TappedPacket>& packets) {
-  std::map<EndpointGuid, std::string> topics;
-  for (const TappedPacket& packet : packets) {
-    const auto rtps = packet.outgoing ? rtps_in(packet.bytes) : std::nullopt;
-    if (!rtps) continue;
-    for (const AnnouncedWriter& writer : announced_writers_in(*rtps)) {
-      topics[writer.guid] = writer.topic.substr(std::string("rt/").size());
-    }
-  }
-  return topics;
-}
-
-/// The RTPS packets that a host has sent after `since_ns`, of lives that began after it.
-std::vector<Sent> sent(const RadioTap& tap, std::int64_t since_ns) {
-  const auto packets = tap.packets();
-  auto topics = topics_in(packets);
-  std::vector<Sent> all;
-  std::set<EndpointGuid> old;  // participants
-  for (const TappedPacket& packet : packets) {
-    const auto rtps = packet.outgoing ? rtps_in(packet.bytes) : std::nullopt;
-    if (!rtps) continue;
-    const EndpointGuid participant = rtps->guid_of({});
-    if (packet.time_ns <= since_ns) old.insert(participant);
-    if (old.count(participant) != 0) continue;
-    const auto sender = sender_in(rtps->message, rtps->bytes);
-    const bool discovery = !sender || is_builtin(*sender);
-    all.push_back({packet.time_ns, packet.bytes.size(), rtps->dscp, discovery, kind_of(*rtps),
-                   discovery ? "" : topics[rtps->guid_of(*sender)]});
-  }
-  return all;
-}
 
 /// Classes of what was sent; each packet is checked on the way.
 std::set<TrafficClass> check_marks(const std::vector<Sent>& packets, const TrafficRules& rules) {
@@ -243,30 +190,6 @@ void write_all_classes(Bus& bus) {
     for (const auto& writer : writers) (void)writer->write(message);
     std::this_thread::sleep_for(milliseconds(50));
   }
-}
-
-/// Endpoints that the vehicle's router has announced.
-std::size_t announcements(const RadioTap& tap, std::int64_t since_ns) {
-  std::size_t found = 0;
-  for (const TappedPacket& packet : tap.packets()) {
-    const auto rtps = packet.outgoing ? rtps_in(packet.bytes) : std::nullopt;
-    if (!rtps || packet.time_ns <= since_ns) continue;
-    for (const SamplePart& part : samples_in(*rtps)) {
-      // SEDP's writers of publications and of subscriptions.
-      if (part.writer == 0x000003c2 || part.writer == 0x000004c2) ++found;
-    }
-  }
-  return found;
-}
-
-/// Packets of a topic with samples in them.
-std::size_t count(const std::vector<Sent>& packets, const std::string& topic,
-                  std::int64_t since_ns) {
-  return static_cast<std::size_t>(
-      std::count_if(packets.begin(), packets.end(), [&](const Sent& one) {
-        const bool carries = one.kind == 0x15 || one.kind == 0x16;
-        return one.time_ns > since_ns && one.topic == topic && carries;
-      }));
 }
 
 TEST(LinkCapture, APausedFlowIsSilentOnTheWireForFiveSecondsAndResumesWithoutDiscovery) {
