@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -123,6 +125,59 @@ TEST(EveryType, HoldsStructsOfOtherFilesAndModules) {
   EXPECT_STREQ(type_info<dialect::msg::Pair>().name, "dialect::msg::dds_::Pair_");
   EXPECT_STREQ(type_info<other::msg::Pair>().name, "other::msg::dds_::Pair_");
   EXPECT_THAT(shown(other::msg::Pair()), ElementsAre("inner{", "x=0", "z=0", "}"));
+}
+
+/// Gives each field another value and each sequence two elements, and notes what it is asked.
+class Numbering : public FieldEditor {
+ public:
+  void number(const char*, double& value) override { value = ++count_; }
+  void integer(const char* name, std::int64_t& value, const IntegerRange& range) override {
+    ranges[name] = {range.least, range.most};
+    value = ++count_ % 2;  // what an enum, too, can hold
+  }
+  void boolean(const char*, bool& value) override { value = true; }
+  void text(const char*, std::string& value) override { value = std::to_string(++count_); }
+  void bytes(const char*, std::vector<std::uint8_t>& value) override { value = {1, 2, 3}; }
+  void begin_struct(const char*) override { ++depth; }
+  void end_struct() override { --depth; }
+  std::size_t begin_list(const char*, std::size_t size) override {
+    ++depth;
+    return size == 0 ? 2 : size;
+  }
+  void end_list() override { --depth; }
+  std::map<std::string, std::pair<std::int64_t, std::int64_t>> ranges;
+  int depth = 0;
+
+ private:
+  int count_ = 0;
+};
+
+TEST(EveryType, GivesEachFieldToAnEditorWithWhatItCanHold) {
+  dialect::msg::Numbers sut;
+  Numbering editor;
+  type_info<dialect::msg::Numbers>().edit(&sut, editor);
+  EXPECT_TRUE(sut.b());
+  EXPECT_EQ(sut.f64(), sut.f32() + 1);
+  EXPECT_EQ(editor.ranges.at("i8"), std::make_pair(std::int64_t{-128}, std::int64_t{127}));
+  EXPECT_EQ(editor.ranges.at("u16"), std::make_pair(std::int64_t{0}, std::int64_t{65535}));
+  EXPECT_EQ(editor.ranges.at("u64").first, 0);
+  EXPECT_EQ(editor.ranges.at("i64").first, std::numeric_limits<std::int64_t>::min());
+  expect_round_trip(sut);
+}
+
+TEST(EveryType, GivesListsTheLengthThatTheEditorSays) {
+  dialect::msg::Lists sut;
+  Numbering editor;
+  type_info<dialect::msg::Lists>().edit(&sut, editor);
+  EXPECT_EQ(editor.depth, 0);
+  EXPECT_EQ(sut.bytes(), (Bytes{1, 2, 3}));
+  EXPECT_EQ(sut.flags(), (std::vector<bool>{true, true}));
+  EXPECT_EQ(sut.texts(), (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(sut.pairs().size(), 2U);
+  EXPECT_EQ(sut.rows().size(), 2U);
+  EXPECT_EQ(sut.rows()[1].size(), 2U);
+  EXPECT_NE(sut.poses()[0], sut.poses()[1]) << "an array keeps its length and gets values";
+  expect_round_trip(sut);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct Tree {
 };
 
 /// YAML's own words for numbers that are none, and a point in every other.
-std::string float_text(std::string digits) {
+std::string float_text(const std::string& digits) {
   if (digits == "nan" || digits == "-nan") return ".nan";
   if (digits == "inf") return ".inf";
   if (digits == "-inf") return "-.inf";
@@ -65,13 +65,14 @@ class Planter final : public FieldVisitor {
   void boolean(const char* name, bool value) override { add(name, value ? "true" : "false"); }
   void text(const char* name, const std::string& value) override {
     if (options_.no_texts) return add(name, fmt::format("'<string length: <{}>>'", value.size()));
-    const bool cut = options_.longest > 0 && value.size() > options_.longest;
-    const std::string shown = cut ? value.substr(0, options_.longest) + "..." : value;
+    const bool longer = options_.longest > 0 && value.size() > options_.longest;
+    const std::string shown = longer ? value.substr(0, options_.longest) + "..." : value;
     add(name, quoted(printable(shown, shown.size())));
   }
   void bytes(const char* name, const std::uint8_t* data, std::size_t size) override {
     begin_list(name, size);
-    for (std::size_t i = 0; i < size && !is_full(); ++i) integer(name, data[i]);
+    const std::size_t shown = options_.longest > 0 ? std::min(size, options_.longest + 1) : size;
+    for (std::size_t i = 0; i < shown; ++i) integer(name, data[i]);
     end_list();
   }
   void begin_struct(const char* name) override { open(name, Tree::Kind::map); }
@@ -89,17 +90,21 @@ class Planter final : public FieldVisitor {
   /// Of a list that shows no more.
   [[nodiscard]] bool is_full() {
     return options_.longest > 0 && at().kind == Tree::Kind::list &&
-           at().members.size() > options_.longest;
+           at().members.size() >= options_.longest;
+  }
+  /// Of a list that is full: says that there is more, once.
+  void cut(const char* name) {
+    if (at().members.size() > options_.longest) return;
+    at().members.push_back({name, {Tree::Kind::scalar, "'...'", {}}});
   }
   Tree& at() { return path_.empty() ? root_ : *path_.back(); }
   void add(const char* name, std::string text) {
-    if (is_full()) return;
-    const bool last = at().kind == Tree::Kind::list && options_.longest > 0 &&
-                      at().members.size() == options_.longest;
-    at().members.push_back({name, {Tree::Kind::scalar, last ? "'...'" : std::move(text), {}}});
+    if (is_full()) return cut(name);
+    at().members.push_back({name, {Tree::Kind::scalar, std::move(text), {}}});
   }
   void open(const char* name, Tree::Kind kind) {
     if (is_full()) {
+      cut(name);
       path_.push_back(&beyond_);
       beyond_ = {kind, "", {}};
       return;

@@ -69,6 +69,19 @@ TEST(InfoText, ShowsTheQosOfEachEndWhenItIsVerbose) {
                              "  Deadline: 500000000 nanoseconds\n  Liveliness: AUTOMATIC\n"));
 }
 
+TEST(InfoText, SaysWhatAReaderRequestsAndThatItHasNoLifespan) {
+  GraphEnd reader = end("rt/state", false);
+  reader.qos.reliability = "best_effort";
+  reader.qos.liveliness_lease_s = 2;
+  reader.lifespan_s = 5;
+  const std::string sut = info_text({reader}, "/state", true);
+  EXPECT_THAT(sut, HasSubstr("Publisher count: 0\n\nSubscription count: 1\n"));
+  EXPECT_THAT(sut, HasSubstr("Endpoint type: SUBSCRIPTION\n"));
+  EXPECT_THAT(sut, HasSubstr("  Reliability: BEST_EFFORT\n"));
+  EXPECT_THAT(sut, HasSubstr("  Lifespan: Infinite\n"));
+  EXPECT_THAT(sut, HasSubstr("  Liveliness lease duration: 2000000000 nanoseconds\n"));
+}
+
 TEST(Types, OfATopicAndTopicsOfAType) {
   std::vector<GraphEnd> two = ends;
   two.push_back(end("rt/chatter", true, "Bool"));

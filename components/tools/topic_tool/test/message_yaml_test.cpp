@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "foundation/error.hpp"
@@ -123,6 +124,33 @@ TEST(ToYaml, ShowsOneField) {
   EXPECT_THROW((void)shown(path_of(1), options), ConfigError);
 }
 
+TEST(ToYaml, PrintsListsOfNumbersWithADashEach) {
+  sensor_msgs::msg::JointState joints;
+  joints.name({"left", "on"});
+  joints.position({0.5, -1});
+  const std::string sut = shown(joints);
+  EXPECT_THAT(sut, HasSubstr("name:\n- left\n- 'on'\nposition:\n- 0.5\n- -1.0\nvelocity: []\n"));
+}
+
+TEST(ToYaml, PrintsInfinitiesAndExponentsAsYamlReadsThem) {
+  geometry_msgs::msg::Twist twist;
+  twist.linear().x(std::numeric_limits<double>::infinity());
+  twist.linear().y(-std::numeric_limits<double>::infinity());
+  twist.linear().z(1e-7);
+  twist.angular().x(1e20);
+  EXPECT_THAT(shown(twist), HasSubstr("x: .inf\n  y: -.inf\n  z: 1e-07\n"));
+  EXPECT_EQ(read<geometry_msgs::msg::Twist>(shown(twist)), twist);
+}
+
+TEST(ToYaml, ShowsOneFieldOfAMessageWhoseListsAreCut) {
+  EchoOptions options;
+  options.longest = 1;
+  options.field = "poses";
+  const std::string sut = shown(path_of(3), options);
+  EXPECT_THAT(sut, HasSubstr("- header:\n"));
+  EXPECT_EQ(sut.find("x: 1.0"), std::string::npos) << sut;
+}
+
 TEST(FromYaml, SetsWhatItNamesAndLeavesTheRest) {
   const auto twist = read<geometry_msgs::msg::Twist>("{linear: {x: 0.2}, angular: {z: -1}}");
   EXPECT_EQ(twist.linear().x(), 0.2);
@@ -139,6 +167,42 @@ TEST(FromYaml, ReadsBackWhatToYamlPrints) {
   image.data({0, 255});
   image.format("jpeg");
   EXPECT_EQ(read<sensor_msgs::msg::CompressedImage>(shown(image)), image);
+}
+
+TEST(FromYaml, MakesListsAsLongAsTheyAreGiven) {
+  const auto path = read<nav_msgs::msg::Path>(
+      "{header: {frame_id: map}, poses: [{}, {pose: {position: {y: 2}}}]}");
+  EXPECT_EQ(path.header().frame_id(), "map");
+  ASSERT_EQ(path.poses().size(), 2U);
+  EXPECT_EQ(path.poses()[1].pose().position().y(), 2);
+  const auto joints = read<sensor_msgs::msg::JointState>("{name: [a], position: [1, .nan]}");
+  EXPECT_EQ(joints.name(), (std::vector<std::string>{"a"}));
+  EXPECT_TRUE(std::isnan(joints.position().at(1)));
+  EXPECT_TRUE(read<nav_msgs::msg::Path>("{poses: []}").poses().empty());
+}
+
+TEST(FromYaml, TakesWholeNumbersAndBooleansInTheirRange) {
+  EXPECT_EQ(
+      read<std_msgs::msg::Header>("{stamp: {sec: -5, nanosec: 4294967295}}").stamp().nanosec(),
+      4294967295U);
+  EXPECT_THAT(refusal<std_msgs::msg::Header>("{stamp: {nanosec: -1}}"),
+              HasSubstr("stamp.nanosec: -1 is outside [0, 4294967295]"));
+  EXPECT_THAT(refusal<std_msgs::msg::Header>("{stamp: {sec: 0.5}}"),
+              HasSubstr("stamp.sec: '0.5' is not a whole number"));
+  EXPECT_TRUE(read<std_msgs::msg::Bool>("{data: true}").data());
+  EXPECT_THAT(refusal<std_msgs::msg::Bool>("{data: 3}"),
+              HasSubstr("data: '3' is not true or false"));
+  EXPECT_THAT(refusal<std_msgs::msg::Bool>("{data: [1]}"), HasSubstr("data: is not true or false"));
+}
+
+TEST(FromYaml, TakesAnEmptyMapForTheDefaults) {
+  EXPECT_EQ(read<std_msgs::msg::String>("{}"), std_msgs::msg::String());
+  EXPECT_EQ(read<std_msgs::msg::String>("{data: }"), std_msgs::msg::String());
+}
+
+TEST(FromYaml, RefusesWhatIsNoYaml) {
+  EXPECT_FALSE(refusal<std_msgs::msg::Bool>("{data: ").empty());
+  EXPECT_FALSE(refusal<std_msgs::msg::Bool>("{data: true, data: false}").empty());
 }
 
 TEST(FromYaml, RefusesWhatIsNoFieldOrNoValueOfIt) {

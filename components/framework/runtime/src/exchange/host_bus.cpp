@@ -15,14 +15,7 @@
 namespace tocsin {
 namespace {
 
-<<<<<<< HEAD
-BusOptions options_of_run(const HostChoice& choice) {
-  const auto running = deployment::running_host(choice.run_dir, choice.host);
-=======
-constexpr int processes = 16;
-
 BusOptions options_of_run(const deployment::RunningHost& running) {
->>>>>>> 2169a4e (tocsin topic: list, info, echo, hz, bw, delay, pub, find and type, as ros2 topic has them; commands find the one run on this computer)
   deployment::enter_namespaces(running.process);
   BusOptions options;
   options.role = running.itself().role;
@@ -100,18 +93,12 @@ BusOptions host_bus_options(const HostChoice& choice, const std::string& name) {
   const auto run = chosen_run(choice);
   BusOptions options = run ? options_of_run(*run) : installed_options(choice);
   options.name = name;
-<<<<<<< HEAD
-  if (choice.domain >= 0) options.host_domain = choice.domain;
-  return make_fast_dds_bus(options);
-=======
-  options.processes = processes;
   if (choice.domain) options.host_domain = *choice.domain;
   return options;
 }
 
 std::unique_ptr<Bus> open_host_bus(const HostChoice& choice, const std::string& name) {
   return make_fast_dds_bus(host_bus_options(choice, name));
->>>>>>> 2169a4e (tocsin topic: list, info, echo, hz, bw, delay, pub, find and type, as ros2 topic has them; commands find the one run on this computer)
 }
 
 }  // namespace tocsin

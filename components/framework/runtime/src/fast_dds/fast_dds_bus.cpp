@@ -6,20 +6,15 @@
 #include <limits>
 #include <map>
 #include <mutex>
-#include <random>
 #include <utility>
 
+#include "fast_dds/this_host.hpp"
 #include "fast_dds/topic_channel.hpp"
 #include "foundation/error.hpp"
 #include "runner/tick_time.hpp"
 
 namespace tocsin {
 namespace {
-
-std::int64_t wall_now_ns() {
-  return std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 /// Wall time of an instant close to now, at the price of one clock reading in 10 ms. Any thread.
 class WallClock {
@@ -96,13 +91,6 @@ class ChannelSubscription : public Subscription {
   TopicChannel& channel_;
   Receiver& receiver_;
 };
-
-/// A number that no other writer has, here or in another life of this process.
-std::uint64_t fresh_source() {
-  static std::atomic<std::uint64_t> next{
-      (static_cast<std::uint64_t>(std::random_device{}()) << 32U) + std::random_device{}()};
-  return next++;
-}
 
 class ChannelPublication : public Publication {
  public:

@@ -6,18 +6,17 @@
 #include <chrono>
 #include <map>
 #include <mutex>
-#include <random>
 #include <sstream>
 #include <tuple>
 #include <utility>
 
+#include "fast_dds/this_host.hpp"
 #include "link/flow_ends.hpp"
 #include "link/raw_type.hpp"
 
 namespace tocsin {
 namespace {
 
-const char* const loopback = "127.0.0.1";
 constexpr int writer_depth = 10;
 
 std::string text_of(const RemoteEnds::Guid& guid) {
@@ -32,16 +31,6 @@ QosProfile profile_of(const RawTopic& topic) {
   profile.durability = topic.transient_local ? "transient_local" : "volatile";
   profile.depth = topic.transient_local ? 1 : writer_depth;
   return profile;
-}
-
-std::int64_t wall_now_ns() {
-  return std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
-
-std::uint64_t fresh_source() {
-  std::random_device random;
-  return (static_cast<std::uint64_t>(random()) << 32U) + random();
 }
 
 class Reading final : public RawReading {
@@ -59,7 +48,9 @@ class Writing final : public RawWriting {
   Writing(FastDdsParticipant& participant, const RawTopic& topic)
       : profile_(profile_of(topic)),
         writer_(participant, topic.name, topic.type, profile_,
-                [this](const auto&) { ++readers_; }) {}
+                [this, &participant](const auto& reader) {
+                  if (reader != participant.prefix()) ++readers_;
+                }) {}
 
   bool write(const std::vector<std::uint8_t>& bytes) override {
     CarriedSample sample;
@@ -117,8 +108,9 @@ class FastDdsHostGraph final : public HostGraph {
 };
 
 ParticipantOptions FastDdsHostGraph::participant_of(const BusOptions& options) {
-  ParticipantOptions made{
-      options.name, options.host_domain, loopback, {loopback}, options.processes + others_on_host};
+  ParticipantOptions made;
+  made.name = options.name;
+  made.domain = options.host_domain;
   made.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (there) {
@@ -138,6 +130,7 @@ std::vector<GraphEnd> FastDdsHostGraph::ends() const {
   std::vector<GraphEnd> all;
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const auto& [guid, end] : ends_) {
+    if (participant_.owns(guid)) continue;
     const auto name = names_.find(guid.guidPrefix);
     all.push_back({end.topic, end.type, name == names_.end() ? "" : name->second, text_of(guid),
                    end.writer, end.qos, end.lifespan_s, end.user_data});

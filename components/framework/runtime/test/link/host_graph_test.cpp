@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who is on a host and what they say, of whatever type, by real UDP on loopback.
+#include "runtime/middleware/host_graph.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fast_dds/bus_fixture.hpp"
+#include "ros_idl/std_msgs.hpp"
+
+namespace tocsin {
+namespace {
+
+using ::testing::HasSubstr;
+using String = std_msgs::msg::String;
+
+const char* const qos =
+    "state: {reliability: reliable, durability: transient_local, depth: 1, lifespan_s: 60}\n"
+    "event: {reliability: reliable, depth: 10}\n";
+const Endpoint state{{"state", "state", Scope::host}, &type_info<String>()};
+const Endpoint event{{"event", "event", Scope::host}, &type_info<String>()};
+const RawTopic raw_state{"rt/state", "std_msgs::msg::dds_::String_", true, true};
+const RawTopic raw_event{"rt/event", "std_msgs::msg::dds_::String_", true, false};
+
+std::vector<std::uint8_t> encoded(const std::string& data) {
+  String message;
+  message.data(data);
+  const TypeInfo& type = type_info<String>();
+  std::vector<std::uint8_t> bytes(type.serialized_size(&message));
+  bytes.resize(type.serialize(&message, bytes.data(), bytes.size()));
+  return bytes;
+}
+
+std::shared_ptr<const String> text(const std::string& data) {
+  auto made = std::make_shared<String>();
+  made->data(data);
+  return made;
+}
+
+class HostGraphTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { deliver_by_packets(); }
+  HostGraphTest() : domain_(next_domain()), graph_(make_host_graph(options())) {}
+
+  [[nodiscard]] BusOptions options() const {
+    BusOptions options;
+    options.name = "graph";
+    options.host_domain = domain_;
+    return options;
+  }
+  [[nodiscard]] std::unique_ptr<Bus> process() const { return make_test_bus(domain_, qos); }
+  /// Null: it is not there.
+  [[nodiscard]] std::optional<GraphEnd> end_of(const std::string& topic, bool writer) const {
+    for (const GraphEnd& one : graph_->ends()) {
+      if (one.topic == topic && one.writer == writer) return one;
+    }
+    return std::nullopt;
+  }
+  void take(RawSample&& sample) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    samples_.push_back(std::move(sample));
+  }
+  [[nodiscard]] std::vector<RawSample> taken() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return samples_;
+  }
+  [[nodiscard]] std::unique_ptr<RawReading> read(const RawTopic& topic) {
+    return graph_->read(topic, [this](RawSample&& sample) { take(std::move(sample)); });
+  }
+
+ private:
+  static int next_domain() {
+    static int next = 50;
+    return ++next;
+  }
+  const int domain_;
+  std::mutex mutex_;
+  std::vector<RawSample> samples_;
+
+ protected:
+  std::unique_ptr<HostGraph> graph_;
+};
+
+TEST_F(HostGraphTest, KnowsTheEndsOfOthersWithWhatTheyOfferUntilTheyLeave) {
+  const auto bus = process();
+  auto writer = bus->advertise(state);
+  ASSERT_TRUE(eventually([&] { return end_of("rt/state", true).has_value(); }));
+  const GraphEnd end = *end_of("rt/state", true);
+  EXPECT_EQ(end.type, "std_msgs::msg::dds_::String_");
+  EXPECT_EQ(end.participant, "test");
+  EXPECT_FALSE(end.gid.empty());
+  EXPECT_EQ(end.qos.reliability, "reliable");
+  EXPECT_EQ(end.qos.durability, "transient_local");
+  EXPECT_EQ(end.lifespan_s, 60);
+  EXPECT_THAT(end.user_data, HasSubstr("tocsin_layout="));
+  EXPECT_FALSE(end_of("rt/state", false));
+  writer.reset();
+  EXPECT_TRUE(eventually([&] { return !end_of("rt/state", true); }));
+}
+
+TEST_F(HostGraphTest, DoesNotShowItsOwnEnds) {
+  const auto reading = read(raw_event);
+  const auto writing = graph_->write(raw_event);
+  EXPECT_TRUE(graph_->ends().empty());
+  EXPECT_EQ(writing->readers(), 0);
+}
+
+TEST_F(HostGraphTest, ReadsTheLastSampleOfAStateAsBytes) {
+  const auto bus = process();
+  const auto writer = bus->advertise(state);
+  ASSERT_EQ(writer->write(text("on")), Status::ok);
+  const auto reading = read(raw_state);
+  ASSERT_TRUE(eventually([&] { return !taken().empty(); }));
+  const RawSample sample = taken().front();
+  String message;
+  ASSERT_TRUE(
+      type_info<String>().deserialize(sample.bytes->data(), sample.bytes->size(), &message));
+  EXPECT_EQ(message.data(), "on");
+  EXPECT_GT(sample.sent_wall_ns, 0);
+  EXPECT_EQ(sample.sequence, 1U);
+}
+
+TEST_F(HostGraphTest, HearsNothingMoreWhenTheReadingIsGone) {
+  const auto bus = process();
+  const auto writer = bus->advertise(event);
+  auto reading = read(raw_event);
+  ASSERT_TRUE(eventually([&] {
+    (void)writer->write(text("again"));
+    return !taken().empty();
+  }));
+  reading.reset();
+  const std::size_t before = taken().size();
+  for (int i = 0; i < 20; ++i) (void)writer->write(text("unheard"));
+  EXPECT_TRUE(eventually([&] { return !end_of("rt/event", false); }));
+  EXPECT_EQ(taken().size(), before);
+}
+
+TEST_F(HostGraphTest, WritesToOrdinaryReadersAndCountsThem) {
+  const auto bus = process();
+  Samples heard;
+  const auto reader = bus->subscribe(event, heard);
+  const auto writing = graph_->write(raw_event);
+  ASSERT_TRUE(eventually([&] { return writing->readers() == 1; }));
+  EXPECT_TRUE(writing->write(encoded("hello")));
+  ASSERT_TRUE(heard.wait_for(1));
+  EXPECT_EQ(std::static_pointer_cast<const String>(heard.all().front().message)->data(), "hello");
+}
+
+}  // namespace
+}  // namespace tocsin

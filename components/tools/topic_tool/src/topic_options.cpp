@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "topic_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <utility>
+
+namespace tocsin::topic_tool {
+namespace {
+
+/// One subcommand with what all of them have.
+CLI::App* verb(CLI::App& app, const char* name, const char* text, Options& options) {
+  CLI::App* const sub = app.add_subcommand(name, text);
+  options.host.declare(*sub);
+  sub->add_option("--spin-time", options.spin_s, "[s] waited for what does not appear [2]")
+      ->check(CLI::Range(0.1, 600.0));
+  return sub;
+}
+
+void need_topic(CLI::App& sub, Options& options) {
+  sub.add_option("topic", options.topic, "its name, with or without the slash")->required();
+}
+
+void declare_echo(CLI::App& app, Options& options) {
+  CLI::App* const sub = verb(app, "echo", "prints each message", options);
+  need_topic(*sub, options);
+  sub->add_option("--field", options.echo.field, "only this field: pose.pose.position");
+  sub->add_option("-l,--truncate-length", options.echo.longest, "of texts and lists [128]");
+  sub->add_flag("-f,--full-length", options.full_length, "cuts nothing");
+  sub->add_flag("--no-arr", options.echo.no_lists, "leaves lists out");
+  sub->add_flag("--no-str", options.echo.no_texts, "leaves texts out");
+  sub->add_flag("--once", options.once, "ends after the first message");
+}
+
+void declare_pub(CLI::App& app, Options& options) {
+  CLI::App* const sub = verb(app, "pub", "writes a message again and again", options);
+  need_topic(*sub, options);
+  sub->add_option("type", options.type, "geometry_msgs/msg/Twist")->required();
+  sub->add_option("message", options.message, "in YAML: '{linear: {x: 0.1}}' [all defaults]");
+  sub->add_option("-r,--rate", options.rate_hz, "[1/s] [1]")->check(CLI::Range(0.001, 10'000.0));
+  auto* const once = sub->add_flag("-1,--once", options.once, "one message, then ends");
+  sub->add_option("-t,--times", options.times, "so many messages, then ends")
+      ->check(CLI::PositiveNumber)
+      ->excludes(once);
+  sub->add_option("-w,--wait-matching-subscriptions", options.wait_readers,
+                  "readers that are waited for [1 with --once and --times, else 0]")
+      ->check(CLI::Range(0, 1000));
+  sub->add_option("--qos-reliability", options.reliability, "[reliable]")
+      ->check(CLI::IsMember({"reliable", "best_effort"}));
+  sub->add_option("--qos-durability", options.durability, "[volatile]")
+      ->check(CLI::IsMember({"volatile", "transient_local"}));
+}
+
+void declare_list(CLI::App& app, Options& options) {
+  CLI::App* const sub = verb(app, "list", "topics that somebody writes or reads", options);
+  sub->add_flag("-t,--show-types", options.list.types, "with their types");
+  sub->add_flag("-c,--count-topics", options.list.count, "how many there are");
+  sub->add_flag("-v,--verbose", options.list.verbose, "with the number of ends");
+  sub->add_flag("--include-hidden-topics", options.list.hidden, "those that begin with _, too");
+}
+
+}  // namespace
+
+void declare(CLI::App& app, Options& options) {
+  app.require_subcommand(1);
+  declare_list(app, options);
+  CLI::App* const about = verb(app, "info", "type and number of ends of a topic", options);
+  need_topic(*about, options);
+  about->add_flag("-v,--verbose", options.verbose, "each end with its QoS");
+  need_topic(*verb(app, "type", "the type of a topic", options), options);
+  verb(app, "find", "topics of a type", options)
+      ->add_option("type", options.type, "nav_msgs/msg/Odometry")
+      ->required();
+  declare_echo(app, options);
+  for (const auto& [name, text] :
+       {std::pair{"hz", "rate of a topic, once a second"}, std::pair{"bw", "its bytes a second"},
+        std::pair{"delay", "time from header.stamp to the arrival"}}) {
+    CLI::App* const sub = verb(app, name, text, options);
+    need_topic(*sub, options);
+    sub->add_option("-w,--window", options.window, "[1] newest samples that count [10000]")
+        ->check(CLI::Range(std::size_t{2}, std::numeric_limits<std::size_t>::max()));
+  }
+  declare_pub(app, options);
+}
+
+}  // namespace tocsin::topic_tool

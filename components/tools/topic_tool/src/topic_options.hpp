@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "graph_text.hpp"
+#include "message_yaml.hpp"
+#include "runtime/middleware/host_bus.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace tocsin::topic_tool {
+
+/// What a person said after `tocsin topic`.
+struct Options {
+  HostChoice host;
+  double spin_s = 2;
+  std::string topic;
+  std::string type;
+  std::string message;
+  ListOptions list;
+  bool verbose = false;
+  EchoOptions echo;
+  bool full_length = false;
+  bool once = false;
+  std::size_t window = 10'000;
+  double rate_hz = 1;
+  int times = 0;
+  int wait_readers = -1;
+  std::string reliability = "reliable";
+  std::string durability = "volatile";
+};
+
+/// Declares the verbs and their options.
+void declare(CLI::App& app, Options& options);
+
+}  // namespace tocsin::topic_tool

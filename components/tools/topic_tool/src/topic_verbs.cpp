@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "topic_verbs.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "foundation/error.hpp"
+#include "header_stamp.hpp"
+#include "meters.hpp"
+#include "ros_names.hpp"
+#include "topic_session.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+constexpr Duration for_ever = std::chrono::hours(24 * 365);
+constexpr Duration second = std::chrono::seconds(1);
+
+/// Names may come with or without the slash in front.
+std::string absolute(const std::string& topic) {
+  return !topic.empty() && topic.front() == '/' ? topic : "/" + topic;
+}
+
+std::shared_ptr<void> decoded(const TypeInfo& type, const RawSample& sample) {
+  auto message = type.create();
+  return type.deserialize(sample.bytes->data(), sample.bytes->size(), message.get()) ? message
+                                                                                     : nullptr;
+}
+
+int list(const Options& options) {
+  const TopicSession session(options.host, options.spin_s);
+  std::printf("%s", list_text(session.ends(), options.list).c_str());
+  return 0;
+}
+
+int info(const Options& options) {
+  const TopicSession session(options.host, options.spin_s);
+  (void)session.find(absolute(options.topic));
+  std::printf("%s", info_text(session.ends(), absolute(options.topic), options.verbose).c_str());
+  return 0;
+}
+
+int type(const Options& options) {
+  const TopicSession session(options.host, options.spin_s);
+  (void)session.find(absolute(options.topic));
+  for (const std::string& one : types_of(session.ends(), absolute(options.topic))) {
+    std::printf("%s\n", one.c_str());
+  }
+  return 0;
+}
+
+int find(const Options& options) {
+  const std::string wanted = ros_type(wire_type(options.type));
+  const TopicSession session(options.host, options.spin_s);
+  for (const std::string& one : topics_of_type(session.ends(), wanted)) {
+    std::printf("%s\n", one.c_str());
+  }
+  return 0;
+}
+
+int echo(const Options& options) {
+  TopicSession session(options.host, options.spin_s);
+  const RawTopic topic = session.find(absolute(options.topic));
+  const TypeInfo& known = known_type(topic.type);
+  EchoOptions shown = options.echo;
+  if (options.full_length) shown.longest = 0;
+  (void)to_yaml(known, known.create().get(), shown);  // refuses a field that it has not
+  SampleQueue samples(session.graph(), topic);
+  while (const auto sample = samples.take(for_ever)) {
+    const auto message = decoded(known, *sample);
+    if (!message) {
+      std::fprintf(stderr, "a sample of %zu bytes is no %s\n", sample->bytes->size(),
+                   ros_type(topic.type).c_str());
+      continue;
+    }
+    std::printf("%s---\n", to_yaml(known, message.get(), shown).c_str());
+    std::fflush(stdout);
+    if (options.once) break;
+  }
+  return 0;
+}
+
+/// Calls `add` with each sample and prints what `text` says, once a second.
+int measure(const Options& options, const std::function<void(const RawTopic&)>& begin,
+            const std::function<void(const RawSample&)>& add,
+            const std::function<std::string(Time)>& text) {
+  TopicSession session(options.host, options.spin_s);
+  const RawTopic topic = session.find(absolute(options.topic));
+  begin(topic);
+  SampleQueue samples(session.graph(), topic);
+  Time next = std::chrono::steady_clock::now() + second;
+  while (!TopicSession::is_over()) {
+    const Time now = std::chrono::steady_clock::now();
+    if (now >= next) {
+      std::printf("%s", text(now).c_str());
+      std::fflush(stdout);
+      next += second;
+      continue;
+    }
+    if (const auto sample = samples.take(next - now)) add(*sample);
+  }
+  return 0;
+}
+
+int hz(const Options& options) {
+  RateMeter meter(options.window);
+  return measure(
+      options, [](const RawTopic&) {}, [&](const RawSample& one) { meter.add(one.received); },
+      [&](Time) { return meter.text(); });
+}
+
+int bw(const Options& options) {
+  BandwidthMeter meter(options.window);
+  return measure(
+      options,
+      [&](const RawTopic&) {
+        std::printf("Subscribed to [%s]\n", absolute(options.topic).c_str());
+      },
+      [&](const RawSample& one) { meter.add(one.bytes->size(), one.received); },
+      [&](Time now) { return meter.text(now); });
+}
+
+std::int64_t wall_now_ns() {
+  return std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+int delay(const Options& options) {
+  DelayMeter meter(options.window);
+  const TypeInfo* known = nullptr;
+  return measure(
+      options,
+      [&](const RawTopic& topic) {
+        known = &known_type(topic.type);
+        if (header_stamp_ns(*known, known->create().get())) return;
+        throw ConfigError(ros_type(topic.type) + " has no header with a stamp");
+      },
+      [&](const RawSample& one) {
+        const auto message = decoded(*known, one);
+        const auto stamp = message ? header_stamp_ns(*known, message.get()) : std::nullopt;
+        if (stamp) meter.add(static_cast<double>(wall_now_ns() - *stamp) * 1e-9);
+      },
+      [&](Time) { return meter.text(); });
+}
+
+std::vector<std::uint8_t> encoded(const TypeInfo& type, const void* message) {
+  std::vector<std::uint8_t> bytes(type.serialized_size(message));
+  bytes.resize(type.serialize(message, bytes.data(), bytes.size()));
+  return bytes;
+}
+
+/// With --once and --times a reader is waited for, as the sample is lost without one.
+void wait_for_readers(const RawWriting& writing, int wanted) {
+  if (writing.readers() >= wanted) return;
+  std::printf("Waiting for at least %d matching subscription(s)...\n", wanted);
+  std::fflush(stdout);
+  while (writing.readers() < wanted && !TopicSession::is_over()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+int pub(const Options& options) {
+  const TypeInfo& known = known_type(wire_type(options.type));
+  const auto message = from_yaml(known, options.message);
+  const auto bytes = encoded(known, message.get());
+  TopicSession session(options.host, options.spin_s);
+  const RawTopic topic{wire_topic(options.topic), known.name, options.reliability == "reliable",
+                       options.durability == "transient_local"};
+  const auto writing = session.graph().write(topic);
+  const int times = options.once ? 1 : options.times;
+  wait_for_readers(*writing,
+                   options.wait_readers >= 0 ? options.wait_readers : (times > 0 ? 1 : 0));
+  const std::string text = to_yaml(known, message.get(), {});
+  std::printf("publisher: beginning loop\n");
+  for (int count = 1; !TopicSession::is_over(); ++count) {
+    if (!writing->write(bytes)) throw EnvironmentError("the middleware refused the message");
+    std::printf("publishing #%d:\n%s\n", count, text.c_str());
+    std::fflush(stdout);
+    if (count == times) break;
+    const Time due = std::chrono::steady_clock::now() + seconds(1 / options.rate_hz);
+    while (std::chrono::steady_clock::now() < due && !TopicSession::is_over()) {
+      std::this_thread::sleep_for(std::min<Duration>(std::chrono::milliseconds(50),
+                                                     due - std::chrono::steady_clock::now()));
+    }
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // the last one has to leave
+  return 0;
+}
+
+}  // namespace
+
+int run_verb(const std::string& verb, const Options& options) {
+  using Verb = int (*)(const Options&);
+  static const std::map<std::string, Verb> verbs{{"list", list}, {"info", info},   {"type", type},
+                                                 {"find", find}, {"echo", echo},   {"hz", hz},
+                                                 {"bw", bw},     {"delay", delay}, {"pub", pub}};
+  return verbs.at(verb)(options);
+}
+
+}  // namespace tocsin::topic_tool

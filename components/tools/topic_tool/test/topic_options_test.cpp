@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "topic_options.hpp"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+
+namespace tocsin::topic_tool {
+namespace {
+
+/// What a command line means.
+struct Parsed {
+  explicit Parsed(const std::string& line) {
+    declare(app, options);
+    try {
+      app.parse(line);
+      verb = app.get_subcommands().front()->get_name();
+    } catch (const CLI::ParseError& error) {
+      refused = error.what();
+    }
+  }
+  CLI::App app{"test"};
+  Options options;
+  std::string verb;
+  std::string refused;
+};
+
+TEST(TopicOptions, NeedAVerbThatExists) {
+  EXPECT_FALSE(Parsed("").refused.empty());
+  EXPECT_FALSE(Parsed("eco /chatter").refused.empty());
+  for (const char* verb : {"info", "type", "echo", "hz", "bw", "delay"}) {
+    EXPECT_FALSE(Parsed(verb).refused.empty()) << verb << " without a topic";
+    const Parsed sut(std::string(verb) + " /chatter");
+    EXPECT_EQ(sut.refused, "");
+    EXPECT_EQ(sut.verb, verb);
+    EXPECT_EQ(sut.options.topic, "/chatter");
+  }
+}
+
+TEST(TopicOptions, ChooseAHostInEveryVerb) {
+  for (const char* line : {"list", "info /x", "type /x", "find a/b", "echo /x", "hz /x", "bw /x",
+                           "delay /x", "pub /x a/b"}) {
+    const Parsed sut(std::string(line) + " --domain 7 --run-dir runs/1 --host /gcs");
+    EXPECT_EQ(sut.refused, "") << line;
+    EXPECT_EQ(sut.options.host.domain, 7);
+    EXPECT_EQ(sut.options.host.run_dir, "runs/1");
+    EXPECT_EQ(sut.options.host.host, "gcs");
+  }
+  EXPECT_FALSE(Parsed("list --domain 232").refused.empty());
+}
+
+TEST(TopicOptions, OfListAreThoseOfRos2) {
+  const Parsed all("list -t -c -v --include-hidden-topics --spin-time 0.5");
+  EXPECT_TRUE(all.options.list.types);
+  EXPECT_TRUE(all.options.list.count);
+  EXPECT_TRUE(all.options.list.verbose);
+  EXPECT_TRUE(all.options.list.hidden);
+  EXPECT_EQ(all.options.spin_s, 0.5);
+  EXPECT_FALSE(Parsed("list").options.list.types);
+}
+
+TEST(TopicOptions, OfEchoAreThoseOfRos2) {
+  const Parsed sut("echo /x --field a.b -l 5 --no-arr --no-str --once");
+  EXPECT_EQ(sut.options.echo.field, "a.b");
+  EXPECT_EQ(sut.options.echo.longest, 5U);
+  EXPECT_TRUE(sut.options.echo.no_lists);
+  EXPECT_TRUE(sut.options.echo.no_texts);
+  EXPECT_TRUE(sut.options.once);
+  EXPECT_EQ(Parsed("echo /x").options.echo.longest, 128U);
+  EXPECT_TRUE(Parsed("echo /x -f").options.full_length);
+}
+
+TEST(TopicOptions, OfPubAreThoseOfRos2) {
+  const Parsed sut("pub /x std_msgs/msg/String \"{data: hi}\" -r 5 -t 3 -w 2");
+  EXPECT_EQ(sut.refused, "");
+  EXPECT_EQ(sut.options.type, "std_msgs/msg/String");
+  EXPECT_EQ(sut.options.message, "{data: hi}");
+  EXPECT_EQ(sut.options.rate_hz, 5);
+  EXPECT_EQ(sut.options.times, 3);
+  EXPECT_EQ(sut.options.wait_readers, 2);
+  EXPECT_EQ(sut.options.reliability, "reliable");
+  EXPECT_EQ(Parsed("pub /x a/b --qos-durability transient_local").options.durability,
+            "transient_local");
+  EXPECT_FALSE(Parsed("pub /x").refused.empty()) << "without a type";
+  EXPECT_FALSE(Parsed("pub /x a/b -1 -t 3").refused.empty()) << "once and three times";
+  EXPECT_FALSE(Parsed("pub /x a/b -r 0").refused.empty());
+  EXPECT_FALSE(Parsed("pub /x a/b -t 0").refused.empty());
+  EXPECT_FALSE(Parsed("pub /x a/b --qos-reliability sure").refused.empty());
+}
+
+TEST(TopicOptions, AWindowHoldsTwoSamplesAtLeast) {
+  EXPECT_EQ(Parsed("hz /x -w 2").options.window, 2U);
+  EXPECT_EQ(Parsed("bw /x").options.window, 10'000U);
+  EXPECT_FALSE(Parsed("hz /x -w 1").refused.empty());
+}
+
+}  // namespace
+}  // namespace tocsin::topic_tool
