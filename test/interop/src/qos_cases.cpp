@@ -25,14 +25,15 @@ void cross(std::vector<Case>& all, const std::string& policy,
 /// repairs.
 std::vector<QosContract> reliabilities_and_durabilities() {
   std::vector<QosContract> values(3);
-  values[0].reliability = "best_effort";
-  values[2].durability = "transient_local";
+  values[0].reliability = Reliability::best_effort;
+  values[2].durability = Durability::transient_local;
   return values;
 }
 
 std::vector<QosContract> livelinesses() {
   std::vector<QosContract> values;
-  for (const char* const kind : {"automatic", "manual_by_participant", "manual_by_topic"}) {
+  for (const Liveliness kind :
+       {Liveliness::automatic, Liveliness::manual_by_participant, Liveliness::manual_by_topic}) {
     for (const double lease_s : {inf, 20.0, 10.0}) {
       values.emplace_back();
       values.back().liveliness = kind;
@@ -53,7 +54,7 @@ std::vector<Case> all_cases() {
   deadlines[2].deadline_s = 10;
   cross(all, "deadline", deadlines);
   std::vector<QosContract> ownerships(2);
-  ownerships[1].ownership = "exclusive";
+  ownerships[1].ownership = Ownership::exclusive;
   cross(all, "ownership", ownerships);
   std::vector<QosContract> partitions(4);
   partitions[1].partition = {"a"};
@@ -96,10 +97,10 @@ bool share_a_partition(std::vector<std::string> one, std::vector<std::string> ot
 }  // namespace
 
 bool fits(const QosContract& offered, const QosContract& requested) {
-  return rank(offered.reliability) >= rank(requested.reliability) &&
-         rank(offered.durability) >= rank(requested.durability) &&
+  return rank(word_of(offered.reliability)) >= rank(word_of(requested.reliability)) &&
+         rank(word_of(offered.durability)) >= rank(word_of(requested.durability)) &&
          offered.deadline_s <= requested.deadline_s &&
-         rank(offered.liveliness) >= rank(requested.liveliness) &&
+         rank(word_of(offered.liveliness)) >= rank(word_of(requested.liveliness)) &&
          offered.liveliness_lease_s <= requested.liveliness_lease_s &&
          offered.ownership == requested.ownership &&
          share_a_partition(offered.partition, requested.partition);
@@ -107,8 +108,9 @@ bool fits(const QosContract& offered, const QosContract& requested) {
 
 std::string profile(const std::string& name, const QosContract& qos) {
   std::ostringstream text;
-  text << name << ": {reliability: " << qos.reliability << ", durability: " << qos.durability
-       << ", liveliness: " << qos.liveliness << ", ownership: " << qos.ownership;
+  text << name << ": {reliability: " << word_of(qos.reliability)
+       << ", durability: " << word_of(qos.durability) << ", liveliness: " << word_of(qos.liveliness)
+       << ", ownership: " << word_of(qos.ownership);
   if (std::isfinite(qos.deadline_s)) text << ", deadline_s: " << qos.deadline_s;
   if (std::isfinite(qos.liveliness_lease_s)) {
     text << ", liveliness_lease_s: " << qos.liveliness_lease_s;

@@ -32,9 +32,9 @@ dds_duration_t duration_of(double s) {
 }
 
 dds_liveliness_kind_t liveliness_of(const QosContract& contract) {
-  if (contract.liveliness == "automatic") return DDS_LIVELINESS_AUTOMATIC;
-  return contract.liveliness == "manual_by_topic" ? DDS_LIVELINESS_MANUAL_BY_TOPIC
-                                                  : DDS_LIVELINESS_MANUAL_BY_PARTICIPANT;
+  if (contract.liveliness == Liveliness::automatic) return DDS_LIVELINESS_AUTOMATIC;
+  return contract.liveliness == Liveliness::manual_by_topic ? DDS_LIVELINESS_MANUAL_BY_TOPIC
+                                                            : DDS_LIVELINESS_MANUAL_BY_PARTICIPANT;
 }
 
 CycloneParticipant::Qos qos_of(const QosContract& contract) {
@@ -46,8 +46,8 @@ CycloneParticipant::Qos qos_of(const QosContract& contract) {
       qos.get(), contract.keeps_last() ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
   dds_qset_deadline(qos.get(), duration_of(contract.deadline_s));
   dds_qset_liveliness(qos.get(), liveliness_of(contract), duration_of(contract.liveliness_lease_s));
-  dds_qset_ownership(qos.get(), contract.ownership == "exclusive" ? DDS_OWNERSHIP_EXCLUSIVE
-                                                                  : DDS_OWNERSHIP_SHARED);
+  dds_qset_ownership(qos.get(),
+                     contract.exclusive() ? DDS_OWNERSHIP_EXCLUSIVE : DDS_OWNERSHIP_SHARED);
   return qos;
 }
 

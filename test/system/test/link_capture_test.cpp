@@ -129,7 +129,7 @@ void write_large(const std::string& topic) {
   encoded->bytes.resize(type.serialized_size(&message));
   (void)type.serialize(&message, encoded->bytes.data(), encoded->bytes.size());
   QosProfile profile;
-  profile.reliability = "best_effort";
+  profile.reliability = Reliability::best_effort;
   FlowWriter writer(participant, topic, type.name, profile, [](const auto&) {});
   CarriedSample sample;
   sample.content = encoded;

@@ -4,13 +4,13 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstring>
 
+#include "foundation/child_process.hpp"
 #include "foundation/error.hpp"
 #include "foundation/file_descriptor.hpp"
 
@@ -78,13 +78,6 @@ std::string read_all(const FileDescriptor& source) {
   }
 }
 
-int wait_for(pid_t child) {
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
 }  // namespace
 
 Ended run_to_end(const std::vector<std::string>& command, const ProgramInput& input) {
@@ -96,7 +89,7 @@ Ended run_to_end(const std::vector<std::string>& command, const ProgramInput& in
   writing.reset();
   Ended ended;
   ended.output = read_all(reading);
-  ended.code = wait_for(child);
+  ended.code = wait_for_child(child);
   return ended;
 }
 

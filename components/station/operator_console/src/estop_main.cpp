@@ -49,7 +49,8 @@ int give(const EstopTarget& target, const Params& params) {
   return *code;
 }
 
-/// Each in a process of its own, as each has a network of its own; the greatest exit code.
+/// Each in a process of its own, as each has a network of its own, which a process enters before it
+/// has threads: a fork without a program. The greatest exit code.
 int give_all(const std::vector<EstopTarget>& targets, const Params& params) {
   if (targets.size() == 1) return give(targets.front(), params);
   for (const EstopTarget& target : targets) {

@@ -2,14 +2,11 @@
 #include "running_system.hpp"
 
 #include <signal.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -17,6 +14,7 @@
 #include "command_line/host_option.hpp"
 #include "command_line/programs.hpp"
 #include "deployment/resolved_copy.hpp"
+#include "foundation/child_process.hpp"
 #include "foundation/error.hpp"
 #include "foundation/role.hpp"
 #include "foundation/yaml_file.hpp"
@@ -42,27 +40,10 @@ std::shared_ptr<const YAML::Node> parameters_of(const Guest& guest, YamlSources&
   return node;
 }
 
-/// Becomes the process; only async-signal-safe calls between fork and here.
-[[noreturn]] void become(const std::vector<std::string>& command) {
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  ::signal(SIGINT, SIG_DFL);
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  ::execv(words[0], words.data());
-  ::_exit(127);
-}
-
 /// Ctrl-C reaches both; the child ends by it, and then this program.
 int run_and_wait(const std::vector<std::string>& command) {
   ::signal(SIGINT, SIG_IGN);
-  const pid_t child = ::fork();
-  if (child < 0) throw EnvironmentError("cannot start a process: fork failed");
-  if (child == 0) become(command);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return wait_for_child(start_child({command}).pid);
 }
 
 bool is_wanted(const deployment::RunningHost& host, const JoinOptions& options) {

@@ -49,7 +49,8 @@ void Journal::process_line(const std::string& name, const std::string& text) {
   const std::string line = shown(text);
   append(log, line);
   if (!show_) return;
-  std::printf("%s\n", prefixed(name, line, colours_ ? log.colour : -1).c_str());
+  std::printf("%s\n",
+              prefixed(name, line, colours_ ? std::optional(log.colour) : std::nullopt).c_str());
   std::fflush(stdout);
 }
 

@@ -18,9 +18,9 @@ std::vector<std::string> LineSplitter::feed(std::string_view bytes) {
 
 std::string LineSplitter::rest() { return std::exchange(partial_, {}); }
 
-std::string prefixed(const std::string& name, const std::string& text, int colour) {
-  if (colour < 0) return "[" + name + "] " + text;
-  const std::string code = std::to_string(31 + colour % 6);  // ANSI red to cyan
+std::string prefixed(const std::string& name, const std::string& text, std::optional<int> colour) {
+  if (!colour) return "[" + name + "] " + text;
+  const std::string code = std::to_string(31 + *colour % 6);  // ANSI red to cyan
   return "\033[" + code + "m[" + name + "]\033[0m " + text;
 }
 

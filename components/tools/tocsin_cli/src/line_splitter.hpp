@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +24,8 @@ class LineSplitter {
   std::string partial_;
 };
 
-/// `[name] text`, the name in one of six colours chosen by `colour`; plain when it is negative.
-[[nodiscard]] std::string prefixed(const std::string& name, const std::string& text, int colour);
+/// `[name] text`, the name in one of six colours chosen by `colour`; plain without.
+[[nodiscard]] std::string prefixed(const std::string& name, const std::string& text,
+                                   std::optional<int> colour);
 
 }  // namespace tocsin::cli

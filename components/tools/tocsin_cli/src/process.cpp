@@ -13,7 +13,9 @@ Process::Process(ProcessSpec spec, const deployment::RestartPolicy& policy, Jour
     : spec_(std::move(spec)), rule_(policy), journal_(journal) {}
 
 void Process::start(std::optional<int> network, const std::vector<int>& inherited, Time now) {
-  child_ = start_child({spec_.command, network, inherited, spec_.terminal});
+  using Streams = ChildSetup::Streams;
+  child_ = start_child({spec_.command, spec_.terminal ? Streams::errors_piped : Streams::piped,
+                        SIGKILL, network, inherited});
   rule_.on_start(now);
   start_at_ = never;
 }

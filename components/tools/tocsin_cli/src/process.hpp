@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "child.hpp"
 #include "command_line/launch_plan.hpp"
+#include "foundation/child_process.hpp"
 #include "journal.hpp"
 #include "line_splitter.hpp"
 #include "restart_rule.hpp"

@@ -48,7 +48,7 @@ TEST(LineSplitter, CutsLinesOfMoreThan8192Bytes) {
 }
 
 TEST(Prefix, NamesTheProcess) {
-  EXPECT_EQ(prefixed("uxv/drive", "hello", -1), "[uxv/drive] hello");
+  EXPECT_EQ(prefixed("uxv/drive", "hello", std::nullopt), "[uxv/drive] hello");
 }
 
 TEST(Prefix, ColoursTheNameOnly) {

@@ -77,10 +77,11 @@ std::string end_text(const GraphEnd& end) {
       "  Reliability: {}\n  History (Depth): UNKNOWN\n  Durability: {}\n  Lifespan: {}\n"
       "  Deadline: {}\n  Liveliness: {}\n  Liveliness lease duration: {}\nUser data: {}\n",
       printable(end.participant), printable(ros_type(end.type)),
-      end.writer ? "PUBLISHER" : "SUBSCRIPTION", gid_text(end.gid), upper(end.qos.reliability),
-      upper(end.qos.durability), seconds_text(end.writer ? end.lifespan_s : HUGE_VAL),
-      seconds_text(end.qos.deadline_s), upper(end.qos.liveliness),
-      seconds_text(end.qos.liveliness_lease_s), printable(end.user_data));
+      end.writer ? "PUBLISHER" : "SUBSCRIPTION", gid_text(end.gid),
+      upper(word_of(end.qos.reliability)), upper(word_of(end.qos.durability)),
+      seconds_text(end.writer ? end.lifespan_s : HUGE_VAL), seconds_text(end.qos.deadline_s),
+      upper(word_of(end.qos.liveliness)), seconds_text(end.qos.liveliness_lease_s),
+      printable(end.user_data));
 }
 
 std::string ends_text(const std::vector<const GraphEnd*>& ends, bool verbose) {
@@ -153,9 +154,10 @@ RawTopic readable(const std::vector<GraphEnd>& ends, const std::string& ros_topi
   RawTopic readable;
   readable.name = wire_topic(ros_topic);
   readable.type = (writers.empty() ? topic.readers : writers).front()->type;
-  readable.reliable = all([](const auto* end) { return end->qos.reliability == "reliable"; });
-  readable.transient_local =
-      readable.reliable && all([](const auto* end) { return end->qos.durability != "volatile"; });
+  readable.reliable = all([](const auto* end) { return end->qos.reliable(); });
+  readable.transient_local = readable.reliable && all([](const auto* end) {
+                               return end->qos.durability != Durability::volatile_kind;
+                             });
   return readable;
 }
 

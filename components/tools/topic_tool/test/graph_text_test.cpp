@@ -20,7 +20,7 @@ GraphEnd end(const std::string& topic, bool writer, const std::string& name = "S
   made.participant = "talker";
   made.gid = "01.0f|0.3";
   made.writer = writer;
-  made.qos.reliability = "reliable";
+  made.qos.reliability = Reliability::reliable;
   return made;
 }
 
@@ -58,7 +58,7 @@ TEST(InfoText, CountsBothSides) {
 
 TEST(InfoText, ShowsTheQosOfEachEndWhenItIsVerbose) {
   GraphEnd late = end("rt/state", true);
-  late.qos.durability = "transient_local";
+  late.qos.durability = Durability::transient_local;
   late.qos.deadline_s = 0.5;
   late.lifespan_s = 5;
   const std::string sut = info_text({late}, "/state", true);
@@ -71,7 +71,7 @@ TEST(InfoText, ShowsTheQosOfEachEndWhenItIsVerbose) {
 
 TEST(InfoText, SaysWhatAReaderRequestsAndThatItHasNoLifespan) {
   GraphEnd reader = end("rt/state", false);
-  reader.qos.reliability = "best_effort";
+  reader.qos.reliability = Reliability::best_effort;
   reader.qos.liveliness_lease_s = 2;
   reader.lifespan_s = 5;
   const std::string sut = info_text({reader}, "/state", true);
@@ -92,11 +92,11 @@ TEST(Types, OfATopicAndTopicsOfAType) {
 
 TEST(Readable, IsWhatAllWritersOffer) {
   GraphEnd reliable = end("rt/x", true);
-  reliable.qos.durability = "transient_local";
+  reliable.qos.durability = Durability::transient_local;
   EXPECT_TRUE(readable({reliable}, "/x").reliable);
   EXPECT_TRUE(readable({reliable}, "/x").transient_local);
   GraphEnd best_effort = end("rt/x", true);
-  best_effort.qos.reliability = "best_effort";
+  best_effort.qos.reliability = Reliability::best_effort;
   EXPECT_FALSE(readable({reliable, best_effort}, "/x").reliable);
   EXPECT_FALSE(readable({reliable, best_effort}, "/x").transient_local);
   EXPECT_FALSE(readable({end("rt/x", false)}, "/x").reliable) << "writers are to come";

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <optional>
 
 #include "command_line/command.hpp"
 #include "command_line/host_option.hpp"
@@ -23,7 +24,7 @@ struct Options {
   std::string run_dir = ".";
   std::string qos;
   std::string traffic;
-  int domain = -1;
+  std::optional<int> domain;
   std::vector<std::string> set;
 };
 
@@ -54,7 +55,7 @@ deployment::Deployment deployment_of(const Options& options) {
   deployment::Host host;
   host.name = options.role;
   host.role = role_of(options.role).value();
-  host.local_domain = options.domain >= 0 ? options.domain : default_domain();
+  host.local_domain = options.domain ? *options.domain : default_domain();
   deployment.hosts.push_back(std::move(host));
   return deployment;
 }

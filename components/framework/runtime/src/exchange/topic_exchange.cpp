@@ -10,7 +10,7 @@ namespace {
 
 QosProfile keeping_last(bool keeps_last) {
   QosProfile qos;
-  if (keeps_last) qos.durability = "transient_local";
+  if (keeps_last) qos.durability = Durability::transient_local;
   return qos;
 }
 

@@ -21,26 +21,25 @@ double seconds_of(const eprosima::fastrtps::Duration_t& duration) {
   return duration.seconds + duration.nanosec * 1e-9;
 }
 
-/// The name of a kind; the last one for a number that no specification knows.
-template <std::size_t count>
-const char* name_of(const std::array<const char*, count>& names, int kind) {
-  return names[std::min(static_cast<std::size_t>(kind), count - 1)];
+/// DDS numbers its kinds as our enums do; the last one for a number that no specification knows.
+template <class Enum>
+Enum kind_of(int number) {
+  constexpr std::size_t last = words_of(Enum{}).size() - 1;
+  return static_cast<Enum>(std::min(static_cast<std::size_t>(number), last));
 }
 
 /// What an end offers or requests, in the words of a QoS profile.
 template <class Qos>
 QosContract contract_of(const Qos& qos) {
-  constexpr std::array durabilities{"volatile", "transient_local", "transient", "persistent"};
-  constexpr std::array kinds{"automatic", "manual_by_participant", "manual_by_topic"};
   const bool reliable = qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS;
   const bool exclusive = qos.m_ownership.kind == dds::EXCLUSIVE_OWNERSHIP_QOS;
   QosContract contract;
-  contract.reliability = reliable ? "reliable" : "best_effort";
-  contract.durability = name_of(durabilities, qos.m_durability.kind);
+  contract.reliability = reliable ? Reliability::reliable : Reliability::best_effort;
+  contract.durability = kind_of<Durability>(qos.m_durability.kind);
   contract.deadline_s = seconds_of(qos.m_deadline.period);
-  contract.liveliness = name_of(kinds, qos.m_liveliness.kind);
+  contract.liveliness = kind_of<Liveliness>(qos.m_liveliness.kind);
   contract.liveliness_lease_s = seconds_of(qos.m_liveliness.lease_duration);
-  contract.ownership = exclusive ? "exclusive" : "shared";
+  contract.ownership = exclusive ? Ownership::exclusive : Ownership::shared;
   contract.partition = qos.m_partition.getNames();
   return contract;
 }

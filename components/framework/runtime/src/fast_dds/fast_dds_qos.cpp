@@ -13,15 +13,16 @@ namespace rtps = eprosima::fastrtps::rtps;
 using Scheduler = eprosima::fastdds::rtps::FlowControllerSchedulerPolicy;
 
 dds::LivelinessQosPolicyKind liveliness_kind(const QosProfile& profile) {
-  if (profile.liveliness == "manual_by_topic") return dds::MANUAL_BY_TOPIC_LIVELINESS_QOS;
-  return profile.liveliness == "automatic" ? dds::AUTOMATIC_LIVELINESS_QOS
-                                           : dds::MANUAL_BY_PARTICIPANT_LIVELINESS_QOS;
+  if (profile.liveliness == Liveliness::manual_by_topic) return dds::MANUAL_BY_TOPIC_LIVELINESS_QOS;
+  return profile.liveliness == Liveliness::automatic ? dds::AUTOMATIC_LIVELINESS_QOS
+                                                     : dds::MANUAL_BY_PARTICIPANT_LIVELINESS_QOS;
 }
 
 rtps::MemoryManagementPolicy_t memory_policy(const QosProfile& profile) {
-  if (profile.memory_policy == "dynamic") return rtps::DYNAMIC_RESERVE_MEMORY_MODE;
-  return profile.memory_policy == "dynamic_reusable" ? rtps::DYNAMIC_REUSABLE_MEMORY_MODE
-                                                     : rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  if (profile.memory_policy == MemoryPolicy::dynamic) return rtps::DYNAMIC_RESERVE_MEMORY_MODE;
+  return profile.memory_policy == MemoryPolicy::dynamic_reusable
+             ? rtps::DYNAMIC_REUSABLE_MEMORY_MODE
+             : rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
 }
 
 template <class Qos>
@@ -59,8 +60,8 @@ void apply_contract(const QosProfile& profile, Qos& qos) {
 
 void apply_publishing(const QosProfile& profile, dds::DataWriterQos& qos) {
   const bool asynchronous =
-      profile.publish_mode == "asynchronous" ||
-      (profile.publish_mode == "automatic" && !profile.flow_controller.empty());
+      profile.publish_mode == PublishMode::asynchronous ||
+      (profile.publish_mode == PublishMode::automatic && !profile.flow_controller.empty());
   qos.publish_mode().kind =
       asynchronous ? dds::ASYNCHRONOUS_PUBLISH_MODE : dds::SYNCHRONOUS_PUBLISH_MODE;
   if (profile.flow_controller.empty()) return;

@@ -26,8 +26,8 @@ std::string host_in(const std::string& participant) {
 /// What a flow's writer offers on the host.
 QosProfile offered(const Flow& flow) {
   QosProfile profile;
-  profile.reliability = flow.reliable ? "reliable" : "best_effort";
-  profile.durability = flow.transient_local ? "transient_local" : "volatile";
+  profile.reliability = flow.reliable ? Reliability::reliable : Reliability::best_effort;
+  profile.durability = flow.transient_local ? Durability::transient_local : Durability::volatile_kind;
   profile.depth = flow.depth;
   profile.lifespan_s = flow.lifespan_s;
   profile.user_data = flow.user_data;
@@ -37,8 +37,8 @@ QosProfile offered(const Flow& flow) {
 /// On the link each sample is sent once, when the router says so.
 QosProfile offered_on_link(const Flow& flow) {
   QosProfile profile;
-  profile.reliability = "best_effort";
-  profile.publish_mode = "synchronous";
+  profile.reliability = Reliability::best_effort;
+  profile.publish_mode = PublishMode::synchronous;
   profile.user_data = announcement_of(flow);
   return profile;
 }

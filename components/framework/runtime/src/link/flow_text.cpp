@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "runtime/middleware/qos_policies.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -34,9 +36,11 @@ std::optional<Words> words_in(const std::string& text) {
 std::string announcement_of(const Flow& flow) {
   const bool separate = !flow.user_data.empty() && flow.user_data.back() != ';';
   return flow.user_data + (separate ? ";" : "") +
-         fmt::format("{}{},{},{},{};", flow_key, flow.reliable ? "reliable" : "best_effort",
-                     flow.transient_local ? "transient_local" : "volatile", flow.depth,
-                     flow.lifespan_s);
+         fmt::format(
+             "{}{},{},{},{};", flow_key,
+             word_of(flow.reliable ? Reliability::reliable : Reliability::best_effort),
+             word_of(flow.transient_local ? Durability::transient_local : Durability::volatile_kind),
+             flow.depth, flow.lifespan_s);
 }
 
 void read_announcement(Flow& flow) {
@@ -47,8 +51,8 @@ void read_announcement(Flow& flow) {
       words_in(flow.user_data.substr(at + flow_key.size(), end - at - flow_key.size()));
   flow.user_data.erase(at, end - at + 1);
   if (!words) return;
-  flow.reliable = words->reliability == std::string("reliable");
-  flow.transient_local = words->durability == std::string("transient_local");
+  flow.reliable = value_of<Reliability>(words->reliability) == Reliability::reliable;
+  flow.transient_local = value_of<Durability>(words->durability) == Durability::transient_local;
   flow.depth = words->depth;
   flow.lifespan_s = words->lifespan_s;
 }

@@ -27,8 +27,9 @@ std::string text_of(const RemoteEnds::Guid& guid) {
 
 QosProfile profile_of(const RawTopic& topic) {
   QosProfile profile;
-  profile.reliability = topic.reliable ? "reliable" : "best_effort";
-  profile.durability = topic.transient_local ? "transient_local" : "volatile";
+  profile.reliability = topic.reliable ? Reliability::reliable : Reliability::best_effort;
+  profile.durability =
+      topic.transient_local ? Durability::transient_local : Durability::volatile_kind;
   profile.depth = topic.transient_local ? 1 : writer_depth;
   return profile;
 }

@@ -4,26 +4,13 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <map>
 
 namespace tocsin {
 namespace {
 
 constexpr int keep_all_room = 1000;
-
-int rank(const std::string& liveliness) {
-  return liveliness == "automatic" ? 0 : liveliness == "manual_by_participant" ? 1 : 2;
-}
-
-/// The kinds of durability, weakest first; other vendors and ROS 2 nodes may ask for all of them.
-std::size_t durability_rank(const std::string& durability) {
-  constexpr std::array kinds{"volatile", "transient_local", "transient", "persistent"};
-  const auto* const found = std::find(kinds.begin(), kinds.end(), durability);
-  return static_cast<std::size_t>(found - kinds.begin());
-}
 
 bool name_matches(const std::string& a, const std::string& b) {
   return fnmatch(a.c_str(), b.c_str(), 0) == 0 || fnmatch(b.c_str(), a.c_str(), 0) == 0;
@@ -69,7 +56,7 @@ std::optional<QosConflict> thinning_conflict(const QosProfile& qos) {
 }
 
 std::optional<QosConflict> writer_conflict(const QosProfile& qos) {
-  if (!qos.flow_controller.empty() && qos.publish_mode == "synchronous") {
+  if (!qos.flow_controller.empty() && qos.publish_mode == PublishMode::synchronous) {
     return QosConflict{"flow_controller", "needs publish_mode: asynchronous or automatic"};
   }
   if (qos.ownership_strength != 0 && !qos.exclusive()) {
@@ -91,12 +78,12 @@ int QosHistory::room() const {
 
 QosProfile requested(const TopicInfo& topic, QosProfile offered) {
   const bool everything = topic.requests == Requests::profile;
-  if (!everything || offered.requested_reliability == "best_effort") {
-    offered.reliability = "best_effort";
+  if (!everything || offered.requested_reliability == RequestedReliability::best_effort) {
+    offered.reliability = Reliability::best_effort;
   }
   if (everything) return offered;
   const QosContract least;
-  offered.durability = "volatile";
+  offered.durability = Durability::volatile_kind;
   offered.deadline_s = least.deadline_s;
   offered.liveliness = least.liveliness;
   offered.liveliness_lease_s = least.liveliness_lease_s;
@@ -112,10 +99,9 @@ std::vector<std::string> incompatibilities(const QosContract& offered,
     if (!met) found.emplace_back(policy);
   };
   require(offered.reliable() || !requested.reliable(), "reliability");
-  require(durability_rank(offered.durability) >= durability_rank(requested.durability),
-          "durability");
+  require(offered.durability >= requested.durability, "durability");
   require(offered.deadline_s <= requested.deadline_s, "deadline");
-  require(rank(offered.liveliness) >= rank(requested.liveliness) &&
+  require(offered.liveliness >= requested.liveliness &&
               offered.liveliness_lease_s <= requested.liveliness_lease_s,
           "liveliness");
   require(offered.ownership == requested.ownership, "ownership");

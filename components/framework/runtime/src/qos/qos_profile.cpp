@@ -18,7 +18,10 @@ namespace {
 constexpr int least_period = 256;
 
 /// `topics` of the file; absent keys stay negative, which no range allows in a file.
-struct OverrideParams : TopicOverride {
+/// A value outside of the allowed ones, which no file can give, means that the file gives none.
+struct OverrideParams {
+  double max_rate_hz = -1;
+  double minimum_separation_s = -1;
   template <class Visitor>
   void visit(Visitor& v) {
     constexpr double inf = std::numeric_limits<double>::infinity();
@@ -26,6 +29,10 @@ struct OverrideParams : TopicOverride {
     v("minimum_separation_s", minimum_separation_s, {0, 3600}, "[s] in place of the profile's");
   }
 };
+
+std::optional<double> given(double value) {
+  return value < 0 ? std::nullopt : std::optional(value);
+}
 
 const YAML::Node& need_map(const YAML::Node& node, const std::string& owner,
                            const YamlSources& sources) {
@@ -72,9 +79,10 @@ QosProfiles::QosProfiles() : path_("the built-in profiles") {
   add("stream", 1, plain.heartbeat_period_s, 1);
   add("log", 100, plain.heartbeat_period_s, 10);
   for (const char* name : {"sensor", "telemetry", "stream"}) {
-    profiles_[name].requested_reliability = "best_effort";
+    profiles_[name].requested_reliability = RequestedReliability::best_effort;
   }
-  for (const char* name : {"state", "log"}) profiles_[name].durability = "transient_local";
+  for (const char* name : {"state", "log"})
+    profiles_[name].durability = Durability::transient_local;
 }
 
 QosProfiles::QosProfiles(const std::string& path) : path_(path) {
@@ -124,8 +132,9 @@ void QosProfiles::read_overrides(const YAML::Node& node) {
   for (const auto& entry : need_map(node, "topics", sources_)) {
     const std::string name = entry.first.Scalar();
     TopicOverride& own = overrides_[name];
-    own = load_parameters<OverrideParams>(entry.second, "topics." + name, sources_);
-    own.place = yaml_place(sources_, entry.first);
+    const auto read = load_parameters<OverrideParams>(entry.second, "topics." + name, sources_);
+    own = {given(read.max_rate_hz), given(read.minimum_separation_s),
+           yaml_place(sources_, entry.first)};
   }
 }
 
@@ -139,9 +148,8 @@ QosProfile QosProfiles::of(const std::string& profile, const std::string& topic)
   QosProfile qos = found->second;
   const auto own = overrides_.find(topic);
   if (own == overrides_.end()) return qos;
-  if (own->second.max_rate_hz >= 0) qos.max_rate_hz = own->second.max_rate_hz;
-  const double separation_s = own->second.minimum_separation_s;
-  if (separation_s >= 0) qos.minimum_separation_s = separation_s;
+  qos.max_rate_hz = own->second.max_rate_hz.value_or(qos.max_rate_hz);
+  qos.minimum_separation_s = own->second.minimum_separation_s.value_or(qos.minimum_separation_s);
   if (const auto broken = conflict(qos)) {
     throw ConfigError("topics." + topic + "." + broken->policy + ": " + broken->reason +
                       ", with the profile " + profile + own->second.place);

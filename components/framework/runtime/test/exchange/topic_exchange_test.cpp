@@ -42,7 +42,7 @@ class Owner : public Receiver {
 
 QosProfile keeping(int depth) {
   QosProfile qos;
-  qos.durability = "transient_local";
+  qos.durability = Durability::transient_local;
   qos.depth = depth;
   return qos;
 }

@@ -65,14 +65,14 @@ TEST_F(RemoteEndsTest, TheEndsOfAParticipantThatIsGoneAreForgottenAndNoOthers) {
   EXPECT_EQ(sut.other_type(own_reader), "Odom with another layout (unnamed participant)");
 }
 
-AnnouncedEnd with_reliability(AnnouncedEnd end, const char* reliability) {
+AnnouncedEnd with_reliability(AnnouncedEnd end, Reliability reliability) {
   end.qos.reliability = reliability;
   return end;
 }
 
 TEST_F(RemoteEndsTest, AReaderThatRequestsMoreIsNamedToTheWriter) {
-  const AnnouncedEnd best_effort = with_reliability(own_writer, "best_effort");
-  sut.add(guid(7, 1), with_reliability(own_reader, "best_effort"));
+  const AnnouncedEnd best_effort = with_reliability(own_writer, Reliability::best_effort);
+  sut.add(guid(7, 1), with_reliability(own_reader, Reliability::best_effort));
   EXPECT_EQ(sut.misfit(best_effort), "");
   sut.add(guid(7, 2), own_reader);
   EXPECT_EQ(sut.misfit(best_effort), "reliability (gcs_main)");
@@ -80,15 +80,15 @@ TEST_F(RemoteEndsTest, AReaderThatRequestsMoreIsNamedToTheWriter) {
 }
 
 TEST_F(RemoteEndsTest, AWriterThatOffersLessIsNamedToTheReader) {
-  AnnouncedEnd weak = with_reliability(own_writer, "best_effort");
+  AnnouncedEnd weak = with_reliability(own_writer, Reliability::best_effort);
   AnnouncedEnd strict = own_reader;
-  strict.qos.durability = "transient_local";
+  strict.qos.durability = Durability::transient_local;
   sut.add(guid(7, 1), weak);
   EXPECT_EQ(sut.misfit(strict), "reliability, durability (gcs_main)");
 }
 
 TEST_F(RemoteEndsTest, AMisfitThatIsGoneIsForgotten) {
-  const AnnouncedEnd best_effort = with_reliability(own_writer, "best_effort");
+  const AnnouncedEnd best_effort = with_reliability(own_writer, Reliability::best_effort);
   sut.add(guid(7, 1), own_reader);
   sut.remove(guid(7, 1));
   EXPECT_EQ(sut.misfit(best_effort), "");
@@ -98,7 +98,7 @@ TEST_F(RemoteEndsTest, AMisfitThatIsGoneIsForgotten) {
 }
 
 TEST_F(RemoteEndsTest, EndsThatAreNotMeantToMatchAreNoMisfit) {
-  const AnnouncedEnd best_effort = with_reliability(own_writer, "best_effort");
+  const AnnouncedEnd best_effort = with_reliability(own_writer, Reliability::best_effort);
   AnnouncedEnd elsewhere = own_reader;
   elsewhere.qos.partition = {"left"};
   sut.add(guid(7, 1), elsewhere);

@@ -91,8 +91,8 @@ TEST_F(HostGraphTest, KnowsTheEndsOfOthersWithWhatTheyOfferUntilTheyLeave) {
   EXPECT_EQ(end.type, "std_msgs::msg::dds_::String_");
   EXPECT_EQ(end.participant, "test");
   EXPECT_FALSE(end.gid.empty());
-  EXPECT_EQ(end.qos.reliability, "reliable");
-  EXPECT_EQ(end.qos.durability, "transient_local");
+  EXPECT_EQ(end.qos.reliability, Reliability::reliable);
+  EXPECT_EQ(end.qos.durability, Durability::transient_local);
   EXPECT_EQ(end.lifespan_s, 60);
   EXPECT_THAT(end.user_data, HasSubstr("tocsin_layout="));
   EXPECT_FALSE(end_of("rt/state", false));

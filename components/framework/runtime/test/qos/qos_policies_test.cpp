@@ -18,7 +18,7 @@ QosContract with_partition(std::vector<std::string> names) {
   contract.partition = std::move(names);
   return contract;
 }
-QosContract with_liveliness(const char* kind, double lease_s) {
+QosContract with_liveliness(Liveliness kind, double lease_s) {
   QosContract contract;
   contract.liveliness = kind;
   contract.liveliness_lease_s = lease_s;
@@ -35,14 +35,14 @@ TEST(Incompatibilities, AProfileMatchesItself) {
 
 TEST(Incompatibilities, ABestEffortWriterDoesNotSatisfyAReliableReader) {
   QosContract best_effort;
-  best_effort.reliability = "best_effort";
+  best_effort.reliability = Reliability::best_effort;
   EXPECT_THAT(incompatibilities(best_effort, {}), ElementsAre("reliability"));
   EXPECT_THAT(incompatibilities({}, best_effort), IsEmpty());
 }
 
 TEST(Incompatibilities, AVolatileWriterDoesNotSatisfyAReaderOfOldSamples) {
   QosContract keeps;
-  keeps.durability = "transient_local";
+  keeps.durability = Durability::transient_local;
   EXPECT_THAT(incompatibilities({}, keeps), ElementsAre("durability"));
   EXPECT_THAT(incompatibilities(keeps, {}), IsEmpty());
 }
@@ -58,19 +58,19 @@ TEST(Incompatibilities, TheWriterMustPromiseNoLongerDeadlineThanIsRequested) {
 }
 
 TEST(Incompatibilities, LivelinessNeedsAtLeastTheKindAndAtMostTheLease) {
-  const auto automatic = with_liveliness("automatic", 1);
-  const auto by_participant = with_liveliness("manual_by_participant", 1);
-  const auto by_topic = with_liveliness("manual_by_topic", 1);
+  const auto automatic = with_liveliness(Liveliness::automatic, 1);
+  const auto by_participant = with_liveliness(Liveliness::manual_by_participant, 1);
+  const auto by_topic = with_liveliness(Liveliness::manual_by_topic, 1);
   EXPECT_THAT(incompatibilities(by_topic, by_participant), IsEmpty());
   EXPECT_THAT(incompatibilities(by_participant, by_topic), ElementsAre("liveliness"));
   EXPECT_THAT(incompatibilities(automatic, by_participant), ElementsAre("liveliness"));
-  EXPECT_THAT(incompatibilities(with_liveliness("automatic", 1.1), automatic),
+  EXPECT_THAT(incompatibilities(with_liveliness(Liveliness::automatic, 1.1), automatic),
               ElementsAre("liveliness"));
 }
 
 TEST(Incompatibilities, OwnershipMustBeTheSame) {
   QosContract exclusive;
-  exclusive.ownership = "exclusive";
+  exclusive.ownership = Ownership::exclusive;
   EXPECT_THAT(incompatibilities(exclusive, {}), ElementsAre("ownership"));
   EXPECT_THAT(incompatibilities({}, exclusive), ElementsAre("ownership"));
 }
@@ -87,7 +87,7 @@ TEST(Incompatibilities, PartitionsMatchByNameAndWildcardOnEitherSide) {
 
 TEST(Incompatibilities, NamesEveryPolicyThatFails) {
   QosContract strict;
-  strict.durability = "transient_local";
+  strict.durability = Durability::transient_local;
   strict.deadline_s = 1;
   EXPECT_THAT(incompatibilities({}, strict), ElementsAre("durability", "deadline"));
 }
@@ -101,7 +101,7 @@ TEST(QosConflict, MaxSamplesMustHoldTheDepthOfKeepLast) {
   EXPECT_EQ(conflicting(sut), "");
   sut.max_samples = 4;
   EXPECT_EQ(conflicting(sut), "max_samples");
-  sut.history = "keep_all";
+  sut.history = History::keep_all;
   EXPECT_EQ(conflicting(sut), "");
 }
 
@@ -115,9 +115,9 @@ TEST(QosConflict, NoMoreIsAllocatedThanThereIsRoom) {
 
 TEST(QosConflict, OldSamplesNeedRepair) {
   QosProfile sut;
-  sut.durability = "transient_local";
+  sut.durability = Durability::transient_local;
   EXPECT_EQ(conflicting(sut), "");
-  sut.reliability = "best_effort";
+  sut.reliability = Reliability::best_effort;
   EXPECT_EQ(conflicting(sut), "durability");
 }
 
@@ -136,7 +136,7 @@ TEST(QosConflict, ThinningMustLeaveWhatTheDeadlineNeeds) {
 
 TEST(QosConflict, ThinningWouldLoseTheLastState) {
   QosProfile sut;
-  sut.durability = "transient_local";
+  sut.durability = Durability::transient_local;
   sut.minimum_separation_s = 0.1;
   EXPECT_EQ(conflicting(sut), "minimum_separation_s");
   sut.minimum_separation_s = 0;
@@ -148,43 +148,43 @@ TEST(QosConflict, AFlowControllerNeedsAnAsynchronousWriter) {
   QosProfile sut;
   sut.flow_controller = "radio";
   EXPECT_EQ(conflicting(sut), "");
-  sut.publish_mode = "synchronous";
+  sut.publish_mode = PublishMode::synchronous;
   EXPECT_EQ(conflicting(sut), "flow_controller");
 }
 
 TEST(Requested, IsTheProfileItselfUnlessTheTopicAsksForNothing) {
   QosProfile offered;
-  offered.durability = "transient_local";
+  offered.durability = Durability::transient_local;
   offered.deadline_s = 1;
   const QosProfile sut = requested({"odom", "state", Scope::host}, offered);
-  EXPECT_EQ(sut.durability, "transient_local");
-  EXPECT_EQ(sut.reliability, "reliable");
+  EXPECT_EQ(sut.durability, Durability::transient_local);
+  EXPECT_EQ(sut.reliability, Reliability::reliable);
   EXPECT_EQ(sut.deadline_s, 1);
 }
 
 TEST(Requested, ReadersMayAskForNoRepairOfWritersThatOfferIt) {
   QosProfile offered;
-  offered.durability = "transient_local";
-  offered.requested_reliability = "best_effort";
+  offered.durability = Durability::transient_local;
+  offered.requested_reliability = RequestedReliability::best_effort;
   const QosProfile sut = requested({"odom", "sensor", Scope::host}, offered);
-  EXPECT_EQ(sut.reliability, "best_effort");
-  EXPECT_EQ(sut.durability, "transient_local");
+  EXPECT_EQ(sut.reliability, Reliability::best_effort);
+  EXPECT_EQ(sut.durability, Durability::transient_local);
   EXPECT_THAT(incompatibilities(offered, sut), ::testing::IsEmpty());
 }
 
 TEST(Requested, ATopicThatAsksForNothingMatchesEveryWriter) {
   const TopicInfo stop{"stop", "state", Scope::link, Requests::anything};
   QosProfile strict;
-  strict.durability = "transient_local";
+  strict.durability = Durability::transient_local;
   strict.deadline_s = 0.1;
-  strict.liveliness = "manual_by_topic";
+  strict.liveliness = Liveliness::manual_by_topic;
   strict.liveliness_lease_s = 1;
   strict.max_samples = 2;
   const QosProfile sut = requested(stop, strict);
   EXPECT_EQ(conflicting(sut), "");
   EXPECT_GE(sut.depth, 16);
   QosContract least;
-  least.reliability = "best_effort";
+  least.reliability = Reliability::best_effort;
   EXPECT_THAT(incompatibilities(least, sut), ::testing::IsEmpty());
   EXPECT_THAT(incompatibilities(strict, sut), ::testing::IsEmpty());
 }
@@ -193,7 +193,7 @@ TEST(QosConflict, StrengthNeedsExclusiveOwnership) {
   QosProfile sut;
   sut.ownership_strength = 1;
   EXPECT_EQ(conflicting(sut), "ownership_strength");
-  sut.ownership = "exclusive";
+  sut.ownership = Ownership::exclusive;
   EXPECT_EQ(conflicting(sut), "");
 }
 
@@ -210,7 +210,7 @@ TEST(QosHistory, RoomIsOneMoreThanTheDepthSoThatAWriteNeverWaits) {
   QosHistory sut;
   sut.depth = 5;
   EXPECT_EQ(sut.room(), 6);
-  sut.history = "keep_all";
+  sut.history = History::keep_all;
   EXPECT_EQ(sut.room(), 1000);
   sut.max_samples = 7;
   EXPECT_EQ(sut.room(), 7);

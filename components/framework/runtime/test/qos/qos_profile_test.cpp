@@ -88,7 +88,7 @@ TEST(QosProfiles, EveryTopicIsReadByRos2AsItSubscribesByDefaultAndHeardButForSta
 
 TEST(QosProfiles, MeasurementsAreHeardOfRos2sSensorsAndTransformsAndRead) {
   QosContract sensor_data;
-  sensor_data.reliability = "best_effort";
+  sensor_data.reliability = Reliability::best_effort;
   const QosProfiles sut(config + "/qos.yaml");
   for (const char* const name : {"sensor", "telemetry", "stream"}) {
     const QosProfile offered = sut.of(name, "x");

@@ -124,6 +124,7 @@ Pool::Worker& Pool::free_worker() {
   return found == workers_.end() ? make_worker() : *found;
 }
 
+/// Forks without a program: a worker goes on with the plan and the maps that this process has read.
 Pool::Worker& Pool::make_worker() {
   std::fflush(nullptr);
   int ends[2];

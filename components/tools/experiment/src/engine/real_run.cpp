@@ -2,16 +2,13 @@
 #include "engine/real_run.hpp"
 
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 
 #include "command_line/programs.hpp"
+#include "foundation/child_process.hpp"
 #include "foundation/error.hpp"
 #include "report/recording.hpp"
 
@@ -51,20 +48,11 @@ int wait_for(pid_t child, double limit_s) {
 
 /// Runs a command to its end.
 int execute(const std::vector<std::string>& command, double limit_s) {
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
   sigset_t blocked;
   sigemptyset(&blocked);
   sigaddset(&blocked, SIGCHLD);
   ::sigprocmask(SIG_BLOCK, &blocked, nullptr);
-  const pid_t child = ::fork();
-  if (child < 0) throw EnvironmentError(std::string("fork: ") + std::strerror(errno));
-  if (child > 0) return wait_for(child, limit_s);
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  ::sigprocmask(SIG_UNBLOCK, &blocked, nullptr);
-  ::execv(words[0], words.data());
-  ::_exit(127);
+  return wait_for(start_child({command}).pid, limit_s);
 }
 
 RunResult measure_folder(const std::string& folder, const Timing& timing) {

@@ -1,73 +1,110 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "foundation/enum_words.hpp"
+#include "foundation/parameters.hpp"
 #include "idl_support/topic_info.hpp"
 
 namespace tocsin {
 
+enum class Reliability { reliable, best_effort };
+/// Weakest first. Profiles know the first two; other vendors and ROS 2 nodes may ask for all.
+enum class Durability { volatile_kind, transient_local, transient, persistent };
+/// What shows that a writer lives, weakest first.
+enum class Liveliness { automatic, manual_by_participant, manual_by_topic };
+enum class Ownership { shared, exclusive };
+enum class History { keep_last, keep_all };
+enum class MemoryPolicy { preallocated_with_realloc, dynamic, dynamic_reusable };
+enum class PublishMode { automatic, synchronous, asynchronous };
+/// What readers request: what writers offer, or less.
+enum class RequestedReliability { offered, best_effort };
+
+/// The words of a QoS file.
+constexpr std::array<const char*, 2> words_of(Reliability) { return {"reliable", "best_effort"}; }
+constexpr std::array<const char*, 4> words_of(Durability) {
+  return {"volatile", "transient_local", "transient", "persistent"};
+}
+constexpr std::array<const char*, 3> words_of(Liveliness) {
+  return {"automatic", "manual_by_participant", "manual_by_topic"};
+}
+constexpr std::array<const char*, 2> words_of(Ownership) { return {"shared", "exclusive"}; }
+constexpr std::array<const char*, 2> words_of(History) { return {"keep_last", "keep_all"}; }
+constexpr std::array<const char*, 3> words_of(MemoryPolicy) {
+  return {"preallocated_with_realloc", "dynamic", "dynamic_reusable"};
+}
+constexpr std::array<const char*, 3> words_of(PublishMode) {
+  return {"automatic", "synchronous", "asynchronous"};
+}
+constexpr std::array<const char*, 2> words_of(RequestedReliability) {
+  return {"offered", "best_effort"};
+}
+
 /// What a writer offers and a reader requests: the policies that decide whether they match.
 struct QosContract {
-  std::string reliability = "reliable";
-  std::string durability = "volatile";
+  Reliability reliability = Reliability::reliable;
+  Durability durability = Durability::volatile_kind;
   double deadline_s = std::numeric_limits<double>::infinity();
-  std::string liveliness = "automatic";
+  Liveliness liveliness = Liveliness::automatic;
   double liveliness_lease_s = std::numeric_limits<double>::infinity();
-  std::string ownership = "shared";
+  Ownership ownership = Ownership::shared;
   std::vector<std::string> partition;
 
   template <class Visitor>
   void visit(Visitor& v) {
     constexpr double inf = std::numeric_limits<double>::infinity();
-    v("reliability", reliability, {"reliable", "best_effort"},
-      "reliable repairs losses by retransmission");
-    v("durability", durability, {"volatile", "transient_local"},
-      "transient_local gives a late reader the last samples");
+    visit_enum(v, "reliability", reliability, Choices{"reliable", "best_effort"},
+               "reliable repairs losses by retransmission");
+    visit_enum(v, "durability", durability, Choices{"volatile", "transient_local"},
+               "transient_local gives a late reader the last samples");
     v("deadline_s", deadline_s, {0.001, inf}, "[s] a longer gap between two samples is counted");
-    v("liveliness", liveliness, {"automatic", "manual_by_participant", "manual_by_topic"},
-      "what shows that a writer lives: its process, any write of it, its own writes");
+    visit_enum(v, "liveliness", liveliness,
+               Choices{"automatic", "manual_by_participant", "manual_by_topic"},
+               "what shows that a writer lives: its process, any write of it, its own writes");
     v("liveliness_lease_s", liveliness_lease_s, {0.01, inf},
       "[s] a writer that does not show it for longer counts as dead");
-    v("ownership", ownership, {"shared", "exclusive"},
-      "exclusive: readers hear only the living writer of the highest strength");
+    visit_enum(v, "ownership", ownership, Choices{"shared", "exclusive"},
+               "exclusive: readers hear only the living writer of the highest strength");
     v("partition", partition, "names, with wildcards; both ends must share one");
   }
 
-  [[nodiscard]] bool reliable() const { return reliability == "reliable"; }
-  [[nodiscard]] bool keeps_last() const { return durability == "transient_local"; }
-  [[nodiscard]] bool exclusive() const { return ownership == "exclusive"; }
+  [[nodiscard]] bool reliable() const { return reliability == Reliability::reliable; }
+  [[nodiscard]] bool keeps_last() const { return durability == Durability::transient_local; }
+  [[nodiscard]] bool exclusive() const { return ownership == Ownership::exclusive; }
 };
 
 /// What each end keeps. Types here have no keys, so a topic has one instance.
 struct QosHistory {
-  std::string history = "keep_last";
+  History history = History::keep_last;
   int depth = 1;
   double lifespan_s = std::numeric_limits<double>::infinity();
   int max_samples = 0;
   int allocated_samples = 1;
   int extra_samples = 1;
-  std::string memory_policy = "dynamic_reusable";
+  MemoryPolicy memory_policy = MemoryPolicy::dynamic_reusable;
 
   template <class Visitor>
   void visit(Visitor& v) {
     constexpr double inf = std::numeric_limits<double>::infinity();
-    v("history", history, {"keep_last", "keep_all"},
-      "keep_all: a full reliable writer blocks for max_blocking_time_s, then refuses");
+    visit_enum(v, "history", history, Choices{"keep_last", "keep_all"},
+               "keep_all: a full reliable writer blocks for max_blocking_time_s, then refuses");
     v("depth", depth, {1, 10000}, "[1] samples kept by keep_last");
     v("lifespan_s", lifespan_s, {0.001, inf}, "[s] an older sample is never delivered");
     v("max_samples", max_samples, {0, 100000},
       "[1] samples an end has room for; 0: depth + 1, with keep_all 1000");
     v("allocated_samples", allocated_samples, {0, 10000}, "[1] room made at start");
     v("extra_samples", extra_samples, {0, 1000}, "[1] room for samples that are being sent");
-    v("memory_policy", memory_policy, {"preallocated_with_realloc", "dynamic", "dynamic_reusable"},
-      "how buffers of samples are taken and kept");
+    visit_enum(v, "memory_policy", memory_policy,
+               Choices{"preallocated_with_realloc", "dynamic", "dynamic_reusable"},
+               "how buffers of samples are taken and kept");
   }
 
-  [[nodiscard]] bool keeps_all() const { return history == "keep_all"; }
+  [[nodiscard]] bool keeps_all() const { return history == History::keep_all; }
   /// `max_samples`, or what its 0 stands for.
   [[nodiscard]] int room() const;
 };
@@ -109,12 +146,12 @@ struct QosTiming {
 
 /// How samples leave a writer, and which of them reach a reader.
 struct QosDelivery {
-  std::string publish_mode = "automatic";
+  PublishMode publish_mode = PublishMode::automatic;
   std::string flow_controller;
   int priority = 10;
   int bandwidth_reservation_percent = 0;
   int ownership_strength = 0;
-  std::string requested_reliability = "offered";
+  RequestedReliability requested_reliability = RequestedReliability::offered;
   double max_rate_hz = std::numeric_limits<double>::infinity();
   double minimum_separation_s = 0;
   std::string user_data;
@@ -122,15 +159,15 @@ struct QosDelivery {
   template <class Visitor>
   void visit(Visitor& v) {
     constexpr double inf = std::numeric_limits<double>::infinity();
-    v("publish_mode", publish_mode, {"automatic", "synchronous", "asynchronous"},
-      "automatic: asynchronous with a flow_controller, else synchronous");
+    visit_enum(v, "publish_mode", publish_mode, Choices{"automatic", "synchronous", "asynchronous"},
+               "automatic: asynchronous with a flow_controller, else synchronous");
     v("flow_controller", flow_controller, "one of flow_controllers; empty: unlimited");
     v("priority", priority, {-10, 10}, "[1] within the flow controller, -10 goes first");
     v("bandwidth_reservation_percent", bandwidth_reservation_percent, {0, 100},
       "[%] of the flow controller that is this writer's");
     v("ownership_strength", ownership_strength, {0, 1000000}, "[1] of an exclusive writer");
-    v("requested_reliability", requested_reliability, {"offered", "best_effort"},
-      "best_effort: readers hear every writer, and ask for no repair");
+    visit_enum(v, "requested_reliability", requested_reliability, Choices{"offered", "best_effort"},
+               "best_effort: readers hear every writer, and ask for no repair");
     v("max_rate_hz", max_rate_hz, {0.001, inf}, "[Hz] a writer drops and counts what is more");
     v("minimum_separation_s", minimum_separation_s, {0, 3600},
       "[s] a reader drops what follows the writer's last delivered sample sooner");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,9 @@ struct FlowController {
 
 /// What a topic has in place of its profile's values.
 struct TopicOverride {
-  double max_rate_hz = -1;           ///< negative: the profile's
-  double minimum_separation_s = -1;  ///< negative: the profile's
-  std::string place;                 ///< " (file:line)" of it, for error texts
+  std::optional<double> max_rate_hz;
+  std::optional<double> minimum_separation_s;
+  std::string place;  ///< " (file:line)" of it, for error texts
 };
 
 /// The QoS file: profiles by name, `flow_controllers`, and overrides by topic under `topics`. It

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "child.hpp"
+#include "foundation/child_process.hpp"
 
 #include <fcntl.h>
 #include <sched.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -12,7 +14,7 @@
 
 #include "foundation/error.hpp"
 
-namespace tocsin::cli {
+namespace tocsin {
 namespace {
 
 /// Ends the child; only async-signal-safe calls from here on.
@@ -24,13 +26,13 @@ namespace {
   ::_exit(127);
 }
 
-void die_with_parent(pid_t parent) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+void die_with_parent(int signal, pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, signal);
   if (::getppid() != parent) ::_exit(127);  // it died before the call
 }
 
-void connect_output(int pipe_end, bool terminal) {
-  if (!terminal) {
+void connect_output(int pipe_end, ChildSetup::Streams streams) {
+  if (streams == ChildSetup::Streams::piped) {
     const int nothing = ::open("/dev/null", O_RDONLY);
     ::dup2(nothing, STDIN_FILENO);
     ::dup2(pipe_end, STDOUT_FILENO);
@@ -42,14 +44,16 @@ void reset_signals() {
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  ::signal(SIGPIPE, SIG_DFL);
+  for (const int number : {SIGPIPE, SIGINT, SIGTERM}) ::signal(number, SIG_DFL);
 }
 
 [[noreturn]] void become(const ChildSetup& setup, char* const* arguments, int pipe_end,
                          pid_t parent) {
-  die_with_parent(parent);
-  ::setpgid(0, 0);
-  connect_output(pipe_end, setup.terminal);
+  die_with_parent(setup.death_signal, parent);
+  if (setup.streams != ChildSetup::Streams::ours) {
+    ::setpgid(0, 0);
+    connect_output(pipe_end, setup.streams);
+  }
   reset_signals();
   for (const int fd : setup.inherited) ::fcntl(fd, F_SETFD, 0);
   if (setup.network && ::setns(*setup.network, CLONE_NEWNET) != 0) {
@@ -65,17 +69,26 @@ Child start_child(const ChildSetup& setup) {
   std::vector<char*> arguments;
   for (const std::string& word : setup.command) arguments.push_back(const_cast<char*>(word.data()));
   arguments.push_back(nullptr);
-  int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw EnvironmentError("cannot make a pipe");
+  const bool is_piped = setup.streams != ChildSetup::Streams::ours;
+  int ends[2] = {-1, -1};  // none
+  if (is_piped && ::pipe2(ends, O_CLOEXEC) != 0) throw EnvironmentError("cannot make a pipe");
   Child child{-1, FileDescriptor(ends[0])};
   const FileDescriptor write_end(ends[1]);
-  ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  if (is_piped) ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
   const pid_t parent = ::getpid();
   child.pid = ::fork();
   if (child.pid < 0) throw EnvironmentError("cannot start a process: fork failed");
   if (child.pid == 0) become(setup, arguments.data(), ends[1], parent);
-  ::setpgid(child.pid, child.pid);  // also here, so that it holds before the child has run
+  if (is_piped)
+    ::setpgid(child.pid, child.pid);  // also here, so that it holds before the child has run
   return child;
 }
 
-}  // namespace tocsin::cli
+int wait_for_child(pid_t pid) {
+  int status = 0;
+  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace tocsin
