@@ -12,8 +12,8 @@ import unity_names  # noqa: E402
 
 LINE_LIMIT = 300
 # How package.xml calls what find_package or pkg-config finds; None is part of every system.
-NAMES = {"JPEG": "libjpeg-dev", "libevdev": "libevdev-dev", "libnl-genl-3.0": "libnl-genl-3-dev", "PkgConfig": None,
-         "Python3": None, "Threads": None, "GTest": None}
+NAMES = {"JPEG": "libjpeg-dev", "libevdev": "libevdev-dev", "libnl-genl-3.0": "libnl-genl-3-dev",
+         "nlopt_cxx": "libnlopt-cxx-dev", "PkgConfig": None, "Python3": None, "Threads": None, "GTest": None}
 NUMBERS = r"(?:unsigned )?(?:short|long long|long)|octet|float|double|u?int(?:8|16|32|64)"
 FIELD = re.compile(rf"^\s*(?:sequence<)?\s*(?:{NUMBERS})\b[^;]*;(.*)$")
 # Rooms of packages, the lowest first: a package may depend on its own and on lower ones.

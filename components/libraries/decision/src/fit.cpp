@@ -8,7 +8,7 @@
 #include "fit_start.hpp"
 #include "foundation/error.hpp"
 #include "foundation/numbers.hpp"
-#include "nelder_mead.hpp"
+#include "minimize.hpp"
 
 namespace tocsin::decision {
 namespace {
