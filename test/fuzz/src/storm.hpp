@@ -26,7 +26,7 @@ class Victims {
  public:
   explicit Victims(const std::vector<pid_t>& processes);
   /// One line for each that died, has grown by more than 64 MiB, or has a thread that took more
-  /// than 0.15 of a core in a second of silence. Waits for that second.
+  /// than 0.3 of a core in a second of silence. Waits for that second.
   [[nodiscard]] std::vector<std::string> complaints() const;
 
  private:

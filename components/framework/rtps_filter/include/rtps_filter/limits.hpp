@@ -26,9 +26,11 @@ struct Limits {
   /// Sequence numbers in a participant's GAPs. Fast DDS keeps 48 bytes for each that lies beyond a
   /// hole.
   Rate gap_rate{1'048'576, 65'536};
-  Rate announcements{4096, 512};         ///< of participants and endpoints, by a source
-  Rate bytes{0, 0};                      ///< by a source; burst 0: any number
-  std::size_t participants = 256;        ///< admitted at the same time; about 5 kB each
+  Rate announcements{4096, 512};  ///< of participants and endpoints, by a source
+  Rate bytes{0, 0};               ///< by a source; burst 0: any number
+  /// Admitted at the same time; about 5 kB each, and 0.1 % of a core, as each is told twice a
+  /// second that we are there.
+  std::size_t participants = 128;
   std::size_t endpoints = 16'384;        ///< of all participants; about 3 kB each
   std::size_t sources = 1024;            ///< kept account of at the same time
   bool source_has_port = true;           ///< sources of one address and several ports are several
