@@ -5,9 +5,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <iterator>
-#include <regex>
 #include <set>
 #include <utility>
 #include <vector>
@@ -41,13 +41,27 @@ std::string shortest(float value) {
   return {std::begin(text), end.ptr};
 }
 
-/// Plain where YAML would read the same text again, else in quotes.
-std::string quoted(const std::string& text) {
-  static const std::regex plain("[A-Za-z/_][A-Za-z0-9_/.+-]*( [A-Za-z0-9_/.+-]+)*");
+/// Whether YAML would read the text as itself: words that begin with a letter, a blank between.
+bool is_plain(const std::string& text) {
+  const auto is_letter = [](char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '/' || c == '_';
+  };
+  if (text.empty() || !is_letter(text.front()) || text.back() == ' ') return false;
+  char before = 'a';
+  for (const char c : text) {
+    const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
+    const bool fits = is_letter(c) || digit || c == '.' || c == '+' || c == '-';
+    if (!fits && (c != ' ' || before == ' ')) return false;
+    before = c;
+  }
   static const std::set<std::string> words{"true", "false", "null", "yes", "no", "on", "off"};
   std::string lower = text;
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (std::regex_match(text, plain) && words.count(lower) == 0) return text;
+  return words.count(lower) == 0;
+}
+
+std::string quoted(const std::string& text) {
+  if (is_plain(text)) return text;
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
   return result + "'";

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ros_names.hpp"
 
-#include <regex>
+#include <algorithm>
+#include <cctype>
+#include <vector>
 
 #include "foundation/error.hpp"
 
@@ -9,6 +11,22 @@ namespace tocsin::topic_tool {
 namespace {
 
 const std::string topic_prefix = "rt/";
+
+std::vector<std::string> parts_of(const std::string& text, const std::string& between) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = text.find(between, begin);
+    parts.push_back(text.substr(begin, end - begin));
+    if (end == std::string::npos) return parts;
+    begin = end + between.size();
+  }
+}
+
+bool is_identifier(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_';
+  });
+}
 
 }  // namespace
 
@@ -23,20 +41,20 @@ std::string wire_topic(const std::string& ros_name) {
 }
 
 std::string ros_type(const std::string& on_wire) {
-  static const std::regex pattern("(\\w+)::(\\w+)::dds_::(\\w+)_");
-  std::smatch parts;
-  if (!std::regex_match(on_wire, parts, pattern)) return on_wire;
-  return parts.str(1) + "/" + parts.str(2) + "/" + parts.str(3);
+  const auto parts = parts_of(on_wire, "::");
+  if (parts.size() != 4 || parts[2] != "dds_" || parts[3].size() < 2 || parts[3].back() != '_') {
+    return on_wire;
+  }
+  return parts[0] + "/" + parts[1] + "/" + parts[3].substr(0, parts[3].size() - 1);
 }
 
 std::string wire_type(const std::string& ros_name) {
-  static const std::regex pattern("(\\w+)/(?:(\\w+)/)?(\\w+)");
-  std::smatch parts;
-  if (!std::regex_match(ros_name, parts, pattern)) {
+  auto parts = parts_of(ros_name, "/");
+  if (parts.size() == 2) parts.insert(parts.begin() + 1, "msg");
+  if (parts.size() != 3 || !std::all_of(parts.begin(), parts.end(), is_identifier)) {
     throw ConfigError("'" + ros_name + "' is no message type; write std_msgs/msg/String");
   }
-  const std::string kind = parts[2].matched ? parts.str(2) : "msg";
-  return parts.str(1) + "::" + kind + "::dds_::" + parts.str(3) + "_";
+  return parts[0] + "::" + parts[1] + "::dds_::" + parts[2] + "_";
 }
 
 }  // namespace tocsin::topic_tool

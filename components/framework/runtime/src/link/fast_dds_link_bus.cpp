@@ -27,7 +27,8 @@ std::string host_in(const std::string& participant) {
 QosProfile offered(const Flow& flow) {
   QosProfile profile;
   profile.reliability = flow.reliable ? Reliability::reliable : Reliability::best_effort;
-  profile.durability = flow.transient_local ? Durability::transient_local : Durability::volatile_kind;
+  profile.durability =
+      flow.transient_local ? Durability::transient_local : Durability::volatile_kind;
   profile.depth = flow.depth;
   profile.lifespan_s = flow.lifespan_s;
   profile.user_data = flow.user_data;

@@ -21,7 +21,8 @@ constexpr int reader_depth = 32;
 QosProfile profile_of(const ReaderKey& key) {
   QosProfile profile;
   profile.reliability = key.reliable ? Reliability::reliable : Reliability::best_effort;
-  profile.durability = key.transient_local ? Durability::transient_local : Durability::volatile_kind;
+  profile.durability =
+      key.transient_local ? Durability::transient_local : Durability::volatile_kind;
   profile.depth = reader_depth;
   return profile;
 }

@@ -36,11 +36,11 @@ std::optional<Words> words_in(const std::string& text) {
 std::string announcement_of(const Flow& flow) {
   const bool separate = !flow.user_data.empty() && flow.user_data.back() != ';';
   return flow.user_data + (separate ? ";" : "") +
-         fmt::format(
-             "{}{},{},{},{};", flow_key,
-             word_of(flow.reliable ? Reliability::reliable : Reliability::best_effort),
-             word_of(flow.transient_local ? Durability::transient_local : Durability::volatile_kind),
-             flow.depth, flow.lifespan_s);
+         fmt::format("{}{},{},{},{};", flow_key,
+                     word_of(flow.reliable ? Reliability::reliable : Reliability::best_effort),
+                     word_of(flow.transient_local ? Durability::transient_local
+                                                  : Durability::volatile_kind),
+                     flow.depth, flow.lifespan_s);
 }
 
 void read_announcement(Flow& flow) {
