@@ -18,6 +18,13 @@ TEST(HeaderStamp, IsThatOfTheMessageNotOfWhatItHolds) {
   EXPECT_EQ(header_stamp_ns(type_info<nav_msgs::msg::Path>(), &path), 3'000'000'007);
 }
 
+TEST(HeaderStamp, MayLieBeforeTheEpoch) {
+  nav_msgs::msg::Path path;
+  path.header().stamp().sec(-1);
+  path.header().stamp().nanosec(5);
+  EXPECT_EQ(header_stamp_ns(type_info<nav_msgs::msg::Path>(), &path), -999'999'995);
+}
+
 TEST(HeaderStamp, IsMissingWhereTheTypeHasNone) {
   const std_msgs::msg::String text;
   EXPECT_EQ(header_stamp_ns(type_info<std_msgs::msg::String>(), &text), std::nullopt);

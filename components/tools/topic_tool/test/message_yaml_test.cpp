@@ -124,6 +124,15 @@ TEST(ToYaml, ShowsOneField) {
   EXPECT_THROW((void)shown(path_of(1), options), ConfigError);
 }
 
+TEST(ToYaml, WordsOfYamlAndNumbersAreQuotedWhateverTheirCase) {
+  for (const char* plain : {"map", "a/b_c", "/uxv", "v1.2", "a b", "x+y-z"}) {
+    EXPECT_EQ(shown(text(plain)), "data: " + std::string(plain) + "\n");
+  }
+  for (const char* odd : {"True", "NULL", "On", "7", "-1", "a  b", " a", "a ", "#a", "a,b", "é"}) {
+    EXPECT_EQ(shown(text(odd)), "data: '" + std::string(odd) + "'\n");
+  }
+}
+
 TEST(ToYaml, PrintsListsOfNumbersWithADashEach) {
   sensor_msgs::msg::JointState joints;
   joints.name({"left", "on"});

@@ -32,6 +32,18 @@ TEST(RosNames, ATypeOfAnotherShapeStaysAsItIs) {
   EXPECT_EQ(ros_type("a::b::C"), "a::b::C");
 }
 
+TEST(RosNames, TypesOfServicesKeepTheirKind) {
+  EXPECT_EQ(ros_type("std_srvs::srv::dds_::Empty_Request_"), "std_srvs/srv/Empty_Request");
+  EXPECT_EQ(wire_type("std_srvs/srv/Empty_Request"), "std_srvs::srv::dds_::Empty_Request_");
+}
+
+TEST(RosNames, ATypeThatOnlyLooksLikeRosStaysAsItIs) {
+  for (const char* odd : {"a::msg::dds_::", "a::msg::dds_::_", "a::msg::dds::B_", "a::msg::dds_::B",
+                          "::", "", "x::a::msg::dds_::B_"}) {
+    EXPECT_EQ(ros_type(odd), odd);
+  }
+}
+
 TEST(RosNames, WhatIsNoTypeIsRefused) {
   for (const char* wrong : {"", "Odometry", "a/b/c/d", "a/b c", "/a/b"}) {
     EXPECT_THROW((void)wire_type(wrong), ConfigError) << wrong;
