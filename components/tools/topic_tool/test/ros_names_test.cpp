@@ -21,6 +21,12 @@ TEST(RosNames, OfTopicsMayComeWithTheSlashOrWithout) {
   EXPECT_EQ(wire_topic("uxv/odom"), "rt/uxv/odom");
 }
 
+TEST(RosNames, AnEmptyNameIsThePrefixAlone) {
+  EXPECT_EQ(wire_topic(""), "rt/");
+  EXPECT_EQ(wire_topic("/"), "rt/");
+  EXPECT_EQ(ros_topic("rt/"), "/");
+}
+
 TEST(RosNames, OfTypesGoBothWays) {
   EXPECT_EQ(ros_type("nav_msgs::msg::dds_::Odometry_"), "nav_msgs/msg/Odometry");
   EXPECT_EQ(wire_type("nav_msgs/msg/Odometry"), "nav_msgs::msg::dds_::Odometry_");
