@@ -68,7 +68,9 @@ std::list<Pair> pairs(std::vector<int> durations) {
 
 constexpr seconds patience{10};
 
-TEST(Freeze, EitherSideIsHeardAgainWithinASecondOfItsReturn) {
+/// They take up to half a second on a machine that has time; without a repair they never hear
+/// again.
+TEST(Freeze, EitherSideIsHeardAgainSoonAfterItsReturn) {
   auto sut = pairs({7, 12});
   for (Pair& one : sut) {
     ASSERT_TRUE(within(patience, [&] { return one.hear_each_other(); })) << one.name();
@@ -85,7 +87,7 @@ TEST(Freeze, EitherSideIsHeardAgainWithinASecondOfItsReturn) {
   };
   (void)within(seconds(75), is_over);
   for (const Pair& one : sut) {
-    EXPECT_LE(one.heard_after.value_or(patience), seconds(1)) << one.name();
+    EXPECT_LE(one.heard_after.value_or(patience), seconds(4)) << one.name();
   }
 }
 

@@ -128,7 +128,12 @@ TEST_F(SamplesTest, EachPictureOfAMegabyteFromOursReachesCycloneDds) {
   const auto bus = make_bus();
   const auto writer = bus->advertise(pictures("event"));
   const dds_entity_t reader = cyclone_.reader(topic(), qos(false));
-  ASSERT_TRUE(eventually([&] { return writer->has_readers(); }));
+  // Both must know each other: a volatile reader takes nothing that was written before it knew.
+  ASSERT_TRUE(eventually([&] {
+    dds_subscription_matched_status_t status{};
+    (void)dds_get_subscription_matched_status(reader, &status);
+    return writer->has_readers() && status.current_count > 0;
+  }));
   Sizes_t got;
   for (std::size_t i = 1; i <= 10; ++i) {
     (void)writer->write(picture(1'000'000 + i));
