@@ -125,21 +125,22 @@ TEST_F(SamplesTest, ALateReaderOfOursGetsTheLastStateOfCycloneDds) {
 }
 
 TEST_F(SamplesTest, EachPictureOfAMegabyteFromOursReachesCycloneDds) {
-  GTEST_SKIP() << "open: behind other tests of this program the first picture often never comes";
   const auto bus = make_bus();
   const auto writer = bus->advertise(pictures("event"));
   const dds_entity_t reader = cyclone_.reader(topic(), qos(false));
-  // Both must know each other: a volatile reader takes nothing that was written before it knew.
+  // With the first heartbeat of a writer a volatile reader of Cyclone DDS takes all that the writer
+  // had begun before for not meant for it, a picture on its way, too.
   ASSERT_TRUE(eventually([&] {
-    dds_subscription_matched_status_t status{};
-    (void)dds_get_subscription_matched_status(reader, &status);
-    return writer->has_readers() && status.current_count > 0;
+    (void)writer->write(picture(1'000'000));
+    return !taken(reader).empty();
   }));
   Sizes_t got;
   for (std::size_t i = 1; i <= 10; ++i) {
     (void)writer->write(picture(1'000'000 + i));
     ASSERT_TRUE(eventually([&] {
-      for (const std::size_t one : taken(reader)) got.push_back(one);
+      for (const std::size_t one : taken(reader)) {
+        if (one > 1'000'000) got.push_back(one);
+      }
       return got.size() == i;
     })) << i;
     EXPECT_EQ(got.back(), 1'000'000 + i);
