@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dialect_test/dialect.hpp"
+#include "idl_support/encode.hpp"
 
 namespace tocsin {
 namespace {
@@ -47,10 +48,7 @@ std::vector<std::string> shown(const T& message) {
 
 template <class T>
 Bytes encode(const T& message) {
-  const TypeInfo& info = type_info<T>();
-  Bytes bytes(info.serialized_size(&message));
-  bytes.resize(info.serialize(&message, bytes.data(), bytes.size()));
-  return bytes;
+  return tocsin::encode(type_info<T>(), &message);
 }
 
 /// Whether the bytes decode to a message that is equal, and none of their beginnings decodes.

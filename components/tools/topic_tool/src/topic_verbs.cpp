@@ -12,6 +12,7 @@
 
 #include "foundation/error.hpp"
 #include "header_stamp.hpp"
+#include "idl_support/encode.hpp"
 #include "meters.hpp"
 #include "ros_names.hpp"
 #include "topic_session.hpp"
@@ -126,11 +127,6 @@ int bw(const Options& options) {
       [&](Time now) { return meter.text(now); });
 }
 
-std::int64_t wall_now_ns() {
-  return std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
-
 int delay(const Options& options) {
   DelayMeter meter(options.window);
   const TypeInfo* known = nullptr;
@@ -144,15 +140,9 @@ int delay(const Options& options) {
       [&](const RawSample& one) {
         const auto message = decoded(*known, one);
         const auto stamp = message ? header_stamp_ns(*known, message.get()) : std::nullopt;
-        if (stamp) meter.add(static_cast<double>(wall_now_ns() - *stamp) * 1e-9);
+        if (stamp) meter.add(static_cast<double>(one.received_wall_ns - *stamp) * 1e-9);
       },
       [&](Time) { return meter.text(); });
-}
-
-std::vector<std::uint8_t> encoded(const TypeInfo& type, const void* message) {
-  std::vector<std::uint8_t> bytes(type.serialized_size(message));
-  bytes.resize(type.serialize(message, bytes.data(), bytes.size()));
-  return bytes;
 }
 
 /// With --once and --times a reader is waited for, as the sample is lost without one.
@@ -168,7 +158,7 @@ void wait_for_readers(const RawWriting& writing, int wanted) {
 int pub(const Options& options) {
   const TypeInfo& known = known_type(wire_type(options.type));
   const auto message = from_yaml(known, options.message);
-  const auto bytes = encoded(known, message.get());
+  const auto bytes = encode(known, message.get());
   TopicSession session(options.host, options.spin_s);
   const RawTopic topic{wire_topic(options.topic), known.name, options.reliability == "reliable",
                        options.durability == "transient_local"};

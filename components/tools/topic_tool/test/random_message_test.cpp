@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "idl_support/encode.hpp"
 #include "idl_support/type_registry.hpp"
 #include "message_yaml.hpp"
 #include "ros_idl/nav_msgs.hpp"
@@ -58,12 +59,6 @@ class Shaker final : public FieldEditor {
   std::mt19937_64& random_;
 };
 
-std::vector<std::uint8_t> encoded(const TypeInfo& type, const void* message) {
-  std::vector<std::uint8_t> bytes(type.serialized_size(message));
-  bytes.resize(type.serialize(message, bytes.data(), bytes.size()));
-  return bytes;
-}
-
 class RandomMessage : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RandomMessage, IsTheSameAfterPrintingAndReading) {
@@ -80,7 +75,7 @@ TEST_P(RandomMessage, IsTheSameAfterPrintingAndReading) {
     type->edit(message.get(), shaker);
     const std::string text = to_yaml(*type, message.get(), whole);
     const auto again = from_yaml(*type, text);
-    ASSERT_EQ(encoded(*type, again.get()), encoded(*type, message.get()))
+    ASSERT_EQ(encode(*type, again.get()), encode(*type, message.get()))
         << "TOCSIN_TEST_SEED=" << first << " round " << round << "\n"
         << text;
   }

@@ -107,10 +107,16 @@ std::string RemoteEnds::other_type(const AnnouncedEnd& own) const {
 
 WriterInfo RemoteEnds::writer(const Guid& guid) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto name = names_.find(guid.guidPrefix);
   const auto end = ends_.find(guid);
-  return {name != names_.end() ? name->second : "",
-          end != ends_.end() ? end->second.user_data : ""};
+  return {name_of(guid), end != ends_.end() ? end->second.user_data : ""};
+}
+
+std::vector<RemoteEnds::Known> RemoteEnds::all() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<Known> all;
+  all.reserve(ends_.size());
+  for (const auto& [guid, end] : ends_) all.push_back({guid, end, name_of(guid)});
+  return all;
 }
 
 std::string RemoteEnds::misfit(const AnnouncedEnd& own) const {
@@ -126,9 +132,15 @@ std::string RemoteEnds::misfit(const AnnouncedEnd& own) const {
   return "";
 }
 
-std::string RemoteEnds::owner_of(const Guid& guid) const {
+/// Empty: it has told none.
+std::string RemoteEnds::name_of(const Guid& guid) const {
   const auto name = names_.find(guid.guidPrefix);
-  return " (" + (name != names_.end() ? name->second : "unnamed participant") + ")";
+  return name != names_.end() ? name->second : "";
+}
+
+std::string RemoteEnds::owner_of(const Guid& guid) const {
+  const std::string name = name_of(guid);
+  return " (" + (name.empty() ? "unnamed participant" : name) + ")";
 }
 
 bool RemoteEnds::has_other_layout(const Guid& guid, const AnnouncedEnd& own) const {

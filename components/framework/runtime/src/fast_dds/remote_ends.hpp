@@ -62,10 +62,18 @@ class RemoteEnds {
   [[nodiscard]] std::string misfit(const AnnouncedEnd& own) const;
   /// Whether `guid` has announced another layout than `own`.
   [[nodiscard]] bool has_other_layout(const Guid& guid, const AnnouncedEnd& own) const;
+  /// An end and the name of its participant.
+  struct Known {
+    Guid guid;
+    AnnouncedEnd end;
+    std::string participant;
+  };
+  [[nodiscard]] std::vector<Known> all() const;
   /// What is known of a writer; empty fields: nothing.
   [[nodiscard]] WriterInfo writer(const Guid& guid) const;
 
  private:
+  [[nodiscard]] std::string name_of(const Guid& guid) const;
   [[nodiscard]] std::string owner_of(const Guid& guid) const;
   OnEnd on_end_;
   OnParticipant on_participant_;

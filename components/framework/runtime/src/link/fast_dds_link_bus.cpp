@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "idl_support/encode.hpp"
 #include "link/flow_text.hpp"
 #include "link/origin.hpp"
 #include "link/raw_type.hpp"
@@ -186,14 +187,10 @@ void FastDdsLinkBus::give(FlowId peer_flow, const CarriedSample& sample) {
 
 CarriedSample FastDdsLinkBus::pack(const TypeInfo& type,
                                    std::shared_ptr<const void> message) const {
-  auto encoded = std::make_shared<EncodedMessage>();
-  encoded->bytes.resize(type.serialized_size(message.get()));
-  const std::size_t bytes =
-      type.serialize(message.get(), encoded->bytes.data(), encoded->bytes.size());
-  encoded->bytes.resize(bytes);
+  auto encoded = std::make_shared<EncodedMessage>(EncodedMessage{encode(type, message.get())});
   CarriedSample sample;
+  sample.bytes = static_cast<std::uint32_t>(encoded->bytes.size());
   sample.content = std::move(encoded);
-  sample.bytes = static_cast<std::uint32_t>(bytes);
   return sample;
 }
 

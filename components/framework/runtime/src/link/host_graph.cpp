@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <map>
-#include <mutex>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -80,7 +78,15 @@ RawSample sample_of(TakenSample&& taken) {
   sample.sequence = taken.sample.sequence;
   sample.sent_wall_ns = taken.sample.sent_wall_ns;
   sample.received = std::chrono::steady_clock::now();
+  sample.received_wall_ns = wall_now_ns();
   return sample;
+}
+
+ParticipantOptions participant_of(const BusOptions& options) {
+  ParticipantOptions made;
+  made.name = options.name;
+  made.domain = options.host_domain;
+  return made;
 }
 
 class FastDdsHostGraph final : public HostGraph {
@@ -100,41 +106,16 @@ class FastDdsHostGraph final : public HostGraph {
   }
 
  private:
-  [[nodiscard]] ParticipantOptions participant_of(const BusOptions& options);
-
-  mutable std::mutex mutex_;  // before the participant, whose discovery uses it
-  std::map<RemoteEnds::Guid, AnnouncedEnd> ends_;
-  std::map<RemoteEnds::Participant, std::string> names_;
   FastDdsParticipant participant_;
 };
 
-ParticipantOptions FastDdsHostGraph::participant_of(const BusOptions& options) {
-  ParticipantOptions made;
-  made.name = options.name;
-  made.domain = options.host_domain;
-  made.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (there) {
-      ends_[guid] = end;
-    } else {
-      ends_.erase(guid);
-    }
-  };
-  made.on_participant = [this](const auto& prefix, const std::string& name, bool there) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (there) names_[prefix] = name;
-  };
-  return made;
-}
-
 std::vector<GraphEnd> FastDdsHostGraph::ends() const {
   std::vector<GraphEnd> all;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  for (const auto& [guid, end] : ends_) {
-    if (participant_.owns(guid)) continue;
-    const auto name = names_.find(guid.guidPrefix);
-    all.push_back({end.topic, end.type, name == names_.end() ? "" : name->second, text_of(guid),
-                   end.writer, end.qos, end.lifespan_s, end.user_data});
+  for (const RemoteEnds::Known& known : participant_.remote_ends().all()) {
+    if (participant_.owns(known.guid)) continue;
+    const AnnouncedEnd& end = known.end;
+    all.push_back({end.topic, end.type, known.participant, text_of(known.guid), end.writer, end.qos,
+                   end.lifespan_s, end.user_data});
   }
   std::sort(all.begin(), all.end(), [](const GraphEnd& one, const GraphEnd& other) {
     return std::tie(one.topic, one.type, one.gid) < std::tie(other.topic, other.type, other.gid);

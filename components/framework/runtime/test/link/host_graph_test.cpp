@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "fast_dds/bus_fixture.hpp"
+#include "idl_support/encode.hpp"
 #include "ros_idl/std_msgs.hpp"
 
 namespace tocsin {
@@ -27,10 +28,7 @@ const RawTopic raw_event{"rt/event", "std_msgs::msg::dds_::String_", true, false
 std::vector<std::uint8_t> encoded(const std::string& data) {
   String message;
   message.data(data);
-  const TypeInfo& type = type_info<String>();
-  std::vector<std::uint8_t> bytes(type.serialized_size(&message));
-  bytes.resize(type.serialize(&message, bytes.data(), bytes.size()));
-  return bytes;
+  return encode(type_info<String>(), &message);
 }
 
 std::shared_ptr<const String> text(const std::string& data) {

@@ -33,6 +33,7 @@ struct RawSample {
   std::uint64_t sequence = 0;
   std::int64_t sent_wall_ns = 0;  ///< [ns] since the Unix epoch, writer's clock
   Time received{};
+  std::int64_t received_wall_ns = 0;  ///< [ns] since the Unix epoch, own clock
 };
 
 /// A topic as it stands on the wire, and what is asked of its other ends.
