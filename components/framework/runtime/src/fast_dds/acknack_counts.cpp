@@ -5,13 +5,13 @@
 #include <cstring>
 #include <optional>
 
+#include "link/rtps_message.hpp"
+
 namespace tocsin {
 namespace {
 
 // RTPS 2.2 sections 9.4.4, 9.4.5.1 and 9.4.5.3.
-constexpr std::size_t message_header_bytes = 20;
 constexpr std::size_t prefix_at = 8;
-constexpr std::size_t bytes_before_content = 4;
 constexpr std::uint8_t acknack_kind = 0x06;
 constexpr std::uint8_t little_endian_flag = 0x01;
 constexpr std::uint8_t final_flag = 0x02;
@@ -45,20 +45,18 @@ struct AckNack {
   bool preemptive;  ///< asks for a HEARTBEAT and for nothing else
 };
 
-/// The submessage at `at`, of `length` bytes after its header; nothing when it is no ACKNACK, or
-/// one that is cut off.
-std::optional<AckNack> acknack_in(const std::uint8_t* message, std::size_t at, std::size_t length) {
-  if (message[at] != acknack_kind || length < bitmap_at) return std::nullopt;
-  const std::uint8_t flags = message[at + 1];
-  const std::size_t content = at + bytes_before_content;
-  AckNack found{content, 0, (flags & little_endian_flag) != 0, false};
-  const std::uint32_t bits = number_at(message + content + bits_at, found.little_endian);
+/// Nothing when it is no ACKNACK, or one that is cut off.
+std::optional<AckNack> acknack_in(const std::uint8_t* message, const Submessage& one) {
+  if (one.kind != acknack_kind || one.bytes < bitmap_at) return std::nullopt;
+  const auto content = static_cast<std::size_t>(one.content - message);
+  AckNack found{content, 0, (one.flags & little_endian_flag) != 0, false};
+  const std::uint32_t bits = number_at(one.content + bits_at, found.little_endian);
   if (bits > most_bits) return std::nullopt;
   const std::size_t count = bitmap_at + (bits + 31) / 32 * 4;
-  if (count + sizeof(std::uint32_t) > length) return std::nullopt;
+  if (count + sizeof(std::uint32_t) > one.bytes) return std::nullopt;
   found.count = content + count;
-  const std::uint8_t* const base = message + content + base_at;
-  found.preemptive = (flags & final_flag) == 0 && bits == 0 &&
+  const std::uint8_t* const base = one.content + base_at;
+  found.preemptive = (one.flags & final_flag) == 0 && bits == 0 &&
                      number_at(base, found.little_endian) == 0 &&
                      number_at(base + sizeof bits, found.little_endian) <= 1;
   return found;
@@ -66,16 +64,9 @@ std::optional<AckNack> acknack_in(const std::uint8_t* message, std::size_t at, s
 
 template <class OnAckNack>
 void each_acknack(const std::uint8_t* message, std::size_t size, const OnAckNack& on_acknack) {
-  for (std::size_t at = message_header_bytes; at + bytes_before_content <= size;) {
-    const bool little_endian = (message[at + 1] & little_endian_flag) != 0;
-    const std::size_t low = message[little_endian ? at + 2 : at + 3];
-    const std::size_t high = message[little_endian ? at + 3 : at + 2];
-    const std::size_t rest = size - at - bytes_before_content;
-    const std::size_t told = low | high << 8U;
-    const std::size_t length = told == 0 ? rest : told;  // 0: until the end of the message
-    if (length > rest) return;
-    if (const auto found = acknack_in(message, at, length)) on_acknack(*found);
-    at += bytes_before_content + length;
+  Submessages all(message, size);
+  while (const auto one = all.next()) {
+    if (const auto found = acknack_in(message, *one)) on_acknack(*found);
   }
 }
 

@@ -14,6 +14,7 @@ constexpr std::size_t entity_bytes = 4;
 constexpr std::size_t prefix_bytes = 12;
 
 // RTPS 2.2 section 9.4.5.1.1.
+constexpr std::uint8_t pad = 0x01;
 constexpr std::uint8_t acknack = 0x06;
 constexpr std::uint8_t heartbeat = 0x07;
 constexpr std::uint8_t info_timestamp = 0x09;
@@ -62,8 +63,10 @@ std::optional<Submessage> Submessages::next() {
   const std::size_t high = at_[little_endian ? 3 : 2];
   const std::size_t room = left - submessage_header_bytes;
   std::size_t bytes = low | high << 8U;
-  if (bytes == 0) bytes = room;  // until the end of the message
-  const Submessage one{at_[0], at_[1], at_ + submessage_header_bytes, std::min(bytes, room)};
+  const bool may_be_empty = at_[0] == info_timestamp || at_[0] == pad;
+  if (bytes == 0 && !may_be_empty) bytes = room;  // until the end of the message
+  if (bytes > room) return std::nullopt;
+  const Submessage one{at_[0], at_[1], at_ + submessage_header_bytes, bytes};
   at_ = one.content + one.bytes;
   return one;
 }

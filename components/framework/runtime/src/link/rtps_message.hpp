@@ -19,6 +19,7 @@ struct Submessage {
 };
 
 /// Walks over the submessages of an RTPS message (RTPS 2.2 section 9.4.5.1), whatever its bytes.
+/// Ends before one that says to be longer than the message.
 class Submessages {
  public:
   /// The bytes must outlive this.

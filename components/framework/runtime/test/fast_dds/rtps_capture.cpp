@@ -12,6 +12,8 @@
 #include <cstring>
 #include <utility>
 
+#include "link/rtps_message.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -111,24 +113,18 @@ void RtpsCapture::parse(const std::uint8_t* packet, std::size_t size) {
   common.dscp = packet[1] >> 2U;
   common.statistics =
       size > 60 && std::memcmp(packet + size - 60, statistics, sizeof statistics) == 0;
-  parse_submessages(rtps + rtps_header, size - ip - udp - rtps_header, common);
+  note(rtps, size - ip - udp, common);
 }
 
-void RtpsCapture::parse_submessages(const std::uint8_t* at, std::size_t left,
-                                    CapturedSubmessage common) {
-  while (left >= 4) {
-    const bool little = (at[1] & 1U) != 0;
-    std::size_t length = little ? at[2] | at[3] << 8U : at[2] << 8U | at[3];
-    if (length == 0 || length + 4 > left) length = left - 4;
-    const std::size_t offset = writer_offset(at[0]);
-    if (offset != 0 && length >= offset + 4) {
-      common.kind = at[0];
-      common.writer = big32(at + 4 + offset);
-      const std::lock_guard<std::mutex> lock(mutex_);
-      seen_.push_back(common);
-    }
-    at += length + 4;
-    left -= length + 4;
+void RtpsCapture::note(const std::uint8_t* message, std::size_t size, CapturedSubmessage common) {
+  Submessages all(message, size);
+  while (const auto one = all.next()) {
+    const std::size_t offset = writer_offset(one->kind);
+    if (offset == 0 || one->bytes < offset + 4) continue;
+    common.kind = one->kind;
+    common.writer = big32(one->content + offset);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    seen_.push_back(common);
   }
 }
 

@@ -36,7 +36,7 @@ class RtpsCapture {
   void run();
   void wait_for_own_mark();
   void parse(const std::uint8_t* packet, std::size_t size);
-  void parse_submessages(const std::uint8_t* rtps, std::size_t size, CapturedSubmessage common);
+  void note(const std::uint8_t* message, std::size_t size, CapturedSubmessage common);
   int socket_;
   std::atomic<bool> stopping_{false};
   std::atomic<std::uint32_t> marks_seen_{0};

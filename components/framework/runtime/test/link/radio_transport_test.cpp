@@ -9,13 +9,25 @@ namespace tocsin {
 namespace {
 
 namespace rtps = eprosima::fastrtps::rtps;
-TEST(RadioMarks, APacketBearsTheMarkOfItsWriter) {
-  RadioMarks sut;
+
+/// The writer of `data_of(7)`.
+rtps::EntityId_t writer_7() {
   rtps::EntityId_t writer;
   writer.value[2] = 7;
   writer.value[3] = 3;
+  return writer;
+}
+
+Bytes message_of_writer_7() {
   Bytes bytes = message();
   append(bytes, data, data_of(7));
+  return bytes;
+}
+
+TEST(RadioMarks, APacketBearsTheMarkOfItsWriter) {
+  RadioMarks sut;
+  const rtps::EntityId_t writer = writer_7();
+  Bytes bytes = message_of_writer_7();
   EXPECT_EQ(sut.mark(bytes.data(), bytes.size()), 48) << "not known yet";
   sut.set(writer, 8, TrafficClass::low);
   EXPECT_EQ(sut.mark(bytes.data(), bytes.size()), 8);
@@ -25,11 +37,8 @@ TEST(RadioMarks, APacketBearsTheMarkOfItsWriter) {
 
 TEST(RadioMarks, TheBytesOfAWriterCountForItsClassAlsoWhenItIsForgotten) {
   RadioMarks sut;
-  rtps::EntityId_t writer;
-  writer.value[2] = 7;
-  writer.value[3] = 3;
-  Bytes bytes = message();
-  append(bytes, data, data_of(7));
+  const rtps::EntityId_t writer = writer_7();
+  Bytes bytes = message_of_writer_7();
   (void)sut.mark(bytes.data(), bytes.size());
   sut.set(writer, 32, TrafficClass::high);
   (void)sut.mark(bytes.data(), bytes.size());

@@ -78,6 +78,22 @@ TEST(SenderIn, ReadsLengthsOfEitherByteOrder) {
   EXPECT_EQ(sender(bytes), 0x0703U);
 }
 
+TEST(SenderIn, PassesATimestampThatIsTakenBackAndAPadWhichAreEmpty) {
+  for (const std::uint8_t empty : {info_timestamp, std::uint8_t{0x01}}) {
+    Bytes bytes = message();
+    append(bytes, empty, {});
+    append(bytes, data, data_of(7));
+    EXPECT_EQ(sender(bytes), 0x0703U);
+  }
+}
+
+TEST(SenderIn, FindsNothingInASubmessageThatLiesAboutItsLength) {
+  Bytes bytes = message();
+  append(bytes, data, data_of(7));
+  bytes[20 + 2] = 0xff;
+  EXPECT_EQ(sender(bytes), 0U);
+}
+
 TEST(SenderIn, FindsNothingWhereThereIsNothing) {
   EXPECT_EQ(sender({}), 0U);
   EXPECT_EQ(sender(message()), 0U);
