@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "within.hpp"
+
 namespace tocsin::interop {
 namespace {
 

@@ -46,17 +46,6 @@ class PeerProcess {
 /// Runs a command of the shell; false when it fails.
 bool shell(const std::string& command);
 
-/// Waits for a condition of the world outside.
-template <class Condition>
-bool within(std::chrono::milliseconds limit, const Condition& condition) {
-  const auto end = std::chrono::steady_clock::now() + limit;
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return true;
-}
-
 /// Another computer: a network namespace with a cable to ours, where the cable is `eth0`,
 /// 10.9.0.1/24. Its own end is `eth1`, 10.9.0.2/24.
 class OtherComputer {

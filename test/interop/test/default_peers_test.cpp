@@ -5,8 +5,9 @@
 
 #include <memory>
 
-#include "cable_tap.hpp"
 #include "peer_process.hpp"
+#include "senders.hpp"
+#include "within.hpp"
 
 namespace tocsin::interop {
 namespace {
@@ -95,20 +96,20 @@ TEST(ClosedHost, NeitherHearsNorIsHeardByAnotherComputerWhileDefaultPeersDoSo) {
 TEST(ClosedHost, SendsNothingToTheNetwork) {
   const OtherComputer other;
   if (!other.is_there()) GTEST_SKIP() << "no right to make network namespaces";
-  const CableTap tap(other.pid(), "eth1");
+  const PacketTap tap(other.pid(), "eth1");
   ASSERT_TRUE(tap.ok());
   Peers peers;
   add(peers, "tocsin", 2, 14);
   expect_all_hear_all(peers);
-  EXPECT_FALSE(within(long_enough, [&] { return !tap.senders().empty(); }))
-      << ::testing::PrintToString(tap.senders());
+  EXPECT_FALSE(within(long_enough, [&] { return !senders(tap).empty(); }))
+      << ::testing::PrintToString(senders(tap));
 }
 
 // Default peers multicast themselves; what we say to them stays here nevertheless.
 TEST(ClosedHost, SendsNothingToTheNetworkBesidePeersThatDo) {
   const OtherComputer other;
   if (!other.is_there()) GTEST_SKIP() << "no right to make network namespaces";
-  const CableTap tap(other.pid(), "eth1");
+  const PacketTap tap(other.pid(), "eth1");
   ASSERT_TRUE(tap.ok());
   Peers peers;
   add(peers, "cyclone", 1, 15);
@@ -119,8 +120,8 @@ TEST(ClosedHost, SendsNothingToTheNetworkBesidePeersThatDo) {
     expect_all_hear_all(peers);
     peers.pop_back();
   }
-  EXPECT_THAT(tap.senders(), Contains(of_cyclone));
-  EXPECT_THAT(tap.senders(), Not(Contains(of_fast_dds)));
+  EXPECT_THAT(senders(tap), Contains(of_cyclone));
+  EXPECT_THAT(senders(tap), Not(Contains(of_fast_dds)));
 }
 
 }  // namespace

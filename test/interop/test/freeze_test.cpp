@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "peer_process.hpp"
+#include "within.hpp"
 
 namespace tocsin::interop {
 namespace {

@@ -5,19 +5,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <list>
 #include <map>
 #include <ros_idl/std_msgs.hpp>
 #include <sstream>
-#include <thread>
 
 #include "cyclone.hpp"
 #include "qos_cases.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "std_msgs.h"
+#include "within.hpp"
 
 namespace tocsin::interop {
 namespace {
@@ -150,16 +149,6 @@ std::map<std::string, EndpointHealth> health_of(const Bus& bus) {
   std::map<std::string, EndpointHealth> by_topic;
   for (EndpointHealth& one : bus.health()) by_topic[one.topic] = std::move(one);
   return by_topic;
-}
-
-template <class Condition>
-bool eventually(const Condition& condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(15);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return true;
 }
 
 std::string described(const Case& its) {

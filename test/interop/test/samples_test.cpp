@@ -2,15 +2,14 @@
 // What reaches whom between our runtime and Cyclone DDS: late readers, large samples, both ways.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <mutex>
 #include <ros_idl/sensor_msgs.hpp>
 #include <set>
-#include <thread>
 
 #include "cyclone.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "sensor_msgs.h"
+#include "within.hpp"
 
 namespace tocsin::interop {
 namespace {
@@ -35,16 +34,6 @@ class Sizes : public Receiver {
   std::mutex mutex_;
   std::vector<std::size_t> sizes_;
 };
-
-template <class Condition>
-bool eventually(const Condition& condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return true;
-}
 
 class SamplesTest : public ::testing::Test {
  protected:

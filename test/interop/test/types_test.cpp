@@ -5,14 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <list>
 #include <mutex>
-#include <thread>
 
 #include "cyclone.hpp"
-#include "runtime/middleware/fast_dds_bus.hpp"
+#include "idl_support/encode.hpp"
+#include "runtime/middleware/host_graph.hpp"
 #include "types.hpp"
+#include "within.hpp"
 
 namespace tocsin::interop {
 namespace {
@@ -23,34 +23,6 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr int domain = 26;
 constexpr std::size_t encapsulation_bytes = 4;
 
-/// A type of this name whose messages are Bytes, taken as they come.
-TypeInfo raw_type(const char* name) {
-  TypeInfo type{};
-  type.name = name;
-  type.create = []() -> std::shared_ptr<void> { return std::make_shared<Bytes>(); };
-  type.serialized_size = [](const void* message) {
-    return static_cast<const Bytes*>(message)->size();
-  };
-  type.serialize = [](const void* message, std::uint8_t* buffer, std::size_t) {
-    const auto& bytes = *static_cast<const Bytes*>(message);
-    std::copy(bytes.begin(), bytes.end(), buffer);
-    return bytes.size();
-  };
-  type.deserialize = [](const std::uint8_t* bytes, std::size_t size, void* message) {
-    static_cast<Bytes*>(message)->assign(bytes, bytes + size);
-    return true;
-  };
-  type.visit = [](const void*, FieldVisitor&) {};
-  type.skip = [](WireCursor&) { return true; };
-  return type;
-}
-
-Bytes encoded(const TypeInfo& type, const void* message) {
-  Bytes bytes(type.serialized_size(message));
-  bytes.resize(type.serialize(message, bytes.data(), bytes.size()));
-  return bytes;
-}
-
 /// Cyclone DDS fills up to four bytes, and says in the header's last two bits by how many.
 Bytes without_padding(Bytes bytes) {
   constexpr std::size_t options_at = 3;
@@ -60,26 +32,29 @@ Bytes without_padding(Bytes bytes) {
   return bytes;
 }
 
-std::unique_ptr<Bus> make_bus() {
+BusOptions options() {
   BusOptions options;
   options.name = "types";
   options.host_domain = domain;
-  return make_fast_dds_bus(options);
+  return options;
 }
 
 /// The way of one type.
-class Echo : private Receiver {
+class Echo {
  public:
-  /// A participant has one type of a name, so what comes back is taken raw by another.
-  Echo(Bus& bus, Bus& raw_bus, const CycloneParticipant& cyclone, const MessageType& type)
-      : type_(type), raw_(raw_type(type.ours->name)) {
+  /// What comes back is taken as bytes, by another participant: each has one type of a name.
+  Echo(Bus& bus, HostGraph& raw, const CycloneParticipant& cyclone, const MessageType& type)
+      : type_(type) {
     const auto qos = CycloneParticipant::qos();
     dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, DDS_MSECS(100));
     dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, 100);
     reader_ = cyclone.reader(cyclone.topic(*type.cyclone, "rt/" + there_, type.ours->name), qos);
     writer_ = cyclone.writer(cyclone.topic(*type.cyclone, "rt/" + back_, type.ours->name), qos);
     publication_ = bus.advertise({{there_.c_str(), "event", Scope::host}, type.ours});
-    subscription_ = raw_bus.subscribe({{back_.c_str(), "event", Scope::host}, &raw_}, *this);
+    reading_ = raw.read({"rt/" + back_, type.ours->name, true}, [this](RawSample&& sample) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      returned_.push_back(*sample.bytes);
+    });
   }
   [[nodiscard]] const char* name() const { return type_.ours->name; }
   [[nodiscard]] bool is_connected() const {
@@ -89,7 +64,7 @@ class Echo : private Receiver {
   }
   void send(Random& random) {
     const std::shared_ptr<const void> message = type_.make(random);
-    sent_.push_back(encoded(*type_.ours, message.get()));
+    sent_.push_back(encode(*type_.ours, message.get()));
     (void)publication_->write(message);
   }
   /// Lets Cyclone DDS write what it has read.
@@ -117,41 +92,26 @@ class Echo : private Receiver {
 
  private:
   static inline int count = 0;
-  void receive(const Sample& sample) override {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    returned_.push_back(*static_cast<const Bytes*>(sample.message.get()));
-  }
   const MessageType type_;
   const std::string number_ = std::to_string(++count);
   const std::string there_ = "there_" + number_;
   const std::string back_ = "back_" + number_;
-  const TypeInfo raw_;
   dds_entity_t reader_ = 0;
   dds_entity_t writer_ = 0;
   std::mutex mutex_;
   std::vector<Bytes> sent_;
   std::vector<Bytes> returned_;
   std::unique_ptr<Publication> publication_;
-  std::unique_ptr<Subscription> subscription_;
+  std::unique_ptr<RawReading> reading_;
 };
 
-template <class Condition>
-bool eventually(const Condition& condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(15);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return true;
-}
-
 TEST(Types, EveryOneHasTheBytesOfCycloneDdsThereAndBack) {
-  const auto bus = make_bus();
-  const auto raw_bus = make_bus();
+  const auto bus = make_fast_dds_bus(options());
+  const auto raw = make_host_graph(options());
   const CycloneParticipant cyclone(domain);
   std::list<Echo> echoes;
   for (const MessageType& type : all_types()) {
-    echoes.emplace_back(*bus, *raw_bus, cyclone, type);
+    echoes.emplace_back(*bus, *raw, cyclone, type);
   }
   ASSERT_GT(echoes.size(), 50U);
   ASSERT_TRUE(eventually([&] {

@@ -34,7 +34,7 @@ std::map<EndpointGuid, std::string> topics_in(const std::vector<TappedPacket>& p
 
 }  // namespace
 
-std::vector<Sent> sent(const RadioTap& tap, std::int64_t since_ns) {
+std::vector<Sent> sent(const PacketTap& tap, std::int64_t since_ns) {
   const auto packets = tap.packets();
   auto topics = topics_in(packets);
   std::vector<Sent> all;
@@ -53,7 +53,7 @@ std::vector<Sent> sent(const RadioTap& tap, std::int64_t since_ns) {
   return all;
 }
 
-std::size_t announcements(const RadioTap& tap, std::int64_t since_ns) {
+std::size_t announcements(const PacketTap& tap, std::int64_t since_ns) {
   std::size_t found = 0;
   for (const TappedPacket& packet : tap.packets()) {
     const auto rtps = packet.outgoing ? rtps_in(packet.bytes) : std::nullopt;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "radio_tap.hpp"
+#include "packet_tap.hpp"
 
 namespace tocsin {
 
@@ -21,13 +21,13 @@ struct Sent {
 };
 
 /// The RTPS packets that a host has sent after `since_ns`, of lives that began after it.
-[[nodiscard]] std::vector<Sent> sent(const RadioTap& tap, std::int64_t since_ns);
+[[nodiscard]] std::vector<Sent> sent(const PacketTap& tap, std::int64_t since_ns);
 
 /// Packets of a topic after `since_ns` with samples in them.
 [[nodiscard]] std::size_t count(const std::vector<Sent>& packets, const std::string& topic,
                                 std::int64_t since_ns);
 
 /// Endpoints that the host's router has announced after `since_ns`.
-[[nodiscard]] std::size_t announcements(const RadioTap& tap, std::int64_t since_ns);
+[[nodiscard]] std::size_t announcements(const PacketTap& tap, std::int64_t since_ns);
 
 }  // namespace tocsin

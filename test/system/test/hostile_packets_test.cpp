@@ -10,7 +10,7 @@
 
 #include "foundation/temporary_folder.hpp"
 #include "operator_process.hpp"
-#include "radio_tap.hpp"
+#include "packet_tap.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "stack.hpp"
 #include "storm.hpp"
@@ -147,7 +147,7 @@ TEST(HostilePeer, WhoNamesAThirdAddressDrawsNothingTowardsIt) {
                   "ip neigh add 10.77.0.9 lladdr 02:00:00:00:00:09 dev wlan0") != 0) {
     GTEST_SKIP() << "no right to make an interface";
   }
-  const RadioTap tap(getpid());
+  const PacketTap tap(getpid());
   const TemporaryFolder folder;
   BusOptions options = observer();
   options.traffic_file = folder.write("traffic.yaml", "uxv: {}\n");

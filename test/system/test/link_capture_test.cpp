@@ -14,9 +14,10 @@
 #include "crossing.hpp"
 #include "fast_dds/fast_dds_participant.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "idl_support/encode.hpp"
 #include "link/flow_ends.hpp"
 #include "link/raw_type.hpp"
-#include "radio_tap.hpp"
+#include "packet_tap.hpp"
 #include "ros_idl/std_msgs.hpp"
 #include "sent_packets.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -59,8 +60,8 @@ std::set<TrafficClass> check_marks(const std::vector<Sent>& packets, const Traff
 TEST(LinkCapture, EachPacketOfAMissionBearsTheMarkOfItsClassAndNoneIsAbove1400Bytes) {
   Stack stack({"mission.yaml", "--seed", "1", "--without", "gcs/view"});
   ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack.pid("gcs/mission") != 0; }));
-  const RadioTap uxv(stack.pid("uxv/drive"));
-  const RadioTap gcs(stack.pid("gcs/recorder"));
+  const PacketTap uxv(stack.pid("uxv/drive"));
+  const PacketTap gcs(stack.pid("gcs/recorder"));
   if (!uxv.ok() || !gcs.ok()) GTEST_SKIP() << "the namespaces cannot be entered";
   // What a writer's topic is crosses when routers meet, which may have been before the taps.
   std::this_thread::sleep_for(seconds(1));
@@ -69,7 +70,7 @@ TEST(LinkCapture, EachPacketOfAMissionBearsTheMarkOfItsClassAndNoneIsAbove1400By
   ASSERT_EQ(kill(stack.pid("gcs/link"), SIGKILL), 0);
   const TrafficRules uxv_rules(stack.share("config/traffic.yaml"), Role::uxv);
   const TrafficRules gcs_rules(stack.share("config/traffic.yaml"), Role::gcs);
-  const auto topics = [&](const RadioTap& tap) {
+  const auto topics = [&](const PacketTap& tap) {
     std::set<std::string> names;
     for (const Sent& one : sent(tap, since)) names.insert(one.topic);
     return names;
@@ -125,9 +126,7 @@ void write_large(const std::string& topic) {
   String message;
   message.data(std::string(8000, 'x'));
   const TypeInfo& type = type_info<String>();
-  const auto encoded = std::make_shared<EncodedMessage>();
-  encoded->bytes.resize(type.serialized_size(&message));
-  (void)type.serialize(&message, encoded->bytes.data(), encoded->bytes.size());
+  const auto encoded = std::make_shared<EncodedMessage>(EncodedMessage{encode(type, &message)});
   QosProfile profile;
   profile.reliability = Reliability::best_effort;
   FlowWriter writer(participant, topic, type.name, profile, [](const auto&) {});
@@ -145,7 +144,7 @@ TEST(LinkCapture, ADatagramOfEightKilobytesFromAnotherParticipantArrives) {
   const TemporaryFolder folder;
   const Stack stack({standing_mission(folder.path()), "--seed", "1", "--without", "uxv/payload"});
   ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack.pid("gcs/recorder") != 0; }));
-  const RadioTap gcs(stack.pid("gcs/recorder"));
+  const PacketTap gcs(stack.pid("gcs/recorder"));
   if (!gcs.ok()) GTEST_SKIP() << "the namespaces cannot be entered";
   const Shared<Largest> arrived;
   const Peer reader(stack.pid("uxv/drive"), on_vehicle(), [&](Bus& bus) {
@@ -201,7 +200,7 @@ TEST(LinkCapture, APausedFlowIsSilentOnTheWireForFiveSecondsAndResumesWithoutDis
                      "--without", "uxv/payload"});
   ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack.pid("gcs/recorder") != 0; }))
       << stack.output();
-  const RadioTap uxv(stack.pid("uxv/drive"));
+  const PacketTap uxv(stack.pid("uxv/drive"));
   if (!uxv.ok()) GTEST_SKIP() << "the namespaces cannot be entered";
   constexpr std::int64_t half_s = 500'000'000;
   const Shared<std::atomic<bool>> active;

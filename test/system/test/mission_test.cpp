@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "radio_tap.hpp"
+#include "packet_tap.hpp"
 #include "stack.hpp"
 
 namespace tocsin {
@@ -66,7 +66,7 @@ TEST_F(MissionTest, ATwentySecondOutagePausesResumesAndTheMissionIsCompleted) {
 TEST_F(MissionTest, NothingOfTheVehicleOnlyTopicsCrossesTheRadio) {
   Stack sut(arguments());
   ASSERT_TRUE(Stack::eventually(seconds(60), [&] { return sut.pid("gcs/link") != 0; }));
-  const RadioTap tap(sut.pid("gcs/link"));
+  const PacketTap tap(sut.pid("gcs/link"));
   if (!tap.ok()) GTEST_SKIP() << "the namespace of the ground station cannot be entered";
   ASSERT_TRUE(Stack::eventually(seconds(60), [&] { return driving(sut); })) << sut.output();
   // Names cross only when participants meet, which may have been before the tap was open.

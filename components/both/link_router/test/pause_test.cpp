@@ -7,14 +7,19 @@ namespace {
 
 using Sequences = std::vector<std::uint64_t>;
 
-TEST(Pause, WhatIsPausedIsSilentAndTheNewestFollows) {
-  LinkPair link;
+/// Stream 1 drops what is written during a pause, stream 2 keeps the newest.
+void add_pausable(LinkPair& link) {
   StreamRule drops = rule_of(TrafficClass::low);
   drops.while_paused = WhilePaused::drop;
   StreamRule keeps = rule_of(TrafficClass::low);
   keeps.while_paused = WhilePaused::latest;
   link.add(1, drops);
   link.add(2, keeps);
+}
+
+TEST(Pause, WhatIsPausedIsSilentAndTheNewestFollows) {
+  LinkPair link;
+  add_pausable(link);
   link.add(3, rule_of(TrafficClass::critical));
   link.sender.set_paused(true, link.now);
   for (std::uint64_t sequence = 1; sequence <= 3; ++sequence) {
@@ -35,12 +40,7 @@ TEST(Pause, WhatIsPausedIsSilentAndTheNewestFollows) {
 
 TEST(Pause, EachStreamHasAnAccountOfItsOwn) {
   LinkPair link;
-  StreamRule drops = rule_of(TrafficClass::low);
-  drops.while_paused = WhilePaused::drop;
-  StreamRule keeps = rule_of(TrafficClass::low);
-  keeps.while_paused = WhilePaused::latest;
-  link.add(1, drops);
-  link.add(2, keeps);
+  add_pausable(link);
   link.offer(1, 1);
   link.offer(2, 1);
   link.run(100 * ms);

@@ -20,7 +20,7 @@
 #include "foundation/program.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "measure.hpp"
-#include "radio_tap.hpp"
+#include "packet_tap.hpp"
 #include "raw_dds.hpp"
 #include "ros_idl/sensor_msgs.hpp"
 #include "rtps_view.hpp"
@@ -151,7 +151,7 @@ void print(const std::string& what, const bench::Series& raw, const bench::Serie
 
 void measure(const Stack& stack, const BusOptions& on_host, const Load& load) {
   const pid_t here = stack.pid("uxv/drive");
-  const RadioTap tap(here);
+  const PacketTap tap(here);
   if (!tap.ok()) throw std::runtime_error("the vehicle's namespace cannot be entered");
   const Peer reader(stack.pid("gcs/recorder"), [&load] { read_raw(load); });
   const Peer raw(here, [&load] { write_raw(load); });

@@ -20,13 +20,13 @@ struct TappedPacket {
   std::vector<std::uint8_t> bytes;  ///< from the IP header on
 };
 
-/// Listens to all IP packets on wlan0 in the network namespace of a process.
-class RadioTap {
+/// Listens to all IP packets of an interface in the network namespace of a process.
+class PacketTap {
  public:
-  explicit RadioTap(pid_t process);
-  ~RadioTap();
-  RadioTap(const RadioTap&) = delete;
-  RadioTap& operator=(const RadioTap&) = delete;
+  explicit PacketTap(pid_t process, const std::string& interface = "wlan0");
+  ~PacketTap();
+  PacketTap(const PacketTap&) = delete;
+  PacketTap& operator=(const PacketTap&) = delete;
 
   /// False when the namespace or the packet socket could not be opened.
   [[nodiscard]] bool ok() const { return socket_ >= 0; }

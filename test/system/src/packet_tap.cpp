@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "radio_tap.hpp"
+#include "packet_tap.hpp"
 
 #include <arpa/inet.h>
 #include <fcntl.h>
@@ -19,9 +19,9 @@
 namespace tocsin {
 namespace {
 
-/// A packet socket on wlan0, opened by a thread that has gone into the namespace: a socket stays
+/// A packet socket, opened by a thread that has gone into the namespace: a socket stays
 /// in the namespace that it was made in.
-int open_there(pid_t process) {
+int open_there(pid_t process, const std::string& interface) {
   int socket_fd = -1;
   std::thread visitor([&] {
     const int ns = open(("/proc/" + std::to_string(process) + "/ns/net").c_str(), O_RDONLY);
@@ -30,12 +30,12 @@ int open_there(pid_t process) {
     close(ns);
     if (!inside) return;
     socket_fd = socket(AF_PACKET, SOCK_DGRAM | SOCK_CLOEXEC, htons(ETH_P_ALL));
-    sockaddr_ll radio{};
-    radio.sll_family = AF_PACKET;
-    radio.sll_protocol = htons(ETH_P_ALL);  // one for IP alone hears nothing of what leaves
-    radio.sll_ifindex = static_cast<int>(if_nametoindex("wlan0"));
-    const auto* address = reinterpret_cast<const sockaddr*>(&radio);
-    if (bind(socket_fd, address, sizeof radio) == 0) return;
+    sockaddr_ll there{};
+    there.sll_family = AF_PACKET;
+    there.sll_protocol = htons(ETH_P_ALL);  // one for IP alone hears nothing of what leaves
+    there.sll_ifindex = static_cast<int>(if_nametoindex(interface.c_str()));
+    const auto* address = reinterpret_cast<const sockaddr*>(&there);
+    if (bind(socket_fd, address, sizeof there) == 0) return;
     close(socket_fd);
     socket_fd = -1;
   });
@@ -75,7 +75,8 @@ std::optional<TappedPacket> receive(int socket) {
 
 }  // namespace
 
-RadioTap::RadioTap(pid_t process) : socket_(open_there(process)) {
+PacketTap::PacketTap(pid_t process, const std::string& interface)
+    : socket_(open_there(process, interface)) {
   if (socket_ < 0) return;
   const timeval timeout{0, 20'000};
   const int on = 1;
@@ -84,13 +85,13 @@ RadioTap::RadioTap(pid_t process) : socket_(open_there(process)) {
   thread_ = std::thread([this] { run(); });
 }
 
-RadioTap::~RadioTap() {
+PacketTap::~PacketTap() {
   stopping_ = true;
   if (thread_.joinable()) thread_.join();
   if (socket_ >= 0) close(socket_);
 }
 
-bool RadioTap::saw(const std::string& bytes) const {
+bool PacketTap::saw(const std::string& bytes) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::any_of(packets_.begin(), packets_.end(), [&](const TappedPacket& packet) {
     return std::search(packet.bytes.begin(), packet.bytes.end(), bytes.begin(), bytes.end()) !=
@@ -98,7 +99,7 @@ bool RadioTap::saw(const std::string& bytes) const {
   });
 }
 
-std::size_t RadioTap::multicasts() const {
+std::size_t PacketTap::multicasts() const {
   constexpr std::size_t destination = 16;
   const std::lock_guard<std::mutex> lock(mutex_);
   return static_cast<std::size_t>(
@@ -107,12 +108,12 @@ std::size_t RadioTap::multicasts() const {
       }));
 }
 
-std::vector<TappedPacket> RadioTap::packets() const {
+std::vector<TappedPacket> PacketTap::packets() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return packets_;
 }
 
-void RadioTap::run() {
+void PacketTap::run() {
   while (!stopping_) {
     auto packet = receive(socket_);
     if (!packet) continue;
