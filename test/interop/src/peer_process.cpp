@@ -122,9 +122,11 @@ OtherComputer::OtherComputer() {
             " && ip address add 10.9.0.1/24 dev eth0 && ip link set eth0 up && nsenter -t " + pid +
             " -n sh -c 'ip link set lo up && ip address add 10.9.0.2/24 dev eth1 && ip link "
             "set eth1 up'");
-  // Fast DDS ignores an interface that has no carrier yet.
-  is_there_ = is_there_ && within(std::chrono::seconds(5),
-                                  [] { return shell("ip link show eth0 | grep -q 'state UP'"); });
+  // Fast DDS ignores an interface that has no carrier yet; each end hears of it by itself.
+  is_there_ = is_there_ && within(std::chrono::seconds(5), [&] {
+                return shell("ip link show eth0 | grep -q 'state UP' && nsenter -t " + pid +
+                             " -n ip link show eth1 | grep -q 'state UP'");
+              });
 }
 
 OtherComputer::~OtherComputer() {

@@ -83,10 +83,20 @@ TEST(ClosedHost, NeitherHearsNorIsHeardByAnotherComputerWhileDefaultPeersDoSo) {
   const PeerProcess cyclone("cyclone", 13, "cyclone");
   const PeerProcess far_cyclone("cyclone", 13, "far_cyclone", other.pid());
   const PeerProcess far_fast_dds("fast_dds", 13, "far_fast_dds", other.pid());
-  ASSERT_TRUE(within(patience, [&] {
-    return ours.has_heard(cyclone) && cyclone.has_heard(ours) && cyclone.has_heard(far_cyclone) &&
-           far_cyclone.has_heard(cyclone) && cyclone.has_heard(far_fast_dds);
-  }));
+  const auto unheard_here = [&] {
+    std::vector<std::string> pairs;
+    const auto note = [&](const PeerProcess& one, const PeerProcess& heard) {
+      if (!one.has_heard(heard)) pairs.push_back(one.name() + " of " + heard.name());
+    };
+    note(ours, cyclone);
+    note(cyclone, ours);
+    note(cyclone, far_cyclone);
+    note(far_cyclone, cyclone);
+    note(cyclone, far_fast_dds);
+    return pairs;
+  };
+  (void)within(patience, [&] { return unheard_here().empty(); });
+  ASSERT_THAT(unheard_here(), IsEmpty());
   EXPECT_FALSE(within(long_enough, [&] {
     return ours.has_heard(far_cyclone) || ours.has_heard(far_fast_dds) ||
            far_cyclone.has_heard(ours) || far_fast_dds.has_heard(ours);
