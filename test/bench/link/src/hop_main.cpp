@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a write to the packet on wlan0: a component's process and the host's router, against raw
-// Fast DDS that writes best effort on the link itself. Both send the same message in turn, in one
-// run of the mission's processes over the emulated radio, standing still. usage: link_hop [SMALL
-// [IMAGES]]
+// From a write to the packet on wlan0: a component of another process and one of the router's own
+// container, against raw Fast DDS that writes best effort on the link itself. All send the same
+// message in turn, in one run of the mission's processes over the emulated radio, standing still.
+// usage: link_hop [SMALL [IMAGES]]
 #include <fmt/format.h>
 
 #include <chrono>
@@ -19,18 +19,18 @@
 #include "crossing.hpp"
 #include "foundation/program.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "hop_message.hpp"
 #include "measure.hpp"
 #include "packet_tap.hpp"
 #include "raw_dds.hpp"
-#include "ros_idl/sensor_msgs.hpp"
 #include "rtps_view.hpp"
 
 namespace {
 
 using namespace tocsin;
+using bench::HopMessage;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using Message = sensor_msgs::msg::CompressedImage;
 
 constexpr int raw_domain = 60;
 constexpr const char* vehicle = "10.77.0.1";
@@ -43,14 +43,6 @@ struct Load {
   milliseconds period;
   int count;
 };
-
-/// Tells in the message who sends it, and that it is written now.
-void stamp(Message& message, const char* sender) {
-  message.header().frame_id(sender);
-  const std::int64_t now = wall_now_ns();
-  message.header().stamp().sec(static_cast<std::int32_t>(now / 1'000'000'000));
-  message.header().stamp().nanosec(static_cast<std::uint32_t>(now % 1'000'000'000));
-}
 
 /// One message each period, `offset` after its begin.
 void repeat(const Load& load, milliseconds offset, const std::function<void()>& write) {
@@ -65,10 +57,8 @@ void repeat(const Load& load, milliseconds offset, const std::function<void()>& 
 void write_raw(const Load& load) {
   bench::RawParticipant participant(raw_domain, bench::RawLink{vehicle, station});
   auto* const writer = participant.writer(load.topic);
-  Message message;
-  message.data().resize(load.octets);
   repeat(load, load.period / 2, [&] {
-    stamp(message, "raw");
+    HopMessage message = bench::hop_message(load.octets, "raw");
     (void)writer->write(&message);
   });
 }
@@ -81,12 +71,10 @@ void read_raw(const Load& load) {
 }
 
 void write_routed(Bus& bus, const Load& load) {
-  const auto writer = bus.advertise({{load.topic, "stream", Scope::host}, &type_info<Message>()});
+  const auto writer =
+      bus.advertise({{load.topic, "stream", Scope::host}, &type_info<HopMessage>()});
   repeat(load, milliseconds(0), [&] {
-    const auto message = std::make_shared<Message>();
-    message->data().resize(load.octets);
-    stamp(*message, "via");
-    (void)writer->write(message);
+    (void)writer->write(std::make_shared<HopMessage>(bench::hop_message(load.octets, "via")));
   });
 }
 
@@ -130,7 +118,7 @@ class Account {
     std::memcpy(&sec, part.payload + 4, sizeof sec);
     std::memcpy(&nanosec, part.payload + 8, sizeof nanosec);
     const std::string sender(reinterpret_cast<const char*>(part.payload) + 16, 3);
-    if (sender != "raw" && sender != "via") return;
+    if (sender != "raw" && sender != "via" && sender != "own") return;
     const std::int64_t written = sec * std::int64_t{1'000'000'000} + nanosec;
     times_[sender].first.add(time_ns - written);
     open_[key] = {&times_[sender], written};
@@ -139,44 +127,57 @@ class Account {
   std::map<std::string, Times> times_;
 };
 
-void print(const std::string& what, const bench::Series& raw, const bench::Series& via) {
-  fmt::print("{:<28}", what);
+void print(const std::string& what, const bench::Series& raw, const bench::Series& other) {
+  fmt::print("{:<42}", what);
   for (const double share : {0.1, 0.5, 0.99}) {
     const double direct_us = 1e-3 * raw.percentile(share);
-    const double routed_us = 1e-3 * via.percentile(share);
+    const double routed_us = 1e-3 * other.percentile(share);
     fmt::print("  {:6.0f} {:6.0f} {:6.0f}", direct_us, routed_us, routed_us - direct_us);
   }
   fmt::print("\n");
 }
 
-void measure(const Stack& stack, const BusOptions& on_host, const Load& load) {
+/// The vehicle's link container with one more component.
+std::string with_own_writer(const Load& load) {
+  return fmt::format(
+      "  uxv:\n"
+      "    containers:\n"
+      "      - name: link\n"
+      "        components:\n"
+      "          - {{component: hop_writer, parameters: {{octets: {}, period_s: {}}}}}\n",
+      load.octets, 1e-3 * static_cast<double>(load.period.count()));
+}
+
+void measure(const Load& load) {
+  const TemporaryFolder folder;
+  const Stack stack({standing_mission(folder.path(), with_own_writer(load)), "--seed", "1",
+                     "--without", "uxv/payload"});
+  const auto runs = [&] { return stack.pid("gcs/recorder") != 0 && stack.pid("uxv/drive") != 0; };
+  if (!Stack::eventually(seconds(30), runs)) throw std::runtime_error(stack.output());
+  BusOptions on_host;
+  on_host.name = "hop";
+  on_host.host_domain = standing_domain;
   const pid_t here = stack.pid("uxv/drive");
   const PacketTap tap(here);
   if (!tap.ok()) throw std::runtime_error("the vehicle's namespace cannot be entered");
   const Peer reader(stack.pid("gcs/recorder"), [&load] { read_raw(load); });
   const Peer raw(here, [&load] { write_raw(load); });
   const Peer routed(here, on_host, [&load](Bus& bus) { write_routed(bus, load); });
-  std::this_thread::sleep_for(load.period * load.count + seconds(2));
+  std::this_thread::sleep_for(load.period * load.count + seconds(4));
   Account account;
   const auto packets = tap.packets();
   for (const TappedPacket& packet : packets) account.add(packet);
-  const std::string what = fmt::format("{} octets", load.octets);
-  print(what + ", first packet", account.of("raw").first, account.of("via").first);
-  print(what + ", last packet", account.of("raw").last, account.of("via").last);
+  for (const auto& [sender, name] : {std::pair{"via", "other process"}, {"own", "own container"}}) {
+    const std::string what = fmt::format("{} octets, {}, ", load.octets, name);
+    print(what + "first packet", account.of("raw").first, account.of(sender).first);
+    print(what + "last packet", account.of("raw").last, account.of(sender).last);
+  }
 }
 
 void measure(int small, int images) {
-  const TemporaryFolder folder;
-  const Stack stack({standing_mission(folder.path()), "--seed", "1", "--without", "uxv/payload"});
-  const auto runs = [&] { return stack.pid("gcs/recorder") != 0; };
-  if (!Stack::eventually(seconds(30), runs)) throw std::runtime_error(stack.output());
-  std::this_thread::sleep_for(seconds(2));
-  BusOptions on_host;
-  on_host.name = "hop";
-  on_host.host_domain = standing_domain;
   fmt::print("from write to packet [us]: raw, routed, more; 10th percentile, median, p99\n");
-  measure(stack, on_host, {"crossing/up", 56, milliseconds(20), small});
-  measure(stack, on_host, {"crossing/image", 30'000, milliseconds(150), images});
+  measure({"crossing/up", 56, milliseconds(20), small});
+  measure({"crossing/image", 30'000, milliseconds(150), images});
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the link router's steps buy: the traffic and the drive of the thesis's missions, as the
 // simulated components make them, over the thesis's radio with a router on each side.
-// usage: link_router_bench [SEEDS [SECONDS]] [only=VARIANT] [trace=1] [CLASS=DSCP ...]
-//                          [PARAMETER=VALUE ...]
+// usage: link_router_bench [SEEDS [SECONDS]] [only=VARIANT] [demo=1] [each=1] [trace=1]
+//                          [CLASS=DSCP ...] [PARAMETER=VALUE ...]
+// demo: the missions as bringup/demo plays them. each: a line for each seed, too.
 // PARAMETER is one of LinkRouterParams. Mean of the seeds.
 #include <cstdio>
 #include <map>
@@ -34,6 +35,7 @@ constexpr Column columns[] = {
     {"pic p99", &Figures::picture_p99_ms},   {"pic/s", &Figures::pictures_per_s},
     {"pic kB", &Figures::picture_kb},        {"air%", &Figures::airtime},
     {"rcpt/s", &Figures::receipts_per_s},    {"rep/s", &Figures::repairs_per_s},
+    {"unreach%", &Figures::unreachable},
 };
 
 /// Sets the parameter that is named.
@@ -97,6 +99,8 @@ struct Options {
   int seeds = 20;
   double duration_s = 600;
   std::string only;  ///< name of a variant; empty: all
+  bool demo = false;
+  bool each = false;
   bool trace = false;
   router::LinkRouterParams params;
   DscpOfClass dscp;
@@ -116,6 +120,10 @@ Options options_of(const std::vector<std::string>& words) {
     const std::string value = word.substr(equals + 1);
     if (name == "only") {
       options.only = value;
+    } else if (name == "demo") {
+      options.demo = value == "1";
+    } else if (name == "each") {
+      options.each = value == "1";
     } else if (name == "trace") {
       options.trace = value == "1";
     } else if (const auto traffic_class = traffic_class_of(name)) {
@@ -147,21 +155,28 @@ Steps steps_of(const Variant& variant, const Options& options) {
   return steps;
 }
 
-void run_mission(const Options& options, int mission, const std::string& policy) {
+void run_mission(const Options& options, bool b, const std::string& policy) {
   std::map<std::string, std::vector<Figures>> results;
   for (int seed = 1; seed <= options.seeds; ++seed) {
-    const auto traffic = record_mission(mission, policy, seed, options.duration_s);
+    const auto traffic = record_mission({b, options.demo, policy, seed, options.duration_s});
     for (const Variant& variant : variants) {
       if (!options.only.empty() && options.only != variant.name) continue;
       Steps steps = steps_of(variant, options);
       steps.pause = policy != "none";
-      results[variant.name].push_back(run_link(traffic, steps, static_cast<std::uint64_t>(seed)));
+      const auto radio_seed = static_cast<std::uint64_t>(seed);
+      Figures figures = run_link(traffic, steps, radio_seed);
+      figures.unreachable = unreachable_share(traffic, steps, radio_seed);
+      results[variant.name].push_back(figures);
     }
   }
   for (const Variant& variant : variants) {
     if (results.count(variant.name) == 0) continue;
-    print(std::string(mission == 0 ? "A " : "B ") + policy + ", " + variant.name,
-          results[variant.name]);
+    const std::vector<Figures>& runs = results[variant.name];
+    const std::string name = std::string(b ? "B " : "A ") + policy + ", " + variant.name;
+    for (std::size_t i = 0; options.each && i < runs.size(); ++i) {
+      print(name + ", seed " + std::to_string(i + 1), {runs[i]});
+    }
+    print(name, runs);
   }
 }
 
@@ -171,8 +186,8 @@ int main(int argc, char** argv) {
   return tocsin::run_program("link_router_bench", [&] {
     const Options options = options_of({argv + 1, argv + argc});
     print_head();
-    for (int mission = 0; mission < 2; ++mission) {
-      for (const char* policy : {"none", "tocp_dsp"}) run_mission(options, mission, policy);
+    for (const bool b : {false, true}) {
+      for (const char* policy : {"none", "tocp_dsp"}) run_mission(options, b, policy);
     }
     return 0;
   });

@@ -70,20 +70,17 @@ class Recorder final : public simulation::Observer {
 };
 
 /// Mission, settings and channel as thesis.yaml says.
-deployment::Overrides overrides_of(int mission, const std::string& policy) {
-  deployment::Overrides overrides;
-  overrides.share = share();
+void set_as_thesis(const Mission& mission, deployment::Overrides& overrides) {
   const std::string folder = overrides.share + "/config/experiments/";
   const YAML::Node file = read_yaml_file(folder + "thesis.yaml");
-  const YAML::Node entry = file["missions"][mission];
+  const YAML::Node entry = file["missions"][mission.b ? 1 : 0];
   const auto name = entry["name"].as<std::string>();
   for (const auto& one : entry["set"]) overrides.set.push_back(one.as<std::string>());
   overrides.set.push_back("mission_control.mission_file=" + folder +
                           entry["file"].as<std::string>());
-  overrides.set.push_back("transmission_controller.policy=" + policy);
   const YAML::Node fitted = read_yaml_file(folder + "fitted.yaml")[name];
-  for (const char* key : {"every_policy", policy.c_str()}) {
-    if (policy == "none" || !fitted[key]) continue;
+  for (const char* key : {"every_policy", mission.policy.c_str()}) {
+    if (mission.policy == "none" || !fitted[key]) continue;
     for (const auto& one : fitted[key]) {
       overrides.set.push_back("transmission_controller." + one.as<std::string>());
     }
@@ -91,19 +88,35 @@ deployment::Overrides overrides_of(int mission, const std::string& policy) {
   auto channel = file["channels"][0]["file"].as<std::string>();
   channel.replace(channel.find("${mission}"), 10, name);
   overrides.channel = folder + channel;
+}
+
+/// The same as bringup/demo says.
+void set_as_demo(const Mission& mission, deployment::Overrides& overrides) {
+  const std::string config = overrides.share + "/config/";
+  const std::string file = mission.b ? "mission_b.yaml" : "mission_a.yaml";
+  overrides.set.push_back("mission_control.mission_file=" + config + "missions/" + file);
+  overrides.channel =
+      config + (mission.b ? "radio/classroom_mission_b.yaml" : "radio/classroom.yaml");
+}
+
+deployment::Overrides overrides_of(const Mission& mission) {
+  deployment::Overrides overrides;
+  overrides.share = share();
+  (mission.demo ? set_as_demo : set_as_thesis)(mission, overrides);
+  overrides.set.push_back("transmission_controller.policy=" + mission.policy);
   overrides.without = {"gcs/view", "uxv/recorder", "gcs/recorder"};
+  overrides.seed = mission.seed;
   return overrides;
 }
 
 }  // namespace
 
-MissionTraffic record_mission(int mission, const std::string& policy, int seed, double duration_s) {
-  deployment::Overrides overrides = overrides_of(mission, policy);
+MissionTraffic record_mission(const Mission& mission) {
+  deployment::Overrides overrides = overrides_of(mission);
   const fs::path run_dir =
       fs::temp_directory_path() / ("link_router_bench_" + std::to_string(::getpid()));
   fs::create_directories(run_dir);
   overrides.run_dir = run_dir.string();
-  overrides.seed = seed;
   MissionTraffic traffic;
   traffic.channel = radio::load_channel(overrides.channel);
   traffic.walls = geometry::load_walls(overrides.share + "/config/maps/classroom.walls.yaml");
@@ -114,7 +127,7 @@ MissionTraffic record_mission(int mission, const std::string& policy, int seed, 
   options.ends_with_mission = true;
   simulation::SimWorld world(load_deployment(overrides.share + "/bringup/mission.yaml", overrides),
                              options);
-  const auto outcome = world.run(seconds(duration_s));
+  const auto outcome = world.run(seconds(mission.duration_s));
   fs::remove_all(run_dir);
   traffic.begin = traffic.places.front().time;
   traffic.end = traffic.begin + outcome.simulated;

@@ -46,9 +46,16 @@ struct MissionTraffic {
   Time end{};
 };
 
-/// Plays a mission of config/experiments/thesis.yaml (0: A, 1: B) in simulated time, with the
-/// policy's parameters as fitted. Throws ConfigError.
-[[nodiscard]] MissionTraffic record_mission(int mission, const std::string& policy, int seed,
-                                            double duration_s);
+/// Which mission is played.
+struct Mission {
+  bool b = false;     ///< exhaustive scanning; else A, path following
+  bool demo = false;  ///< as bringup/demo plays it; else as config/experiments/thesis.yaml says
+  std::string policy;
+  int seed = 1;
+  double duration_s = 600;  ///< it ends sooner when its last goal is reached
+};
+
+/// Plays it in simulated time, with the policy's parameters as fitted. Throws ConfigError.
+[[nodiscard]] MissionTraffic record_mission(const Mission& mission);
 
 }  // namespace tocsin::bench

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <unordered_map>
+
+#include "link_run.hpp"
+
+namespace tocsin::bench {
+namespace {
+
+constexpr Duration warm_up = std::chrono::seconds(12);
+constexpr Duration late_after = std::chrono::milliseconds(250);
+constexpr Duration period = std::chrono::milliseconds(5);
+constexpr int packet_bytes = 100;
+
+/// When the packets were sent that arrived, and when they did.
+struct Arrival {
+  Time sent;
+  Time at;
+};
+
+std::vector<Arrival> arrivals(const MissionTraffic& traffic, const Steps& steps,
+                              std::uint64_t seed) {
+  radio::ChannelParams params = traffic.channel;
+  params.access_categories = steps.categories;
+  radio::RadioChannel channel(params, traffic.walls, seed, traffic.begin);
+  std::unordered_map<radio::FrameId, Time> sent;
+  std::vector<Arrival> arrived;
+  std::size_t place = 0;
+  for (Time now = traffic.begin; now < traffic.end; now += period) {
+    for (; place < traffic.places.size() && traffic.places[place].time <= now; ++place) {
+      channel.set_position(traffic.places[place].x_m, traffic.places[place].y_m);
+    }
+    const radio::Packet packet{packet_bytes, false, radio::AccessCategory::voice};
+    sent[channel.push(radio::Direction::uplink, packet, now)] = now;
+    channel.advance(now + period);
+    while (const auto outcome = channel.take()) {
+      const Time written = sent.at(outcome->id);
+      sent.erase(outcome->id);
+      if (outcome->fate == radio::Fate::delivered) arrived.push_back({written, outcome->at});
+    }
+  }
+  std::sort(arrived.begin(), arrived.end(),
+            [](const Arrival& one, const Arrival& other) { return one.sent < other.sent; });
+  return arrived;
+}
+
+}  // namespace
+
+double unreachable_share(const MissionTraffic& traffic, const Steps& steps, std::uint64_t seed) {
+  const auto arrived = arrivals(traffic, steps, seed);
+  auto next = arrived.begin();
+  double written = 0;
+  double late = 0;
+  for (Time now = traffic.begin + warm_up; now + late_after <= traffic.end; now += period) {
+    while (next != arrived.end() && next->sent < now) ++next;
+    ++written;
+    if (next == arrived.end() || next->at > now + late_after) ++late;
+  }
+  return 100 * late / written;
+}
+
+}  // namespace tocsin::bench
