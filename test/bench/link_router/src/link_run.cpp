@@ -12,8 +12,6 @@
 namespace tocsin::bench {
 namespace {
 
-constexpr Duration warm_up = std::chrono::seconds(12);
-constexpr Duration late_after = std::chrono::milliseconds(250);
 constexpr Duration age_period = std::chrono::milliseconds(100);
 /// Share of the shrinking that is done by size; the rest by rate.
 constexpr double size_share = 0.9;

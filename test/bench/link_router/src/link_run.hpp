@@ -9,6 +9,9 @@
 
 namespace tocsin::bench {
 
+constexpr Duration warm_up = std::chrono::seconds(12);  ///< of a run, not counted
+constexpr Duration late_after = std::chrono::milliseconds(250);
+
 /// Which of the router's steps are on.
 struct Steps {
   bool priority = true;    ///< strict classes, bulk waits for a short queue

@@ -7,8 +7,6 @@
 namespace tocsin::bench {
 namespace {
 
-constexpr Duration warm_up = std::chrono::seconds(12);
-constexpr Duration late_after = std::chrono::milliseconds(250);
 constexpr Duration period = std::chrono::milliseconds(5);
 constexpr int packet_bytes = 100;
 
