@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "qos_cases.hpp"
 
-#include <fnmatch.h>
-
 #include <cmath>
 #include <limits>
-#include <map>
 #include <sstream>
 
 namespace tocsin::interop {
@@ -63,47 +60,6 @@ std::vector<Case> all_cases() {
   cross(all, "partition", partitions);
   all.pop_back();  // the same expression on both sides, see below
   return all;
-}
-
-namespace {
-
-int rank(const std::string& word) {
-  static const std::map<std::string, int> ranks{{"best_effort", 0},    {"reliable", 1},
-                                                {"volatile", 0},       {"transient_local", 1},
-                                                {"automatic", 0},      {"manual_by_participant", 1},
-                                                {"manual_by_topic", 2}};
-  return ranks.at(word);
-}
-
-/// A name and an expression meet, not two expressions (section 2.2.3.13). No partition is the one
-/// without a name.
-bool share_a_partition(std::vector<std::string> one, std::vector<std::string> other) {
-  for (auto* const list : {&one, &other}) {
-    if (list->empty()) list->emplace_back();
-  }
-  for (const std::string& a : one) {
-    for (const std::string& b : other) {
-      const bool both_expressions = a.find_first_of("*?[") != std::string::npos &&
-                                    b.find_first_of("*?[") != std::string::npos;
-      if (!both_expressions &&
-          (fnmatch(a.c_str(), b.c_str(), 0) == 0 || fnmatch(b.c_str(), a.c_str(), 0) == 0)) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-}  // namespace
-
-bool fits(const QosContract& offered, const QosContract& requested) {
-  return rank(word_of(offered.reliability)) >= rank(word_of(requested.reliability)) &&
-         rank(word_of(offered.durability)) >= rank(word_of(requested.durability)) &&
-         offered.deadline_s <= requested.deadline_s &&
-         rank(word_of(offered.liveliness)) >= rank(word_of(requested.liveliness)) &&
-         offered.liveliness_lease_s <= requested.liveliness_lease_s &&
-         offered.ownership == requested.ownership &&
-         share_a_partition(offered.partition, requested.partition);
 }
 
 std::string profile(const std::string& name, const QosContract& qos) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/middleware/qos_policies.hpp"
+#include "runtime/middleware/qos_matching.hpp"
 
 namespace tocsin::interop {
 
@@ -18,8 +18,10 @@ struct Case {
 /// Every value of a policy offered against every one requested.
 [[nodiscard]] std::vector<Case> all_cases();
 
-/// Whether they match by the table of the DDS specification (formal/15-04-10, section 2.2.3).
-[[nodiscard]] bool fits(const QosContract& offered, const QosContract& requested);
+/// Whether they match by the table of the DDS specification, as the runtime states it.
+[[nodiscard]] inline bool fits(const QosContract& offered, const QosContract& requested) {
+  return incompatibilities(offered, requested).empty();
+}
 
 /// A line of a QoS file.
 [[nodiscard]] std::string profile(const std::string& name, const QosContract& qos);

@@ -8,6 +8,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
+#include "runtime/middleware/qos_matching.hpp"
 
 namespace tocsin::check {
 namespace {
@@ -120,7 +121,7 @@ class Examiner {
 
   void check_pair(const End& writer, const QosContract& offered, const End& reader,
                   const QosContract& requested) {
-    const auto policies = incompatibilities(offered, requested);
+    const auto policies = incompatibilities_for_fast_dds(offered, requested);
     if (policies.empty()) return;
     add(Severity::error, "topic " + writer.port->topic + ": " + action(writer) +
                              " it with QoS profile " + writer.port->qos + ", " + action(reader) +

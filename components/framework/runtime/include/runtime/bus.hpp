@@ -17,6 +17,8 @@
 
 namespace tocsin {
 
+struct QosChange;
+
 /// What became of a write.
 enum class [[nodiscard]] Status{
     ok,      ///< Handed to every reader on this host, its link_router among them.
@@ -90,6 +92,9 @@ class Bus {
   virtual std::unique_ptr<LinkBus> open_link(const std::function<void()>& /*on_event*/) {
     return nullptr;
   }
+  /// Changes policies of this process's ends of a topic while they are in use. The number of these
+  /// ends; 0: there are none. Throws ConfigError for what cannot change. Thread-safe.
+  virtual int change_qos(const QosChange& /*change*/) { return 0; }
   /// Of every DDS endpoint of this process. Thread-safe.
   [[nodiscard]] virtual std::vector<EndpointHealth> health() const { return {}; }
 };

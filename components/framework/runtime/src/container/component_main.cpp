@@ -10,12 +10,12 @@
 
 #include "command_line/command.hpp"
 #include "command_line/host_option.hpp"
-#include "container/container_client.hpp"
 #include "container/settings.hpp"
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
 #include "foundation/printable.hpp"
 #include "runtime/middleware/component_library.hpp"
+#include "runtime/middleware/container_client.hpp"
 #include "runtime/middleware/host_bus.hpp"
 
 namespace tocsin {

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include "foundation/error.hpp"
+#include "runtime/middleware/qos_change.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -77,9 +80,24 @@ Outcome ControlComponent::carry_out(const Command& command) {
     return {false,
             command.name() + ": two nodes of one name; the name is taken in container " + twin};
   }
+  if (verb == "set_qos") return set_qos(command);
   const auto transition = to_transition(verb);
   if (!transition) return {false, "'" + verb + "' is not a command"};
   return instances_.change(command.name(), *transition);
+}
+
+Outcome ControlComponent::set_qos(const Command& command) {
+  QosChange change;
+  change.topic = command.name();
+  change.writers = command.library() != "readers";
+  change.readers = command.library() != "writers";
+  change.settings = command.parameters();
+  try {
+    const int ends = bus().change_qos(change);
+    return {true, std::to_string(ends)};
+  } catch (const ConfigError& error) {
+    return {false, error.what()};
+  }
 }
 
 void ControlComponent::note_neighbour(const tocsin_msgs::msg::ContainerState& state, Time now) {

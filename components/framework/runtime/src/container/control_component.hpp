@@ -46,6 +46,8 @@ class ControlComponent final : public Component {
   };
   void obey(const tocsin_msgs::msg::ContainerCommand& command);
   Outcome carry_out(const tocsin_msgs::msg::ContainerCommand& command);
+  /// The answer's text is the number of ends that were changed.
+  Outcome set_qos(const tocsin_msgs::msg::ContainerCommand& command);
   void note_neighbour(const tocsin_msgs::msg::ContainerState& state, Time now);
   /// The other container that has an instance of this name; empty when there is none.
   [[nodiscard]] std::string twin_of(const std::string& name) const;

@@ -26,7 +26,9 @@ bool Separation::is_apart(std::uint64_t source, Time now) {
 
 std::uint64_t DeadlineWatch::missed(Time now) const {
   if (period_ == Duration::max() || last_ == Time{} || now <= last_) return missed_;
-  const Duration gap = now - last_ - Duration{1};  // a sample at the very deadline is in time
+  const Time since = std::max(last_, changed_);
+  if (now <= since) return missed_;
+  const Duration gap = now - since - Duration{1};  // a sample at the very deadline is in time
   return missed_ + static_cast<std::uint64_t>(gap / period_);
 }
 

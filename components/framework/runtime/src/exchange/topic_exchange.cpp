@@ -74,6 +74,13 @@ void TopicExchange::keep(const Sample& sample) {
   kept.push_back(sample);
 }
 
+void TopicExchange::change(const QosProfile& qos, Time now) {
+  const std::lock_guard<TurnLock> lock(turn_);
+  lifespan_ = seconds(qos.lifespan_s);
+  separation_.change(seconds(qos.minimum_separation_s));
+  deadline_.change(seconds(qos.deadline_s), now);
+}
+
 void TopicExchange::forget(std::uint64_t source) {
   const std::lock_guard<TurnLock> lock(turn_);
   kept_.erase(source);

@@ -113,6 +113,11 @@ EndpointHealth DdsReader::health() const {
   return health;
 }
 
+bool DdsReader::change(const QosProfile& qos) {
+  own_.qos = qos;
+  return participant_.change(reader_, qos);
+}
+
 void DdsReader::on_subscription_matched(Reader*, const dds::SubscriptionMatchedStatus& status) {
   const rtps::GUID_t writer = rtps::iHandle2GUID(status.last_publication_handle);
   if (participant_.owns(writer)) {
@@ -177,6 +182,11 @@ EndpointHealth DdsWriter::health() const {
   health.other_type = participant_.remote_ends().other_type(own_);
   health.misfit = participant_.remote_ends().misfit(own_);
   return health;
+}
+
+bool DdsWriter::change(const QosProfile& qos) {
+  own_.qos = qos;
+  return participant_.change(writer_, qos);
 }
 
 void DdsWriter::on_publication_matched(Writer*, const dds::PublicationMatchedStatus& status) {

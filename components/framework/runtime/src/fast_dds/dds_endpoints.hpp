@@ -32,6 +32,8 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   /// What the writers wrote that it was matched with is not kept for late receivers any more.
   ~DdsReader() override;
   [[nodiscard]] EndpointHealth health() const;
+  /// Requests what of `qos` can change. False when Fast DDS refused it. Not beside health().
+  [[nodiscard]] bool change(const QosProfile& qos);
   /// Empty when it is not matched with that writer.
   [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const;
 
@@ -60,7 +62,7 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   FastDdsParticipant& participant_;
   TopicExchange& exchange_;
   const bool skips_own_;
-  const AnnouncedEnd own_;
+  AnnouncedEnd own_;
   EndpointAccount account_;
   std::atomic<bool> own_matched_{false};
   SingleDrainer drainer_;
@@ -86,6 +88,8 @@ class DdsWriter : private eprosima::fastdds::dds::DataWriterListener {
   /// Readers in other processes.
   [[nodiscard]] int matched_readers() const { return matched_.load(std::memory_order_relaxed); }
   [[nodiscard]] EndpointHealth health() const;
+  /// Offers what of `qos` can change. False when Fast DDS refused it. Not beside health().
+  [[nodiscard]] bool change(const QosProfile& qos);
 
  private:
   using Writer = eprosima::fastdds::dds::DataWriter;
@@ -96,7 +100,7 @@ class DdsWriter : private eprosima::fastdds::dds::DataWriterListener {
   void on_liveliness_lost(Writer* writer,
                           const eprosima::fastdds::dds::LivelinessLostStatus& status) override;
   FastDdsParticipant& participant_;
-  const AnnouncedEnd own_;
+  AnnouncedEnd own_;
   EndpointAccount account_;
   std::atomic<int> matched_{0};
   std::atomic<std::uint64_t> sent_{0};

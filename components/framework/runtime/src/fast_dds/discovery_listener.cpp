@@ -28,6 +28,19 @@ Enum kind_of(int number) {
   return static_cast<Enum>(std::min(static_cast<std::size_t>(number), last));
 }
 
+Presentation presentation_of(const dds::PresentationQosPolicy& policy) {
+  return {kind_of<PresentationScope>(policy.access_scope), policy.coherent_access,
+          policy.ordered_access};
+}
+
+/// None is XCDR1 (DDS-XTypes 1.3, section 7.6.3.1).
+std::vector<Representation> representations_of(const dds::DataRepresentationQosPolicy& policy) {
+  if (policy.m_value.empty()) return {Representation::xcdr1};
+  std::vector<Representation> all;
+  for (const auto one : policy.m_value) all.push_back(kind_of<Representation>(one));
+  return all;
+}
+
 /// What an end offers or requests, in the words of a QoS profile.
 template <class Qos>
 QosContract contract_of(const Qos& qos) {
@@ -41,6 +54,10 @@ QosContract contract_of(const Qos& qos) {
   contract.liveliness_lease_s = seconds_of(qos.m_liveliness.lease_duration);
   contract.ownership = exclusive ? Ownership::exclusive : Ownership::shared;
   contract.partition = qos.m_partition.getNames();
+  contract.latency_budget_s = seconds_of(qos.m_latencyBudget.duration);
+  contract.destination_order = kind_of<DestinationOrder>(qos.m_destinationOrder.kind);
+  contract.presentation = presentation_of(qos.m_presentation);
+  contract.representations = representations_of(qos.representation);
   return contract;
 }
 

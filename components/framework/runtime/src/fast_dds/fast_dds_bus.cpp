@@ -61,6 +61,7 @@ class FastDdsBus : public Bus {
     if (options_.link_address.empty()) return nullptr;
     return make_fast_dds_link_bus(options_, on_event);
   }
+  int change_qos(const QosChange& change) override;
   [[nodiscard]] std::vector<EndpointHealth> health() const override;
 
  private:
@@ -154,6 +155,12 @@ std::unique_ptr<Publication> FastDdsBus::advertise(const Endpoint& endpoint) {
 void FastDdsBus::withdraw(TopicChannel& topic, std::uint64_t source) {
   const std::lock_guard<std::mutex> lock(mutex_);  // the accounts look at its writer
   topic.withdraw(source);
+}
+
+int FastDdsBus::change_qos(const QosChange& change) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = channels_.find(change.topic);
+  return found != channels_.end() ? found->second->change_qos(change, now()) : 0;
 }
 
 std::int64_t FastDdsBus::wall_ns(Time t) const { return wall_now_ns() - (now() - t).count(); }

@@ -16,11 +16,36 @@ namespace tocsin {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
+using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
 
 template <class Qos>
 Qos in_partition(Qos qos, const std::vector<std::string>& partition) {
+  qos.partition().clear();
   for (const std::string& name : partition) qos.partition().push_back(name.c_str());
   return qos;
+}
+
+/// Fast DDS 2.9.1 does not announce a list that becomes empty; the partition without name is the
+/// same.
+std::vector<std::string> announced(const std::vector<std::string>& partition) {
+  return partition.empty() ? std::vector<std::string>{""} : partition;
+}
+
+/// Fast DDS hands these out as const, and changes and deletes only through what is not.
+dds::Publisher* publisher_of(dds::DataWriter* writer) {
+  return const_cast<dds::Publisher*>(writer->get_publisher());
+}
+dds::Subscriber* subscriber_of(dds::DataReader* reader) {
+  return const_cast<dds::Subscriber*>(reader->get_subscriber());
+}
+
+/// Moves what holds an end; false when Fast DDS refused it.
+template <class Holder>
+bool move_to(Holder* holder, const std::vector<std::string>& partition) {
+  const auto before = holder->get_qos().partition().getNames();
+  if (before == partition || before == announced(partition)) return true;
+  return holder->set_qos(in_partition(holder->get_qos(), announced(partition))) ==
+         ReturnCode::RETCODE_OK;
 }
 
 }  // namespace
@@ -53,47 +78,58 @@ dds::Topic* FastDdsParticipant::topic(const std::string& name, const TypeInfo& t
   return participant_->create_topic(name, type.name, dds::TOPIC_QOS_DEFAULT);
 }
 
-dds::Publisher* FastDdsParticipant::publisher(const Partition& partition) {
-  auto& found = publishers_[partition];
-  if (found == nullptr) {
-    found = participant_->create_publisher(in_partition(dds::PUBLISHER_QOS_DEFAULT, partition));
-  }
-  return found;
-}
-
-dds::Subscriber* FastDdsParticipant::subscriber(const Partition& partition) {
-  auto& found = subscribers_[partition];
-  if (found == nullptr) {
-    found = participant_->create_subscriber(in_partition(dds::SUBSCRIBER_QOS_DEFAULT, partition));
-  }
-  return found;
-}
-
 dds::DataWriter* FastDdsParticipant::create_writer(const std::string& name, const TypeInfo& type,
                                                    const QosProfile& profile,
                                                    dds::DataWriterListener& listener) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return publisher(profile.partition)
-      ->create_datawriter(topic(name, type), writer_qos(profile), &listener);
+  auto* const publisher =
+      participant_->create_publisher(in_partition(dds::PUBLISHER_QOS_DEFAULT, profile.partition));
+  auto* const writer =
+      publisher->create_datawriter(topic(name, type), writer_qos(profile), &listener);
+  if (writer == nullptr) participant_->delete_publisher(publisher);
+  return writer;
 }
 
 dds::DataReader* FastDdsParticipant::create_reader(const std::string& name, const TypeInfo& type,
                                                    const QosProfile& profile,
                                                    dds::DataReaderListener& listener) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return subscriber(profile.partition)
-      ->create_datareader(topic(name, type), reader_qos(profile), &listener);
+  auto* const subscriber =
+      participant_->create_subscriber(in_partition(dds::SUBSCRIBER_QOS_DEFAULT, profile.partition));
+  auto* const reader =
+      subscriber->create_datareader(topic(name, type), reader_qos(profile), &listener);
+  if (reader == nullptr) participant_->delete_subscriber(subscriber);
+  return reader;
+}
+
+bool FastDdsParticipant::change(dds::DataWriter* writer, const QosProfile& profile) {
+  dds::DataWriterQos qos = writer->get_qos();
+  qos.deadline().period = dds_duration(profile.deadline_s);
+  qos.lifespan().duration = dds_duration(profile.lifespan_s);
+  qos.ownership_strength().value = static_cast<std::uint32_t>(profile.ownership_strength);
+  return writer->set_qos(qos) == ReturnCode::RETCODE_OK &&
+         move_to(publisher_of(writer), profile.partition);
+}
+
+bool FastDdsParticipant::change(dds::DataReader* reader, const QosProfile& profile) {
+  dds::DataReaderQos qos = reader->get_qos();
+  qos.deadline().period = dds_duration(profile.deadline_s);
+  return reader->set_qos(qos) == ReturnCode::RETCODE_OK &&
+         move_to(subscriber_of(reader), profile.partition);
 }
 
 void FastDdsParticipant::remove(dds::DataWriter* writer) {
-  // Fast DDS hands out its publisher as const, and deletes only through a publisher that is not.
   if (writer == nullptr) return;
-  const_cast<dds::Publisher*>(writer->get_publisher())->delete_datawriter(writer);
+  dds::Publisher* const publisher = publisher_of(writer);
+  publisher->delete_datawriter(writer);
+  participant_->delete_publisher(publisher);
 }
 
 void FastDdsParticipant::remove(dds::DataReader* reader) {
   if (reader == nullptr) return;
-  const_cast<dds::Subscriber*>(reader->get_subscriber())->delete_datareader(reader);
+  dds::Subscriber* const subscriber = subscriber_of(reader);
+  subscriber->delete_datareader(reader);
+  participant_->delete_subscriber(subscriber);
 }
 
 }  // namespace tocsin

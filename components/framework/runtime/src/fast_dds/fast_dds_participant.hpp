@@ -4,10 +4,8 @@
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
-#include <map>
 #include <mutex>
 #include <string>
-#include <vector>
 
 #include "fast_dds/discovery_listener.hpp"
 #include "fast_dds/fast_dds_transport.hpp"
@@ -16,8 +14,9 @@
 
 namespace tocsin {
 
-/// A Fast DDS participant with a publisher and a subscriber for each list of partitions. Deletes
-/// all that it made. Thread-safe.
+/// A Fast DDS participant. Each writer has a publisher and each reader a subscriber of its own, so
+/// that partitions, which are theirs, can change with one end. Deletes all that it made.
+/// Thread-safe.
 class FastDdsParticipant {
  public:
   /// Throws EnvironmentError when Fast DDS cannot create it.
@@ -33,6 +32,9 @@ class FastDdsParticipant {
   eprosima::fastdds::dds::DataReader* create_reader(
       const std::string& topic, const TypeInfo& type, const QosProfile& qos,
       eprosima::fastdds::dds::DataReaderListener& listener);
+  /// Gives an end what of the profile can change while it exists. False when Fast DDS refused it.
+  [[nodiscard]] bool change(eprosima::fastdds::dds::DataWriter* writer, const QosProfile& qos);
+  [[nodiscard]] bool change(eprosima::fastdds::dds::DataReader* reader, const QosProfile& qos);
   void remove(eprosima::fastdds::dds::DataWriter* writer);
   void remove(eprosima::fastdds::dds::DataReader* reader);
   /// Whether a writer is one of this participant's own.
@@ -43,10 +45,7 @@ class FastDdsParticipant {
   [[nodiscard]] const RemoteEnds& remote_ends() const { return remote_ends_; }
 
  private:
-  using Partition = std::vector<std::string>;
   eprosima::fastdds::dds::Topic* topic(const std::string& name, const TypeInfo& type);
-  eprosima::fastdds::dds::Publisher* publisher(const Partition& partition);
-  eprosima::fastdds::dds::Subscriber* subscriber(const Partition& partition);
 
   const ParticipantOptions options_;
   RemoteEnds remote_ends_{options_.on_end, options_.on_participant};
@@ -54,8 +53,6 @@ class FastDdsParticipant {
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastrtps::rtps::GuidPrefix_t prefix_;
   std::mutex mutex_;
-  std::map<Partition, eprosima::fastdds::dds::Publisher*> publishers_;
-  std::map<Partition, eprosima::fastdds::dds::Subscriber*> subscribers_;
 };
 
 }  // namespace tocsin

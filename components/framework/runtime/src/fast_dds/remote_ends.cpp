@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/middleware/qos_matching.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -24,7 +26,7 @@ QosContract rounded(QosContract qos) {
 std::vector<std::string> policies_between(const AnnouncedEnd& own, const AnnouncedEnd& other) {
   const AnnouncedEnd& writer = own.writer ? own : other;
   const AnnouncedEnd& reader = own.writer ? other : own;
-  auto found = incompatibilities(rounded(writer.qos), rounded(reader.qos));
+  auto found = incompatibilities_for_fast_dds(rounded(writer.qos), rounded(reader.qos));
   const bool apart = std::find(found.begin(), found.end(), "partition") != found.end();
   return apart ? std::vector<std::string>() : found;
 }

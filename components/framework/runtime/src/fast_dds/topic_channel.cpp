@@ -21,15 +21,56 @@ ChannelOptions with_digest(ChannelOptions options) {
 
 TopicChannel::TopicChannel(ChannelOptions options, FastDdsParticipant& participant)
     : options_(with_digest(std::move(options))),
-      requested_(requested(options_.endpoint.topic, options_.qos)),
       exclusive_(options_.qos.exclusive()),
       always_sent_(exclusive_ || options_.qos.keeps_last()),
       participant_(participant),
       exchange_(options_.qos),
-      offered_(options_.qos) {
+      offered_(options_.qos),
+      requested_(requested(options_.endpoint.topic, options_.qos)) {
   refuse_owners_on_link(options_.endpoint.topic, options_.qos);
-  if (std::isfinite(options_.qos.max_rate_hz)) rate_.emplace(seconds(1 / options_.qos.max_rate_hz));
-  if (std::isfinite(options_.qos.deadline_s)) deadline_.emplace(seconds(options_.qos.deadline_s));
+  offer(offered_, Time{});
+}
+
+void TopicChannel::offer(const QosProfile& qos, Time now) {
+  const std::lock_guard<std::mutex> lock(written_mutex_);
+  if (std::isinf(qos.max_rate_hz)) {
+    rate_.reset();
+  } else if (rate_) {
+    rate_->change(seconds(1 / qos.max_rate_hz));
+  } else {
+    rate_.emplace(seconds(1 / qos.max_rate_hz));
+  }
+  if (std::isinf(qos.deadline_s)) {
+    deadline_.reset();
+  } else if (deadline_) {
+    deadline_->change(seconds(qos.deadline_s), now);
+  } else {
+    deadline_.emplace(seconds(qos.deadline_s));
+  }
+  has_deadline_ = deadline_.has_value();
+  is_watched_ = rate_ || deadline_;
+}
+
+int TopicChannel::change_qos(const QosChange& change, Time now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const QosProfile offered = changed(offered_, change.settings);
+  const QosProfile requested = changed(requested_, change.settings);
+  int ends = 0;
+  bool taken = true;
+  if (change.writers) {
+    offered_ = offered;
+    offer(offered, now);
+    if (writer_) taken = writer_->change(offered);
+    ends += writer_ ? 1 : 0;
+  }
+  if (change.readers) {
+    requested_ = requested;
+    exchange_.change(requested, now);
+    if (reader_) taken = reader_->change(requested) && taken;
+    ends += reader_ ? 1 : 0;
+  }
+  if (!taken) throw ConfigError("Fast DDS refused it: " + change.settings);
+  return ends;
 }
 
 void TopicChannel::attach(Receiver& receiver, Time now) {
@@ -84,7 +125,7 @@ bool TopicChannel::has_remote_readers() const {
 }
 
 bool TopicChannel::too_soon(Time now) {
-  if (!rate_ && !deadline_) return false;
+  if (!is_watched_) return false;
   const std::lock_guard<std::mutex> lock(written_mutex_);
   if (rate_ && !rate_->pass(now)) return true;
   if (deadline_) deadline_->on_sample(now);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "fast_dds/dds_endpoints.hpp"
+#include "runtime/middleware/qos_change.hpp"
 
 namespace tocsin {
 
@@ -42,8 +44,10 @@ class TopicChannel {
   Status write(const std::shared_ptr<const void>& message, Sample&& head, std::uint64_t& delivered);
   /// Whether a sample that is written now gets anywhere, or is kept or counted for others.
   [[nodiscard]] bool has_readers() const {
-    return deadline_ || exchange_.has_receivers() || has_remote_readers();
+    return has_deadline_ || exchange_.has_receivers() || has_remote_readers();
   }
+  /// Changes the ends of this process, see Bus::change_qos.
+  int change_qos(const QosChange& change, Time now);
   /// Both DDS endpoints of this topic.
   [[nodiscard]] std::vector<EndpointHealth> health(Time now) const;
 
@@ -54,8 +58,9 @@ class TopicChannel {
   [[nodiscard]] EndpointHealth reader_health(const DdsReader& reader,
                                              const TopicExchange::Account& account) const;
 
+  void offer(const QosProfile& qos, Time now);
+
   const ChannelOptions options_;
-  const QosProfile requested_;  // by its readers
   const bool exclusive_;
   const bool always_sent_;  // whoever reads
   FastDdsParticipant& participant_;
@@ -64,6 +69,9 @@ class TopicChannel {
   std::size_t receivers_ = 0;
   std::set<std::uint64_t> publications_;  // of this process
   QosProfile offered_;                    // by its writers
+  QosProfile requested_;                  // by its readers
+  std::atomic<bool> has_deadline_{false};
+  std::atomic<bool> is_watched_{false};  // there is a rate or a deadline
   mutable std::mutex written_mutex_;
   std::optional<RateLimit> rate_;
   std::optional<DeadlineWatch> deadline_;

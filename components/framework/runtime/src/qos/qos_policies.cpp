@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/middleware/qos_policies.hpp"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,20 +9,6 @@ namespace tocsin {
 namespace {
 
 constexpr int keep_all_room = 1000;
-
-bool name_matches(const std::string& a, const std::string& b) {
-  return fnmatch(a.c_str(), b.c_str(), 0) == 0 || fnmatch(b.c_str(), a.c_str(), 0) == 0;
-}
-
-/// No partition is the partition without name.
-bool share_partition(std::vector<std::string> a, std::vector<std::string> b) {
-  if (a.empty()) a.emplace_back();
-  if (b.empty()) b.emplace_back();
-  return std::any_of(a.begin(), a.end(), [&b](const std::string& mine) {
-    return std::any_of(b.begin(), b.end(),
-                       [&mine](const std::string& other) { return name_matches(mine, other); });
-  });
-}
 
 std::optional<QosConflict> history_conflict(const QosProfile& qos) {
   if (!qos.keeps_all() && qos.max_samples != 0 && qos.max_samples < qos.depth) {
@@ -90,23 +74,6 @@ QosProfile requested(const TopicInfo& topic, QosProfile offered) {
   offered.depth = std::max(offered.depth, 16);
   offered.max_samples = 0;
   return offered;
-}
-
-std::vector<std::string> incompatibilities(const QosContract& offered,
-                                           const QosContract& requested) {
-  std::vector<std::string> found;
-  const auto require = [&found](bool met, const char* policy) {
-    if (!met) found.emplace_back(policy);
-  };
-  require(offered.reliable() || !requested.reliable(), "reliability");
-  require(offered.durability >= requested.durability, "durability");
-  require(offered.deadline_s <= requested.deadline_s, "deadline");
-  require(offered.liveliness >= requested.liveliness &&
-              offered.liveliness_lease_s <= requested.liveliness_lease_s,
-          "liveliness");
-  require(offered.ownership == requested.ownership, "ownership");
-  require(share_partition(offered.partition, requested.partition), "partition");
-  return found;
 }
 
 std::optional<QosConflict> conflict(const QosProfile& profile) {

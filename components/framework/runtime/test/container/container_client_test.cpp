@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "container/container_client.hpp"
+#include "runtime/middleware/container_client.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

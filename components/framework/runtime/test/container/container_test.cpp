@@ -11,7 +11,6 @@
 #include <array>
 #include <cstdlib>
 
-#include "container/container_client.hpp"
 #include "container/staged_process.hpp"
 #include "deployment/deployment.hpp"
 #include "deployment/resolved_copy.hpp"
@@ -19,6 +18,7 @@
 #include "fast_dds/bus_fixture.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "runtime/middleware/container_client.hpp"
 #include "runtime/middleware/host_bus.hpp"
 #include "tocsin_idl/topics.hpp"
 

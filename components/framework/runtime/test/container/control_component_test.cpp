@@ -133,6 +133,16 @@ TEST_F(ControlTest, ObeysARepeatedCommandOnce) {
   EXPECT_EQ(state.components().size(), 1U);
 }
 
+TEST_F(ControlTest, AQosChangeIsTheBusesAndAnswersWithTheNumberOfEnds) {
+  Command change = command("set_qos", "odom");
+  change.library("");
+  change.parameters("{deadline_s: 0.5}");
+  const State state = ask(change);
+  ASSERT_EQ(state.answers().size(), 1U);
+  EXPECT_TRUE(state.answers()[0].done());
+  EXPECT_EQ(state.answers()[0].text(), "0") << "the bus of a simulation has no ends";
+}
+
 TEST_F(ControlTest, LeavesTheCommandsOfOthersAlone) {
   Command other = command("load", "a");
   other.container("payload");

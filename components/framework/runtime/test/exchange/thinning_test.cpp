@@ -89,6 +89,25 @@ TEST(DeadlineWatch, CountsEachPeriodOfSilenceAndKeepsTheCount) {
   EXPECT_EQ(sut.last(), t0 + milliseconds(400));
 }
 
+TEST(DeadlineWatch, ANewPeriodBeginsWhenItIsSetAndWhatWasMissedStaysCounted) {
+  DeadlineWatch sut(milliseconds(100));
+  sut.on_sample(t0);
+  sut.change(milliseconds(50), t0 + milliseconds(350));
+  EXPECT_EQ(sut.missed(t0 + milliseconds(400)), 3U);
+  EXPECT_EQ(sut.missed(t0 + milliseconds(401)), 4U);
+  sut.change(Duration::max(), t0 + milliseconds(401));
+  EXPECT_EQ(sut.missed(t0 + seconds(10)), 4U);
+}
+
+TEST(RateLimit, ANewRateHoldsFromTheNextSampleOn) {
+  RateLimit sut(milliseconds(100));
+  EXPECT_EQ(passed(sut, 10, milliseconds(10)), 2);
+  sut.change(milliseconds(10));
+  int n = 0;
+  for (int i = 100; i < 200; ++i) n += sut.pass(t0 + i * milliseconds(10)) ? 1 : 0;
+  EXPECT_EQ(n, 100);
+}
+
 TEST(DeadlineWatch, AnInfinitePeriodIsNeverMissed) {
   DeadlineWatch sut(Duration::max());
   sut.on_sample(t0);

@@ -166,5 +166,25 @@ TEST(TopicExchange, TellsWhetherSomebodyReceives) {
   EXPECT_FALSE(sut.has_receivers());
 }
 
+TEST(TopicExchange, AChangedSeparationLifespanAndDeadlineHoldFromThenOn) {
+  TopicExchange sut(keeping(1));
+  Notes early;
+  sut.attach(early);
+  sut.deliver(sample(1, 1));
+  QosProfile strict = keeping(1);
+  strict.lifespan_s = 1;
+  strict.deadline_s = 0.1;
+  sut.change(strict, t0);
+  EXPECT_EQ(sut.account(t0 + seconds(1)).deadlines_missed, 9U);
+  Notes late;
+  sut.attach(late, t0 + seconds(1.1));
+  EXPECT_THAT(late.sequences, IsEmpty());
+  strict.minimum_separation_s = 0.05;
+  sut.change(strict, t0 + seconds(1));
+  sut.deliver(sample(1, 2, t0 + seconds(2)));
+  sut.deliver(sample(1, 3, t0 + seconds(2.01)));
+  EXPECT_THAT(early.sequences, ElementsAre(1, 2));
+}
+
 }  // namespace
 }  // namespace tocsin

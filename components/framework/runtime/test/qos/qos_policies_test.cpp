@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runtime/middleware/qos_matching.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -13,83 +15,9 @@ using ::testing::IsEmpty;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-QosContract with_partition(std::vector<std::string> names) {
-  QosContract contract;
-  contract.partition = std::move(names);
-  return contract;
-}
-QosContract with_liveliness(Liveliness kind, double lease_s) {
-  QosContract contract;
-  contract.liveliness = kind;
-  contract.liveliness_lease_s = lease_s;
-  return contract;
-}
 std::string conflicting(const QosProfile& profile) {
   const auto found = conflict(profile);
   return found ? found->policy : "";
-}
-
-TEST(Incompatibilities, AProfileMatchesItself) {
-  EXPECT_THAT(incompatibilities(QosProfile{}, QosProfile{}), IsEmpty());
-}
-
-TEST(Incompatibilities, ABestEffortWriterDoesNotSatisfyAReliableReader) {
-  QosContract best_effort;
-  best_effort.reliability = Reliability::best_effort;
-  EXPECT_THAT(incompatibilities(best_effort, {}), ElementsAre("reliability"));
-  EXPECT_THAT(incompatibilities({}, best_effort), IsEmpty());
-}
-
-TEST(Incompatibilities, AVolatileWriterDoesNotSatisfyAReaderOfOldSamples) {
-  QosContract keeps;
-  keeps.durability = Durability::transient_local;
-  EXPECT_THAT(incompatibilities({}, keeps), ElementsAre("durability"));
-  EXPECT_THAT(incompatibilities(keeps, {}), IsEmpty());
-}
-
-TEST(Incompatibilities, TheWriterMustPromiseNoLongerDeadlineThanIsRequested) {
-  QosContract one;
-  one.deadline_s = 1;
-  QosContract two;
-  two.deadline_s = 2;
-  EXPECT_THAT(incompatibilities(one, one), IsEmpty());
-  EXPECT_THAT(incompatibilities(one, two), IsEmpty());
-  EXPECT_THAT(incompatibilities(two, one), ElementsAre("deadline"));
-}
-
-TEST(Incompatibilities, LivelinessNeedsAtLeastTheKindAndAtMostTheLease) {
-  const auto automatic = with_liveliness(Liveliness::automatic, 1);
-  const auto by_participant = with_liveliness(Liveliness::manual_by_participant, 1);
-  const auto by_topic = with_liveliness(Liveliness::manual_by_topic, 1);
-  EXPECT_THAT(incompatibilities(by_topic, by_participant), IsEmpty());
-  EXPECT_THAT(incompatibilities(by_participant, by_topic), ElementsAre("liveliness"));
-  EXPECT_THAT(incompatibilities(automatic, by_participant), ElementsAre("liveliness"));
-  EXPECT_THAT(incompatibilities(with_liveliness(Liveliness::automatic, 1.1), automatic),
-              ElementsAre("liveliness"));
-}
-
-TEST(Incompatibilities, OwnershipMustBeTheSame) {
-  QosContract exclusive;
-  exclusive.ownership = Ownership::exclusive;
-  EXPECT_THAT(incompatibilities(exclusive, {}), ElementsAre("ownership"));
-  EXPECT_THAT(incompatibilities({}, exclusive), ElementsAre("ownership"));
-}
-
-TEST(Incompatibilities, PartitionsMatchByNameAndWildcardOnEitherSide) {
-  EXPECT_THAT(incompatibilities(with_partition({"a", "b"}), with_partition({"b"})), IsEmpty());
-  EXPECT_THAT(incompatibilities(with_partition({"r*"}), with_partition({"robot"})), IsEmpty());
-  EXPECT_THAT(incompatibilities(with_partition({"robot"}), with_partition({"r*"})), IsEmpty());
-  EXPECT_THAT(incompatibilities(with_partition({"a"}), with_partition({"b"})),
-              ElementsAre("partition"));
-  EXPECT_THAT(incompatibilities(with_partition({}), with_partition({"a"})),
-              ElementsAre("partition"));
-}
-
-TEST(Incompatibilities, NamesEveryPolicyThatFails) {
-  QosContract strict;
-  strict.durability = Durability::transient_local;
-  strict.deadline_s = 1;
-  EXPECT_THAT(incompatibilities({}, strict), ElementsAre("durability", "deadline"));
 }
 
 TEST(QosConflict, ThereIsNoneInTheDefaults) { EXPECT_EQ(conflicting({}), ""); }

@@ -10,6 +10,7 @@
 
 #include "foundation/parameters.hpp"
 #include "qos/config_file.hpp"
+#include "runtime/middleware/qos_matching.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {

@@ -22,6 +22,12 @@ enum class Ownership { shared, exclusive };
 enum class History { keep_last, keep_all };
 enum class MemoryPolicy { preallocated_with_realloc, dynamic, dynamic_reusable };
 enum class PublishMode { automatic, synchronous, asynchronous };
+/// In which order a reader gets the samples of several writers, weakest first.
+enum class DestinationOrder { by_reception, by_source };
+/// Of which samples a writer keeps together what belongs together, weakest first.
+enum class PresentationScope { instance, topic, group };
+/// How samples are encoded, as DDS numbers it.
+enum class Representation { xcdr1, xml, xcdr2 };
 /// What readers request: what writers offer, or less.
 enum class RequestedReliability { offered, best_effort };
 
@@ -41,9 +47,22 @@ constexpr std::array<const char*, 3> words_of(MemoryPolicy) {
 constexpr std::array<const char*, 3> words_of(PublishMode) {
   return {"automatic", "synchronous", "asynchronous"};
 }
+constexpr std::array<const char*, 2> words_of(DestinationOrder) {
+  return {"by_reception", "by_source"};
+}
+constexpr std::array<const char*, 3> words_of(PresentationScope) {
+  return {"instance", "topic", "group"};
+}
+constexpr std::array<const char*, 3> words_of(Representation) { return {"xcdr1", "xml", "xcdr2"}; }
 constexpr std::array<const char*, 2> words_of(RequestedReliability) {
   return {"offered", "best_effort"};
 }
+
+struct Presentation {
+  PresentationScope scope = PresentationScope::instance;
+  bool coherent = false;
+  bool ordered = false;
+};
 
 /// What a writer offers and a reader requests: the policies that decide whether they match.
 struct QosContract {
@@ -54,6 +73,11 @@ struct QosContract {
   double liveliness_lease_s = std::numeric_limits<double>::infinity();
   Ownership ownership = Ownership::shared;
   std::vector<std::string> partition;
+  // What other vendors may offer and request; our own ends have these values.
+  double latency_budget_s = 0;
+  DestinationOrder destination_order = DestinationOrder::by_reception;
+  Presentation presentation = {};
+  std::vector<Representation> representations{Representation::xcdr1};  ///< never empty
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -194,11 +218,6 @@ struct QosProfile : QosContract, QosHistory, QosTiming, QosDelivery {
 /// the profile says so, or nothing at all, see Requests. Readers that request nothing keep 16
 /// samples, so that one writer's sample does not push out another's before it is taken.
 [[nodiscard]] QosProfile requested(const TopicInfo& topic, QosProfile offered);
-
-/// Names of the policies by which a reader that requests `requested` will not match a writer that
-/// offers `offered`: DDS's rules, which all vendors follow. Empty when they match.
-[[nodiscard]] std::vector<std::string> incompatibilities(const QosContract& offered,
-                                                         const QosContract& requested);
 
 /// A rule across policies that a profile breaks.
 struct QosConflict {

@@ -46,6 +46,10 @@ class QosProfiles {
   /// The profile with the overrides of `topic`. Throws ConfigError naming the topic when the
   /// profile is missing or the overrides contradict it.
   [[nodiscard]] QosProfile of(const std::string& profile, const std::string& topic) const;
+  /// As they stand in the file, by name.
+  [[nodiscard]] const std::map<std::string, QosProfile>& all() const { return profiles_; }
+  /// The file, or what stands for it in texts.
+  [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const std::map<std::string, FlowController>& flow_controllers() const {
     return flow_controllers_;
   }

@@ -16,6 +16,8 @@ class RateLimit {
   explicit RateLimit(Duration interval) : interval_(interval) {}
   [[nodiscard]] bool pass(Time now);
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
+  /// From the next sample on.
+  void change(Duration interval) { interval_ = interval; }
 
  private:
   Duration interval_;
@@ -35,6 +37,7 @@ class Separation {
   /// The writer is gone.
   void forget(std::uint64_t source) { last_.erase(source); }
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
+  void change(Duration least) { least_ = least; }
 
  private:
   [[nodiscard]] bool is_apart(std::uint64_t source, Time now);
@@ -56,9 +59,16 @@ class DeadlineWatch {
   [[nodiscard]] std::uint64_t missed(Time now) const;
   /// Of the last sample; zero: none yet.
   [[nodiscard]] Time last() const { return last_; }
+  /// What was missed until `now` stays counted; the new period begins then.
+  void change(Duration period, Time now) {
+    missed_ = missed(now);
+    changed_ = now;
+    period_ = period;
+  }
 
  private:
   Duration period_;
+  Time changed_{};
   Time last_{};
   std::uint64_t missed_ = 0;
 };

@@ -38,6 +38,8 @@ class TopicExchange {
   [[nodiscard]] bool has_receivers() const {
     return has_receivers_.load(std::memory_order_relaxed);
   }
+  /// From now on `qos` holds in lifespan, minimum separation and deadline.
+  void change(const QosProfile& qos, Time now);
   /// The writer is gone: what it wrote is not kept for late receivers any more.
   void forget(std::uint64_t source);
 
@@ -55,7 +57,7 @@ class TopicExchange {
   [[nodiscard]] bool expired(const Sample& sample, Time now) const;
 
   const std::size_t kept_per_writer_;
-  const Duration lifespan_;
+  Duration lifespan_;
   mutable TurnLock turn_;
   std::vector<Receiver*> receivers_;
   std::atomic<bool> has_receivers_{false};
