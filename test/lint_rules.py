@@ -12,8 +12,9 @@ import unity_names  # noqa: E402
 
 LINE_LIMIT = 300
 # How package.xml calls what find_package or pkg-config finds; None is part of every system.
-NAMES = {"JPEG": "libjpeg-dev", "libevdev": "libevdev-dev", "libnl-genl-3.0": "libnl-genl-3-dev",
-         "nlopt_cxx": "libnlopt-cxx-dev", "PkgConfig": None, "Python3": None, "Threads": None, "GTest": None}
+NAMES = {"JPEG": "libjpeg-dev", "libevdev": "libevdev-dev", "liblz4": "liblz4-dev", "libnl-genl-3.0": "libnl-genl-3-dev",
+         "libzstd": "libzstd-dev", "nlopt_cxx": "libnlopt-cxx-dev", "PkgConfig": None, "Python3": None, "Threads": None, "GTest": None,
+         "zlib": "zlib1g-dev"}
 NUMBERS = r"(?:unsigned )?(?:short|long long|long)|octet|float|double|u?int(?:8|16|32|64)"
 FIELD = re.compile(rf"^\s*(?:sequence<)?\s*(?:{NUMBERS})\b[^;]*;(.*)$")
 # Rooms of packages, the lowest first: a package may depend on its own and on lower ones.
@@ -40,7 +41,7 @@ def report(file, line, rule):
 def check_licence():
     for file in tracked("*.cpp", "*.hpp", "*.idl", "*.py", "*.cmake", "*CMakeLists.txt", "*.yaml",
                         "bringup/*", "test/*", ".ci/*"):
-        if file.suffix in (".xml", ".md", ".txt", ".service", ".svg", ".png") and file.name != "CMakeLists.txt":
+        if file.suffix in (".xml", ".md", ".txt", ".service", ".svg", ".png", ".json") and file.name != "CMakeLists.txt":
             continue
         first = file.read_text(errors="replace").split("\n")[:2]
         wanted = first[1] if first[0].startswith("#!") and len(first) > 1 else first[0]

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mcap/reader.hpp"
+
+#include <utility>
+
+#include "decode.hpp"
+#include "encode.hpp"
+#include "message_stream.hpp"
+#include "scan.hpp"
+#include "summary_reading.hpp"
+
+namespace tocsin::mcap {
+namespace {
+
+/// The content of the record at `offset`; empty when it is not there or of another kind.
+std::optional<Bytes> content_at(ByteSource& source, std::uint64_t offset, Opcode wanted) {
+  std::array<std::uint8_t, record_head> head{};
+  if (!source.read(offset, head.data(), head.size())) return std::nullopt;
+  Cursor cursor({head.data(), head.size()});
+  const auto opcode = static_cast<Opcode>(cursor.u8());
+  const std::uint64_t length = cursor.u64();
+  const std::uint64_t at = offset + record_head;
+  if (opcode != wanted || length > source.size() - at) return std::nullopt;
+  Bytes content(static_cast<std::size_t>(length));
+  if (!source.read(at, content.data(), content.size())) return std::nullopt;
+  return content;
+}
+
+}  // namespace
+
+Reader::Reader(const std::string& path) : Reader(std::make_unique<FileSource>(path), path) {}
+
+Reader::Reader(std::unique_ptr<ByteSource> source, const std::string& name)
+    : source_(std::move(source)) {
+  Header header = read_header(*source_, name);
+  if (!read_summary(*source_, summary_)) {
+    summary_ = {};
+    summarize(*source_, summary_, damage_);
+    damage_.no_summary = true;
+  }
+  summary_.header = std::move(header);
+}
+
+std::unique_ptr<MessageStream> Reader::messages(Query query) {
+  return make_message_stream(*source_, summary_, std::move(query), damage_);
+}
+
+std::optional<Attachment> Reader::read(const AttachmentIndex& index) {
+  const auto content = content_at(*source_, index.offset, Opcode::attachment);
+  if (!content) return std::nullopt;
+  return decode_attachment({content->data(), content->size()});
+}
+
+std::optional<Metadata> Reader::read(const MetadataIndex& index) {
+  const auto content = content_at(*source_, index.offset, Opcode::metadata);
+  if (!content) return std::nullopt;
+  return decode_metadata({content->data(), content->size()});
+}
+
+}  // namespace tocsin::mcap
