@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -38,27 +37,30 @@ class Scheduler {
  private:
   struct Entry final : Waker {
     Entry(Scheduler& its, Component& one, std::function<bool()> is_running, Time first_tick)
-        : scheduler(its), component(one), running(std::move(is_running)), first(first_tick) {}
-    void wake() override { scheduler.ask(index); }
+        : scheduler(its),
+          component(one),
+          running(std::move(is_running)),
+          first(first_tick),
+          due(first_tick) {}
+    void wake() override { scheduler.ask(*this); }
     Scheduler& scheduler;
     Component& component;
     std::function<bool()> running;
     Time first;
-    std::size_t index = 0;
+    Time due;            ///< when it is ticked without input
+    bool asked = false;  ///< has its turn in this round or the next
     bool failed = false;
   };
-  void ask(std::size_t index);
+  void ask(Entry& entry);
   void ask_the_due(Time now);
-  void number_entries();
   void run_round(Time now);
   void tick(Entry& entry, Time now);
+  [[nodiscard]] Time earliest() const;
   [[nodiscard]] const std::string& first_asked() const;
 
   Failure on_failure_;
-  std::vector<std::unique_ptr<Entry>> entries_;
-  std::vector<Time> due_;             ///< of each entry
-  std::vector<std::uint64_t> words_;  ///< a bit for each entry that has input or a deadline
-  bool asked_ = false;                ///< whether a bit may be set
+  std::vector<std::unique_ptr<Entry>> entries_;  ///< in the order of their turns
+  bool asked_ = false;                           ///< whether an entry may be asked
   std::uint64_t ticks_ = 0;
   Time next_ = never;
 };
