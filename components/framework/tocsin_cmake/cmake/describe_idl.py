@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The TypeInfo of every struct of an IDL file: <stem>.hpp and <stem>_type_info.cpp.
 
-`types` is what idl_dialect.structs() gives.
+`types` is what idl_dialect.structs() gives, `definitions` what ros_definition.definitions() gives.
 """
 
 
@@ -36,9 +36,15 @@ def skip_function(scope, name, fields):
             f"  using M = {'::'.join(scope + [name])};\n  return {body};\n}}\n")
 
 
-def source(package, stem, types):
+def definition_call(name, text, parts):
+    listed = ", ".join(f'"{part}"' for part in parts)
+    return f'  register_definition({{"{name}", R"ros2msg({text})ros2msg", {{{listed}}}}});\n'
+
+
+def source(package, stem, types, definitions):
     text = [f'// Generated from {stem}.idl.\n#include "{package}/{stem}.hpp"\n\n']
     text.append('#include <utility>\n\n#include "idl_support/cdr_type.hpp"\n')
+    text.append('#include "idl_support/type_definition.hpp"\n')
     text.append('#include "idl_support/type_registry.hpp"\n\n')
     text.append("namespace tocsin {\nnamespace {\n")
     text += [visit_function(*item) + edit_function(*item) + skip_function(*item) for item in types]
@@ -57,5 +63,6 @@ def source(package, stem, types):
     text.append("namespace {\nconst bool registered = [] {\n")
     text += [f"  register_type(type_info<{'::'.join(scope + [name])}>());\n"
              for scope, name, _ in types]
+    text += [definition_call(*one) for one in definitions]
     text.append("  return true;\n}();\n}  // namespace\n}  // namespace tocsin\n")
     return "".join(text)

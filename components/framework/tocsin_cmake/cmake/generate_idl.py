@@ -13,6 +13,7 @@ import describe_idl
 import idl_dialect
 import idl_parser
 import inline_types
+import ros_definition
 
 
 def put(path, text):
@@ -21,14 +22,16 @@ def put(path, text):
         path.write_text(text)
 
 
-def files_of(package, stem, parsed, generated):
+def files_of(package, idl, parsed, generated):
     """{file name: text} of one IDL file."""
+    stem = idl.stem
+    definitions = ros_definition.definitions(idl.read_text(errors="replace"), parsed)
     types = idl_dialect.structs(parsed)
     includes = [pathlib.PurePath(name).name for name in parsed["includes"]]
     header, source = inline_types.inlined(*generated)
     return {f"{stem}.h": header + "\n", f"{stem}.cxx": source,
             f"{stem}.hpp": describe_idl.header(package, stem, includes, types),
-            f"{stem}_type_info.cpp": describe_idl.source(package, stem, types)}
+            f"{stem}_type_info.cpp": describe_idl.source(package, stem, types, definitions)}
 
 
 def refuse_faults(parsed):
@@ -66,7 +69,7 @@ def main():
         sys.exit(str(error))
     given.out.mkdir(parents=True, exist_ok=True)
     for idl in idls:
-        for name, text in files_of(given.package, idl.stem, parsed[idl], generated[idl.stem]).items():
+        for name, text in files_of(given.package, idl, parsed[idl], generated[idl.stem]).items():
             put(given.out / name, text)
 
 

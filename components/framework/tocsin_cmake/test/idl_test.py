@@ -12,6 +12,7 @@ sys.path.insert(0, str(CMAKE))
 import describe_idl  # noqa: E402
 import idl_dialect  # noqa: E402
 import idl_parser  # noqa: E402
+import ros_definition  # noqa: E402
 
 
 class IdlFolder:
@@ -108,7 +109,7 @@ class Accepted(unittest.TestCase):
 
     def test_same_name_in_two_modules(self):
         self.assertEqual(self.structs_of("same_name"), [(["a"], "S", ["x"]), (["b"], "S", ["y"])])
-        source = describe_idl.source("toy", "same_name", self.structs_of("same_name"))
+        source = describe_idl.source("toy", "same_name", self.structs_of("same_name"), [])
         self.assertIn("bool skip_a_S(", source)
         self.assertIn("bool skip_b_S(", source)
 
@@ -118,6 +119,56 @@ class Accepted(unittest.TestCase):
     def test_included_structs_are_described_where_they_are_defined(self):
         self.assertEqual(self.structs_of("user"), [([], "User", ["one"])])
         self.assertEqual(self.parsed[self.folder.idl("user")]["includes"], ["one_line"])
+
+
+DEFINED = """
+#include "one_line.idl"
+module r { module msg {
+  enum E { E_A, E_B };
+  typedef sequence<long> Row;
+  @final struct Numbers {
+    boolean b; octet o; char c; int8 i8; uint8 u8; short i16; unsigned short u16;
+    long i32;  // [m] of the road
+    unsigned long u32; long long i64; unsigned long long u64; float f32; double f64;
+    string s; E e;  ///< which one
+  };
+  @final struct Lists {
+    double covariance[36]; float grid[2][3]; sequence<octet> bytes;
+    Row row; sequence<a::msg::One> ones; Numbers pair[2]; a::msg::One one;
+  };
+  @final struct Nested { sequence<Row> rows; };
+}; };
+@final struct NoMessage { long x; };
+"""
+
+
+class Defined(unittest.TestCase):
+    """What others read of our messages: their definitions in ROS 2's syntax."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = IdlFolder({"one_line": ACCEPTED["one_line"], "defined": DEFINED})
+        path = cls.folder.idl("defined")
+        found = ros_definition.definitions(DEFINED, cls.folder.parse("defined")[path])
+        cls.definitions = {name: (text.splitlines(), parts) for name, text, parts in found}
+
+    def test_numbers_have_the_names_of_ros(self):
+        lines, parts = self.definitions["r::msg::dds_::Numbers_"]
+        self.assertEqual(lines, [
+            "bool b", "uint8 o", "char c", "int8 i8", "uint8 u8", "int16 i16", "uint16 u16",
+            "int32 i32  # [m] of the road", "uint32 u32", "int64 i64", "uint64 u64", "float32 f32",
+            "float64 f64", "string s", "uint32 e  # which one"])
+        self.assertEqual(parts, [])
+
+    def test_lists_and_structs_and_their_parts_each_once(self):
+        lines, parts = self.definitions["r::msg::dds_::Lists_"]
+        self.assertEqual(lines, ["float64[36] covariance", "float32[6] grid", "uint8[] bytes", "int32[] row",
+                                 "a/One[] ones", "r/Numbers[2] pair", "a/One one"])
+        self.assertEqual(parts, ["a::msg::dds_::One_", "r::msg::dds_::Numbers_"])
+
+    def test_what_ros_cannot_say_has_none(self):
+        self.assertEqual(sorted(self.definitions),
+                         ["r::msg::dds_::Lists_", "r::msg::dds_::Numbers_"])
 
 
 class Refused(unittest.TestCase):

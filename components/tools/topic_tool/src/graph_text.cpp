@@ -11,7 +11,7 @@
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
-#include "ros_names.hpp"
+#include "foundation/ros_names.hpp"
 
 namespace tocsin::topic_tool {
 namespace {

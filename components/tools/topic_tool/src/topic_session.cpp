@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/ros_names.hpp"
 #include "graph_text.hpp"
 #include "idl_support/type_registry.hpp"
-#include "ros_names.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
 
 namespace tocsin::topic_tool {

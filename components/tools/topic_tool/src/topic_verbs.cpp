@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "foundation/error.hpp"
+#include "foundation/ros_names.hpp"
 #include "header_stamp.hpp"
 #include "idl_support/encode.hpp"
 #include "meters.hpp"
-#include "ros_names.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {

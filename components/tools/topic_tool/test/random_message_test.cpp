@@ -13,7 +13,7 @@
 #include "idl_support/type_registry.hpp"
 #include "message_yaml.hpp"
 #include "ros_idl/nav_msgs.hpp"
-#include "ros_names.hpp"
+#include "foundation/ros_names.hpp"
 
 namespace tocsin::topic_tool {
 namespace {

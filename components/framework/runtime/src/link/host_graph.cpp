@@ -44,8 +44,8 @@ class Reading final : public RawReading {
 
 class Writing final : public RawWriting {
  public:
-  Writing(FastDdsParticipant& participant, const RawTopic& topic)
-      : profile_(profile_of(topic)),
+  Writing(FastDdsParticipant& participant, const RawTopic& topic, const QosProfile& profile)
+      : profile_(profile),
         writer_(participant, topic.name, topic.type, profile_,
                 [this, &participant](const auto& reader) {
                   if (reader != participant.prefix()) ++readers_;
@@ -102,7 +102,11 @@ class FastDdsHostGraph final : public HostGraph {
                                      });
   }
   [[nodiscard]] std::unique_ptr<RawWriting> write(const RawTopic& topic) override {
-    return std::make_unique<Writing>(participant_, topic);
+    return write(topic, profile_of(topic));
+  }
+  [[nodiscard]] std::unique_ptr<RawWriting> write(const RawTopic& topic,
+                                                  const QosProfile& qos) override {
+    return std::make_unique<Writing>(participant_, topic, qos);
   }
 
  private:

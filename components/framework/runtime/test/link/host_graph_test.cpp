@@ -146,5 +146,20 @@ TEST_F(HostGraphTest, WritesToOrdinaryReadersAndCountsThem) {
   EXPECT_EQ(std::static_pointer_cast<const String>(heard.all().front().message)->data(), "hello");
 }
 
+TEST_F(HostGraphTest, OffersTheQosThatItIsGiven) {
+  const auto observer = make_host_graph(options());
+  QosProfile offered;
+  offered.reliability = Reliability::best_effort;
+  offered.deadline_s = 2;
+  offered.lifespan_s = 5;
+  const auto writing = graph_->write(raw_event, offered);
+  ASSERT_TRUE(eventually([&] { return !observer->ends().empty(); }));
+  const GraphEnd end = observer->ends().front();
+  EXPECT_EQ(end.qos.reliability, Reliability::best_effort);
+  EXPECT_EQ(end.qos.durability, Durability::volatile_kind);
+  EXPECT_EQ(end.qos.deadline_s, 2);
+  EXPECT_EQ(end.lifespan_s, 5);
+}
+
 }  // namespace
 }  // namespace tocsin

@@ -68,7 +68,11 @@ class HostGraph {
   /// `on_sample` is called by another thread, one sample at a time.
   [[nodiscard]] virtual std::unique_ptr<RawReading> read(
       const RawTopic& topic, std::function<void(RawSample&&)> on_sample) = 0;
+  /// Keeps its last 10 samples, or the last one for late readers.
   [[nodiscard]] virtual std::unique_ptr<RawWriting> write(const RawTopic& topic) = 0;
+  /// Offers `qos`, in which reliability and durability stand, too.
+  [[nodiscard]] virtual std::unique_ptr<RawWriting> write(const RawTopic& topic,
+                                                          const QosProfile& qos) = 0;
 };
 
 /// Throws EnvironmentError when the participant cannot be created.

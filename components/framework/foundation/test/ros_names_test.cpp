@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ros_names.hpp"
+#include "foundation/ros_names.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foundation/error.hpp"
 
-namespace tocsin::topic_tool {
+namespace tocsin {
 namespace {
 
 TEST(RosNames, OfTopicsLoseTheirPrefixAndPlainDdsTopicsAreNone) {
@@ -57,4 +57,4 @@ TEST(RosNames, WhatIsNoTypeIsRefused) {
 }
 
 }  // namespace
-}  // namespace tocsin::topic_tool
+}  // namespace tocsin

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace tocsin::topic_tool {
+namespace tocsin {
 
 /// `rt/uxv/odom` is `/uxv/odom`; empty: no topic of ROS (a service, or a plain DDS topic).
 [[nodiscard]] std::optional<std::string> ros_topic(const std::string& on_wire);
@@ -21,4 +21,4 @@ namespace tocsin::topic_tool {
 /// ConfigError for what is neither.
 [[nodiscard]] std::string wire_type(const std::string& ros_name);
 
-}  // namespace tocsin::topic_tool
+}  // namespace tocsin

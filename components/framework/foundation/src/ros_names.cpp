@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ros_names.hpp"
+#include "foundation/ros_names.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 
 #include "foundation/error.hpp"
 
-namespace tocsin::topic_tool {
+namespace tocsin {
 namespace {
 
 const std::string topic_prefix = "rt/";
@@ -57,4 +57,4 @@ std::string wire_type(const std::string& ros_name) {
   return parts[0] + "::" + parts[1] + "::dds_::" + parts[2] + "_";
 }
 
-}  // namespace tocsin::topic_tool
+}  // namespace tocsin
