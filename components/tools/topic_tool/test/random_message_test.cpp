@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "foundation/ros_names.hpp"
 #include "idl_support/encode.hpp"
 #include "idl_support/type_registry.hpp"
 #include "message_yaml.hpp"
 #include "ros_idl/nav_msgs.hpp"
-#include "foundation/ros_names.hpp"
 
 namespace tocsin::topic_tool {
 namespace {

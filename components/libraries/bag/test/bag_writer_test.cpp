@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bag/bag_writer.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "bags.hpp"
+#include "foundation/error.hpp"
+
+namespace tocsin::bag {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+TEST(BagWriter, MakesAFolderWithItsFileAndMetadata) {
+  const TemporaryFolder folder;
+  write_bag(folder.path("run"), 5);
+  EXPECT_TRUE(fs::exists(folder.path("run/run_0.mcap")));
+  const std::string metadata = folder.read("run/metadata.yaml");
+  EXPECT_THAT(metadata, HasSubstr("message_count: 5"));
+  EXPECT_THAT(metadata, HasSubstr("nanoseconds: 4000000000"));
+  EXPECT_THAT(metadata, HasSubstr("nanoseconds_since_epoch: 1700000000000000000"));
+}
+
+TEST(BagWriter, NamesFilesByTheFolderAlsoWithASlashBehindIt) {
+  const TemporaryFolder folder;
+  write_bag(folder.path("a/b/run/"), 1);
+  EXPECT_TRUE(fs::exists(folder.path("a/b/run/run_0.mcap")));
+}
+
+TEST(BagWriter, RefusesAFolderThatIsThere) {
+  const TemporaryFolder folder;
+  folder.write("run/precious", "x");
+  try {
+    const BagWriter sut(folder.path("run"), {});
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("run: is there already"));
+  }
+  EXPECT_EQ(folder.read("run/precious"), "x");
+}
+
+TEST(BagWriter, RefusesAFolderThatCannotBeMade) {
+  EXPECT_THROW(BagWriter("/proc/none/run", {}), ConfigError);
+}
+
+TEST(BagWriter, SplitsByDuration) {
+  const TemporaryFolder folder;
+  BagOptions options;
+  options.max_duration_s = 2;
+  write_bag(folder.path("run"), 5, options);  // 0 1 | 2 3 | 4
+  const BagReader reader(folder.path("run"));
+  ASSERT_EQ(reader.about().files.size(), 3U);
+  EXPECT_EQ(reader.about().files[0].count, 2U);
+  EXPECT_EQ(reader.about().files[1].count, 2U);
+  EXPECT_EQ(reader.about().files[2].path, "run_2.mcap");
+  EXPECT_EQ(reader.about().count, 5U);
+  EXPECT_EQ(reader.about().duration_ns, 4 * second);
+}
+
+TEST(BagWriter, SplitsBySize) {
+  const TemporaryFolder folder;
+  BagOptions options;
+  options.max_bytes = 100'000;
+  {
+    BagWriter sut(folder.path("run"), options);
+    const std::size_t topic = sut.add(text_topic("/a"));
+    const std::string large(30'000, 'x');
+    for (std::uint32_t i = 0; i < 9; ++i) (void)sut.write(topic, message_of(i, t0 + i, large));
+  }
+  BagReader reader(folder.path("run"));
+  EXPECT_EQ(reader.about().files.size(), 3U);  // four pass the limit, but the last are one
+  for (const auto& file : reader.about().files) {
+    EXPECT_LT(fs::file_size(folder.path("run/" + file.path)), 100'000U + 32'000U);
+  }
+  EXPECT_EQ(all_of(reader).size(), 9U);
+}
+
+TEST(BagWriter, TellsTopicsThatCameLateInEveryFileFromThenOn) {
+  const TemporaryFolder folder;
+  BagOptions options;
+  options.max_duration_s = 1;
+  {
+    BagWriter sut(folder.path("run"), options);
+    const std::size_t a = sut.add(text_topic("/a"));
+    (void)sut.write(a, message_of(1, t0, "x"));
+    const std::size_t b = sut.add(text_topic("/b"));
+    (void)sut.write(b, message_of(1, t0 + 1, "y"));
+    (void)sut.write(b, message_of(2, t0 + 2 * second, "z"));
+  }
+  BagReader reader(folder.path("run"));
+  ASSERT_EQ(reader.topics().size(), 2U);
+  EXPECT_EQ(reader.topics()[1].count, 2U);
+  EXPECT_EQ(all_of(reader).back(), Got("/b", 2, t0 + 2 * second, "z"));
+  EXPECT_THAT(folder.read("run/metadata.yaml"), HasSubstr("message_count: 3"));
+}
+
+TEST(BagWriter, CanBeReadWhileItIsWritten) {
+  const TemporaryFolder folder;
+  BagWriter sut(folder.path("run"), {});
+  const std::size_t topic = sut.add(text_topic("/a"));
+  (void)sut.write(topic, message_of(1, t0, "x"));
+  ASSERT_EQ(sut.flush(), mcap::Kept::all);
+  BagReader reader(folder.path("run"));
+  EXPECT_EQ(all_of(reader).size(), 1U);
+  EXPECT_TRUE(reader.damaged().at(0).second.no_summary);
+}
+
+TEST(BagWriter, KeepsAttachmentsAndMetadata) {
+  const TemporaryFolder folder;
+  {
+    BagWriter sut(folder.path("run"), {});
+    EXPECT_EQ(sut.write(mcap::Attachment{1, 2, "map.pgm", "", "P5"}), mcap::Kept::all);
+    EXPECT_EQ(sut.write(mcap::Metadata{"run", {{"seed", "3"}}}), mcap::Kept::all);
+  }
+  BagReader reader(folder.path("run"));
+  EXPECT_EQ(reader.attachments().at(0).data, "P5");
+  EXPECT_EQ(reader.metadata().at(0).values.at("seed"), "3");
+}
+
+TEST(BagWriter, CountsWhatAFullDiskTakesAndGoesOn) {
+  const TemporaryFolder folder;
+  auto* const before = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limit{};
+  getrlimit(RLIMIT_FSIZE, &limit);
+  {
+    BagWriter sut(folder.path("run"), {});
+    const std::size_t topic = sut.add(text_topic("/a"));
+    (void)sut.write(topic, message_of(1, t0, "kept"));
+    (void)sut.flush();
+    const rlimit small{fs::file_size(folder.path("run/run_0.mcap")), limit.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    (void)sut.write(topic, message_of(2, t0 + 1, "lost"));
+    EXPECT_EQ(sut.flush(), mcap::Kept::nothing);
+    EXPECT_EQ(sut.lost(), 1U);
+    setrlimit(RLIMIT_FSIZE, &limit);
+    (void)sut.write(topic, message_of(3, t0 + 2, "kept"));
+    EXPECT_EQ(sut.close(), mcap::Kept::all);
+    EXPECT_EQ(sut.lost(), 1U);
+  }
+  (void)std::signal(SIGXFSZ, before);
+  BagReader reader(folder.path("run"));
+  EXPECT_EQ(all_of(reader).size(), 2U);
+  EXPECT_THAT(folder.read("run/metadata.yaml"), HasSubstr("message_count: 2"));
+}
+
+TEST(BagWriter, TakesNothingAfterItsEnd) {
+  const TemporaryFolder folder;
+  BagWriter sut(folder.path("run"), {});
+  const std::size_t topic = sut.add(text_topic("/a"));
+  EXPECT_EQ(sut.close(), mcap::Kept::all);
+  EXPECT_EQ(sut.write(topic, message_of(1, t0, "x")), mcap::Kept::nothing);
+  EXPECT_EQ(sut.flush(), mcap::Kept::nothing);
+}
+
+}  // namespace
+}  // namespace tocsin::bag
