@@ -112,7 +112,7 @@ nlohmann::json parameters_json(const PolicySettings& settings) {
 void add_recording(const DecidedTrace& decided, nlohmann::json& out) {
   const auto compared = compare_with_recording(decided);
   if (!compared) return;
-  out["role"] = decided.trace.role;
+  if (const auto role = decided.trace.role) out["role"] = to_string(*role);
   out["recorded"] = {{"decisions", compared->recorded},
                      {"pauses", compared->recorded_pauses},
                      {"same", compared->same},
@@ -123,11 +123,11 @@ void add_recording(const DecidedTrace& decided, nlohmann::json& out) {
 
 std::string to_text(const DecidedTrace& decided) {
   const DecisionSummary s = summarize(decided);
-  const std::string& role = decided.trace.role;
+  const auto role = decided.trace.role;
   std::ostringstream text;
   text << changes_text(decided) << std::fixed << std::setprecision(1);
   text << "\npolicy " << decided.policy << " on " << decided.trace.path << " ("
-       << decided.trace.kind << (role.empty() ? "" : " of role " + role) << ")\n"
+       << decided.trace.kind << (role ? std::string(" of role ") + to_string(*role) : "") << ")\n"
        << to_text(decided.settings) << s.samples << " samples, " << s.missing
        << " without measurement; " << s.pauses << " pauses, " << s.forced
        << " ended by a limit, longest " << s.longest_pause << " samples; silent "

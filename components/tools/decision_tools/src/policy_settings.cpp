@@ -101,7 +101,8 @@ PolicySettings load_settings(const PolicyRequest& request) {
   PolicySettings settings;
   if (request.run) {
     add(*request.run->values, "transmission_controller", request.run->file, settings);
-    settings.sources.back().name += ", transmission_controller of " + request.run->roles;
+    settings.sources.back().name +=
+        ", transmission_controller of " + joined_roles(request.run->roles);
   }
   if (!request.model.empty()) {
     add(read_yaml_file(request.model), "policy", request.model, settings);

@@ -170,12 +170,12 @@ QualityTrace read_quality_trace(const std::string& path, const TraceOptions& opt
   } else {
     reject(table);
   }
-  if (!trace.role.empty()) {
+  if (trace.role) {
     trace.controller = controller_of_run(path, trace.role);
     if (options.column.empty()) read_decisions(table, trace);
   }
-  if (!options.role.empty() && trace.role.empty() && !trace.controller) {
-    throw ConfigError(path + ": --host " + printable(options.role) +
+  if (options.role && !trace.role && !trace.controller) {
+    throw ConfigError(path + ": --host " + to_string(*options.role) +
                       ": the file has no column role and no deployment.yaml beside it");
   }
   if (table.has("state") && trace.qni.size() == table.rows()) {

@@ -22,7 +22,7 @@ struct RecordedDecision {
 struct QualityTrace {
   std::string path;
   std::string kind;            ///< what the file was taken for
-  std::string role;            ///< of a recorded transmission_state.csv: whose rows; else empty
+  std::optional<Role> role;    ///< of a recorded transmission_state.csv: whose rows; else empty
   std::vector<double> time_s;  ///< from 0, not decreasing
   std::vector<double> qni;     ///< [0,100]; NaN where nothing was measured
   std::vector<bool> bad;       ///< the truth, where the file has a column `state`; else empty
@@ -36,9 +36,9 @@ struct QualityTrace {
 
 /// How to read a file.
 struct TraceOptions {
-  std::string column;   ///< the column with the quality; empty: found by its name
-  std::string role;     ///< whose decisions, uxv or gcs; empty: those of the only role there is
-  double period_s = 1;  ///< between rows of a file that has no time
+  std::string column;        ///< the column with the quality; empty: found by its name
+  std::optional<Role> role;  ///< whose decisions; empty: those of the only role there is
+  double period_s = 1;       ///< between rows of a file that has no time
 };
 
 /// Reads what Tocsin records (network_quality.csv, transmission_state.csv), measured Wi-Fi (columns

@@ -8,6 +8,7 @@
 #include "decision/policy.hpp"
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
+#include "recorded_run.hpp"
 
 namespace tocsin::tools {
 namespace {
@@ -33,6 +34,17 @@ std::vector<double> counts(const CsvTable& table, const std::string& column) {
   return values;
 }
 
+std::vector<Role> roles_in(const CsvTable& table) {
+  const std::vector<std::string> words = table.texts("role");
+  std::vector<Role> roles;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto role = role_of(words[i]);
+    if (!role) table.reject(i, "role", "'" + printable(words[i]) + "' is not uxv or gcs");
+    roles.push_back(*role);
+  }
+  return roles;
+}
+
 /// A row without a sample is a call at the deadline of a pause unless it counts as a sample of the
 /// pause: Policy::on_deadline neither counts nor tells another reason.
 bool is_at_deadline(const RecordedDecision& decision, double qni, int pause_samples_before) {
@@ -44,23 +56,23 @@ bool is_at_deadline(const RecordedDecision& decision, double qni, int pause_samp
 
 }  // namespace
 
-std::string keep_one_role(CsvTable& table, const std::string& wanted) {
-  if (!table.has("role")) return "";
-  const std::vector<std::string> roles = table.texts("role");
-  const std::set<std::string> known(roles.begin(), roles.end());
-  std::string list;
-  for (const std::string& one : known) list += (list.empty() ? "" : " and ") + printable(one);
-  if (wanted.empty() && known.size() > 1) {
+std::optional<Role> keep_one_role(CsvTable& table, std::optional<Role> wanted) {
+  if (!table.has("role")) return std::nullopt;
+  const std::vector<Role> roles = roles_in(table);
+  const std::set<Role> known(roles.begin(), roles.end());
+  const std::string list = joined_roles({known.begin(), known.end()});
+  if (!wanted && known.size() > 1) {
     throw ConfigError(table.path() + ": has decisions of the roles " + list +
                       "; choose one by --host");
   }
-  const std::string role = wanted.empty() ? *known.begin() : wanted;
+  const Role role = wanted.value_or(*known.begin());
   if (known.count(role) == 0) {
-    throw ConfigError(table.path() + ": has no row with role " + role + ", only " + list);
+    throw ConfigError(table.path() + ": has no row with role " + to_string(role) + ", only " +
+                      list);
   }
   std::vector<bool> kept;
   kept.reserve(roles.size());
-  for (const std::string& one : roles) kept.push_back(one == role);
+  for (const Role one : roles) kept.push_back(one == role);
   table.keep(kept);
   return role;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
+#include <optional>
 
 #include "foundation/csv_table.hpp"
 #include "quality_trace.hpp"
@@ -9,9 +9,9 @@
 namespace tocsin::tools {
 
 /// Leaves the rows of one role in a recorded transmission_state.csv and says which one. Without
-/// `wanted` there must be only one. A table without a column `role` has none.
+/// `wanted` there must be only one. Empty when the table has no column `role`.
 /// Throws ConfigError naming the roles that are there.
-std::string keep_one_role(CsvTable& table, const std::string& wanted);
+std::optional<Role> keep_one_role(CsvTable& table, std::optional<Role> wanted);
 
 /// Leaves each decision once: a recorder that was started again gets the last one again.
 void drop_repeated_decisions(CsvTable& table);

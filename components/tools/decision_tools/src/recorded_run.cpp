@@ -11,7 +11,7 @@
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/parameters.hpp"
-#include "foundation/role.hpp"
+#include "foundation/printable.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::tools {
@@ -20,9 +20,15 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Controller {
-  std::string role;
+  Role role;
   std::shared_ptr<const YAML::Node> values;
 };
+
+Role role_in(const std::string& file, const YAML::Node& host) {
+  const auto word = host["role"].as<std::string>();
+  if (const auto role = role_of(word)) return *role;
+  throw ConfigError(file + ": role '" + printable(word) + "' is not uxv or gcs");
+}
 
 /// Read without deployment::load_resolved, which needs the files that the run was started with: a
 /// recording may have come from another computer.
@@ -34,8 +40,8 @@ std::vector<Controller> controllers_in(const std::string& file) {
       for (const auto& container : host.second["containers"]) {
         for (const auto& one : container["components"]) {
           if (one["component"].as<std::string>() != "transmission_controller") continue;
-          found.push_back({host.second["role"].as<std::string>(),
-                           std::make_shared<const YAML::Node>(one["parameters"])});
+          found.push_back(
+              {role_in(file, host.second), std::make_shared<const YAML::Node>(one["parameters"])});
         }
       }
     }
@@ -66,11 +72,6 @@ bool decide_alike(const std::vector<Controller>& all, const std::string& file) {
   return texts.size() == 1;
 }
 
-std::string joined_roles(const std::vector<Controller>& all) {
-  return joined_of(
-      all, [](const Controller& one) { return one.role; }, " and ");
-}
-
 std::optional<fs::path> deployment_beside(const fs::path& recording) {
   const fs::path folder = fs::absolute(recording).parent_path();
   if (fs::is_regular_file(folder / "deployment.yaml")) return folder / "deployment.yaml";
@@ -80,7 +81,18 @@ std::optional<fs::path> deployment_beside(const fs::path& recording) {
   return is_of_role && fs::is_regular_file(above) ? std::optional(above) : std::nullopt;
 }
 
+std::vector<Role> roles_of(const std::vector<Controller>& all) {
+  std::vector<Role> roles;
+  for (const Controller& one : all) roles.push_back(one.role);
+  return roles;
+}
+
 }  // namespace
+
+std::string joined_roles(const std::vector<Role>& roles) {
+  return joined_of(
+      roles, [](Role role) { return std::string(to_string(role)); }, " and ");
+}
 
 decision::QniParams ControllerParameters::qni() const {
   decision::QniParams params;
@@ -90,23 +102,25 @@ decision::QniParams ControllerParameters::qni() const {
 }
 
 std::optional<ControllerParameters> controller_of_run(const std::string& recording,
-                                                      const std::string& role) {
+                                                      std::optional<Role> role) {
   const auto path = deployment_beside(recording);
   if (!path) return std::nullopt;
   const std::string file = path->string();
   std::vector<Controller> found;
   for (Controller& one : controllers_in(file)) {
-    if (role.empty() || one.role == role) found.push_back(std::move(one));
+    if (!role || one.role == role) found.push_back(std::move(one));
   }
   if (found.empty()) {
     throw ConfigError(file + ": has no transmission_controller" +
-                      (role.empty() ? "" : " of role " + role) + ", which " + recording + " needs");
+                      (role ? std::string(" of role ") + to_string(*role) : "") + ", which " +
+                      recording + " needs");
   }
   if (!decide_alike(found, file)) {
-    throw ConfigError(recording + ": the transmission_controllers of " + joined_roles(found) +
-                      " in " + file + " decide differently; choose one by --host");
+    throw ConfigError(recording + ": the transmission_controllers of " +
+                      joined_roles(roles_of(found)) + " in " + file +
+                      " decide differently; choose one by --host");
   }
-  return ControllerParameters{file, joined_roles(found), found.front().values};
+  return ControllerParameters{file, roles_of(found), found.front().values};
 }
 
 }  // namespace tocsin::tools

@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 
 ControllerParameters run_with(const std::string& yaml) {
-  return {"run/deployment.yaml", "uxv", std::make_shared<const YAML::Node>(YAML::Load(yaml))};
+  return {"run/deployment.yaml", {Role::uxv}, std::make_shared<const YAML::Node>(YAML::Load(yaml))};
 }
 
 std::string error_of(const PolicyRequest& request) {

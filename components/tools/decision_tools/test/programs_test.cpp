@@ -112,7 +112,7 @@ TEST_F(Programs, HaveOneLineForEveryBadInput) {
   expect_error(DECIDE_PROGRAM " trace.csv --policy oracle", "needs the truth");
   expect_error(DECIDE_PROGRAM " trace.csv --set alpha=-1", "policy.alpha: -1 is outside");
   expect_error(DECIDE_PROGRAM " back.csv", "back.csv:3: t: 1 is 1.000 s before the row above");
-  expect_error(DECIDE_PROGRAM " roles.csv", "roles.csv: has decisions of the roles gcs and uxv");
+  expect_error(DECIDE_PROGRAM " roles.csv", "roles.csv: has decisions of the roles uxv and gcs");
   expect_error(DECIDE_PROGRAM " trace.csv --model contrary.yaml",
                "contrary.yaml: policy.pause_below_qni: 60 must be at most resume_at_qni, 50");
   expect_error(DESIGN_PROGRAM " --false-alarm 1min", "cannot be had with these laws");

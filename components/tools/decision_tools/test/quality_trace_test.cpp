@@ -64,9 +64,9 @@ TEST_F(QualityTraceTest, ReadsRecordedNetworkQuality) {
 
 TEST_F(QualityTraceTest, ReadsRecordedDecisionsOfOneRole) {
   const std::string text = "receive_s,role,qni\n1,uxv,50\n1,gcs,60\n2,uxv,70\n";
-  EXPECT_EQ(read(text, {"", "uxv", 1}).qni, (std::vector<double>{50, 70}));
-  EXPECT_THAT(error_of(text, {"", "base", 1}),
-              HasSubstr("has no row with role base, only gcs and uxv"));
+  EXPECT_EQ(read(text, {"", Role::uxv, 1}).qni, (std::vector<double>{50, 70}));
+  EXPECT_THAT(error_of("receive_s,role,qni\n1,gcs,60\n", {"", Role::uxv, 1}),
+              HasSubstr("has no row with role uxv, only gcs"));
 }
 
 TEST_F(QualityTraceTest, AveragesMeasuredWifiOverSeconds) {
@@ -79,8 +79,8 @@ TEST_F(QualityTraceTest, AveragesMeasuredWifiOverSeconds) {
 }
 
 TEST_F(QualityTraceTest, TakesTheColumnThatIsNamed) {
-  EXPECT_EQ(read("a,b\n1,2\n", {"b", "", 1}).qni, std::vector<double>{2});
-  EXPECT_THAT(error_of("a,b\n1,2\n", {"c", "", 1}), HasSubstr("has no column 'c', has: a, b"));
+  EXPECT_EQ(read("a,b\n1,2\n", {"b", {}, 1}).qni, std::vector<double>{2});
+  EXPECT_THAT(error_of("a,b\n1,2\n", {"c", {}, 1}), HasSubstr("has no column 'c', has: a, b"));
 }
 
 TEST_F(QualityTraceTest, HasOneClearErrorForEveryBadFile) {

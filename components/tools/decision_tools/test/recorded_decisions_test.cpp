@@ -59,10 +59,10 @@ class Recorder {
 
 class RecordedDecisionsTest : public ::testing::Test {
  protected:
-  QualityTrace read(const std::string& text, const std::string& role = "") const {
+  QualityTrace read(const std::string& text, std::optional<Role> role = {}) const {
     return read_quality_trace(folder.write("transmission_state.csv", text), {"", role, 1});
   }
-  std::string error_of(const std::string& text, const std::string& role = "") const {
+  std::string error_of(const std::string& text, std::optional<Role> role = {}) const {
     try {
       (void)read(text, role);
     } catch (const ConfigError& error) {
@@ -78,19 +78,26 @@ class RecordedDecisionsTest : public ::testing::Test {
 
 TEST_F(RecordedDecisionsTest, AskForTheRoleWhenThereAreTwo) {
   const std::string text = "receive_s,role,qni\n1,uxv,50\n1,gcs,60\n2,uxv,70\n";
-  EXPECT_THAT(error_of(text), HasSubstr("transmission_state.csv: has decisions of the roles gcs "
-                                        "and uxv; choose one by --host"));
-  EXPECT_EQ(read(text, "uxv").qni, (std::vector<double>{50, 70}));
-  EXPECT_EQ(read(text, "gcs").qni, std::vector<double>{60});
-  EXPECT_THAT(error_of(text, "base"), HasSubstr("has no row with role base, only gcs and uxv"));
+  EXPECT_THAT(error_of(text), HasSubstr("transmission_state.csv: has decisions of the roles uxv "
+                                        "and gcs; choose one by --host"));
+  EXPECT_EQ(read(text, Role::uxv).qni, (std::vector<double>{50, 70}));
+  EXPECT_EQ(read(text, Role::gcs).qni, std::vector<double>{60});
 }
 
-TEST_F(RecordedDecisionsTest, OfOneRoleNeedNoChoice) {
-  EXPECT_EQ(read("receive_s,role,qni\n1,gcs,60\n").role, "gcs");
+TEST_F(RecordedDecisionsTest, OfOneRoleNeedNoChoiceAndOfTheOtherThereAreNone) {
+  const std::string text = "receive_s,role,qni\n1,gcs,60\n";
+  EXPECT_EQ(read(text).role, Role::gcs);
+  EXPECT_THAT(error_of(text, Role::uxv), HasSubstr("has no row with role uxv, only gcs"));
+}
+
+TEST_F(RecordedDecisionsTest, ARoleIsUxvOrGcsInEveryRow) {
+  EXPECT_THAT(error_of("receive_s,role,qni\n1,gcs,60\n2,base,60\n"),
+              HasSubstr("transmission_state.csv:3: role: 'base' is not uxv or gcs"));
 }
 
 TEST_F(RecordedDecisionsTest, ARoleNeedsAColumnOrARun) {
-  EXPECT_THAT(error_of("qni\n1\n", "uxv"), HasSubstr("--host uxv: the file has no column role"));
+  EXPECT_THAT(error_of("qni\n1\n", Role::uxv),
+              HasSubstr("--host uxv: the file has no column role"));
 }
 
 TEST_F(RecordedDecisionsTest, AreTimedByTheirStampToTheNanosecond) {

@@ -36,7 +36,7 @@ class RecordedRunTest : public ::testing::Test {
   void deploy(const std::string& uxv, const std::string& gcs) {
     folder.write("deployment.yaml", deployment_of(uxv, gcs));
   }
-  [[nodiscard]] std::string error_of(const std::string& role) const {
+  [[nodiscard]] std::string error_of(std::optional<Role> role) const {
     try {
       (void)controller_of_run(folder.path("uxv/a.csv"), role);
     } catch (const ConfigError& error) {
@@ -48,43 +48,51 @@ class RecordedRunTest : public ::testing::Test {
 };
 
 TEST_F(RecordedRunTest, FindsTheDeploymentInTheFolderAboveAndBeside) {
-  EXPECT_FALSE(controller_of_run(folder.path("uxv/a.csv"), "uxv"));
+  EXPECT_FALSE(controller_of_run(folder.path("uxv/a.csv"), Role::uxv));
   deploy("alpha: 2", "alpha: 3");
-  EXPECT_EQ((*controller_of_run(folder.path("uxv/a.csv"), "uxv")->values)["alpha"].as<int>(), 2);
-  EXPECT_EQ((*controller_of_run(folder.path("a.csv"), "gcs")->values)["alpha"].as<int>(), 3);
+  EXPECT_EQ((*controller_of_run(folder.path("uxv/a.csv"), Role::uxv)->values)["alpha"].as<int>(),
+            2);
+  EXPECT_EQ((*controller_of_run(folder.path("a.csv"), Role::gcs)->values)["alpha"].as<int>(), 3);
 }
 
 TEST_F(RecordedRunTest, TakesNoDeploymentAboveAFolderThatIsNoRolesOwn) {
   deploy("alpha: 2", "alpha: 3");
-  EXPECT_FALSE(controller_of_run(folder.path("somewhere/a.csv"), "uxv"));
+  EXPECT_FALSE(controller_of_run(folder.path("somewhere/a.csv"), Role::uxv));
 }
 
 TEST_F(RecordedRunTest, NeedsARoleOnlyWhenTheControllersDecideDifferently) {
   deploy("alpha: 2", "alpha: 2, silence_is_poor: true");
-  EXPECT_EQ(error_of(""), "no error");
+  EXPECT_EQ(error_of({}), "no error");
   folder.write("deployment.yaml", deployment_of("alpha: 2", "weight_per: 0.5"));
-  EXPECT_THAT(error_of(""), HasSubstr("of uxv and gcs in "));
-  EXPECT_THAT(error_of(""), HasSubstr("choose one by --host"));
-  EXPECT_EQ(error_of("gcs"), "no error");
+  EXPECT_THAT(error_of({}), HasSubstr("of uxv and gcs in "));
+  EXPECT_THAT(error_of({}), HasSubstr("choose one by --host"));
+  EXPECT_EQ(error_of(Role::gcs), "no error");
 }
 
 TEST_F(RecordedRunTest, NamesTheDeploymentThatHasNoController) {
-  deploy("", "");
-  EXPECT_THAT(error_of("base"),
-              HasSubstr("deployment.yaml: has no transmission_controller of role base"));
+  folder.write("deployment.yaml", "hosts: {gcs: {role: gcs, containers: []}}\n");
+  EXPECT_THAT(error_of(Role::uxv),
+              HasSubstr("deployment.yaml: has no transmission_controller of role uxv"));
+}
+
+TEST_F(RecordedRunTest, NamesARoleThatIsNone) {
+  folder.write("deployment.yaml",
+               "hosts: {a: {role: base, containers: [{components: "
+               "[{component: transmission_controller, parameters: {}}]}]}}\n");
+  EXPECT_THAT(error_of({}), HasSubstr("deployment.yaml: role 'base' is not uxv or gcs"));
 }
 
 TEST_F(RecordedRunTest, NamesTheDeploymentThatCannotBeRead) {
   for (const char* text : {"hosts: [\n", "hosts:\n  uxv: 7\n", "hosts:\n  - 7\n",
                            "hosts: {uxv: {containers: [{components: [{component: [1]}]}]}}\n"}) {
     folder.write("deployment.yaml", text);
-    EXPECT_THAT(error_of("uxv"), HasSubstr("deployment.yaml")) << text;
+    EXPECT_THAT(error_of(Role::uxv), HasSubstr("deployment.yaml")) << text;
   }
 }
 
 TEST_F(RecordedRunTest, NeedsNoneOfTheFilesThatTheRunWasStartedWith) {
   deploy("alpha: 2", "alpha: 2");  // its qos.yaml is not there
-  EXPECT_EQ(error_of("uxv"), "no error");
+  EXPECT_EQ(error_of(Role::uxv), "no error");
 }
 
 TEST_F(RecordedRunTest, WeighsRecordedNetworkQualityAsTheRunDid) {

@@ -19,7 +19,7 @@ namespace {
 struct Options {
   std::string component;
   std::string name;
-  std::string role = "uxv";
+  std::optional<Role> role = Role::uxv;
   std::string ros_namespace;
   std::string run_dir = ".";
   std::string qos;
@@ -32,8 +32,7 @@ void declare(CLI::App& app, Options& options) {
   add_name_option(app, "COMPONENT", options.component, "see tocsin component types")->required();
   add_name_option(app, "--name", options.name, "of the instance [COMPONENT]");
   app.add_option("--set", options.set, "parameter: key=value")->expected(1)->take_all();
-  add_host_option(app, options.role, "side of the link that it is on [uxv]")
-      ->check(CLI::IsMember(std::vector<std::string>{to_string(Role::uxv), to_string(Role::gcs)}));
+  add_role_option(app, options.role, "side of the link that it is on [uxv]");
   app.add_option("--domain", options.domain, "DDS domain of the host [$ROS_DOMAIN_ID, 0]")
       ->check(CLI::Range(0, 231));
   add_name_option(app, "--namespace", options.ros_namespace, "ROS namespace of the topics");
@@ -53,8 +52,8 @@ deployment::Deployment deployment_of(const Options& options) {
   deployment.traffic = options.traffic.empty() ? share + "/config/traffic.yaml" : options.traffic;
   deployment.ros_namespace = options.ros_namespace;
   deployment::Host host;
-  host.name = options.role;
-  host.role = role_of(options.role).value();
+  host.role = options.role.value();
+  host.name = to_string(host.role);
   host.local_domain = options.domain ? *options.domain : default_domain();
   deployment.hosts.push_back(std::move(host));
   return deployment;
