@@ -17,21 +17,22 @@ namespace {
 /// headers; with less than that it sends nothing, and says nothing.
 constexpr int least_period = 256;
 
-/// `topics` of the file; absent keys stay negative, which no range allows in a file.
-/// A value outside of the allowed ones, which no file can give, means that the file gives none.
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// An entry of `topics` of the file: what a topic has in place of its profile's.
 struct OverrideParams {
-  double max_rate_hz = -1;
-  double minimum_separation_s = -1;
+  double max_rate_hz = inf;
+  double minimum_separation_s = 0;
   template <class Visitor>
   void visit(Visitor& v) {
-    constexpr double inf = std::numeric_limits<double>::infinity();
     v("max_rate_hz", max_rate_hz, {0.001, inf}, "[Hz] in place of the profile's");
     v("minimum_separation_s", minimum_separation_s, {0, 3600}, "[s] in place of the profile's");
   }
 };
 
-std::optional<double> given(double value) {
-  return value < 0 ? std::nullopt : std::optional(value);
+/// `value`, as `node` has it under `key`; empty when it does not have the key.
+std::optional<double> given(const YAML::Node& node, const char* key, double value) {
+  return node[key].IsDefined() ? std::optional(value) : std::nullopt;
 }
 
 const YAML::Node& need_map(const YAML::Node& node, const std::string& owner,
@@ -70,7 +71,6 @@ QosProfiles::QosProfiles() : path_("the built-in profiles") {
     profile.heartbeat_period_s = heartbeat_s;
     profile.lifespan_s = lifespan_s;
   };
-  constexpr double inf = std::numeric_limits<double>::infinity();
   add("sensor", 5, plain.heartbeat_period_s, inf);
   add("command", 1, 0.2, 5);
   add("state", 1, 0.2, inf);
@@ -133,7 +133,8 @@ void QosProfiles::read_overrides(const YAML::Node& node) {
     const std::string name = entry.first.Scalar();
     TopicOverride& own = overrides_[name];
     const auto read = load_parameters<OverrideParams>(entry.second, "topics." + name, sources_);
-    own = {given(read.max_rate_hz), given(read.minimum_separation_s),
+    own = {given(entry.second, "max_rate_hz", read.max_rate_hz),
+           given(entry.second, "minimum_separation_s", read.minimum_separation_s),
            yaml_place(sources_, entry.first)};
   }
 }
