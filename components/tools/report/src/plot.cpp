@@ -42,7 +42,7 @@ void write_routers(const Recording& recording, const fs::path& folder) {
 /// A block of two columns for each class, in the order of the map.
 void write_traffic(const Recording& recording, const fs::path& folder) {
   std::ofstream traffic(folder / "traffic.dat");
-  for (const auto& [name, arrivals] : recording.arrivals) {
+  for (const auto& [link_class, arrivals] : recording.arrivals) {
     const double bin_s = rate_bin_s(recording.begin_s, recording.end_s);
     double middle_s = bin_s / 2;
     for (const double rate : byte_rates(arrivals, recording.begin_s, recording.end_s)) {
@@ -103,11 +103,11 @@ std::string link_panel(const Recording& recording) {
 std::string traffic_lines(const Recording& recording) {
   std::string text = "plot ";
   std::size_t index = 0;
-  for (const auto& [name, arrivals] : recording.arrivals) {
+  for (const auto& [link_class, arrivals] : recording.arrivals) {
     if (index > 0) text += ", ";
     text += "'traffic.dat' index " + std::to_string(index) +
             " with lines linewidth 1.5 linecolor " + gnuplot_colour(index) + " title " +
-            gnuplot_text(name);
+            gnuplot_text(to_string(link_class));
     ++index;
   }
   return index > 0 ? text + "\n" : "";

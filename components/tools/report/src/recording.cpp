@@ -14,6 +14,8 @@
 #include "deployment/traffic_file.hpp"
 #include "foundation/csv_table.hpp"
 #include "foundation/error.hpp"
+#include "foundation/printable.hpp"
+#include "foundation/yaml_file.hpp"
 #include "report/link_log.hpp"
 
 namespace tocsin::report {
@@ -53,10 +55,10 @@ void add_written(const Classes& classes, Role role, Recording& recording) {
   std::map<std::string, std::uint64_t> rows;
   const CsvTable table = CsvTable::read(folder + "/messages.csv");
   for (std::size_t row = 0; row < table.rows(); ++row) ++rows[table.text(row, "topic")];
-  for (const auto& [topic, name] : classes) {
+  for (const auto& [topic, link_class] : classes) {
     const std::size_t own = own_samples(recording.folder, topic, role).size();
     const auto found = rows.find(topic);
-    recording.written[name] += own > 0 ? own : found == rows.end() ? 0 : found->second;
+    recording.written[link_class] += own > 0 ? own : found == rows.end() ? 0 : found->second;
   }
 }
 
@@ -65,7 +67,7 @@ void add_arrivals(const Classes& classes, Role receiver, Recording& recording) {
   const CsvTable table =
       CsvTable::read(recording.folder + "/" + to_string(receiver) + "/messages.csv");
   std::map<std::string, std::set<std::string>> own;
-  for (const auto& [topic, name] : classes) {
+  for (const auto& [topic, link_class] : classes) {
     own[topic] = own_samples(recording.folder, topic, receiver);
   }
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -151,7 +153,7 @@ void find_limits(Recording& recording) {
     begin_s = std::min(begin_s, time_s);
     end_s = std::max(end_s, time_s);
   };
-  for (const auto& [name, arrivals] : recording.arrivals) {
+  for (const auto& [link_class, arrivals] : recording.arrivals) {
     for (const Arrival& arrival : arrivals) widen(arrival.received_s);
   }
   for (const Decision& decision : recording.decisions) widen(decision.time_s);
@@ -162,15 +164,27 @@ void find_limits(Recording& recording) {
   recording.end_s = end_s;
 }
 
+/// Throws ConfigError for a word that is none.
+TrafficClass class_named(const YAML::Node& word, const YamlSources& sources) {
+  if (const auto found = traffic_class_of(word.Scalar())) return *found;
+  throw ConfigError("'" + printable(word.Scalar()) + "' is no traffic class" +
+                    yaml_place(sources, word));
+}
+
 }  // namespace
+
+std::string to_string(const LinkClass& link_class) {
+  return std::string(to_string(link_class.sender)) + " " + to_string(link_class.traffic_class);
+}
 
 Classes load_classes(const std::string& traffic_file, Role role, const std::string& share) {
   YamlSources sources;
   const YAML::Node traffic = deployment::read_traffic_file(traffic_file, share, sources);
   Classes classes;
   for (const auto& entry : traffic[to_string(role)]) {
+    const LinkClass link_class{role, class_named(entry.first, sources)};
     for (const auto& topic : entry.second["topics"]) {
-      classes[topic.Scalar()] = std::string(to_string(role)) + " " + entry.first.Scalar();
+      classes.insert_or_assign(topic.Scalar(), link_class);
     }
   }
   return classes;

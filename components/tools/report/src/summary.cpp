@@ -8,6 +8,7 @@ namespace tocsin::report {
 namespace {
 
 constexpr double age_step_s = 0.1;
+constexpr const char* goal_topic = "goal";
 
 using Topics = std::map<std::string, std::vector<Arrival>>;
 
@@ -67,26 +68,26 @@ Traffic traffic_of(const std::string& name, const std::vector<Arrival>& arrivals
 
 void add_traffic(const Recording& recording, Summary& summary) {
   const std::vector<Interval> whole{{recording.begin_s, std::nextafter(recording.end_s, HUGE_VAL)}};
-  for (const auto& [name, arrivals] : recording.arrivals) {
-    summary.classes.push_back(traffic_of(name, arrivals, whole));
+  std::vector<Traffic> goals;
+  for (const auto& [link_class, arrivals] : recording.arrivals) {
+    summary.classes.push_back(traffic_of(to_string(link_class), arrivals, whole));
     for (const auto& [topic, part] : by_topic(arrivals)) {
-      const std::string sender = name.substr(0, name.find(' '));
+      const std::string sender = to_string(link_class.sender);
       summary.topics.push_back(traffic_of(sender + " " + topic, part, whole));
+      if (link_class.sender != Role::gcs || topic != goal_topic) continue;
+      goals.push_back(summary.topics.back());
+      goals.back().name = "goals";
     }
   }
-  for (const Traffic& topic : summary.topics) {
-    if (topic.name == "gcs goal") summary.classes.push_back(topic);
-  }
-  if (!summary.classes.empty() && summary.classes.back().name == "gcs goal") {
-    summary.classes.back().name = "goals";
-  }
+  summary.classes.insert(summary.classes.end(), goals.begin(), goals.end());
 }
 
 void add_poor_traffic(const Recording& recording, Summary& summary) {
   const std::vector<Interval> poor = poor_intervals(recording);
   for (const Interval& interval : poor) summary.poor_s += interval.end_s - interval.begin_s;
-  for (const auto& [name, arrivals] : recording.arrivals) {
-    if (!poor.empty()) summary.classes.push_back(traffic_of(name + ", poor", arrivals, poor));
+  for (const auto& [link_class, arrivals] : recording.arrivals) {
+    if (poor.empty()) return;
+    summary.classes.push_back(traffic_of(to_string(link_class) + ", poor", arrivals, poor));
   }
 }
 

@@ -45,7 +45,7 @@ TEST_F(PlotTest, TrafficHasABlockForEachClassAndAPointForEachSecond) {
   const std::string traffic = text("traffic.dat");
   std::size_t blocks = 0;
   for (std::size_t at = 0; (at = traffic.find("\n\n\n", at)) != std::string::npos; ++at) ++blocks;
-  EXPECT_EQ(blocks, 3U) << "gcs high, uxv critical, uxv low";
+  EXPECT_EQ(blocks, 3U) << "uxv critical, uxv low, gcs high";
   EXPECT_THAT(traffic, AllOf(HasSubstr("\n0.5 8\n"), HasSubstr("\n99.5 0\n")))
       << "1000 bytes in the first second are 8 kbit/s";
   EXPECT_THAT(text("plot.gnuplot"),

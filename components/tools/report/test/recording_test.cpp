@@ -12,15 +12,38 @@
 namespace tocsin::report {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
+
+TEST(LinkClass, IsNamedBySenderAndClassTheVehicleAndTheMostUrgentFirst) {
+  std::map<LinkClass, int> sut;
+  for (const TrafficClass one : {TrafficClass::low, TrafficClass::critical}) {
+    sut[{Role::gcs, one}] = sut[{Role::uxv, one}] = 1;
+  }
+  std::vector<std::string> names;
+  for (const auto& [link_class, unused] : sut) names.push_back(to_string(link_class));
+  EXPECT_THAT(names, ElementsAre("uxv critical", "uxv low", "gcs critical", "gcs low"));
+}
+
+TEST(Recording, NamesAClassThatIsNone) {
+  const ToyRun run;
+  run.write("traffic.yaml", "uxv:\n  urgent: {topics: [location]}\ngcs: {}\n");
+  try {
+    (void)load_recording(run.path());
+    FAIL() << "no error";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("'urgent' is no traffic class"));
+    EXPECT_THAT(error.what(), HasSubstr("traffic.yaml:2"));
+  }
+}
 
 TEST(Recording, CountsWhatCrossedTheLinkByClass) {
   const ToyRun run;
   const Recording sut = load_recording(run.path());
-  EXPECT_THAT(sut.arrivals.at("uxv low"), SizeIs(3));
-  EXPECT_THAT(sut.arrivals.at("gcs high"), SizeIs(2));
-  const Arrival& first = sut.arrivals.at("uxv low")[0];
+  EXPECT_THAT(sut.arrivals.at({Role::uxv, TrafficClass::low}), SizeIs(3));
+  EXPECT_THAT(sut.arrivals.at({Role::gcs, TrafficClass::high}), SizeIs(2));
+  const Arrival& first = sut.arrivals.at({Role::uxv, TrafficClass::low})[0];
   EXPECT_EQ(first.topic, "camera/image");
   EXPECT_EQ(first.sent_s, 1000.0);
   EXPECT_EQ(first.received_s, 1000.5);
@@ -30,8 +53,8 @@ TEST(Recording, CountsWhatCrossedTheLinkByClass) {
 TEST(Recording, LeavesOutWhatTheReceivingSideWroteItself) {
   const ToyRun run;
   const Recording sut = load_recording(run.path());
-  ASSERT_THAT(sut.arrivals.at("uxv critical"), SizeIs(1));
-  EXPECT_EQ(sut.arrivals.at("uxv critical")[0].writer, "2");
+  ASSERT_THAT(sut.arrivals.at({Role::uxv, TrafficClass::critical}), SizeIs(1));
+  EXPECT_EQ(sut.arrivals.at({Role::uxv, TrafficClass::critical})[0].writer, "2");
 }
 
 TEST(Recording, KeepsTheVehiclesDecisionsOnly) {
@@ -61,8 +84,9 @@ TEST(Recording, CountsWhatWasWrittenHeldBackOrNot) {
             "1000,1000,camera/image,0,1,1000\n1001,1001,camera/image,0,2,1000\n"
             "1000,1000,transmission_state,0,1,50\n1010,1010,transmission_state,7,1,50\n");
   const Recording sut = load_recording(run.path());
-  EXPECT_EQ(sut.written.at("uxv low"), 2U);
-  EXPECT_EQ(sut.written.at("uxv critical"), 4U);  // rows of the table with role uxv
+  EXPECT_EQ(sut.written.at({Role::uxv, TrafficClass::low}), 2U);
+  // Rows of the table with role uxv.
+  EXPECT_EQ(sut.written.at({Role::uxv, TrafficClass::critical}), 4U);
 }
 
 TEST(Recording, ARoutersStateComesFromTheOtherSideWhenItsOwnHasNone) {
@@ -110,8 +134,8 @@ TEST(Recording, ReportsWhatOneSideRecorded) {
   const ToyRun run;
   run.remove("uxv");
   const Recording sut = load_recording(run.path());
-  EXPECT_THAT(sut.arrivals.at("uxv low"), SizeIs(3));
-  EXPECT_EQ(sut.arrivals.count("gcs high"), 0U);
+  EXPECT_THAT(sut.arrivals.at({Role::uxv, TrafficClass::low}), SizeIs(3));
+  EXPECT_EQ(sut.arrivals.count({Role::gcs, TrafficClass::high}), 0U);
 }
 
 TEST(Recording, RejectsAFolderWithoutARun) {

@@ -39,9 +39,9 @@ void set_mission(const simulation::Written& written, report::Recording& recordin
                        message.elapsed_s()};
 }
 
-/// Who sends, and class.
-std::string class_of(const simulation::TopicEnd& end) {
-  return std::string(to_string(end.role)) + " " + to_string(*end.traffic_class);
+/// Of an end whose topic has a class.
+report::LinkClass class_of(const simulation::TopicEnd& end) {
+  return {end.role, end.traffic_class.value()};
 }
 
 /// Airtime and bytes of both directions.

@@ -14,16 +14,22 @@ namespace tocsin::experiment {
 namespace {
 
 using report::Arrival;
+using report::LinkClass;
 using report::Recording;
 
 constexpr double age_step_s = 0.5;
 
+constexpr LinkClass uxv_critical{Role::uxv, TrafficClass::critical};
+constexpr LinkClass uxv_high{Role::uxv, TrafficClass::high};
+constexpr LinkClass uxv_low{Role::uxv, TrafficClass::low};
+constexpr LinkClass gcs_high{Role::gcs, TrafficClass::high};
+
 /// The metrics of one run while they are computed.
 class MetricValues {
  public:
-  MetricValues() : values_(metric_texts().size(), std::nan("")) {}
-  void set(const char* name, double value) { values_[metric_index(name)] = value; }
-  [[nodiscard]] double get(const char* name) const { return values_[metric_index(name)]; }
+  MetricValues() : values_(metric_count, std::nan("")) {}
+  void set(Metric metric, double value) { values_[index_of(metric)] = value; }
+  [[nodiscard]] double get(Metric metric) const { return values_[index_of(metric)]; }
   [[nodiscard]] const std::vector<double>& values() const { return values_; }
 
  private:
@@ -75,84 +81,111 @@ void add_quality(const Recording& recording, const Window& window, MetricValues&
       per.push_back(quality.per_percent);
     }
   }
-  values.set("qni_mean", mean(qni));
-  values.set("qni_min", qni.empty() ? std::nan("") : *std::min_element(qni.begin(), qni.end()));
-  values.set("probe_per_mean", mean(per));
-  values.set("probe_per_max", largest(per));
+  values.set(Metric::qni_mean, mean(qni));
+  values.set(Metric::qni_min,
+             qni.empty() ? std::nan("") : *std::min_element(qni.begin(), qni.end()));
+  values.set(Metric::probe_per_mean, mean(per));
+  values.set(Metric::probe_per_max, largest(per));
 }
 
 void add_losses(const Traffic& traffic, MetricValues& values) {
-  const auto& low = traffic.of("uxv low");
-  values.set("telemetry_per", lost_percent(traffic.telemetry()));
-  values.set("critical_lost", lost_percent(traffic.of("uxv critical")));
-  values.set("high_lost", lost_percent(traffic.of("uxv high")));
-  values.set("low_lost", lost_percent(only(low, false)));
-  values.set("camera_lost", lost_percent(only(low, true)));
-  values.set("goals_lost", lost_percent(traffic.of("gcs high")));
+  const auto& low = traffic.of(uxv_low);
+  values.set(Metric::telemetry_per, lost_percent(traffic.telemetry()));
+  values.set(Metric::critical_lost, lost_percent(traffic.of(uxv_critical)));
+  values.set(Metric::high_lost, lost_percent(traffic.of(uxv_high)));
+  values.set(Metric::low_lost, lost_percent(only(low, false)));
+  values.set(Metric::camera_lost, lost_percent(only(low, true)));
+  values.set(Metric::goals_lost, lost_percent(traffic.of(gcs_high)));
 }
 
 void add_latencies(const Traffic& traffic, MetricValues& values) {
-  const auto high = report::spread_of(latencies_ms(traffic.of("uxv high")));
+  const auto high = report::spread_of(latencies_ms(traffic.of(uxv_high)));
   const auto p99 = [](const std::vector<Message>& messages) {
     return report::spread_of(latencies_ms(messages)).p99;
   };
-  const auto critical = report::spread_of(latencies_ms(traffic.of("uxv critical")));
-  values.set("critical_latency_median", critical.median);
-  values.set("critical_latency_p99", critical.p99);
-  values.set("high_latency_median", high.median);
-  values.set("high_latency_p99", high.p99);
-  values.set("low_latency_p99", p99(only(traffic.of("uxv low"), false)));
-  values.set("picture_latency_p99", p99(only(traffic.of("uxv low"), true)));
-  values.set("goal_latency_p99", p99(traffic.of("gcs high")));
+  const auto critical = report::spread_of(latencies_ms(traffic.of(uxv_critical)));
+  values.set(Metric::critical_latency_median, critical.median);
+  values.set(Metric::critical_latency_p99, critical.p99);
+  values.set(Metric::high_latency_median, high.median);
+  values.set(Metric::high_latency_p99, high.p99);
+  values.set(Metric::low_latency_p99, p99(only(traffic.of(uxv_low), false)));
+  values.set(Metric::picture_latency_p99, p99(only(traffic.of(uxv_low), true)));
+  values.set(Metric::goal_latency_p99, p99(traffic.of(gcs_high)));
 }
 
 /// A class that was written and of which nothing arrived is late altogether.
-void add_late(const Recording& recording, const Traffic& traffic, const std::string& traffic_class,
-              MetricValues& values) {
-  const std::string name = "uxv " + traffic_class;
-  const auto written = recording.written.find(name);
+struct LateMetrics {
+  Metric late;
+  Metric very_late;
+};
+
+void add_late(const Recording& recording, const Traffic& traffic, const LinkClass& link_class,
+              const LateMetrics& metrics, MetricValues& values) {
+  const auto written = recording.written.find(link_class);
   const bool is_written = written != recording.written.end() && written->second > 0;
   const auto share = [&](double limit_s) {
-    const double late = late_percent(traffic.of(name), limit_s);
+    const double late = late_percent(traffic.of(link_class), limit_s);
     return std::isnan(late) && is_written ? 100 : late;
   };
-  values.set((traffic_class + "_late").c_str(), share(late_s));
-  values.set((traffic_class + "_very_late").c_str(), share(very_late_s));
+  values.set(metrics.late, share(late_s));
+  values.set(metrics.very_late, share(very_late_s));
 }
 
 void add_user_cost(const CostWeights& weights, MetricValues& values) {
-  const UserFigures figures{values.get("critical_late"),       values.get("critical_very_late"),
-                            values.get("high_late"),           values.get("high_very_late"),
-                            values.get("low_delivered"),       values.get("location_age_p99"),
-                            values.get("picture_latency_p99"), values.get("airtime")};
-  values.set("user_cost", user_cost(figures, weights));
+  const UserFigures figures{
+      values.get(Metric::critical_late),       values.get(Metric::critical_very_late),
+      values.get(Metric::high_late),           values.get(Metric::high_very_late),
+      values.get(Metric::low_delivered),       values.get(Metric::location_age_p99),
+      values.get(Metric::picture_latency_p99), values.get(Metric::airtime)};
+  values.set(Metric::user_cost, user_cost(figures, weights));
 }
 
 /// Share that arrived of what was written, over the whole run.
 void add_delivered(const Recording& recording, MetricValues& values) {
-  const auto share = [&](const char* name) {
-    const auto written = recording.written.find(name);
-    const auto arrived = recording.arrivals.find(name);
+  const auto share = [&](const LinkClass& link_class) {
+    const auto written = recording.written.find(link_class);
+    const auto arrived = recording.arrivals.find(link_class);
     if (written == recording.written.end() || written->second == 0) return std::nan("");
     const std::size_t count = arrived == recording.arrivals.end() ? 0 : arrived->second.size();
     return 100.0 * static_cast<double>(count) / static_cast<double>(written->second);
   };
-  values.set("high_delivered", share("uxv high"));
-  values.set("low_delivered", share("uxv low"));
+  values.set(Metric::high_delivered, share(uxv_high));
+  values.set(Metric::low_delivered, share(uxv_low));
 }
 
-void add_age(const Recording& recording, const Window& window, const std::string& name,
-             const std::string& topic, MetricValues& values) {
+struct AgeMetrics {
+  Metric mean;
+  Metric p95;
+};
+
+void add_age(const std::vector<double>& ages, const AgeMetrics& metrics, MetricValues& values) {
+  values.set(metrics.mean, mean(ages));
+  values.set(metrics.p95, report::percentile(ages, 0.95));
+}
+
+/// Ages of the newest received sample of a topic.
+std::vector<double> ages_of(const Recording& recording, const Window& window,
+                            const std::string& topic) {
   std::vector<Arrival> wanted;
-  for (const auto& [name_of_class, arrivals] : recording.arrivals) {
+  for (const auto& [link_class, arrivals] : recording.arrivals) {
     for (const Arrival& arrival : arrivals) {
       if (arrival.topic == topic && window.holds(arrival.received_s)) wanted.push_back(arrival);
     }
   }
-  const std::vector<double> ages = report::ages(std::move(wanted), window.end_s, age_step_s);
-  values.set((name + "_age_mean").c_str(), mean(ages));
-  values.set((name + "_age_p95").c_str(), report::percentile(ages, 0.95));
-  if (name == "location") values.set("location_age_p99", report::percentile(ages, 0.99));
+  return report::ages(std::move(wanted), window.end_s, age_step_s);
+}
+
+void add_ages(const Recording& recording, const Window& window, MetricValues& values) {
+  const auto of = [&](const char* topic) { return ages_of(recording, window, topic); };
+  const auto location = of("location");
+  add_age(location, {Metric::location_age_mean, Metric::location_age_p95}, values);
+  values.set(Metric::location_age_p99, report::percentile(location, 0.99));
+  add_age(of("network_quality"), {Metric::quality_age_mean, Metric::quality_age_p95}, values);
+  add_age(of("battery_state"), {Metric::battery_age_mean, Metric::battery_age_p95}, values);
+  add_age(of(camera_topic), {Metric::camera_age_mean, Metric::camera_age_p95}, values);
+  add_age(of("heartbeat"), {Metric::heartbeat_age_mean, Metric::heartbeat_age_p95}, values);
+  add_age(of("transmission_state"), {Metric::state_age_mean, Metric::state_age_p95}, values);
+  add_age(of("cpu_load"), {Metric::cpu_age_mean, Metric::cpu_age_p95}, values);
 }
 
 void add_link(const Recording& recording, const Window& window, MetricValues& values) {
@@ -164,17 +197,17 @@ void add_link(const Recording& recording, const Window& window, MetricValues& va
     last = &state;
   }
   if (first == last) return;
-  values.set("link_bytes", (last->bytes - first->bytes) * 1e-6);
-  values.set("airtime",
+  values.set(Metric::link_bytes, (last->bytes - first->bytes) * 1e-6);
+  values.set(Metric::airtime,
              100 * (last->airtime_s - first->airtime_s) / (last->time_s - first->time_s));
 }
 
 void add_silences(const std::vector<report::Interval>& pauses, MetricValues& values) {
   std::vector<double> lengths_s;
   for (const auto& pause : pauses) lengths_s.push_back(pause.end_s - pause.begin_s);
-  values.set("pauses", static_cast<double>(pauses.size()));
-  values.set("silence_mean", mean(lengths_s));
-  values.set("silence_max", pauses.empty() ? 0 : largest(lengths_s));
+  values.set(Metric::pauses, static_cast<double>(pauses.size()));
+  values.set(Metric::silence_mean, mean(lengths_s));
+  values.set(Metric::silence_max, pauses.empty() ? 0 : largest(lengths_s));
 }
 
 void add_truth(const std::vector<report::Interval>& poor,
@@ -182,13 +215,13 @@ void add_truth(const std::vector<report::Interval>& poor,
                MetricValues& values) {
   add_silences(pauses, values);
   const AgainstTruth truth = compare(poor, pauses, window.begin_s, window.end_s);
-  values.set("poor_share", 100 * length_s(poor) / window.length_s());
-  values.set("poor_intervals", truth.intervals);
-  values.set("missed", truth.missed);
-  values.set("detect", truth.detect_s);
-  values.set("resume", truth.resume_s);
-  values.set("sent_in_poor", truth.sent_in_poor);
-  values.set("silent_in_good", truth.silent_in_good);
+  values.set(Metric::poor_share, 100 * length_s(poor) / window.length_s());
+  values.set(Metric::poor_intervals, truth.intervals);
+  values.set(Metric::missed, truth.missed);
+  values.set(Metric::detect, truth.detect_s);
+  values.set(Metric::resume, truth.resume_s);
+  values.set(Metric::sent_in_poor, truth.sent_in_poor);
+  values.set(Metric::silent_in_good, truth.silent_in_good);
 }
 
 void add_series(const std::vector<Observation>& series, MetricValues& values) {
@@ -198,18 +231,18 @@ void add_series(const std::vector<Observation>& series, MetricValues& values) {
     if (one.sent >= 10) pers.push_back(100 * one.lost / one.sent);
     stalled += one.stalled ? 1 : 0;
   }
-  values.set("telemetry_per_max", largest(pers));
+  values.set(Metric::telemetry_per_max, largest(pers));
   const SlotCost cost = slot_cost(series);
-  values.set("slot_cost", cost.own);
-  values.set("slot_regret", cost.own - cost.clairvoyant);
-  values.set("stalled",
+  values.set(Metric::slot_cost, cost.own);
+  values.set(Metric::slot_regret, cost.own - cost.clairvoyant);
+  values.set(Metric::stalled,
              series.empty() ? std::nan("") : 100 * stalled / static_cast<double>(series.size()));
 }
 
 void add_mission(const Recording& recording, MetricValues& values) {
   const bool done = recording.mission.state == "done";
-  values.set("completed", done ? 1 : 0);
-  values.set("completion", done ? recording.mission.elapsed_s : std::nan(""));
+  values.set(Metric::completed, done ? 1 : 0);
+  values.set(Metric::completion, done ? recording.mission.elapsed_s : std::nan(""));
 }
 
 }  // namespace
@@ -222,16 +255,11 @@ Measures measure(const Recording& recording, const Timing& timing) {
   add_quality(recording, window, values);
   add_losses(traffic, values);
   add_latencies(traffic, values);
-  add_late(recording, traffic, "critical", values);
-  add_late(recording, traffic, "high", values);
+  add_late(recording, traffic, uxv_critical, {Metric::critical_late, Metric::critical_very_late},
+           values);
+  add_late(recording, traffic, uxv_high, {Metric::high_late, Metric::high_very_late}, values);
   add_delivered(recording, values);
-  add_age(recording, window, "location", "location", values);
-  add_age(recording, window, "quality", "network_quality", values);
-  add_age(recording, window, "battery", "battery_state", values);
-  add_age(recording, window, "camera", camera_topic, values);
-  add_age(recording, window, "heartbeat", "heartbeat", values);
-  add_age(recording, window, "state", "transmission_state", values);
-  add_age(recording, window, "cpu", "cpu_load", values);
+  add_ages(recording, window, values);
   add_link(recording, window, values);
   add_user_cost(timing.cost, values);
   const PoorLink limits{timing.poor_below_snr_db, 2 * timing.observation_s};

@@ -1,29 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
-#include <string>
 #include <vector>
 
+#include "metrics/metric.hpp"
 #include "plan/experiment_file.hpp"
 #include "report/recording.hpp"
 
 namespace tocsin::experiment {
-
-/// What is measured of a run: its name in runs.csv, its unit, and its definition for readers.
-struct MetricText {
-  const char* name;
-  const char* unit;
-  const char* text;
-  bool less_is_better;
-};
-
-/// All metrics, in the order of Measures::values.
-[[nodiscard]] const std::vector<MetricText>& metric_texts();
-/// Place of a metric; the name must be one.
-[[nodiscard]] std::size_t metric_index(const std::string& name);
-/// `name [unit]`.
-[[nodiscard]] std::string metric_label(const std::string& name);
 
 /// One observation of a run: `observation_s` long.
 struct Observation {
@@ -41,7 +25,7 @@ struct Observation {
 
 /// A run in numbers.
 struct Measures {
-  std::vector<double> values;  ///< NaN where the run has no answer
+  std::vector<double> values;  ///< by index_of; NaN where the run has no answer
   std::vector<Observation> series;
 };
 

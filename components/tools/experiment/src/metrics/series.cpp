@@ -94,18 +94,19 @@ std::vector<report::Interval> within(const std::vector<report::Interval>& interv
 }
 
 Traffic::Traffic(const report::Recording& recording, const Window& window) {
-  for (const auto& [name, arrivals] : recording.arrivals) {
-    const auto& messages = classes_[name] = messages_of(arrivals, window.begin_s, window.end_s);
-    if (name.rfind("uxv ", 0) != 0) continue;
+  for (const auto& [link_class, arrivals] : recording.arrivals) {
+    const auto& messages = classes_[link_class] =
+        messages_of(arrivals, window.begin_s, window.end_s);
+    if (link_class.sender != Role::uxv) continue;
     for (const Message& message : messages) {
       if (!message.camera) telemetry_.push_back(message);
     }
   }
 }
 
-const std::vector<Message>& Traffic::of(const std::string& name) const {
+const std::vector<Message>& Traffic::of(const report::LinkClass& link_class) const {
   static const std::vector<Message> none;
-  const auto found = classes_.find(name);
+  const auto found = classes_.find(link_class);
   return found == classes_.end() ? none : found->second;
 }
 

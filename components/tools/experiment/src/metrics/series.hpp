@@ -28,12 +28,12 @@ class Traffic {
  public:
   Traffic(const report::Recording& recording, const Window& window);
   /// Empty for a class without samples.
-  [[nodiscard]] const std::vector<Message>& of(const std::string& name) const;
+  [[nodiscard]] const std::vector<Message>& of(const report::LinkClass& link_class) const;
   /// All that the vehicle sent, without pictures.
   [[nodiscard]] const std::vector<Message>& telemetry() const { return telemetry_; }
 
  private:
-  std::map<std::string, std::vector<Message>> classes_;
+  std::map<report::LinkClass, std::vector<Message>> classes_;
   std::vector<Message> telemetry_;
 };
 

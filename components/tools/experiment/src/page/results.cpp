@@ -107,8 +107,8 @@ std::vector<double> over_observations(const Group& group,
 
 }  // namespace
 
-std::vector<double> Group::metric(const std::string& name) const {
-  const std::size_t index = metric_index(name);
+std::vector<double> Group::metric(Metric metric) const {
+  const std::size_t index = index_of(metric);
   std::vector<double> all;
   for (const auto& run : values) all.push_back(run.empty() ? std::nan("") : run[index]);
   return all;

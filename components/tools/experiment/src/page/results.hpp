@@ -21,7 +21,7 @@ struct Group {
   std::vector<std::vector<double>> values;       ///< of each run, as metric_texts; empty: failed
   std::vector<std::vector<Observation>> series;  ///< of each run
   /// The metric in every run; NaN where it has no answer.
-  [[nodiscard]] std::vector<double> metric(const std::string& name) const;
+  [[nodiscard]] std::vector<double> metric(Metric metric) const;
 };
 
 /// Everything in the folder of an experiment.

@@ -20,11 +20,12 @@ void add_snr_figure(const Group& group, double poor_below_db, double step_s, Doc
   const auto mean = mean_series(group, snr);
   figure.line("mean over runs", mean, step_s);
   figure.line("poor below", std::vector<double>(mean.size(), poor_below_db), step_s);
-  document.figure(std::move(figure),
-                  "Mean over fading at the vehicle's place; shaded: 10th to 90th percentile of "
-                  "the runs, whose shadowing differs. Truly poor in " +
-                      html::number(estimate(group.metric("poor_share"))) + " % of the time, in " +
-                      html::number(estimate(group.metric("poor_intervals"))) + " intervals a run.");
+  document.figure(
+      std::move(figure),
+      "Mean over fading at the vehicle's place; shaded: 10th to 90th percentile of "
+      "the runs, whose shadowing differs. Truly poor in " +
+          html::number(estimate(group.metric(Metric::poor_share))) + " % of the time, in " +
+          html::number(estimate(group.metric(Metric::poor_intervals))) + " intervals a run.");
 }
 
 const Group* of_policy(const std::vector<const Group*>& round, const std::string& policy) {
@@ -47,9 +48,9 @@ std::vector<std::vector<const Group*>> comparable(const Results& results) {
   return all;
 }
 
-std::string judged(const Group& ours, const Group& none, const std::string& metric) {
+std::string judged(const Group& ours, const Group& none, Metric metric) {
   const Estimate difference = paired_difference(ours.metric(metric), none.metric(metric));
-  const Verdict verdict = judge(difference, metric_texts()[metric_index(metric)].less_is_better);
+  const Verdict verdict = judge(difference, text_of(metric).less_is_better);
   const char* kind = verdict == Verdict::better ? "yes" : verdict == Verdict::worse ? "no" : "open";
   return std::string("<span class=\"") + kind + "\">" + html::number(difference) + "</span>";
 }
@@ -58,7 +59,8 @@ std::string judged(const Group& ours, const Group& none, const std::string& metr
 std::string regime(const Group& ours, const Group& none) {
   int better = 0;
   int worse = 0;
-  for (const char* metric : {"telemetry_per_max", "high_lost", "high_latency_p99"}) {
+  for (const Metric metric :
+       {Metric::telemetry_per_max, Metric::high_lost, Metric::high_latency_p99}) {
     const Verdict verdict =
         judge(paired_difference(ours.metric(metric), none.metric(metric)), true);
     better += verdict == Verdict::better ? 1 : 0;
@@ -82,9 +84,10 @@ void add_channels(const Results& results, Document& document) {
     document.paragraph(
         mission_name(group.mission) + ", channel " + group.channel + ", payload " + group.payload +
         ", " + display_name(group.policy) + ": highest PER over probes " +
-        html::number(estimate(group.metric("probe_per_max"))) + " %, highest PER of telemetry " +
-        html::number(estimate(group.metric("telemetry_per_max"))) + " %, our own airtime " +
-        html::number(estimate(group.metric("airtime"))) +
+        html::number(estimate(group.metric(Metric::probe_per_max))) +
+        " %, highest PER of telemetry " +
+        html::number(estimate(group.metric(Metric::telemetry_per_max))) + " %, our own airtime " +
+        html::number(estimate(group.metric(Metric::airtime))) +
         " %. Shadowing, background load and all else: see the channel files under "
         "Settings.");
   }
@@ -110,10 +113,11 @@ void add_regimes(const Results& results, Document& document) {
   for (const auto& round : rounds) {
     const Group& ours = *of_policy(round, "tocp_dsp");
     const Group& none = *of_policy(round, "none");
-    rows.push_back({ours.set + ": " + round_title(ours), regime(ours, none),
-                    judged(ours, none, "telemetry_per_max"), judged(ours, none, "high_lost"),
-                    judged(ours, none, "high_latency_p99"), judged(ours, none, "low_delivered"),
-                    judged(ours, none, "location_age_p95")});
+    rows.push_back(
+        {ours.set + ": " + round_title(ours), regime(ours, none),
+         judged(ours, none, Metric::telemetry_per_max), judged(ours, none, Metric::high_lost),
+         judged(ours, none, Metric::high_latency_p99), judged(ours, none, Metric::low_delivered),
+         judged(ours, none, Metric::location_age_p95)});
   }
   document.table(rows);
 }

@@ -8,61 +8,69 @@ namespace tocsin::experiment {
 namespace {
 
 /// What the table of a comparison shows; runs.csv has them all.
-const std::vector<std::string> compared{"user_cost",
-                                        "critical_late",
-                                        "critical_very_late",
-                                        "high_late",
-                                        "high_very_late",
-                                        "qni_mean",
-                                        "probe_per_mean",
-                                        "probe_per_max",
-                                        "telemetry_per",
-                                        "telemetry_per_max",
-                                        "critical_lost",
-                                        "high_lost",
-                                        "goals_lost",
-                                        "low_lost",
-                                        "camera_lost",
-                                        "high_delivered",
-                                        "low_delivered",
-                                        "critical_latency_median",
-                                        "critical_latency_p99",
-                                        "high_latency_median",
-                                        "high_latency_p99",
-                                        "low_latency_p99",
-                                        "picture_latency_p99",
-                                        "goal_latency_p99",
-                                        "location_age_mean",
-                                        "location_age_p95",
-                                        "location_age_p99",
-                                        "battery_age_mean",
-                                        "battery_age_p95",
-                                        "camera_age_mean",
-                                        "heartbeat_age_mean",
-                                        "state_age_mean",
-                                        "cpu_age_mean",
-                                        "link_bytes",
-                                        "airtime",
-                                        "detect",
-                                        "missed",
-                                        "resume",
-                                        "sent_in_poor",
-                                        "silent_in_good",
-                                        "pauses",
-                                        "silence_mean",
-                                        "silence_max",
-                                        "completion"};
+const std::vector<Metric> compared{Metric::user_cost,
+                                   Metric::critical_late,
+                                   Metric::critical_very_late,
+                                   Metric::high_late,
+                                   Metric::high_very_late,
+                                   Metric::qni_mean,
+                                   Metric::probe_per_mean,
+                                   Metric::probe_per_max,
+                                   Metric::telemetry_per,
+                                   Metric::telemetry_per_max,
+                                   Metric::critical_lost,
+                                   Metric::high_lost,
+                                   Metric::goals_lost,
+                                   Metric::low_lost,
+                                   Metric::camera_lost,
+                                   Metric::high_delivered,
+                                   Metric::low_delivered,
+                                   Metric::critical_latency_median,
+                                   Metric::critical_latency_p99,
+                                   Metric::high_latency_median,
+                                   Metric::high_latency_p99,
+                                   Metric::low_latency_p99,
+                                   Metric::picture_latency_p99,
+                                   Metric::goal_latency_p99,
+                                   Metric::location_age_mean,
+                                   Metric::location_age_p95,
+                                   Metric::location_age_p99,
+                                   Metric::battery_age_mean,
+                                   Metric::battery_age_p95,
+                                   Metric::camera_age_mean,
+                                   Metric::heartbeat_age_mean,
+                                   Metric::state_age_mean,
+                                   Metric::cpu_age_mean,
+                                   Metric::link_bytes,
+                                   Metric::airtime,
+                                   Metric::detect,
+                                   Metric::missed,
+                                   Metric::resume,
+                                   Metric::sent_in_poor,
+                                   Metric::silent_in_good,
+                                   Metric::pauses,
+                                   Metric::silence_mean,
+                                   Metric::silence_max,
+                                   Metric::completion};
 
-const std::vector<std::string> boxed{
-    "user_cost",         "critical_late", "high_late",        "location_age_p99",
-    "telemetry_per_max", "probe_per_max", "high_latency_p99", "location_age_p95",
-    "silence_mean",      "silence_max",   "detect",           "resume",
-    "completion"};
+const std::vector<Metric> boxed{Metric::user_cost,
+                                Metric::critical_late,
+                                Metric::high_late,
+                                Metric::location_age_p99,
+                                Metric::telemetry_per_max,
+                                Metric::probe_per_max,
+                                Metric::high_latency_p99,
+                                Metric::location_age_p95,
+                                Metric::silence_mean,
+                                Metric::silence_max,
+                                Metric::detect,
+                                Metric::resume,
+                                Metric::completion};
 
 void add_means(const std::vector<const Group*>& round, Document& document) {
   std::vector<std::vector<std::string>> rows{{"mean over runs"}};
   for (const Group* group : round) rows[0].push_back(display_name(group->policy));
-  for (const std::string& metric : compared) {
+  for (const Metric metric : compared) {
     std::vector<std::string> row{metric_label(metric)};
     bool any = false;
     for (const Group* group : round) {
@@ -76,9 +84,9 @@ void add_means(const std::vector<const Group*>& round, Document& document) {
 }
 
 /// Ours minus the other's, coloured where the interval leaves out zero.
-std::string difference_cell(const Group& ours, const Group& other, const std::string& metric) {
+std::string difference_cell(const Group& ours, const Group& other, Metric metric) {
   const Estimate one = paired_difference(ours.metric(metric), other.metric(metric));
-  const Verdict verdict = judge(one, metric_texts()[metric_index(metric)].less_is_better);
+  const Verdict verdict = judge(one, text_of(metric).less_is_better);
   const char* kind = verdict == Verdict::better ? "yes" : verdict == Verdict::worse ? "no" : "";
   return std::string("<span class=\"") + kind + "\">" + html::number(one) + "</span>";
 }
@@ -89,7 +97,7 @@ void add_differences(const std::vector<const Group*>& round, const Group& ours,
   for (const Group* group : round) {
     if (group != &ours) rows[0].push_back(display_name(group->policy));
   }
-  for (const std::string& metric : compared) {
+  for (const Metric metric : compared) {
     std::vector<std::string> row{metric_label(metric)};
     for (const Group* group : round) {
       if (group == &ours) continue;
@@ -119,7 +127,7 @@ struct Board {
   const char* name;
   const char* title;
   const char* y_axis;
-  std::vector<std::pair<std::string, std::string>> metrics;  ///< label, metric
+  std::vector<std::pair<std::string, Metric>> metrics;  ///< label, metric
   const char* caption;
 };
 
@@ -127,34 +135,34 @@ const Board ages{
     "ages",
     "age of information at the ground station",
     "mean age [s]",
-    {{"location", "location_age_mean"},
-     {"network quality", "quality_age_mean"},
-     {"heartbeat", "heartbeat_age_mean"},
-     {"transmission state", "state_age_mean"},
-     {"battery (low)", "battery_age_mean"},
-     {"CPU load (low)", "cpu_age_mean"},
-     {"camera (low)", "camera_age_mean"}},
+    {{"location", Metric::location_age_mean},
+     {"network quality", Metric::quality_age_mean},
+     {"heartbeat", Metric::heartbeat_age_mean},
+     {"transmission state", Metric::state_age_mean},
+     {"battery (low)", Metric::battery_age_mean},
+     {"CPU load (low)", Metric::cpu_age_mean},
+     {"camera (low)", Metric::camera_age_mean}},
     "Age of the newest received sample of each topic, mean over time and runs with its "
     "95 % interval. Network quality is measured every six seconds."};
 const Board lateness{"lateness",
                      "too late or never",
                      "late or lost [%]",
-                     {{"critical, 250 ms", "critical_late"},
-                      {"critical, 1 s", "critical_very_late"},
-                      {"critical, never", "critical_lost"},
-                      {"high, 250 ms", "high_late"},
-                      {"high, 1 s", "high_very_late"},
-                      {"high, never", "high_lost"}},
+                     {{"critical, 250 ms", Metric::critical_late},
+                      {"critical, 1 s", Metric::critical_very_late},
+                      {"critical, never", Metric::critical_lost},
+                      {"high, 250 ms", Metric::high_late},
+                      {"high, 1 s", Metric::high_very_late},
+                      {"high, never", Metric::high_lost}},
                      "Share of samples put on the link that came later than that or never, mean "
                      "over runs with its 95 % interval."};
 const Board losses{"losses",
                    "lost of what was sent, by class",
                    "lost [%]",
-                   {{"critical", "critical_lost"},
-                    {"high", "high_lost"},
-                    {"low, no camera", "low_lost"},
-                    {"camera", "camera_lost"},
-                    {"goals", "goals_lost"}},
+                   {{"critical", Metric::critical_lost},
+                    {"high", Metric::high_lost},
+                    {"low, no camera", Metric::low_lost},
+                    {"camera", Metric::camera_lost},
+                    {"goals", Metric::goals_lost}},
                    "Share of samples put on the link that never arrived, mean over runs with its "
                    "95 % interval; what the gate held back was not sent."};
 
@@ -176,12 +184,12 @@ void add_board(const std::vector<const Group*>& round, const Board& board, Docum
   document.figure(std::move(figure), board.caption);
 }
 
-void add_boxes(const std::vector<const Group*>& round, const std::string& metric,
-               Document& document) {
-  Figure figure("box_" + round_id(*round.front()) + "_" + metric,
-                mission_name(round.front()->mission) + ": " + metric + " over runs");
-  const MetricText& text = metric_texts()[metric_index(metric)];
-  figure.axes("", metric + " [" + text.unit + "]");
+void add_boxes(const std::vector<const Group*>& round, Metric metric, Document& document) {
+  const std::string name = text_of(metric).name;
+  Figure figure("box_" + round_id(*round.front()) + "_" + name,
+                mission_name(round.front()->mission) + ": " + name + " over runs");
+  const MetricText& text = text_of(metric);
+  figure.axes("", metric_label(metric));
   figure.with("set yrange [0:*]");
   for (const Group* group : round) figure.box(display_name(group->policy), group->metric(metric));
   document.figure(std::move(figure), std::string("Box: quartiles and median over ") +
@@ -200,7 +208,7 @@ void add_distributions(const Results& results, Document& document) {
     for (const auto& round : rounds_of(results.groups, set->name)) {
       document.heading(3, round_title(*round.front()));
       for (const Board* board : {&lateness, &ages, &losses}) add_board(round, *board, document);
-      for (const std::string& metric : boxed) add_boxes(round, metric, document);
+      for (const Metric metric : boxed) add_boxes(round, metric, document);
     }
   }
 }

@@ -10,14 +10,16 @@
 namespace tocsin::experiment {
 namespace {
 
-const std::vector<std::string> contested{
-    "user_cost",        "critical_late",     "high_late",        "critical_lost", "low_delivered",
-    "location_age_p99", "telemetry_per_max", "high_latency_p99", "probe_per_max"};
+const std::vector<Metric> contested{
+    Metric::user_cost,         Metric::critical_late,    Metric::high_late,
+    Metric::critical_lost,     Metric::low_delivered,    Metric::location_age_p99,
+    Metric::telemetry_per_max, Metric::high_latency_p99, Metric::probe_per_max};
 
 /// What the cost is made of, besides the cost itself.
-const std::vector<std::string> figures{
-    "critical_late", "critical_very_late", "high_late",           "high_very_late",
-    "low_delivered", "location_age_p99",   "picture_latency_p99", "airtime"};
+const std::vector<Metric> figures{Metric::critical_late,       Metric::critical_very_late,
+                                  Metric::high_late,           Metric::high_very_late,
+                                  Metric::low_delivered,       Metric::location_age_p99,
+                                  Metric::picture_latency_p99, Metric::airtime};
 
 const Group* ours_of(const std::vector<const Group*>& round) {
   const auto found = std::find_if(round.begin(), round.end(),
@@ -46,19 +48,21 @@ std::string coloured(const Estimate& difference, bool less_is_better) {
 
 void add_cost_table(const std::vector<const Group*>& round, Document& document) {
   auto ranked = round;
-  const auto cost = [](const Group* group) { return estimate(group->metric("user_cost")).mean; };
+  const auto cost = [](const Group* group) {
+    return estimate(group->metric(Metric::user_cost)).mean;
+  };
   std::stable_sort(ranked.begin(), ranked.end(),
                    [&](const Group* a, const Group* b) { return cost(a) < cost(b); });
   std::vector<std::vector<std::string>> rows{{"policy", "cost", "TOCP-DSP minus this"}};
-  for (const std::string& metric : figures) rows[0].push_back(metric_label(metric));
+  for (const Metric metric : figures) rows[0].push_back(metric_label(metric));
   const Group& ours = *ours_of(round);
   for (const Group* group : ranked) {
     const Estimate difference =
-        paired_difference(ours.metric("user_cost"), group->metric("user_cost"));
+        paired_difference(ours.metric(Metric::user_cost), group->metric(Metric::user_cost));
     std::vector<std::string> row{display_name(group->policy),
-                                 html::number(estimate(group->metric("user_cost"))),
+                                 html::number(estimate(group->metric(Metric::user_cost))),
                                  group == &ours ? "" : coloured(difference, true)};
-    for (const std::string& metric : figures) {
+    for (const Metric metric : figures) {
       row.push_back(html::number(estimate(group->metric(metric))));
     }
     rows.push_back(std::move(row));
@@ -71,7 +75,7 @@ void add_cost_figure(const std::vector<const Group*>& round, Document& document)
                 mission_name(round.front()->mission) + ": cost of what users feel");
   figure.axes("", "cost [% of class low]").with("set yrange [0:*]");
   for (const Group* group : round) {
-    const Estimate one = estimate(group->metric("user_cost"));
+    const Estimate one = estimate(group->metric(Metric::user_cost));
     figure.interval(display_name(group->policy), one.mean, one.low, one.high);
   }
   document.figure(std::move(figure), "Mean over runs with its 95 % interval; lower is better.");
@@ -82,10 +86,10 @@ void add_best_table(const std::vector<std::vector<const Group*>>& rounds, Docume
       {"set and round", "metric", "best mean", "its policy", "TOCP-DSP", "TOCP-DSP minus best"}};
   for (const auto& round : rounds) {
     const Group& ours = *ours_of(round);
-    for (const std::string& metric : contested) {
+    for (const Metric metric : contested) {
       const Group* best = best_of(round, metric);
       if (best == nullptr) continue;
-      const bool less = metric_texts()[metric_index(metric)].less_is_better;
+      const bool less = text_of(metric).less_is_better;
       const Estimate difference = paired_difference(ours.metric(metric), best->metric(metric));
       rows.push_back({ours.set + ": " + round_title(ours), metric_label(metric),
                       html::number(estimate(best->metric(metric))), display_name(best->policy),

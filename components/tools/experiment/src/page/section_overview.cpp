@@ -7,9 +7,10 @@
 namespace tocsin::experiment {
 namespace {
 
-const std::vector<std::string> headline_metrics{
-    "user_cost",         "critical_late",    "high_late",    "low_delivered",
-    "telemetry_per_max", "high_latency_p99", "probe_per_max"};
+const std::vector<Metric> headline_metrics{Metric::user_cost,         Metric::critical_late,
+                                           Metric::high_late,         Metric::low_delivered,
+                                           Metric::telemetry_per_max, Metric::high_latency_p99,
+                                           Metric::probe_per_max};
 
 void add_failures(const Results& results, Document& document) {
   if (results.failures.empty()) return;
@@ -29,7 +30,7 @@ void add_round_verdicts(const std::vector<const Group*>& round, Document& docume
   if (ours == nullptr) return;
   document.heading(3, round_title(*ours));
   std::string list;
-  for (const std::string& metric : headline_metrics) {
+  for (const Metric metric : headline_metrics) {
     if (best_of(round, metric) == nullptr) continue;  // nobody has an answer
     for (const Group* other : round) {
       if (other == ours) continue;

@@ -8,11 +8,22 @@
 namespace tocsin::experiment {
 namespace {
 
-const std::vector<std::string> agreed{
-    "qni_mean",      "probe_per_mean", "telemetry_per",       "critical_lost",
-    "high_lost",     "low_lost",       "camera_lost",         "high_delivered",
-    "low_delivered", "silent_in_good", "high_latency_median", "high_latency_p99",
-    "link_bytes",    "airtime",        "completion",          "stalled"};
+const std::vector<Metric> agreed{Metric::qni_mean,
+                                 Metric::probe_per_mean,
+                                 Metric::telemetry_per,
+                                 Metric::critical_lost,
+                                 Metric::high_lost,
+                                 Metric::low_lost,
+                                 Metric::camera_lost,
+                                 Metric::high_delivered,
+                                 Metric::low_delivered,
+                                 Metric::silent_in_good,
+                                 Metric::high_latency_median,
+                                 Metric::high_latency_p99,
+                                 Metric::link_bytes,
+                                 Metric::airtime,
+                                 Metric::completion,
+                                 Metric::stalled};
 
 /// The values of simulated and real runs of the same seeds, run by run.
 struct Pairs {
@@ -34,8 +45,8 @@ struct Pair {
   const Group* real;
   std::size_t real_run;
   [[nodiscard]] bool finished() const {
-    return simulated->metric("completed")[simulated_run] == 1 &&
-           real->metric("completed")[real_run] == 1;
+    return simulated->metric(Metric::completed)[simulated_run] == 1 &&
+           real->metric(Metric::completed)[real_run] == 1;
   }
 };
 
@@ -57,8 +68,8 @@ std::vector<Pair> pairs_in(const Results& results) {
   return pairs;
 }
 
-Pairs values_of(const Results& results, const std::string& metric, Which which) {
-  const std::size_t at = metric_index(metric);
+Pairs values_of(const Results& results, Metric metric, Which which) {
+  const std::size_t at = index_of(metric);
   Pairs pairs;
   for (const Pair& pair : pairs_in(results)) {
     if (which == Which::finished && !pair.finished()) continue;
@@ -71,14 +82,15 @@ Pairs values_of(const Results& results, const std::string& metric, Which which) 
   return pairs;
 }
 
-void add_scatter(const Results& results, const std::string& metric, Document& document) {
+void add_scatter(const Results& results, Metric metric, Document& document) {
   const Pairs pairs = values_of(results, metric, Which::all);
-  const std::string unit = metric_texts()[metric_index(metric)].unit;
-  Figure figure("real_" + metric, "Simulated and real, run by run: " + metric);
+  const std::string unit = text_of(metric).unit;
+  const std::string name = text_of(metric).name;
+  Figure figure("real_" + name, "Simulated and real, run by run: " + name);
   figure.axes("simulated [" + unit + "]", "real [" + unit + "]");
   figure.points("", pairs.simulated, pairs.real);
   if (!pairs.real.empty()) figure.diagonal();
-  document.figure(std::move(figure), html::escape(metric_texts()[metric_index(metric)].text) + ".");
+  document.figure(std::move(figure), html::escape(text_of(metric).text) + ".");
 }
 
 constexpr int wanted_pairs = 20;
@@ -118,7 +130,7 @@ void add_table(const Results& results, Document& document) {
   std::vector<std::vector<std::string>> rows{
       {"metric", "simulated, all", "real, all", "real minus simulated", "pairs",
        "simulated, both finished", "real, both finished", "real minus simulated", "pairs"}};
-  for (const std::string& metric : agreed) {
+  for (const Metric metric : agreed) {
     std::vector<std::string> row{metric_label(metric)};
     for (const Which which : {Which::all, Which::finished}) {
       const Pairs pairs = values_of(results, metric, which);
@@ -137,8 +149,8 @@ void add_targets(const Results& results, Document& document) {
   std::string list;
   for (const Which which : {Which::all, Which::finished}) {
     const std::string of = which == Which::all ? ", all pairs," : ", both finished,";
-    list += target(values_of(results, "qni_mean", which).difference(), 2, "mean QNI" + of);
-    list += target(values_of(results, "high_delivered", which).difference(), 2,
+    list += target(values_of(results, Metric::qni_mean, which).difference(), 2, "mean QNI" + of);
+    list += target(values_of(results, Metric::high_delivered, which).difference(), 2,
                    "delivered share of class high" + of);
   }
   document.add("<ul>" + list + "</ul>\n");
@@ -163,8 +175,8 @@ void add_reality(const Results& results, Document& document) {
   add_table(results, document);
   add_left_out(results, document);
   add_targets(results, document);
-  add_scatter(results, "qni_mean", document);
-  add_scatter(results, "high_delivered", document);
+  add_scatter(results, Metric::qni_mean, document);
+  add_scatter(results, Metric::high_delivered, document);
 }
 
 }  // namespace tocsin::experiment

@@ -5,16 +5,16 @@
 namespace tocsin::experiment {
 namespace {
 
-const std::vector<std::string> swept{"telemetry_per_max",
-                                     "high_lost",
-                                     "high_latency_p99",
-                                     "low_delivered",
-                                     "detect",
-                                     "missed",
-                                     "resume",
-                                     "sent_in_poor",
-                                     "silent_in_good",
-                                     "silence_max"};
+const std::vector<Metric> swept{Metric::telemetry_per_max,
+                                Metric::high_lost,
+                                Metric::high_latency_p99,
+                                Metric::low_delivered,
+                                Metric::detect,
+                                Metric::missed,
+                                Metric::resume,
+                                Metric::sent_in_poor,
+                                Metric::silent_in_good,
+                                Metric::silence_max};
 
 /// What a policy's entry sets, for the table.
 std::string setting_of(const Results& results, const std::string& name) {
@@ -28,13 +28,13 @@ std::string setting_of(const Results& results, const std::string& name) {
 
 void add_table(const Results& results, const std::vector<const Group*>& round, Document& document) {
   std::vector<std::vector<std::string>> rows{{"variant"}};
-  for (const std::string& metric : swept) {
+  for (const Metric metric : swept) {
     rows[0].push_back(metric_label(metric));
   }
   rows[0].emplace_back("set");
   for (const Group* group : round) {
     std::vector<std::string> row{group->policy};
-    for (const std::string& metric : swept) {
+    for (const Metric metric : swept) {
       row.push_back(html::number(estimate(group->metric(metric))));
     }
     row.push_back(setting_of(results, group->policy));
@@ -43,10 +43,10 @@ void add_table(const Results& results, const std::vector<const Group*>& round, D
   document.table(rows);
 }
 
-void add_figure(const std::vector<const Group*>& round, const std::string& metric,
-                Document& document) {
-  Figure figure("sensitivity_" + round_id(*round.front()) + "_" + metric,
-                mission_name(round.front()->mission) + ": " + metric + " of the variants");
+void add_figure(const std::vector<const Group*>& round, Metric metric, Document& document) {
+  const std::string name = text_of(metric).name;
+  Figure figure("sensitivity_" + round_id(*round.front()) + "_" + name,
+                mission_name(round.front()->mission) + ": " + name + " of the variants");
   figure.axes("", metric_label(metric));
   figure.with("set yrange [0:*]");
   for (const Group* group : round) {
@@ -64,7 +64,8 @@ void add_sensitivity(const Results& results, Document& document) {
     for (const auto& round : rounds_of(results.groups, set->name)) {
       document.heading(3, round_title(*round.front()) + ": " +
                               std::to_string(round.front()->indices.size()) + " runs each");
-      for (const char* metric : {"high_latency_p99", "silent_in_good", "sent_in_poor"}) {
+      for (const Metric metric :
+           {Metric::high_latency_p99, Metric::silent_in_good, Metric::sent_in_poor}) {
         add_figure(round, metric, document);
       }
       add_table(results, round, document);

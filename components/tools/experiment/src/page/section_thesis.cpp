@@ -100,19 +100,19 @@ void add_table(const std::vector<const Group*>& round, Document& document) {
       if (group->policy != policy) continue;
       const ThesisNumbers* thesis = thesis_number(*group);
       rows.push_back({display_name(policy), html::number(thesis ? thesis->per_max : std::nan("")),
-                      html::number(estimate(group->metric("probe_per_max"))),
+                      html::number(estimate(group->metric(Metric::probe_per_max))),
                       html::number(largest(mean_series(*group, probe_per))),
-                      html::number(estimate(group->metric("telemetry_per_max"))),
+                      html::number(estimate(group->metric(Metric::telemetry_per_max))),
                       html::number(thesis ? thesis->qni_mean : std::nan("")),
-                      html::number(estimate(group->metric("qni_mean")))});
+                      html::number(estimate(group->metric(Metric::qni_mean)))});
     }
   }
   document.table(rows);
 }
 
 void add_latency_sentence(const Group& ours, const Group& none, Document& document) {
-  const auto a = ours.metric("high_latency_median");
-  const auto b = none.metric("high_latency_median");
+  const auto a = ours.metric(Metric::high_latency_median);
+  const auto b = none.metric(Metric::high_latency_median);
   const Estimate difference = paired_difference(a, b);
   const double change = 100 * difference.mean / estimate(b).mean;
   document.paragraph(

@@ -14,8 +14,8 @@ Verdict judge(const Estimate& difference, bool less_is_better) {
   return Verdict::undecided;
 }
 
-const Group* best_of(const std::vector<const Group*>& round, const std::string& metric) {
-  const bool less = metric_texts()[metric_index(metric)].less_is_better;
+const Group* best_of(const std::vector<const Group*>& round, Metric metric) {
+  const bool less = text_of(metric).less_is_better;
   const Group* best = nullptr;
   double best_mean = 0;
   for (const Group* group : round) {
@@ -29,8 +29,8 @@ const Group* best_of(const std::vector<const Group*>& round, const std::string& 
 }
 
 std::string verdict_line(const Group& ours, const Group& other,
-                         const std::vector<const Group*>& round, const std::string& metric) {
-  const MetricText& text = metric_texts()[metric_index(metric)];
+                         const std::vector<const Group*>& round, Metric metric) {
+  const MetricText& text = text_of(metric);
   const auto a = ours.metric(metric);
   const auto b = other.metric(metric);
   const Estimate difference = paired_difference(a, b);
@@ -40,7 +40,7 @@ std::string verdict_line(const Group& ours, const Group& other,
                                ? "<span class=\"no\">loses to</span>"
                                : "<span class=\"open\">does not beat</span>";
   std::string line = mission_name(ours.mission) + ": " + display_name(ours.policy) + " " + word +
-                     " " + display_name(other.policy) + " on " + metric + ": " +
+                     " " + display_name(other.policy) + " on " + text.name + ": " +
                      html::number(estimate(a).mean) + " against " + html::number(estimate(b).mean) +
                      " " + text.unit + ", difference " + html::number(difference) + " over " +
                      std::to_string(difference.runs) + " pairs";

@@ -16,14 +16,12 @@ enum class Verdict { better, worse, undecided };
 [[nodiscard]] Verdict judge(const Estimate& difference, bool less_is_better);
 
 /// The policy of the round with the best mean; null when none has an answer.
-[[nodiscard]] const Group* best_of(const std::vector<const Group*>& round,
-                                   const std::string& metric);
+[[nodiscard]] const Group* best_of(const std::vector<const Group*>& round, Metric metric);
 
 /// One sentence of HTML: whether `ours` beats `other` on the metric, by how much, and who is best
 /// where it does not.
 [[nodiscard]] std::string verdict_line(const Group& ours, const Group& other,
-                                       const std::vector<const Group*>& round,
-                                       const std::string& metric);
+                                       const std::vector<const Group*>& round, Metric metric);
 
 /// "TOCP-DSP" for tocp_dsp, "no policy" for none; other names as they are.
 [[nodiscard]] std::string display_name(const std::string& policy);

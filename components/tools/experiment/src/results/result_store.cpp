@@ -73,7 +73,7 @@ std::string row(const Run& run, const RunResult& result) {
   text << run.number << ',' << run.set << ',' << run.mission.name << ',' << run.channel.name << ','
        << run.payload.name << ',' << run.policy.name << ',' << run.index << ',' << run.seed << ','
        << csv_cell(result.failure) << ',' << result.simulated_s;
-  for (std::size_t i = 0; i < metric_texts().size(); ++i) {
+  for (std::size_t i = 0; i < metric_count; ++i) {
     text << ',';
     if (i < result.measures.values.size() && !std::isnan(result.measures.values[i])) {
       text << result.measures.values[i];

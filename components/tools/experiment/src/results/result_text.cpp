@@ -79,7 +79,7 @@ std::optional<RunResult> parse_result(const std::string& text) {
   result.simulated_s = std::strtod(rest.c_str(), nullptr);
   if (!take(lines, "values ", rest)) return std::nullopt;
   result.measures.values = numbers(rest);
-  result.measures.values.resize(metric_texts().size(), std::nan(""));
+  result.measures.values.resize(metric_count, std::nan(""));
   if (!take(lines, series_head, rest)) return std::nullopt;
   for (std::string line; std::getline(lines, line);) {
     if (line == "end") return result;

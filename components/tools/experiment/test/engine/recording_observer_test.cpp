@@ -45,7 +45,7 @@ TEST(RecordingObserver, CountsWhatWasWrittenWhetherItWasSentOrNot) {
   RecordingObserver sut;
   sut.on_written({from, t0, 1, 50, &message});
   sut.on_written({from, t0, 2, 50, &message});
-  EXPECT_EQ(sut.recording().written.at("uxv low"), 2U);
+  EXPECT_EQ(sut.recording().written.at({Role::uxv, TrafficClass::low}), 2U);
 }
 
 TEST(RecordingObserver, TakesArrivalsAtTheRecorderOnly) {
@@ -55,7 +55,7 @@ TEST(RecordingObserver, TakesArrivalsAtTheRecorderOnly) {
   RecordingObserver sut;
   sut.on_delivered({from, recorder, 7, 7, t0, t0, t0 + seconds(0.5), 300, nullptr});
   sut.on_delivered({from, other, 7, 7, t0, t0, t0 + seconds(0.5), 300, nullptr});
-  const auto& arrivals = sut.recording().arrivals.at("uxv high");
+  const auto& arrivals = sut.recording().arrivals.at({Role::uxv, TrafficClass::high});
   ASSERT_EQ(arrivals.size(), 1U);
   EXPECT_EQ(arrivals[0].sequence, 7U);
   EXPECT_DOUBLE_EQ(arrivals[0].received_s - arrivals[0].sent_s, 0.5);
@@ -153,9 +153,9 @@ TEST(RecordingObserver, CountsEachClassOfEachSideByItself) {
   for (const auto* from : {&low, &more, &high, &ground}) {
     sut.on_written({*from, t0, 1, 50, &message});
   }
-  EXPECT_EQ(sut.recording().written.at("uxv low"), 2U);
-  EXPECT_EQ(sut.recording().written.at("uxv high"), 1U);
-  EXPECT_EQ(sut.recording().written.at("gcs low"), 1U);
+  EXPECT_EQ(sut.recording().written.at({Role::uxv, TrafficClass::low}), 2U);
+  EXPECT_EQ(sut.recording().written.at({Role::uxv, TrafficClass::high}), 1U);
+  EXPECT_EQ(sut.recording().written.at({Role::gcs, TrafficClass::low}), 1U);
 }
 
 TEST(RecordingObserver, IgnoresLinkTopicsWithoutAClass) {
@@ -177,7 +177,7 @@ TEST(RecordingObserver, KeepsArrivalsOfAClassTogetherInTheOrderOfTheirComing) {
   sut.on_delivered({one, recorder, 1, 1, t0, t0, t0 + seconds(1), 300, nullptr});
   sut.on_delivered({other, recorder, 5, 5, t0, t0, t0 + seconds(2), 80, nullptr});
   sut.on_delivered({one, recorder, 2, 2, t0, t0, t0 + seconds(3), 300, nullptr});
-  const auto& arrivals = sut.recording().arrivals.at("uxv high");
+  const auto& arrivals = sut.recording().arrivals.at({Role::uxv, TrafficClass::high});
   ASSERT_EQ(arrivals.size(), 3U);
   EXPECT_EQ(arrivals[1].topic, "network_quality");
   EXPECT_EQ(arrivals[1].writer, "link");
@@ -190,7 +190,7 @@ TEST(RecordingObserver, CountsFromTheTimeOfSendingNotOfWriting) {
   const auto recorder = end_of("gcs", "recorder", "location", std::nullopt);
   RecordingObserver sut;
   sut.on_delivered({from, recorder, 1, 1, t0, t0 + seconds(10), t0 + seconds(11), 300, nullptr});
-  EXPECT_EQ(sut.recording().arrivals.at("uxv high")[0].sent_s, 110);
+  EXPECT_EQ(sut.recording().arrivals.at({Role::uxv, TrafficClass::high})[0].sent_s, 110);
 }
 
 }  // namespace

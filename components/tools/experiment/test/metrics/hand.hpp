@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "link_classes.hpp"
 #include "metrics/metrics.hpp"
 
 namespace tocsin::experiment {
@@ -28,14 +29,15 @@ class Hand {
     return *this;
   }
   /// Sample `sequence` of a topic, sent at `sent_s`, that took `latency_s`.
-  Hand& arrives(const char* name, const char* topic, std::uint64_t sequence, double sent_s,
-                double latency_s, const char* writer = "1") {
+  Hand& arrives(const report::LinkClass& link_class, const char* topic, std::uint64_t sequence,
+                double sent_s, double latency_s, const char* writer = "1") {
     const double at_s = begin_s + sent_s;
-    recording_.arrivals[name].push_back({at_s, at_s + latency_s, topic, writer, sequence, 50});
+    recording_.arrivals[link_class].push_back(
+        {at_s, at_s + latency_s, topic, writer, sequence, 50});
     return *this;
   }
-  Hand& written(const char* name, std::uint64_t count) {
-    recording_.written[name] = count;
+  Hand& written(const report::LinkClass& link_class, std::uint64_t count) {
+    recording_.written[link_class] = count;
     return *this;
   }
   Hand& decides(double at_s, bool active, double qni) {
@@ -59,8 +61,8 @@ class Hand {
     recording_.mission = {"toy", "done", 8, 9, 9, s};
     return *this;
   }
-  [[nodiscard]] double value(const char* metric) const {
-    return measure(recording_, timing_).values[metric_index(metric)];
+  [[nodiscard]] double value(Metric metric) const {
+    return measure(recording_, timing_).values[index_of(metric)];
   }
   [[nodiscard]] Observation observation(std::size_t i) const {
     return measure(recording_, timing_).series.at(i);

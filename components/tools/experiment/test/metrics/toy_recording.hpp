@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "link_classes.hpp"
 #include "plan/experiment_file.hpp"
 #include "report/recording.hpp"
 
@@ -20,11 +21,11 @@ inline report::Recording toy_recording() {
     recording.link.push_back({at_s, poor ? 5.0 : 20.0, 0.5, 0.1 * i, 1000.0 * i, 0});
     const auto sequence = static_cast<std::uint64_t>(i + 1);
     if (i % 10 != 5) {
-      recording.arrivals["uxv high"].push_back(
+      recording.arrivals[uxv_high].push_back(
           {at_s, at_s + 0.02, "network_quality", "1", sequence, 100});
     }
   }
-  recording.written["uxv high"] = 100;
+  recording.written[uxv_high] = 100;
   recording.mission = {"toy", "done", 8, 9, 9, 88.5};
   return recording;
 }

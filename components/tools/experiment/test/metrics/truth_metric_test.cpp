@@ -22,19 +22,20 @@ Hand half_found() {
 
 TEST(TruthMetrics, ShareAndCountWhatWasPoor) {
   const auto sut = Hand().link({{0, 20}, {20, 9.9}, {50, 10}, {75, 5}, {99, 20}});
-  EXPECT_NEAR(sut.value("poor_share"), 30 + 24, 1e-9);
-  EXPECT_EQ(sut.value("poor_intervals"), 2);
+  EXPECT_NEAR(sut.value(Metric::poor_share), 30 + 24, 1e-9);
+  EXPECT_EQ(sut.value(Metric::poor_intervals), 2);
 }
 
 TEST(TruthMetrics, LeaveOutWhatIsShorterThanTwoObservations) {
-  EXPECT_EQ(Hand().link({{0, 20}, {20, 5}, {39, 20}}).value("poor_intervals"), 0);
-  EXPECT_EQ(Hand().link({{0, 20}, {20, 5}, {40, 20}}).value("poor_intervals"), 1);
+  EXPECT_EQ(Hand().link({{0, 20}, {20, 5}, {39, 20}}).value(Metric::poor_intervals), 0);
+  EXPECT_EQ(Hand().link({{0, 20}, {20, 5}, {40, 20}}).value(Metric::poor_intervals), 1);
 }
 
 TEST(TruthMetrics, JoinIntervalsOverAGapShorterThanTwoObservations) {
-  EXPECT_EQ(half_found().value("poor_intervals"), 1) << "10 s between them";
-  EXPECT_EQ(Hand().link({{0, 20}, {20, 5}, {40, 20}, {60, 5}, {80, 20}}).value("poor_intervals"),
-            2);
+  EXPECT_EQ(half_found().value(Metric::poor_intervals), 1) << "10 s between them";
+  EXPECT_EQ(
+      Hand().link({{0, 20}, {20, 5}, {40, 20}, {60, 5}, {80, 20}}).value(Metric::poor_intervals),
+      2);
 }
 
 TEST(TruthMetrics, TellWhenAPolicyFoundItAndSpokeAgain) {
@@ -43,11 +44,11 @@ TEST(TruthMetrics, TellWhenAPolicyFoundItAndSpokeAgain) {
                        .decides(0, true, 80)
                        .decides(26, false, 30)
                        .decides(58, true, 80);
-  EXPECT_NEAR(sut.value("detect"), 6, 1e-9);
-  EXPECT_NEAR(sut.value("resume"), 8, 1e-9);
-  EXPECT_EQ(sut.value("missed"), 0);
-  EXPECT_NEAR(sut.value("sent_in_poor"), 100.0 * 6 / 30, 1e-9);
-  EXPECT_NEAR(sut.value("silent_in_good"), 100.0 * 8 / 70, 1e-9);
+  EXPECT_NEAR(sut.value(Metric::detect), 6, 1e-9);
+  EXPECT_NEAR(sut.value(Metric::resume), 8, 1e-9);
+  EXPECT_EQ(sut.value(Metric::missed), 0);
+  EXPECT_NEAR(sut.value(Metric::sent_in_poor), 100.0 * 6 / 30, 1e-9);
+  EXPECT_NEAR(sut.value(Metric::silent_in_good), 100.0 * 8 / 70, 1e-9);
 }
 
 TEST(TruthMetrics, TellWhatAPolicyMissed) {
@@ -56,19 +57,19 @@ TEST(TruthMetrics, TellWhatAPolicyMissed) {
                        .decides(0, true, 80)
                        .decides(64, false, 30)
                        .decides(80, true, 80);
-  EXPECT_EQ(sut.value("missed"), 1);
-  EXPECT_NEAR(sut.value("detect"), 4, 1e-9) << "of the one that was found";
-  EXPECT_NEAR(sut.value("resume"), 0, 1e-9);
-  EXPECT_NEAR(sut.value("sent_in_poor"), 100.0 * (20 + 4) / 40, 1e-9);
+  EXPECT_EQ(sut.value(Metric::missed), 1);
+  EXPECT_NEAR(sut.value(Metric::detect), 4, 1e-9) << "of the one that was found";
+  EXPECT_NEAR(sut.value(Metric::resume), 0, 1e-9);
+  EXPECT_NEAR(sut.value(Metric::sent_in_poor), 100.0 * (20 + 4) / 40, 1e-9);
 }
 
 TEST(TruthMetrics, HaveNoAnswerWhereNothingWasPoor) {
   const auto sut = Hand().link({{0, 20}}).decides(0, true, 80);
-  EXPECT_EQ(sut.value("poor_share"), 0);
-  EXPECT_TRUE(std::isnan(sut.value("detect")));
-  EXPECT_TRUE(std::isnan(sut.value("resume")));
-  EXPECT_TRUE(std::isnan(sut.value("sent_in_poor")));
-  EXPECT_EQ(sut.value("silent_in_good"), 0);
+  EXPECT_EQ(sut.value(Metric::poor_share), 0);
+  EXPECT_TRUE(std::isnan(sut.value(Metric::detect)));
+  EXPECT_TRUE(std::isnan(sut.value(Metric::resume)));
+  EXPECT_TRUE(std::isnan(sut.value(Metric::sent_in_poor)));
+  EXPECT_EQ(sut.value(Metric::silent_in_good), 0);
 }
 
 TEST(SilenceMetrics, AreCountMeanAndLongest) {
@@ -77,49 +78,50 @@ TEST(SilenceMetrics, AreCountMeanAndLongest) {
                        .decides(14, true, 80)
                        .decides(40, false, 30)
                        .decides(50, true, 80);
-  EXPECT_EQ(sut.value("pauses"), 2);
-  EXPECT_NEAR(sut.value("silence_mean"), 7, 1e-9);
-  EXPECT_NEAR(sut.value("silence_max"), 10, 1e-9);
+  EXPECT_EQ(sut.value(Metric::pauses), 2);
+  EXPECT_NEAR(sut.value(Metric::silence_mean), 7, 1e-9);
+  EXPECT_NEAR(sut.value(Metric::silence_max), 10, 1e-9);
 }
 
 TEST(SilenceMetrics, EndWithTheRun) {
   const auto sut = Hand().decides(0, true, 80).decides(85, false, 30);
-  EXPECT_EQ(sut.value("pauses"), 1);
-  EXPECT_NEAR(sut.value("silence_max"), 15, 1e-9);
+  EXPECT_EQ(sut.value(Metric::pauses), 1);
+  EXPECT_NEAR(sut.value(Metric::silence_max), 15, 1e-9);
 }
 
 TEST(SilenceMetrics, BeginWithTheWindow) {
   auto sut = Hand().decides(5, false, 30).decides(25, true, 80);
   sut.warm_up(20);
-  EXPECT_NEAR(sut.value("silence_max"), 5, 1e-9);
+  EXPECT_NEAR(sut.value(Metric::silence_max), 5, 1e-9);
 }
 
 TEST(SilenceMetrics, OfWhoNeverPausesAreNoneAndZero) {
   const auto sut = Hand().decides(0, true, 80);
-  EXPECT_EQ(sut.value("pauses"), 0);
-  EXPECT_TRUE(std::isnan(sut.value("silence_mean")));
-  EXPECT_EQ(sut.value("silence_max"), 0);
+  EXPECT_EQ(sut.value(Metric::pauses), 0);
+  EXPECT_TRUE(std::isnan(sut.value(Metric::silence_mean)));
+  EXPECT_EQ(sut.value(Metric::silence_max), 0);
 }
 
 TEST(SlotMetrics, CostOnePerPoorSlotSpokenIn) {
   // Three of ten slots are poor and none is silent. The clairvoyant's silence: 3 x 0.1 + 2 x 0.5.
   const auto sut = Hand().link({{0, 20}, {30, 5}, {60, 20}}).decides(0, true, 80);
-  EXPECT_NEAR(sut.value("slot_cost"), 100 * 3, 1e-6);
-  EXPECT_NEAR(sut.value("slot_regret"), 100 * (3 - 1.3), 1e-6);
+  EXPECT_NEAR(sut.value(Metric::slot_cost), 100 * 3, 1e-6);
+  EXPECT_NEAR(sut.value(Metric::slot_regret), 100 * (3 - 1.3), 1e-6);
 }
 
 TEST(SlotMetrics, CostHalfPerGoodSlotInSilence) {
   const auto sut =
       Hand().link({{0, 20}}).decides(0, true, 80).decides(40, false, 30).decides(70, true, 80);
-  EXPECT_NEAR(sut.value("slot_cost"), 100 * (3 * 0.5 + 2 * 0.5), 1e-6);
-  EXPECT_NEAR(sut.value("slot_regret"), sut.value("slot_cost"), 1e-6) << "he never falls silent";
+  EXPECT_NEAR(sut.value(Metric::slot_cost), 100 * (3 * 0.5 + 2 * 0.5), 1e-6);
+  EXPECT_NEAR(sut.value(Metric::slot_regret), sut.value(Metric::slot_cost), 1e-6)
+      << "he never falls silent";
 }
 
 TEST(MissionMetrics, AreOfAMissionThatWasDone) {
-  EXPECT_EQ(Hand().done_after(71.5).value("completion"), 71.5);
-  EXPECT_EQ(Hand().done_after(71.5).value("completed"), 1);
-  EXPECT_EQ(Hand().value("completed"), 0);
-  EXPECT_TRUE(std::isnan(Hand().value("completion")));
+  EXPECT_EQ(Hand().done_after(71.5).value(Metric::completion), 71.5);
+  EXPECT_EQ(Hand().done_after(71.5).value(Metric::completed), 1);
+  EXPECT_EQ(Hand().value(Metric::completed), 0);
+  EXPECT_TRUE(std::isnan(Hand().value(Metric::completion)));
 }
 
 TEST(ObservationTest, KeepsTheLastDecisionAndMeasurementInIt) {
@@ -159,10 +161,10 @@ TEST(ObservationTest, TellsTheShareThatWasPoor) {
 
 TEST(ObservationTest, HasTheMedianLatencyOfWhatWasSentInIt) {
   const auto sut = Hand()
-                       .arrives("uxv high", "location", 1, 20, 0.010)
-                       .arrives("uxv high", "location", 2, 21, 0.500)
-                       .arrives("uxv critical", "heartbeat", 1, 29, 0.030)
-                       .arrives("uxv low", camera_topic, 1, 25, 0.9);
+                       .arrives(uxv_high, "location", 1, 20, 0.010)
+                       .arrives(uxv_high, "location", 2, 21, 0.500)
+                       .arrives(uxv_critical, "heartbeat", 1, 29, 0.030)
+                       .arrives(uxv_low, camera_topic, 1, 25, 0.9);
   EXPECT_NEAR(sut.observation(2).latency_ms, 30, 1e-6);
   EXPECT_EQ(sut.observation(2).sent, 3);
   EXPECT_TRUE(std::isnan(sut.observation(3).latency_ms));

@@ -23,7 +23,7 @@ TEST(Results, AreReadInGroups) {
   ASSERT_EQ(sut.groups.size(), 4U);
   EXPECT_EQ(sut.groups[1].policy, "tocp_dsp");
   EXPECT_THAT(sut.groups[0].indices, ElementsAre(1, 2, 3));
-  EXPECT_THAT(sut.groups[0].metric("probe_per_max"), ElementsAre(71, 72, 73));
+  EXPECT_THAT(sut.groups[0].metric(Metric::probe_per_max), ElementsAre(71, 72, 73));
   EXPECT_TRUE(sut.failures.empty());
   EXPECT_TRUE(sut.real.empty());
 }
@@ -53,7 +53,7 @@ TEST(Results, NameRunsThatFailed) {
   store.write_table(plan);
   const Results sut = load_results(toy.folder());
   EXPECT_THAT(sut.failures, ElementsAre("main.a.near.camera.none.2: policy: threw"));
-  EXPECT_TRUE(std::isnan(sut.groups[0].metric("qni_mean")[1]));
+  EXPECT_TRUE(std::isnan(sut.groups[0].metric(Metric::qni_mean)[1]));
 }
 
 TEST(Results, OfAnotherFolderAreRejected) {
@@ -123,7 +123,7 @@ TEST(Results, KeepSimulatedAndRealRunsApart) {
   const Results sut = load_results(toy.folder());
   EXPECT_EQ(sut.runs, 12U) << "simulated ones only";
   ASSERT_EQ(sut.real.size(), 4U);
-  EXPECT_EQ(sut.real[0].metric("qni_mean")[0], sut.groups[0].metric("qni_mean")[0] + 1);
+  EXPECT_EQ(sut.real[0].metric(Metric::qni_mean)[0], sut.groups[0].metric(Metric::qni_mean)[0] + 1);
 }
 
 TEST(Results, NameAllBuildsThatMadeThem) {

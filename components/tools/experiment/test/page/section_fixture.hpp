@@ -33,15 +33,15 @@ class SectionTest : public ::testing::Test {
     group.policy = policy;
     for (int i = 1; i <= 5; ++i) {
       group.indices.push_back(i);
-      group.values.emplace_back(metric_texts().size(), std::nan(""));
+      group.values.emplace_back(metric_count, std::nan(""));
       group.series.emplace_back();
     }
     results_.groups.push_back(group);
     return results_.groups.back();
   }
-  static void set(Group& group, const std::string& metric, double first) {
+  static void set(Group& group, Metric metric, double first) {
     double value = first;
-    for (auto& run : group.values) run[metric_index(metric)] = value += 0.01;
+    for (auto& run : group.values) run[index_of(metric)] = value += 0.01;
   }
   /// Five runs of one observation each for every value.
   static void series(Group& group, double Observation::*part,
@@ -55,11 +55,11 @@ class SectionTest : public ::testing::Test {
   /// Both policies, with the highest PER and the p99 latency of each.
   void pair(double none_per, double dsp_per, double none_ms, double dsp_ms) {
     Group& none = add("none");
-    set(none, "telemetry_per_max", none_per);
-    set(none, "high_latency_p99", none_ms);
+    set(none, Metric::telemetry_per_max, none_per);
+    set(none, Metric::high_latency_p99, none_ms);
     Group& dsp = add("tocp_dsp");
-    set(dsp, "telemetry_per_max", dsp_per);
-    set(dsp, "high_latency_p99", dsp_ms);
+    set(dsp, Metric::telemetry_per_max, dsp_per);
+    set(dsp, Metric::high_latency_p99, dsp_ms);
   }
   template <class Add>
   std::string text(Add add_section) {

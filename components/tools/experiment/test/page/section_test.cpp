@@ -69,8 +69,8 @@ TEST_F(SectionTest, TellsTheChannelOnceForEachMission) {
 
 TEST_F(SectionTest, RanksPoliciesByCostAndSaysWhoIsBestAtWhat) {
   pair(20, 30, 500, 900);
-  set(results_.groups[0], "user_cost", 300);
-  set(results_.groups[1], "user_cost", 100);
+  set(results_.groups[0], Metric::user_cost, 300);
+  set(results_.groups[1], Metric::user_cost, 100);
   const std::string sut = text(add_costs);
   EXPECT_LT(sut.find("<td>TOCP-DSP</td><td>100"), sut.find("<td>no policy</td><td>300"));
   EXPECT_THAT(sut, HasSubstr("<span class=\"yes\">-200 [-200, -200]</span>"));
@@ -83,7 +83,7 @@ TEST_F(SectionTest, RanksPoliciesByCostAndSaysWhoIsBestAtWhat) {
 
 TEST_F(SectionTest, TellsTheWeightsOfTheCostAndWhatItIsMadeOf) {
   pair(20, 30, 500, 900);
-  set(results_.groups[0], "critical_late", 12);
+  set(results_.groups[0], Metric::critical_late, 12);
   results_.experiment.timing.cost.high_late = 77;
   const std::string sut = text(add_costs);
   EXPECT_THAT(sut, AllOf(HasSubstr("critical_late 10.0, "), HasSubstr("high_late 77.0, ")));
@@ -116,12 +116,12 @@ TEST_F(SectionTest, ShowsAgesAndLossesOfTheThesisSet) {
 TEST_F(SectionTest, ShowsAllPairsAndThoseThatFinished) {
   pair(30, 20, 900, 500);
   for (Group& group : results_.groups) {
-    set(group, "qni_mean", 70);
-    for (auto& run : group.values) run[metric_index("completed")] = 1;
+    set(group, Metric::qni_mean, 70);
+    for (auto& run : group.values) run[index_of(Metric::completed)] = 1;
   }
   results_.real = results_.groups;
-  for (Group& group : results_.real) set(group, "qni_mean", 69);
-  results_.real[0].values[0][metric_index("completed")] = 0;
+  for (Group& group : results_.real) set(group, Metric::qni_mean, 69);
+  results_.real[0].values[0][index_of(Metric::completed)] = 0;
   results_.real[1].values[2].clear();
   const std::string sut = text(add_reality);
   EXPECT_THAT(sut, HasSubstr("Of 9 pairs left out: none 1."));
@@ -152,8 +152,8 @@ TEST_F(SectionTest, VerdictsGoThroughAllOtherPolicies) {
 TEST_F(SectionTest, VerdictsBeginWithWhatUsersFeel) {
   results_.experiment.sets[0].kind = "thesis";
   pair(30, 20, 900, 500);
-  set(results_.groups[0], "user_cost", 100);
-  set(results_.groups[1], "user_cost", 120);
+  set(results_.groups[0], Metric::user_cost, 100);
+  set(results_.groups[1], Metric::user_cost, 120);
   const std::string sut = text(add_verdicts);
   const std::size_t cost = sut.find("loses to</span> no policy on user_cost");
   ASSERT_NE(cost, std::string::npos);

@@ -22,8 +22,8 @@ class ThesisSectionTest : public SectionTest {
     double qni = 70;
     for (const char* policy : {"none", "threshold", "tocp", "tocp_dsp"}) {
       Group& group = add(policy, "camera", mission);
-      set(group, "qni_mean", qni);
-      set(group, "high_latency_median", 200 - qni);
+      set(group, Metric::qni_mean, qni);
+      set(group, Metric::high_latency_median, 200 - qni);
       series(group, &Observation::qni, {qni, qni + 1});
       qni += 1;
     }
@@ -88,8 +88,8 @@ TEST_F(ThesisSectionTest, TellsThePeakOfTheMeanCurveNotOfASingleRun) {
 }
 
 TEST_F(ThesisSectionTest, TellsTheChangeOfLatencyInPerCent) {
-  set(add("none"), "high_latency_median", 99.97);
-  set(add("tocp_dsp"), "high_latency_median", 79.97);
+  set(add("none"), Metric::high_latency_median, 99.97);
+  set(add("tocp_dsp"), Metric::high_latency_median, 79.97);
   EXPECT_THAT(text(add_thesis), HasSubstr(" ms without a policy: -20.0 %."));
 }
 
@@ -112,8 +112,8 @@ TEST_F(ThesisSectionTest, JudgesBothMetricsAgainstEachOtherPolicy) {
   four("a");
   for (Group& group : results_.groups) {
     const bool ours = group.policy == "tocp_dsp";
-    set(group, "telemetry_per_max", ours ? 20 : 30);
-    set(group, "high_latency_p99", ours ? 900 : 500);
+    set(group, Metric::telemetry_per_max, ours ? 20 : 30);
+    set(group, Metric::high_latency_p99, ours ? 900 : 500);
   }
   const std::string sut = text(add_verdicts);
   for (const char* other : {"no policy", "threshold", "TOCP"}) {
@@ -193,8 +193,8 @@ class SensitivityTest : public SectionTest {
     choice.name = "alpha_2";
     choice.set = {"alpha=2", "network_monitor.window=<10>"};
     results_.experiment.policies = {choice};
-    set(add("tocp_dsp"), "silent_in_good", 4.97);
-    set(add("alpha_2"), "silent_in_good", 9.97);
+    set(add("tocp_dsp"), Metric::silent_in_good, 4.97);
+    set(add("alpha_2"), Metric::silent_in_good, 9.97);
   }
 };
 

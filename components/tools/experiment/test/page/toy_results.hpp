@@ -31,8 +31,8 @@ class ToyResults : public ToyExperiment {
     std::filesystem::create_directories(folder() + "/real");
     for (const Run& run : plan) {
       RunResult result = result_of(run);
-      result.measures.values[metric_index("qni_mean")] += 1;
-      if (run.number == 0) result.measures.values[metric_index("completed")] = 0;
+      result.measures.values[index_of(Metric::qni_mean)] += 1;
+      if (run.number == 0) result.measures.values[index_of(Metric::completed)] = 0;
       store.write(run, result);
     }
     store.write_table(plan);

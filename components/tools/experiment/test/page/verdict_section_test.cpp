@@ -19,7 +19,7 @@ using CostSectionTest = SectionTest;
 TEST_F(CostSectionTest, RanksFromTheLeastCostOn) {
   for (const auto& [policy, cost] :
        {std::pair{"none", 300.0}, {"tocp_dsp", 200.0}, {"belief", 100.0}}) {
-    set(add(policy), "user_cost", cost);
+    set(add(policy), Metric::user_cost, cost);
   }
   const std::string sut = text(add_costs);
   const auto place = [&](const std::string& policy) { return sut.find("<tr><td>" + policy); };
@@ -28,8 +28,8 @@ TEST_F(CostSectionTest, RanksFromTheLeastCostOn) {
 }
 
 TEST_F(CostSectionTest, MarksWhoIsCheaperThanTocpDspRed) {
-  set(add("tocp_dsp"), "user_cost", 200);
-  set(add("belief"), "user_cost", 100);
+  set(add("tocp_dsp"), Metric::user_cost, 200);
+  set(add("belief"), Metric::user_cost, 100);
   EXPECT_THAT(text(add_costs), HasSubstr("<span class=\"no\">100.0 [100.0, 100.0]</span>"));
 }
 
@@ -37,22 +37,22 @@ TEST_F(CostSectionTest, LeavesOpenWhatTheIntervalDoesNotTell) {
   add("tocp_dsp");
   add("belief");
   for (std::size_t i = 0; i < 5; ++i) {
-    results_.groups[0].values[i][metric_index("user_cost")] = i % 2 == 0 ? 110 : 90;
-    results_.groups[1].values[i][metric_index("user_cost")] = 100;
+    results_.groups[0].values[i][index_of(Metric::user_cost)] = i % 2 == 0 ? 110 : 90;
+    results_.groups[1].values[i][index_of(Metric::user_cost)] = 100;
   }
   EXPECT_THAT(text(add_costs), HasSubstr("<span class=\"open\">"));
 }
 
 TEST_F(CostSectionTest, KnowsThatMoreDeliveredIsBetter) {
-  set(add("tocp_dsp"), "low_delivered", 80);
-  set(add("none"), "low_delivered", 90);
+  set(add("tocp_dsp"), Metric::low_delivered, 80);
+  set(add("none"), Metric::low_delivered, 90);
   EXPECT_THAT(text(add_costs), HasSubstr("<td>low_delivered [%]</td><td>90.0 [90.0, 90.0]</td>"
                                          "<td>no policy</td>"));
 }
 
 TEST_F(CostSectionTest, LeavesOutAMetricThatNoPolicyHas) {
-  set(add("tocp_dsp"), "user_cost", 200);
-  set(add("none"), "user_cost", 300);
+  set(add("tocp_dsp"), Metric::user_cost, 200);
+  set(add("none"), Metric::user_cost, 300);
   EXPECT_THAT(text(add_costs), Not(HasSubstr("<td>probe_per_max [%]</td>")));
 }
 
@@ -78,15 +78,15 @@ TEST_F(RegimeTest, HasARowForEachPayload) {
 
 TEST_F(RegimeTest, ColoursFewerDeliveredRed) {
   pair(30, 20, 900, 500);
-  set(results_.groups[0], "low_delivered", 90);
-  set(results_.groups[1], "low_delivered", 80);
+  set(results_.groups[0], Metric::low_delivered, 90);
+  set(results_.groups[1], Metric::low_delivered, 80);
   EXPECT_THAT(text(add_regimes), HasSubstr("<span class=\"no\">-10.0 [-10.0, -10.0]</span>"));
 }
 
 TEST_F(RegimeTest, CountsTheLossOfClassHighToo) {
   pair(20, 20, 500, 500);
-  set(results_.groups[0], "high_lost", 5);
-  set(results_.groups[1], "high_lost", 2);
+  set(results_.groups[0], Metric::high_lost, 5);
+  set(results_.groups[1], Metric::high_lost, 2);
   EXPECT_THAT(text(add_regimes), HasSubstr("<td>helps</td>"));
 }
 
@@ -114,7 +114,7 @@ TEST_F(ChannelSectionTest, ShowsEachMissionOnEachChannel) {
 }
 
 TEST_F(ChannelSectionTest, TellsTheShareThatWasPoor) {
-  set(add("none"), "poor_share", 24.97);
+  set(add("none"), Metric::poor_share, 24.97);
   EXPECT_THAT(text(add_channels), HasSubstr("Truly poor in 25.0 [25.0, 25.0] % of the time"));
 }
 
@@ -131,8 +131,8 @@ TEST_F(DistributionTest, HasBoxesOfTheRunsOfEachPolicy) {
 
 TEST_F(DistributionTest, PutsPoliciesSideBySideAtEachClass) {
   kind("thesis");
-  set(add("none"), "critical_lost", 0.97);
-  set(add("tocp_dsp"), "critical_lost", 1.97);
+  set(add("none"), Metric::critical_lost, 0.97);
+  set(add("tocp_dsp"), Metric::critical_lost, 1.97);
   (void)text(add_distributions);
   EXPECT_THAT(scripts_, HasSubstr("\"critical\" 1, \"high\" 2, \"low, no camera\" 3"));
   EXPECT_THAT(scripts_, HasSubstr("0.7 1 "));
@@ -142,14 +142,14 @@ TEST_F(DistributionTest, PutsPoliciesSideBySideAtEachClass) {
 using ComparisonTest = SectionTest;
 
 TEST_F(ComparisonTest, LeavesOutMetricsThatNoRunHas) {
-  set(add("none"), "qni_mean", 70);
+  set(add("none"), Metric::qni_mean, 70);
   const std::string sut = text(add_comparisons);
   EXPECT_THAT(sut, HasSubstr("<td>qni_mean [%]</td>"));
   EXPECT_THAT(sut, Not(HasSubstr("camera_age_mean")));
 }
 
 TEST_F(ComparisonTest, HasNoDifferencesOfASinglePolicy) {
-  set(add("tocp_dsp"), "qni_mean", 70);
+  set(add("tocp_dsp"), Metric::qni_mean, 70);
   EXPECT_THAT(text(add_comparisons), Not(HasSubstr("paired differences")));
 }
 
@@ -159,8 +159,8 @@ TEST_F(ComparisonTest, PairsRunByRun) {
   add("tocp_dsp");
   for (std::size_t i = 0; i < 5; ++i) {
     const double base = 50 + 10 * static_cast<double>(i);
-    results_.groups[0].values[i][metric_index("qni_mean")] = base;
-    results_.groups[1].values[i][metric_index("qni_mean")] = base + 1;
+    results_.groups[0].values[i][index_of(Metric::qni_mean)] = base;
+    results_.groups[1].values[i][index_of(Metric::qni_mean)] = base + 1;
   }
   EXPECT_THAT(text(add_comparisons), HasSubstr("<span class=\"yes\">1.00 [1.00, 1.00]</span>"));
 }
@@ -176,15 +176,15 @@ class RealityTest : public SectionTest {
       group.series.clear();
       for (int i = 1; i <= runs / 2; ++i) {
         group.indices.push_back(i);
-        group.values.emplace_back(metric_texts().size(), std::nan(""));
+        group.values.emplace_back(metric_count, std::nan(""));
         group.series.emplace_back();
       }
-      for (auto& run : group.values) run[metric_index("completed")] = 1;
-      set(group, "qni_mean", 70);
-      set(group, "high_delivered", 97);
+      for (auto& run : group.values) run[index_of(Metric::completed)] = 1;
+      set(group, Metric::qni_mean, 70);
+      set(group, Metric::high_delivered, 97);
     }
     results_.real = results_.groups;
-    for (Group& group : results_.real) set(group, "qni_mean", 70 + off);
+    for (Group& group : results_.real) set(group, Metric::qni_mean, 70 + off);
   }
 };
 
@@ -228,8 +228,8 @@ TEST_F(RealityTest, LeavesOutARealRunWithoutASimulatedOne) {
 
 TEST_F(RealityTest, NamesThePairsThatDidNotFinish) {
   pairs(20, 1);
-  results_.real[1].values[3][metric_index("completed")] = 0;
-  results_.groups[0].values[0][metric_index("completed")] = 0;
+  results_.real[1].values[3][index_of(Metric::completed)] = 0;
+  results_.groups[0].values[0][index_of(Metric::completed)] = 0;
   EXPECT_THAT(text(add_reality), HasSubstr("Of 20 pairs left out: none 1, tocp_dsp 4."));
 }
 

@@ -18,9 +18,9 @@ Group group(const std::string& policy, const std::vector<double>& per, double qn
   result.mission = "a";
   result.policy = policy;
   for (const double one : per) {
-    std::vector<double> values(metric_texts().size(), std::nan(""));
-    values[metric_index("telemetry_per_max")] = one;
-    values[metric_index("qni_mean")] = qni;
+    std::vector<double> values(metric_count, std::nan(""));
+    values[index_of(Metric::telemetry_per_max)] = one;
+    values[index_of(Metric::qni_mean)] = qni;
     result.values.push_back(values);
   }
   return result;
@@ -38,7 +38,7 @@ TEST(Judge, NeedsTheWholeIntervalOnOneSide) {
 TEST(VerdictLine, SaysThatOneBeatsTheOther) {
   const Group ours = group("tocp_dsp", {10, 11, 12});
   const Group other = group("none", {30, 32, 31});
-  const std::string sut = verdict_line(ours, other, {&ours, &other}, "telemetry_per_max");
+  const std::string sut = verdict_line(ours, other, {&ours, &other}, Metric::telemetry_per_max);
   EXPECT_THAT(sut, HasSubstr("Mission A: TOCP-DSP <span class=\"yes\">beats</span> no policy"));
   EXPECT_THAT(sut, HasSubstr("11.0 against 31.0 %"));
   EXPECT_THAT(sut, HasSubstr("over 3 pairs"));
@@ -48,7 +48,8 @@ TEST(VerdictLine, SaysWhoIsBestWhereItDoesNot) {
   const Group ours = group("tocp_dsp", {10, 30, 12});
   const Group other = group("none", {11, 28, 14});
   const Group best = group("tocp_reverse", {1, 2, 3});
-  const std::string sut = verdict_line(ours, other, {&ours, &other, &best}, "telemetry_per_max");
+  const std::string sut =
+      verdict_line(ours, other, {&ours, &other, &best}, Metric::telemetry_per_max);
   EXPECT_THAT(sut, HasSubstr("does not beat"));
   EXPECT_THAT(sut, HasSubstr("the lowest mean has tocp_reverse with 2.00"));
 }
@@ -56,16 +57,16 @@ TEST(VerdictLine, SaysWhoIsBestWhereItDoesNot) {
 TEST(VerdictLine, SaysPlainlyThatItLoses) {
   const Group ours = group("tocp_dsp", {30, 32, 31});
   const Group other = group("threshold", {10, 11, 12});
-  EXPECT_THAT(verdict_line(ours, other, {&ours, &other}, "telemetry_per_max"),
+  EXPECT_THAT(verdict_line(ours, other, {&ours, &other}, Metric::telemetry_per_max),
               HasSubstr("loses to"));
 }
 
 TEST(BestOf, KnowsWhichWayIsBetter) {
   const Group low = group("low", {10, 10}, 60);
   const Group high = group("high", {20, 20}, 80);
-  EXPECT_EQ(best_of({&low, &high}, "telemetry_per_max"), &low);
-  EXPECT_EQ(best_of({&low, &high}, "qni_mean"), &high);
-  EXPECT_EQ(best_of({&low, &high}, "camera_lost"), nullptr);
+  EXPECT_EQ(best_of({&low, &high}, Metric::telemetry_per_max), &low);
+  EXPECT_EQ(best_of({&low, &high}, Metric::qni_mean), &high);
+  EXPECT_EQ(best_of({&low, &high}, Metric::camera_lost), nullptr);
 }
 
 TEST(Names, AreThoseOfTheThesis) {

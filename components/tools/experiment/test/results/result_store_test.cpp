@@ -49,7 +49,7 @@ TEST(ResultText, ComesBack) {
 TEST(ResultText, KeepsWhatHasNoAnswer) {
   const auto sut = parse_result(to_text(good()));
   ASSERT_TRUE(sut);
-  EXPECT_TRUE(std::isnan(sut->measures.values[metric_index("camera_lost")]));
+  EXPECT_TRUE(std::isnan(sut->measures.values[index_of(Metric::camera_lost)]));
 }
 
 TEST(ResultText, OfAFailedRunIsOneLineOfReason) {
@@ -201,7 +201,7 @@ TEST(ResultText, OfFewerMetricsHasNoAnswerForTheNewOnes) {
       "failure \nseconds 3\nvalues 1,2\n"
       "time_s,qni,probe_per,snr_db,active,poor,sent,lost,latency_ms,stalled\nend\n");
   ASSERT_TRUE(sut);
-  EXPECT_EQ(sut->measures.values.size(), metric_texts().size());
+  EXPECT_EQ(sut->measures.values.size(), metric_count);
   EXPECT_EQ(sut->measures.values[1], 2);
   EXPECT_TRUE(std::isnan(sut->measures.values[2]));
 }

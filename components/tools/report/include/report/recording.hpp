@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "foundation/role.hpp"
+#include "foundation/traffic_class.hpp"
 #include "report/statistics.hpp"
 
 namespace tocsin::report {
@@ -62,15 +64,27 @@ struct Mission {
   double elapsed_s = 0;
 };
 
+/// What one side sends in one traffic class.
+struct LinkClass {
+  Role sender;
+  TrafficClass traffic_class;
+  /// The vehicle first, and the most urgent.
+  [[nodiscard]] bool operator<(const LinkClass& other) const {
+    return std::tie(sender, traffic_class) < std::tie(other.sender, other.traffic_class);
+  }
+};
+
+/// "uxv low".
+[[nodiscard]] std::string to_string(const LinkClass& link_class);
+
 /// A run, as its recorders saw it.
 struct Recording {
   std::string folder;
-  /// "uxv low", "gcs high" and so on (who sends, class) -> what arrived on the other side.
-  std::map<std::string, std::vector<Arrival>> arrivals;
+  std::map<LinkClass, std::vector<Arrival>> arrivals;  ///< on the other side
   std::vector<Decision> decisions;
   std::vector<Quality> qualities;
-  /// Who sends and class -> samples that its components wrote, sent or held back by the gate.
-  std::map<std::string, std::uint64_t> written;
+  /// Samples that its components wrote, sent or held back by the gate.
+  std::map<LinkClass, std::uint64_t> written;
   std::vector<Place> path;
   std::vector<LinkState> link;
   /// Role of the sending side -> what its router told; nothing of a side without a router.
@@ -81,10 +95,10 @@ struct Recording {
 };
 
 /// Topic -> class, of what one role sends.
-using Classes = std::map<std::string, std::string>;
+using Classes = std::map<std::string, LinkClass>;
 
-/// The classes of a traffic file, named "uxv low", "gcs high" and so on; `share` is the installed
-/// folder, for a file that extends a shipped one. Throws ConfigError.
+/// The classes of a traffic file; `share` is the installed folder, for a file that extends a
+/// shipped one. Throws ConfigError.
 [[nodiscard]] Classes load_classes(const std::string& traffic_file, Role role,
                                    const std::string& share);
 
