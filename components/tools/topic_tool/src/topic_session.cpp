@@ -15,7 +15,6 @@ namespace tocsin::topic_tool {
 namespace {
 
 constexpr Duration look = std::chrono::milliseconds(50);
-constexpr Duration quiet = std::chrono::milliseconds(400);
 
 volatile std::sig_atomic_t over = 0;
 
@@ -29,16 +28,7 @@ TopicSession::TopicSession(const HostChoice& host, double spin_s)
 bool TopicSession::is_over() { return over != 0; }
 
 std::vector<GraphEnd> TopicSession::ends() const {
-  std::size_t before = 0;
-  Duration unchanged{0};
-  for (Duration waited{0}; waited < seconds(spin_s_) && unchanged < quiet && !is_over();
-       waited += look) {
-    std::this_thread::sleep_for(look);
-    const std::size_t now = graph_->ends().size();
-    unchanged = now == before && now > 0 ? unchanged + look : Duration{0};
-    before = now;
-  }
-  return graph_->ends();
+  return settled_ends(*graph_, seconds(spin_s_), is_over);
 }
 
 RawTopic TopicSession::find(const std::string& ros_topic) const {

@@ -89,12 +89,12 @@ Outcome ControlComponent::carry_out(const Command& command) {
 Outcome ControlComponent::set_qos(const Command& command) {
   QosChange change;
   change.topic = command.name();
-  change.writers = command.library() != "readers";
-  change.readers = command.library() != "writers";
+  const std::string& ends = command.library();
+  change.writers = ends.empty() || ends == "writers";
+  change.readers = ends.empty() || ends == "readers";
   change.settings = command.parameters();
   try {
-    const int ends = bus().change_qos(change);
-    return {true, std::to_string(ends)};
+    return {true, std::to_string(bus().change_qos(change))};
   } catch (const ConfigError& error) {
     return {false, error.what()};
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fastdds/rtps/flowcontrol/FlowControllerDescriptor.hpp>
+#include <limits>
 
 namespace tocsin {
 namespace {
@@ -75,9 +76,12 @@ void apply_publishing(const QosProfile& profile, dds::DataWriterQos& qos) {
 }  // namespace
 
 eprosima::fastrtps::Duration_t dds_duration(double s) {
-  if (std::isinf(s)) return eprosima::fastrtps::c_TimeInfinite;
-  const double whole = std::floor(s);
-  return {static_cast<std::int32_t>(whole), static_cast<std::uint32_t>((s - whole) * 1e9)};
+  constexpr std::int64_t ns_in_s = 1'000'000'000;
+  if (s >= static_cast<double>(std::numeric_limits<std::int32_t>::max())) {
+    return eprosima::fastrtps::c_TimeInfinite;
+  }
+  const std::int64_t ns = std::llround(s * static_cast<double>(ns_in_s));
+  return {static_cast<std::int32_t>(ns / ns_in_s), static_cast<std::uint32_t>(ns % ns_in_s)};
 }
 
 dds::DataWriterQos writer_qos(const QosProfile& profile) {

@@ -15,6 +15,7 @@
 #include "fast_dds/host_multicast.hpp"
 #include "fast_dds/host_transport.hpp"
 #include "fast_dds/packet_filter.hpp"
+#include "runtime/middleware/link_limits.hpp"
 
 namespace tocsin {
 namespace {
@@ -92,8 +93,7 @@ void locate_on_link(const ParticipantOptions& options, dds::DomainParticipantQos
       builtin.initialPeersList.push_back(udp_locator(peer, discovery_port(options.domain, i)));
     }
   }
-  // Patient: a peer that was out of reach for minutes is still known, and hears at once.
-  builtin.discovery_config.leaseDuration = dds_duration(300);
+  builtin.discovery_config.leaseDuration = dds_duration(link_lease_s);
   // Two packets each time: Fast DDS announces to the peer's address and to the peer it has found.
   builtin.discovery_config.leaseDuration_announcementperiod = dds_duration(2);
 }

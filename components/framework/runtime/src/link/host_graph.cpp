@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <sstream>
+#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -128,6 +129,22 @@ std::vector<GraphEnd> FastDdsHostGraph::ends() const {
 }
 
 }  // namespace
+
+std::vector<GraphEnd> settled_ends(const HostGraph& graph, Duration patience,
+                                   const std::function<bool()>& is_over) {
+  constexpr Duration look = std::chrono::milliseconds(50);
+  constexpr Duration quiet = std::chrono::milliseconds(400);
+  std::size_t before = 0;
+  Duration unchanged{0};
+  for (Duration waited{0}; waited < patience && unchanged < quiet && !(is_over && is_over());
+       waited += look) {
+    std::this_thread::sleep_for(look);
+    const std::size_t now = graph.ends().size();
+    unchanged = now == before && now > 0 ? unchanged + look : Duration{0};
+    before = now;
+  }
+  return graph.ends();
+}
 
 std::unique_ptr<HostGraph> make_host_graph(const BusOptions& options) {
   return std::make_unique<FastDdsHostGraph>(options);

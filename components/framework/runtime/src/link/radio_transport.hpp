@@ -12,11 +12,9 @@
 #include <optional>
 
 #include "runtime/middleware/link_bus.hpp"
+#include "runtime/middleware/link_limits.hpp"
 
 namespace tocsin {
-
-/// RTPS messages that fit one 1500-byte IP packet: IP never fragments on the radio.
-constexpr std::uint32_t radio_message_bytes = 1400;
 
 /// Which differentiated services code point (RFC 2474) the packets of an endpoint bear, and how
 /// many were sent. Discovery and what is not known bear CS6: little, and all else depends on it.

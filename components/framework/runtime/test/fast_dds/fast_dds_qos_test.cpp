@@ -13,5 +13,11 @@ TEST(FastDdsQos, OnlyTheWriterJudgesALifespanBecauseClocksDiffer) {
   EXPECT_EQ(reader_qos(profile).lifespan().duration, eprosima::fastrtps::c_TimeInfinite);
 }
 
+TEST(DdsDuration, IsTheNearestNanosecondAndForEverBeyondWhatDdsCanSay) {
+  EXPECT_EQ(dds_duration(0.29), (eprosima::fastrtps::Duration_t{0, 290'000'000}));
+  EXPECT_EQ(dds_duration(1.9999999999), (eprosima::fastrtps::Duration_t{2, 0}));
+  EXPECT_EQ(dds_duration(1e10), eprosima::fastrtps::c_TimeInfinite);
+}
+
 }  // namespace
 }  // namespace tocsin

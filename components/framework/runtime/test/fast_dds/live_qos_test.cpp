@@ -121,6 +121,15 @@ TEST_F(LiveQos, TheRateOfAWriterCanChange) {
   EXPECT_EQ(health_of(*bus, "text", true).thinned, 3U);
 }
 
+TEST_F(LiveQos, ARequestForNeitherEndIsCheckedOnly) {
+  const auto bus = make_test_bus(domain(), "sensor: {max_rate_hz: 10}\n");
+  const auto writer = bus->advertise(text);
+  EXPECT_EQ(bus->change_qos({"text", false, false, "max_rate_hz: 0.001"}), 0);
+  EXPECT_THROW(bus->change_qos({"text", false, false, "deadline_s: 0.01"}), ConfigError);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(writer->write(said("x")), Status::ok);
+  EXPECT_EQ(health_of(*bus, "text", true).thinned, 0U) << "the old rate lets two pass";
+}
+
 TEST_F(LiveQos, ATopicThatNobodyHasAndAPolicyThatIsFixedChangeNothing) {
   const auto bus = make_test_bus(domain(), "sensor: {}\n");
   EXPECT_EQ(bus->change_qos(writers("deadline_s: 1")), 0);

@@ -75,6 +75,11 @@ class HostGraph {
                                                           const QosProfile& qos) = 0;
 };
 
+/// All ends that `graph` hears, once nothing new has come for a while; after `patience`, or when
+/// `is_over` says so, in any case. Waits in real time.
+[[nodiscard]] std::vector<GraphEnd> settled_ends(const HostGraph& graph, Duration patience,
+                                                 const std::function<bool()>& is_over = {});
+
 /// Throws EnvironmentError when the participant cannot be created.
 [[nodiscard]] std::unique_ptr<HostGraph> make_host_graph(const BusOptions& options);
 

@@ -8,7 +8,8 @@
 
 namespace tocsin {
 
-/// A request to change policies of the ends of a topic in one process.
+/// A request to change policies of the ends of a topic in one process; with neither writers nor
+/// readers it is only checked.
 struct QosChange {
   std::string topic;     ///< as components name it, without namespace
   bool writers = true;   ///< changes what is offered

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the XML files of other vendors say what a policy of ours says.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tinyxml2 {
+class XMLElement;
+}
+
+namespace tocsin::qos_tool {
+
+/// How a value is written in XML.
+enum class Form {
+  word,     ///< our word in capitals, with the place's suffix
+  seconds,  ///< <sec> and <nanosec>
+  number,
+  flag,
+  not_flag,  ///< the opposite of ours
+  names,     ///< a child for each, called as the suffix says
+  hex,       ///< bytes as dotted hexadecimal numbers in the child <value>
+};
+
+/// What a place of an XML file says.
+struct Place {
+  const char* policy;  ///< of a profile; "": of none, always `absent`
+  std::string path;    ///< below the element of the end: `qos/deadline/period`
+  Form form;
+  const char* suffix;  ///< of a word, or name of the child elements
+  const char* absent;  ///< what the vendor takes when nothing is said, in our words
+};
+
+/// The value at `leaf` in our words; empty: it is none that the form knows.
+[[nodiscard]] std::optional<std::string> read_value(const tinyxml2::XMLElement& leaf,
+                                                    const Place& place);
+/// Makes `leaf` say `value`, which is in our words.
+void write_value(tinyxml2::XMLElement& leaf, const Place& place, const std::string& value);
+
+/// The child at a path, or null; and the same, made where it is missing.
+[[nodiscard]] const tinyxml2::XMLElement* find_at(const tinyxml2::XMLElement& base,
+                                                  const std::string& path);
+[[nodiscard]] tinyxml2::XMLElement& make_at(tinyxml2::XMLElement& base, const std::string& path);
+
+/// A vendor's file format.
+enum class Vendor { fast_dds, cyclone };
+
+/// Places of a writer and of a reader. Fast DDS: below <data_writer> and <data_reader>; Cyclone
+/// DDS, whose format is OMG DDS-XML 1.0: below <qos_profile>.
+[[nodiscard]] const std::vector<Place>& places(Vendor vendor, bool writer);
+
+/// Why a policy of ours has no place in the vendor's file; empty when it has.
+[[nodiscard]] std::string why_lost(Vendor vendor, const std::string& policy);
+
+}  // namespace tocsin::qos_tool

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "qos_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace tocsin::qos_tool {
+namespace {
+
+CLI::App* verb(CLI::App& app, const char* name, const char* text, Options& options) {
+  CLI::App* const sub = app.add_subcommand(name, text);
+  sub->add_option("--file", options.file, "QoS file [the shipped qos.yaml]");
+  return sub;
+}
+
+void need(CLI::App& sub, const char* name, std::string& value, const char* text) {
+  sub.add_option(name, value, text)->required();
+}
+
+void may_be_json(CLI::App& sub, Options& options) {
+  sub.add_flag("--json", options.json, "for scripts");
+}
+
+void declare_pages(CLI::App& app, Options& options) {
+  may_be_json(*verb(app, "list", "profiles with the topics that use them", options), options);
+  CLI::App* const show = verb(app, "show", "one profile", options);
+  need(*show, "PROFILE", options.one, "see list");
+  show->add_flag("--all", options.all, "defaults, too");
+  may_be_json(*show, options);
+  need(*verb(app, "explain", "what each policy of a profile means, in plain words", options),
+       "PROFILE", options.one, "see list");
+  CLI::App* const diff = verb(app, "diff", "by which policies two profiles differ", options);
+  need(*diff, "A", options.one, "a profile");
+  need(*diff, "B", options.other, "another one");
+  may_be_json(*diff, options);
+}
+
+void of_running_system(CLI::App& sub, Options& options) {
+  options.host.declare(sub);
+  sub.add_option("--spin-time", options.spin_s, "[s] waited for what does not appear [2]")
+      ->check(CLI::Range(0.1, 600.0));
+}
+
+void declare_match(CLI::App& app, Options& options) {
+  CLI::App* const match = verb(app, "match", "whether a writer and a reader match", options);
+  need(*match, "WRITER", options.one, "a profile, or /topic: its writers in the running system");
+  match->add_option("READER", options.other,
+                    "a profile, or /topic: its readers in the running system [as WRITER]");
+  match->add_flag("--all", options.all, "policies that fit, too");
+  may_be_json(*match, options);
+  of_running_system(*match, options);
+}
+
+void declare_lint(CLI::App& app, Options& options) {
+  CLI::App* const lint = verb(app, "lint", "known traps, each with its reason", options);
+  lint->add_option("XML", options.one, "a file of Fast DDS or Cyclone DDS instead of ours");
+  lint->add_option("--traffic", options.traffic, "traffic file [the shipped traffic.yaml]");
+  lint->add_flag("--direct", options.direct,
+                 "as if link topics were on the radio themselves, without link_router");
+  lint->add_option("--stream", options.streams, "a profile of pictures and the like (of an XML)")
+      ->expected(1)
+      ->take_all();
+  lint->add_option("--outage", options.outage_s, "[s] the radio is away so long now and then [10]")
+      ->check(CLI::Range(0.0, 3600.0));
+  lint->add_option("--mtu", options.mtu_bytes, "[byte] of the radio's IP packets [1500]")
+      ->check(CLI::Range(576, 65'535));
+  lint->add_flag("--synchronised-clocks", options.clocks_are_synchronised,
+                 "the clocks of all computers are kept together (PTP, chrony)");
+  may_be_json(*lint, options);
+}
+
+void declare_vendors(CLI::App& app, Options& options) {
+  CLI::App* const out = verb(app, "export", "profiles as XML of another maker", options);
+  out->add_option("PROFILE", options.profiles, "[all]");
+  out->add_option("--to", options.vendor, "fastdds or cyclone [fastdds]")
+      ->check(CLI::IsMember({"fastdds", "cyclone"}));
+  need(*app.add_subcommand("import", "profiles of XML of Fast DDS or Cyclone DDS as a QoS file"),
+       "XML", options.one, "the file");
+}
+
+void declare_set(CLI::App& app, Options& options) {
+  CLI::App* const set = app.add_subcommand("set", "changes policies of a topic that is in use");
+  need(*set, "TOPIC", options.one, "its name, with or without the slash");
+  set->add_option("SETTING", options.settings, "policy=value")->required();
+  may_be_json(*set, options);
+  of_running_system(*set, options);
+}
+
+}  // namespace
+
+void declare(CLI::App& app, Options& options) {
+  app.require_subcommand(1);
+  declare_pages(app, options);
+  declare_match(app, options);
+  declare_lint(app, options);
+  declare_vendors(app, options);
+  declare_set(app, options);
+}
+
+}  // namespace tocsin::qos_tool

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runtime/middleware/host_bus.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace tocsin::qos_tool {
+
+/// What a person said after `tocsin qos`.
+struct Options {
+  HostChoice host;
+  double spin_s = 2;
+  std::string file;     ///< QoS file; empty: the shipped one
+  std::string traffic;  ///< traffic file; empty: the shipped one
+  bool json = false;
+  bool all = false;
+  std::string one;    ///< first name: profile, topic or file
+  std::string other;  ///< second name
+  std::vector<std::string> settings;
+  std::vector<std::string> profiles;
+  std::string vendor = "fastdds";
+  bool direct = false;
+  std::vector<std::string> streams;
+  double outage_s = 10;
+  int mtu_bytes = 1500;
+  bool clocks_are_synchronised = false;
+};
+
+/// Declares the verbs and their options.
+void declare(CLI::App& app, Options& options);
+
+}  // namespace tocsin::qos_tool

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "qos_verbs.hpp"
+
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "command_line/programs.hpp"
+#include "foundation/error.hpp"
+#include "foundation/printable.hpp"
+#include "foundation/read_file.hpp"
+#include "lint.hpp"
+#include "matches.hpp"
+#include "profile_text.hpp"
+#include "running.hpp"
+#include "runtime/middleware/link_limits.hpp"
+#include "runtime/middleware/traffic_rules.hpp"
+#include "vendor_xml.hpp"
+
+namespace tocsin::qos_tool {
+namespace {
+
+/// Findings, and pairs that do not match: the answer is no.
+constexpr int negative = 1;
+
+constexpr std::size_t longest_file = std::size_t{1} << 20U;  // [byte]
+
+void print(const std::string& text) { std::printf("%s", text.c_str()); }
+void print(const nlohmann::json& json) { print(json.dump(2) + "\n"); }
+
+std::string shipped(const std::string& given, const char* name) {
+  return given.empty() ? (share_folder(own_program()) / "config" / name).string() : given;
+}
+
+QosProfiles profiles_of(const Options& options) {
+  return QosProfiles(shipped(options.file, "qos.yaml"));
+}
+
+int list(const Options& options) {
+  const QosProfiles profiles = profiles_of(options);
+  options.json ? print(list_json(profiles, known_uses()))
+               : print(list_text(profiles, known_uses()));
+  return 0;
+}
+
+int show(const Options& options) {
+  const QosProfiles profiles = profiles_of(options);
+  const QosProfile& profile = find_profile(profiles, options.one);
+  options.json ? print(show_json(options.one, profile))
+               : print(show_text(options.one, profile, options.all));
+  return 0;
+}
+
+int explain(const Options& options) {
+  const QosProfiles profiles = profiles_of(options);
+  print(explain_text(options.one, find_profile(profiles, options.one), known_uses()));
+  return 0;
+}
+
+int diff(const Options& options) {
+  const QosProfiles profiles = profiles_of(options);
+  const QosProfile& one = find_profile(profiles, options.one);
+  const QosProfile& other = find_profile(profiles, options.other);
+  options.json ? print(diff_json(one, other)) : print(diff_text(one, other));
+  return 0;
+}
+
+bool is_topic(const std::string& name) { return !name.empty() && name.front() == '/'; }
+
+/// The writers or readers that `name` means.
+std::vector<End> ends_called(const Options& options, const std::string& name, bool writers,
+                             const std::vector<GraphEnd>& running) {
+  if (!is_topic(name)) {
+    const QosProfiles profiles = profiles_of(options);
+    const QosProfile& profile = find_profile(profiles, name);
+    return {writers ? writer_of(name, profile) : reader_of(name, profile)};
+  }
+  std::vector<End> ends = ends_of(running, wire_name(options.host, name), writers);
+  if (ends.empty()) {
+    throw EnvironmentError(name + ": nobody " + (writers ? "writes" : "reads") + " it here");
+  }
+  return ends;
+}
+
+int match(const Options& options) {
+  const std::string& other = options.other.empty() ? options.one : options.other;
+  std::vector<GraphEnd> running;
+  if (is_topic(options.one) || is_topic(other)) running = ends_of_host(options);
+  const auto pairs = pairs_of(ends_called(options, options.one, true, running),
+                              ends_called(options, other, false, running));
+  options.json ? print(match_json(pairs)) : print(match_text(pairs, options.all));
+  return stopped(pairs).empty() ? 0 : negative;
+}
+
+void complete(LintInput& input, const Options& options) {
+  input.outage_s = options.outage_s;
+  input.mtu_bytes = options.mtu_bytes;
+  if (options.clocks_are_synchronised) input.clock_offset_s = 0;
+}
+
+/// Topics as the shipped or given files have them.
+LintInput own_input(const Options& options) {
+  const QosProfiles profiles = profiles_of(options);
+  const std::string traffic = shipped(options.traffic, "traffic.yaml");
+  LintInput input;
+  input.profiles = profiles.all();
+  input.flow_controllers = profiles.flow_controllers();
+  input.wires.push_back({"link_router", radio_message_bytes, false, link_lease_s});
+  std::map<std::string, TrafficRule> rules = TrafficRules(traffic, Role::uxv).all();
+  rules.merge(std::map(TrafficRules(traffic, Role::gcs).all()));
+  for (const TopicUse& use : known_uses()) {
+    LintTopic topic{use.topic, use.profile};
+    if (use.crosses_link) topic.way = options.direct ? Way::direct : Way::routed;
+    const auto rule = rules.find(use.topic);
+    if (rule != rules.end()) {
+      topic.is_stream = rule->second.adaptive;
+      topic.traffic_class = rule->second.traffic_class;
+    }
+    input.topics.push_back(topic);
+  }
+  return input;
+}
+
+LintInput foreign_input(const Options& options) {
+  Imported imported = import_xml(read_file(options.one, longest_file), options.one);
+  LintInput input;
+  input.profiles = std::move(imported.profiles);
+  input.wires = std::move(imported.wires);
+  for (const auto& one : input.profiles) {
+    LintTopic topic{"of profile " + one.first, one.first, Way::direct};
+    for (const std::string& stream : options.streams) topic.is_stream |= stream == one.first;
+    input.topics.push_back(topic);
+  }
+  return input;
+}
+
+int lint_files(const Options& options) {
+  LintInput input = options.one.empty() ? own_input(options) : foreign_input(options);
+  complete(input, options);
+  const auto findings = lint(input);
+  options.json ? print(lint_json(findings)) : print(lint_text(findings));
+  return findings.empty() ? 0 : negative;
+}
+
+void tell_losses(const std::vector<std::string>& lost) {
+  for (const std::string& one : lost) std::fprintf(stderr, "lost: %s\n", error_line(one).c_str());
+}
+
+int export_profiles(const Options& options) {
+  const QosProfiles profiles = profiles_of(options);
+  std::map<std::string, QosProfile> chosen;
+  for (const std::string& name : options.profiles) chosen[name] = find_profile(profiles, name);
+  const auto exported = export_xml(options.vendor == "cyclone" ? Vendor::cyclone : Vendor::fast_dds,
+                                   options.profiles.empty() ? profiles.all() : chosen);
+  print(exported.xml);
+  tell_losses(exported.lost);
+  return 0;
+}
+
+int import_profiles(const Options& options) {
+  const Imported imported = import_xml(read_file(options.one, longest_file), options.one);
+  print(qos_file(imported.profiles));
+  tell_losses(imported.lost);
+  return 0;
+}
+
+int set(const Options& options) {
+  const Changed done = change_running(options);
+  if (options.json) {
+    print(nlohmann::json{{"topic", options.one},
+                         {"ends", done.ends},
+                         {"containers", done.containers},
+                         {"stopped", match_json(done.stopped)}});
+  } else {
+    std::printf("%s: changed %d ends in %d containers\n", printable(options.one).c_str(), done.ends,
+                done.containers);
+    print(match_text(done.stopped, false));
+  }
+  return done.stopped.empty() ? 0 : negative;
+}
+
+}  // namespace
+
+int run_verb(const std::string& verb, const Options& options) {
+  using Verb = int (*)(const Options&);
+  static const std::map<std::string, Verb> verbs{{"list", list},
+                                                 {"show", show},
+                                                 {"explain", explain},
+                                                 {"diff", diff},
+                                                 {"match", match},
+                                                 {"lint", lint_files},
+                                                 {"export", export_profiles},
+                                                 {"set", set},
+                                                 {"import", import_profiles}};
+  return verbs.at(verb)(options);
+}
+
+}  // namespace tocsin::qos_tool

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each trap on both sides of its threshold.
+#include "lint.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace tocsin::qos_tool {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// One topic of one profile, on `way`.
+LintInput one_topic(const QosProfile& profile, Way way = Way::direct) {
+  LintInput input;
+  input.profiles["p"] = profile;
+  input.topics.push_back({"t", "p", way});
+  return input;
+}
+
+std::vector<std::string> rules_of(const LintInput& input) {
+  std::vector<std::string> rules;
+  for (const Finding& one : lint(input)) rules.push_back(one.rule);
+  return rules;
+}
+
+TEST(Lint, AProfileOfDefaultsIsInNoTrap) {
+  EXPECT_THAT(rules_of(one_topic({})), IsEmpty());
+  EXPECT_EQ(lint_text({}), "no known trap\n");
+}
+
+TEST(Lint, AStreamThatIsRepairedOverTheRadio) {
+  LintInput input = one_topic({});
+  input.topics[0].is_stream = true;
+  EXPECT_THAT(rules_of(input), ElementsAre("reliable-stream"));
+  input.profiles["p"].requested_reliability = RequestedReliability::best_effort;
+  EXPECT_THAT(rules_of(input), IsEmpty());
+}
+
+TEST(Lint, AStreamInAClassThatTheRouterRepairs) {
+  LintInput input = one_topic({}, Way::routed);
+  input.topics[0].is_stream = true;
+  EXPECT_THAT(rules_of(input), IsEmpty()) << "the host's QoS does not cross the radio";
+  input.topics[0].traffic_class = TrafficClass::high;
+  EXPECT_THAT(rules_of(input), ElementsAre("reliable-stream"));
+}
+
+TEST(Lint, TransientLocalWithKeepAll) {
+  QosProfile profile;
+  profile.history = History::keep_all;
+  EXPECT_THAT(rules_of(one_topic(profile)), IsEmpty());
+  profile.durability = Durability::transient_local;
+  EXPECT_THAT(rules_of(one_topic(profile, Way::host)), ElementsAre("keeps-everything"));
+}
+
+TEST(Lint, ALeaseThatIsShorterThanTheOutages) {
+  QosProfile profile;
+  profile.liveliness_lease_s = 9.9;
+  LintInput input = one_topic(profile);
+  input.outage_s = 10;
+  EXPECT_THAT(rules_of(input), ElementsAre("short-lease"));
+  input.outage_s = 9.9;
+  EXPECT_THAT(rules_of(input), IsEmpty());
+  input.outage_s = 10;
+  input.topics[0].way = Way::host;
+  EXPECT_THAT(rules_of(input), IsEmpty());
+}
+
+TEST(Lint, AHeartbeatThatIsSlowForWhatIsRepaired) {
+  QosProfile profile;
+  profile.heartbeat_period_s = 1;
+  EXPECT_THAT(rules_of(one_topic(profile)), IsEmpty());
+  profile.heartbeat_period_s = 3;
+  EXPECT_THAT(rules_of(one_topic(profile)), ElementsAre("slow-heartbeat"));
+  profile.requested_reliability = RequestedReliability::best_effort;
+  EXPECT_THAT(rules_of(one_topic(profile)), IsEmpty());
+  QosProfile brief;
+  brief.lifespan_s = 0.3;
+  EXPECT_THAT(rules_of(one_topic(brief, Way::host)), ElementsAre("slow-heartbeat"))
+      << "0.2 s is more than half of the lifespan";
+  brief.lifespan_s = 0.4;
+  EXPECT_THAT(rules_of(one_topic(brief, Way::host)), IsEmpty());
+}
+
+TEST(Lint, ALifespanBetweenClocksThatDiffer) {
+  QosProfile profile;
+  profile.lifespan_s = 5;
+  LintInput input = one_topic(profile);
+  EXPECT_THAT(rules_of(input), ElementsAre("foreign-clocks"));
+  input.clock_offset_s = 0;
+  EXPECT_THAT(rules_of(input), IsEmpty());
+  EXPECT_THAT(rules_of(one_topic(profile, Way::routed)), IsEmpty())
+      << "our readers do not compare clocks";
+}
+
+TEST(Lint, WhatParticipantsDoOnTheNetwork) {
+  LintInput input;
+  input.wires.push_back({"w", 1472, false, 20});
+  EXPECT_THAT(rules_of(input), IsEmpty());
+  input.wires[0] = {"w", 1473, true, 9};
+  EXPECT_THAT(rules_of(input), ElementsAre("short-lease", "large-fragments", "multicast"));
+}
+
+/// A command and a stream on one flow controller.
+LintInput shared_flow(const std::string& scheduler, int command_priority, int stream_priority) {
+  LintInput input;
+  input.flow_controllers["radio"] = {scheduler, 12'500, 0.01};
+  input.profiles["command"].flow_controller = "radio";
+  input.profiles["command"].priority = command_priority;
+  input.profiles["stream"].flow_controller = "radio";
+  input.profiles["stream"].priority = stream_priority;
+  input.topics.push_back({"picture", "stream", Way::routed, true});
+  input.topics.push_back({"order", "command", Way::routed, false});
+  return input;
+}
+
+TEST(Lint, AStreamBeforeACommandOnOneFlowController) {
+  EXPECT_THAT(rules_of(shared_flow("high_priority", -10, 10)), IsEmpty());
+  EXPECT_THAT(rules_of(shared_flow("high_priority", 10, 10)), ElementsAre("starving-flow"));
+  EXPECT_THAT(rules_of(shared_flow("high_priority", 10, -10)), ElementsAre("starving-flow"));
+  EXPECT_THAT(rules_of(shared_flow("fifo", -10, 10)), ElementsAre("starving-flow"));
+  LintInput unlimited = shared_flow("fifo", -10, 10);
+  unlimited.flow_controllers["radio"].max_bytes_per_period = 0;
+  EXPECT_THAT(rules_of(unlimited), IsEmpty());
+}
+
+TEST(Lint, MoreReservedThanThereIsAndALongPeriod) {
+  LintInput input = shared_flow("priority_with_reservation", -10, 10);
+  input.profiles["command"].bandwidth_reservation_percent = 60;
+  input.profiles["stream"].bandwidth_reservation_percent = 40;
+  EXPECT_THAT(rules_of(input), IsEmpty());
+  input.profiles["stream"].bandwidth_reservation_percent = 41;
+  ASSERT_EQ(lint(input).size(), 1U);
+  EXPECT_THAT(lint(input)[0].reason, HasSubstr("101 %"));
+  LintInput slow = shared_flow("high_priority", -10, 10);
+  slow.flow_controllers["radio"].period_s = 0.05;
+  EXPECT_THAT(rules_of(slow), IsEmpty());
+  slow.flow_controllers["radio"].period_s = 0.1;
+  EXPECT_THAT(rules_of(slow), ElementsAre("starving-flow"));
+}
+
+TEST(Lint, NamesRuleSubjectAndReason) {
+  QosProfile profile;
+  profile.heartbeat_period_s = 3;
+  const auto findings = lint(one_topic(profile));
+  EXPECT_THAT(lint_text(findings), HasSubstr("slow-heartbeat: profile p: heartbeat each 3 s: "));
+  EXPECT_EQ(lint_json(findings)[0]["rule"], "slow-heartbeat");
+  EXPECT_EQ(lint_json(findings)[0]["subject"], "profile p");
+}
+
+std::string reason_of(const LintInput& input) {
+  const auto findings = lint(input);
+  return findings.size() == 1 ? findings[0].reason : std::to_string(findings.size()) + " findings";
+}
+
+TEST(Lint, ReasonsNameTheValuesThatMakeTheTrap) {
+  QosProfile all;
+  all.history = History::keep_all;
+  all.durability = Durability::transient_local;
+  all.max_samples = 40;
+  EXPECT_THAT(reason_of(one_topic(all, Way::host)), HasSubstr("up to 40 old samples in a burst"));
+  QosProfile lease;
+  lease.liveliness_lease_s = 2;
+  EXPECT_THAT(reason_of(one_topic(lease)),
+              HasSubstr("lease of 2 s on a radio with outages of 10 s"));
+  QosProfile brief;
+  brief.lifespan_s = 0.25;
+  EXPECT_THAT(reason_of(one_topic(brief, Way::host)), HasSubstr("and its lifespan is 0.25 s"));
+  LintInput large;
+  large.wires.push_back({"w", 65'500, false, 100});
+  EXPECT_THAT(reason_of(large), HasSubstr("messages of up to 65500 bytes on an MTU of 1500"));
+  EXPECT_THAT(reason_of(shared_flow("high_priority", 0, -1)),
+              HasSubstr("the stream stream has priority -1 and command has 0"));
+  EXPECT_THAT(reason_of(shared_flow("round_robin", 0, 1)),
+              HasSubstr("command waits behind what stream has begun"));
+}
+
+TEST(Lint, ProfilesThatNobodyKnowsAndControllersWithoutStreamsAreInNoTrap) {
+  LintInput unknown;
+  unknown.topics.push_back({"t", "nowhere", Way::direct, true});
+  EXPECT_THAT(rules_of(unknown), IsEmpty());
+  LintInput commands = shared_flow("fifo", 0, 0);
+  commands.topics.clear();
+  EXPECT_THAT(rules_of(commands), IsEmpty()) << "no stream is in the way";
+}
+
+}  // namespace
+}  // namespace tocsin::qos_tool

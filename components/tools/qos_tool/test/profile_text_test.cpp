@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "profile_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "foundation/error.hpp"
+
+namespace tocsin::qos_tool {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::vector<TopicUse> uses{{"odom", "sensor", false}, {"location", "sensor", true}};
+
+TEST(ProfileText, ListsEachProfileWithWhatDiffersAndItsTopics) {
+  const QosProfiles profiles(TOCSIN_REPOSITORY "/config/qos.yaml");
+  const std::string text = list_text(profiles, uses);
+  EXPECT_THAT(text, HasSubstr("sensor: {depth: 5, requested_reliability: best_effort}\n"
+                              "  location (link), odom\n"));
+  EXPECT_THAT(text, HasSubstr("event: {depth: 100, heartbeat_period_s: 0.1}\n  no topic of"));
+  const auto json = list_json(profiles, uses);
+  EXPECT_EQ(json.size(), 7U);
+  for (const auto& one : json) {
+    if (one["profile"] != "sensor") continue;
+    EXPECT_EQ(one["topics"][1]["name"], "location");
+    EXPECT_EQ(one["policies"]["depth"]["value"], "5");
+  }
+}
+
+TEST(ProfileText, AnUnknownProfileIsRefusedWithWhatIsLikeIt) {
+  const QosProfiles profiles(TOCSIN_REPOSITORY "/config/qos.yaml");
+  EXPECT_EQ(find_profile(profiles, "event").depth, 100);
+  try {
+    (void)find_profile(profiles, "sensr");
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("'sensr' is not a profile of"),
+                                    HasSubstr("did you mean 'sensor'")));
+  }
+}
+
+TEST(ProfileText, ShowsDefaultsOnlyWhenAsked) {
+  QosProfile profile;
+  profile.depth = 3;
+  EXPECT_EQ(show_text("p", profile, false), "p: {depth: 3}\n");
+  EXPECT_THAT(show_text("p", profile, true),
+              AllOf(HasSubstr("  depth: 3\n"), HasSubstr("  deadline_s: .inf  # default\n"),
+                    HasSubstr("  flow_controller: ''  # default\n")));
+  EXPECT_EQ(show_json("p", profile)["policies"]["deadline_s"]["default"], true);
+}
+
+TEST(ProfileText, ExplainsEveryPolicyInWords) {
+  EXPECT_THAT(explain_text("sensor", {}, uses),
+              AllOf(HasSubstr("sensor, of location (link), odom\n"),
+                    HasSubstr("  reliability reliable (default): a lost sample is sent again"),
+                    HasSubstr("  partition [] (default): the partition without name")));
+}
+
+TEST(ProfileText, TellsWhatDiffersWithTheMeaningOfBoth) {
+  QosProfile one;
+  QosProfile other;
+  EXPECT_EQ(diff_text(one, other), "no difference\n");
+  other.lifespan_s = 5;
+  EXPECT_EQ(diff_text(one, other),
+            "lifespan_s: .inf -> 5\n  a sample is delivered however old it is\n"
+            "  a sample older than 5 s is not delivered any more\n");
+  EXPECT_EQ(diff_json(one, other).dump(), R"({"lifespan_s":[".inf","5"]})");
+}
+
+TEST(ProfileText, ADifferenceInAListIsShownAsTheFileHasIt) {
+  QosProfile one;
+  QosProfile other;
+  one.partition = {"left"};
+  other.partition = {"left", "right"};
+  EXPECT_THAT(diff_text(one, other), HasSubstr("partition: [left] -> [left, right]\n"));
+  EXPECT_EQ(show_text("p", other, false), "p: {partition: [left, right]}\n");
+}
+
+TEST(ProfileText, AProfileThatNoTopicHasIsExplained) {
+  EXPECT_THAT(explain_text("lonely", {}, uses),
+              HasSubstr("lonely, of no topic of the installed libraries\n"));
+}
+
+TEST(ProfileText, AListWithoutTopicsHasEveryProfile) {
+  const QosProfiles profiles(TOCSIN_REPOSITORY "/config/qos.yaml");
+  const std::string text = list_text(profiles, {});
+  for (const auto& one : profiles.all()) EXPECT_THAT(text, HasSubstr(one.first + ": {"));
+  EXPECT_TRUE(list_json(profiles, {})[0]["topics"].empty());
+}
+
+TEST(ProfileText, KnowsTheTopicsOfTheInstalledLibraries) {
+  bool found = false;
+  for (const TopicUse& use : known_uses()) {
+    found = found || (use.topic == "emergency_stop" && use.crosses_link);
+  }
+  EXPECT_TRUE(found);
+}
+
+}  // namespace
+}  // namespace tocsin::qos_tool

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as a user runs it: on the shipped files, and beside a running container.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "command_line/run_to_end.hpp"
+
+namespace tocsin::qos_tool {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+Ended qos(std::vector<std::string> words) {
+  words.insert(words.begin(), QOS_PROGRAM);
+  return run_to_end(words);
+}
+
+TEST(QosProgram, TheShippedConfigurationIsInNoKnownTrap) {
+  const Ended lint = qos({"lint"});
+  EXPECT_EQ(lint.output, "no known trap\n");
+  EXPECT_EQ(lint.code, 0);
+}
+
+TEST(QosProgram, WithoutARouterTheSameProfilesAreInSomeAndTheExitCodeSaysSo) {
+  const Ended lint = qos({"lint", "--direct"});
+  EXPECT_THAT(lint.output, HasSubstr("foreign-clocks: topic goal (command): lifespan of 5 s"));
+  EXPECT_EQ(lint.code, 1);
+}
+
+TEST(QosProgram, PagesOfTheShippedProfiles) {
+  EXPECT_THAT(qos({"list"}).output, HasSubstr("command: {lifespan_s: 5}\n  cmd_vel"));
+  EXPECT_THAT(qos({"explain", "state"}).output,
+              HasSubstr("durability transient_local: a reader that comes later gets the last 1"));
+  EXPECT_THAT(qos({"diff", "sensor", "stream"}).output, HasSubstr("lifespan_s: .inf -> 1"));
+  EXPECT_THAT(qos({"show", "event", "--json"}).output, HasSubstr("\"profile\": \"event\""));
+}
+
+TEST(QosProgram, MatchesProfilesAndSaysNoByItsExitCode) {
+  const Ended yes = qos({"match", "state", "event"});
+  EXPECT_THAT(yes.output, HasSubstr("match\n"));
+  EXPECT_EQ(yes.code, 0);
+  const Ended no = qos({"match", "event", "state"});
+  EXPECT_THAT(no.output, HasSubstr("stopped by durability"));
+  EXPECT_EQ(no.code, 1);
+}
+
+TEST(QosProgram, ExportsWhatItImports) {
+  const std::string path = ::testing::TempDir() + "qos_program_test.xml";
+  for (const char* vendor : {"fastdds", "cyclone"}) {
+    std::ofstream(path) << qos({"export", "command", "--to", vendor}).output;
+    EXPECT_THAT(qos({"import", path}).output,
+                AllOf(HasSubstr("command: {"), HasSubstr("lifespan_s: 5")))
+        << vendor;
+    const Ended lint = qos({"lint", path});
+    EXPECT_THAT(lint.output, HasSubstr("multicast: a participant of")) << vendor;
+  }
+}
+
+nlohmann::json json_of(std::vector<std::string> words) {
+  words.emplace_back("--json");
+  return nlohmann::json::parse(qos(words).output);
+}
+
+TEST(QosProgram, ScriptsGetJson) {
+  const auto list = json_of({"list"});
+  ASSERT_FALSE(list.empty());
+  EXPECT_EQ(list[0]["profile"], "command");
+  EXPECT_EQ(list[0]["policies"]["lifespan_s"]["default"], false);
+  EXPECT_EQ(json_of({"diff", "sensor", "stream"})["depth"][1], "1");
+  EXPECT_EQ(json_of({"match", "event", "state"})[0]["stopped_by"][0], "durability");
+  EXPECT_TRUE(json_of({"lint"}).empty());
+  for (const auto& one : json_of({"lint", "--direct"})) EXPECT_EQ(one["rule"], "foreign-clocks");
+}
+
+TEST(QosProgram, ThresholdsOfALintAreTheUsers) {
+  EXPECT_EQ(qos({"lint", "--direct", "--synchronised-clocks"}).output, "no known trap\n");
+  const std::string path = ::testing::TempDir() + "qos_program_lint.yaml";
+  std::ofstream(path) << "extends: qos.yaml\ntelemetry: {liveliness_lease_s: 8}\n";
+  EXPECT_THAT(qos({"lint", "--file", path, "--direct", "--synchronised-clocks"}).output,
+              HasSubstr("short-lease: topic location (telemetry): liveliness lease of 8 s"));
+  EXPECT_EQ(
+      qos({"lint", "--file", path, "--direct", "--synchronised-clocks", "--outage", "5"}).code, 0);
+}
+
+TEST(QosProgram, AnXmlIsLintedAsIfItsEndsStoodOnTheRadio) {
+  const std::string path = ::testing::TempDir() + "qos_program_stream.xml";
+  std::ofstream(path) << "<CycloneDDS><Domain><General><AllowMulticast>false</AllowMulticast>"
+                         "<MaxMessageSize>1400B</MaxMessageSize></General></Domain></CycloneDDS>";
+  EXPECT_EQ(qos({"lint", path}).output, "no known trap\n");
+  EXPECT_THAT(qos({"lint", path, "--mtu", "576"}).output, HasSubstr("large-fragments"));
+  EXPECT_THAT(qos({"lint", path, "--outage", "30"}).output, HasSubstr("forgotten after 10 s"));
+  std::ofstream(path) << qos({"export", "event"}).output;
+  EXPECT_THAT(qos({"lint", path, "--stream", "event"}).output,
+              HasSubstr("reliable-stream: topic of profile event (event): a stream whose readers"));
+}
+
+TEST(QosProgram, BadUsageIsOneLineAndExitCodeTwo) {
+  EXPECT_EQ(qos({"show", "sensr"}).code, 2);
+  EXPECT_EQ(qos({"import", "/nowhere.xml"}).code, 2);
+  EXPECT_EQ(qos({"set", "/odom", "--domain", "96"}).code, 2);
+  EXPECT_EQ(qos({"set", "/odom", "deadline_s=1", "--domain", "96", "--spin-time", "0.2"}).code, 1)
+      << "nobody is there";
+}
+
+}  // namespace
+}  // namespace tocsin::qos_tool
