@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <tuple>
 #include <vector>
 
 #include "foundation/error.hpp"
@@ -26,6 +27,17 @@ bool is_identifier(const std::string& text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_';
   });
+}
+
+/// What stands between the two; empty when the text does not begin and end so.
+std::optional<std::string> between(const std::string& text, const std::string& start,
+                                   const std::string& end) {
+  const std::size_t around = start.size() + end.size();
+  if (text.size() <= around || text.compare(0, start.size(), start) != 0 ||
+      text.compare(text.size() - end.size(), end.size(), end) != 0) {
+    return std::nullopt;
+  }
+  return text.substr(start.size(), text.size() - around);
 }
 
 }  // namespace
@@ -55,6 +67,27 @@ std::string wire_type(const std::string& ros_name) {
     throw ConfigError("'" + ros_name + "' is no message type; write std_msgs/msg/String");
   }
   return parts[0] + "::" + parts[1] + "::dds_::" + parts[2] + "_";
+}
+
+std::string absolute(const std::string& ros_name) {
+  return !ros_name.empty() && ros_name.front() == '/' ? ros_name : "/" + ros_name;
+}
+
+std::optional<RosService> ros_service(const std::string& on_wire) {
+  for (const auto& [start, end, half] :
+       {std::tuple{"rq/", "Request", ServiceHalf::request}, {"rr/", "Reply", ServiceHalf::reply}}) {
+    const auto name = between(on_wire, start, end);
+    if (name) return RosService{"/" + *name, half};
+  }
+  return std::nullopt;
+}
+
+std::string ros_service_type(const std::string& on_wire) {
+  const std::string type = ros_type(on_wire);
+  for (const char* const end : {"_Request", "_Response"}) {
+    if (const auto name = between(type, "", end)) return *name;
+  }
+  return type;
 }
 
 }  // namespace tocsin

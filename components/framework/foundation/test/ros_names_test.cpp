@@ -43,6 +43,23 @@ TEST(RosNames, TypesOfServicesKeepTheirKind) {
   EXPECT_EQ(wire_type("std_srvs/srv/Empty_Request"), "std_srvs::srv::dds_::Empty_Request_");
 }
 
+TEST(RosNames, OfServicesAreTheTwoTopicsThatCarryThem) {
+  const auto request = ros_service("rq/uxv/dockRequest");
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->name, "/uxv/dock");
+  EXPECT_EQ(request->half, ServiceHalf::request);
+  EXPECT_EQ(ros_service("rr/dockReply")->half, ServiceHalf::reply);
+  for (const char* other : {"rt/dockRequest", "rq/dockReply", "rq/Request", "rq/dock", ""}) {
+    EXPECT_FALSE(ros_service(other)) << other;
+  }
+}
+
+TEST(RosNames, TheTypeOfAServiceIsThatOfItsHalves) {
+  EXPECT_EQ(ros_service_type("std_srvs::srv::dds_::Trigger_Request_"), "std_srvs/srv/Trigger");
+  EXPECT_EQ(ros_service_type("std_srvs::srv::dds_::Trigger_Response_"), "std_srvs/srv/Trigger");
+  EXPECT_EQ(ros_service_type("odd"), "odd");
+}
+
 TEST(RosNames, ATypeThatOnlyLooksLikeRosStaysAsItIs) {
   for (const char* odd : {"a::msg::dds_::", "a::msg::dds_::_", "a::msg::dds::B_", "a::msg::dds_::B",
                           "::", "", "x::a::msg::dds_::B_"}) {

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The TypeInfo of every struct of an IDL file: <stem>.hpp and <stem>_type_info.cpp.
 
-`types` is what idl_dialect.structs() gives, `definitions` what ros_definition.definitions() gives.
+`types` is what idl_dialect.structs() gives, `definitions` what ros_definition.definitions() gives,
+`hashes` tells each one's RIHS01.
 """
 
 
@@ -41,7 +42,7 @@ def definition_call(name, text, parts):
     return f'  register_definition({{"{name}", R"ros2msg({text})ros2msg", {{{listed}}}}});\n'
 
 
-def source(package, stem, types, definitions):
+def source(package, stem, types, definitions, hashes):
     text = [f'// Generated from {stem}.idl.\n#include "{package}/{stem}.hpp"\n\n']
     text.append('#include <utility>\n\n#include "idl_support/cdr_type.hpp"\n')
     text.append('#include "idl_support/type_definition.hpp"\n')
@@ -58,7 +59,7 @@ def source(package, stem, types, definitions):
                     f"        visit_fields(v, *static_cast<const {qualified}*>(m));\n      }},\n"
                     f"      [](void* m, FieldEditor& e) {{\n"
                     f"        edit_fields(e, *static_cast<{qualified}*>(m));\n      }},\n"
-                    f"      skip_{scoped(scope, name)});\n"
+                    f'      skip_{scoped(scope, name)}, "{hashes.of(qualified)}");\n'
                     "  return info;\n}\n")
     text.append("namespace {\nconst bool registered = [] {\n")
     text += [f"  register_type(type_info<{'::'.join(scope + [name])}>());\n"

@@ -14,6 +14,7 @@ import idl_dialect
 import idl_parser
 import inline_types
 import ros_definition
+import type_hash
 
 
 def put(path, text):
@@ -22,7 +23,7 @@ def put(path, text):
         path.write_text(text)
 
 
-def files_of(package, idl, parsed, generated):
+def files_of(package, idl, parsed, generated, bounds):
     """{file name: text} of one IDL file."""
     stem = idl.stem
     definitions = ros_definition.definitions(idl.read_text(errors="replace"), parsed)
@@ -31,7 +32,8 @@ def files_of(package, idl, parsed, generated):
     header, source = inline_types.inlined(*generated)
     return {f"{stem}.h": header + "\n", f"{stem}.cxx": source,
             f"{stem}.hpp": describe_idl.header(package, stem, includes, types),
-            f"{stem}_type_info.cpp": describe_idl.source(package, stem, types, definitions)}
+            f"{stem}_type_info.cpp": describe_idl.source(package, stem, types, definitions,
+                                                          type_hash.Hashes(parsed, bounds))}
 
 
 def refuse_faults(parsed):
@@ -69,7 +71,9 @@ def main():
         sys.exit(str(error))
     given.out.mkdir(parents=True, exist_ok=True)
     for idl in idls:
-        for name, text in files_of(given.package, idl, parsed[idl], generated[idl.stem]).items():
+        bounds = type_hash.bounds_of(idl, parsed[idl]["includes"], search)
+        for name, text in files_of(given.package, idl, parsed[idl], generated[idl.stem],
+                                   bounds).items():
             put(given.out / name, text)
 
 

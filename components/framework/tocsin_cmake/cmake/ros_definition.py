@@ -8,7 +8,7 @@ import re
 from idl_dialect import ALIAS, ARRAY, SEQUENCE, STRING, STRUCT, own_definitions
 
 NUMBERS = {1: "int16", 2: "int32", 3: "uint16", 4: "uint32", 5: "float32", 6: "float64", 7: "bool",
-           8: "char", 9: "uint8", 12: "uint32", 17: "int64", 18: "uint64", 29: "int8", 30: "uint8"}
+           8: "char", 9: "byte", 12: "uint32", 17: "int64", 18: "uint64", 29: "int8", 30: "uint8"}
 
 
 def wire_name(scoped):

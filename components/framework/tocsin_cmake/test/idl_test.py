@@ -13,6 +13,7 @@ import describe_idl  # noqa: E402
 import idl_dialect  # noqa: E402
 import idl_parser  # noqa: E402
 import ros_definition  # noqa: E402
+import type_hash  # noqa: E402
 
 
 class IdlFolder:
@@ -107,9 +108,13 @@ class Accepted(unittest.TestCase):
     def test_fields_over_several_lines(self):
         self.assertEqual(self.structs_of("brace_below"), [([], "Below", ["values", "grid"])])
 
+    def hashes_of(self, name):
+        return type_hash.Hashes(self.parsed[self.folder.idl(name)], {})
+
     def test_same_name_in_two_modules(self):
         self.assertEqual(self.structs_of("same_name"), [(["a"], "S", ["x"]), (["b"], "S", ["y"])])
-        source = describe_idl.source("toy", "same_name", self.structs_of("same_name"), [])
+        source = describe_idl.source("toy", "same_name", self.structs_of("same_name"), [],
+                                     self.hashes_of("same_name"))
         self.assertIn("bool skip_a_S(", source)
         self.assertIn("bool skip_b_S(", source)
 
@@ -155,14 +160,14 @@ class Defined(unittest.TestCase):
     def test_numbers_have_the_names_of_ros(self):
         lines, parts = self.definitions["r::msg::dds_::Numbers_"]
         self.assertEqual(lines, [
-            "bool b", "uint8 o", "char c", "int8 i8", "uint8 u8", "int16 i16", "uint16 u16",
+            "bool b", "byte o", "char c", "int8 i8", "uint8 u8", "int16 i16", "uint16 u16",
             "int32 i32  # [m] of the road", "uint32 u32", "int64 i64", "uint64 u64", "float32 f32",
             "float64 f64", "string s", "uint32 e  # which one"])
         self.assertEqual(parts, [])
 
     def test_lists_and_structs_and_their_parts_each_once(self):
         lines, parts = self.definitions["r::msg::dds_::Lists_"]
-        self.assertEqual(lines, ["float64[36] covariance", "float32[6] grid", "uint8[] bytes", "int32[] row",
+        self.assertEqual(lines, ["float64[36] covariance", "float32[6] grid", "byte[] bytes", "int32[] row",
                                  "a/One[] ones", "r/Numbers[2] pair", "a/One one"])
         self.assertEqual(parts, ["a::msg::dds_::One_", "r::msg::dds_::Numbers_"])
 
@@ -186,6 +191,51 @@ class Refused(unittest.TestCase):
                 lines = str(refusal.exception).splitlines()
                 self.assertTrue(any(f"{path}:{line}: " in one and said in one for one in lines),
                                 str(refusal.exception))
+
+
+HASHED = {
+    "other": "module o { module msg { @final struct Three { sequence<long> x;  // [bound 3]\n}; }; };",
+    "bounded": '#include "other.idl"\nmodule p { module msg {\n@final struct B {\n'
+               "  string name;  // [bound 256]\n  sequence<o::msg::Three> all;  // [bound 1] [m]\n"
+               "  octet raw[2][3];\n};\n}; };",
+    "nested": "@final struct S { sequence<sequence<long> > x; };",
+    "wire": "enum E { E_A };\ntypedef E Named;\n@final struct S { Named e; char c; uint8 u; };",
+}
+
+
+class Hashes(unittest.TestCase):
+    """RIHS01; that it is what ROS 2 publishes is tested where its types are restated, in ros_idl."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = IdlFolder(HASHED)
+        cls.parsed = cls.folder.parse(*HASHED)
+
+    def of(self, name):
+        idl = self.folder.idl(name)
+        includes = [f"{one}.idl" for one in self.parsed[idl]["includes"]]
+        return type_hash.Hashes(self.parsed[idl], type_hash.bounds_of(idl, includes, []))
+
+    def fields(self, name, scoped):
+        return {one["name"]: list(one["type"].values())
+                for one in self.of(name).described(scoped)["fields"]}
+
+    def test_count_the_bounds_that_comments_tell(self):
+        self.assertEqual(self.fields("bounded", "p::msg::B"), {
+            "name": [21, 0, 256, ""], "all": [97, 1, 0, "o/msg/Three"], "raw": [64, 6, 0, ""]})
+        self.assertEqual(self.fields("bounded", "o::msg::Three"), {"x": [102, 3, 0, ""]})
+
+    def test_take_an_enum_for_the_number_that_is_sent(self):
+        self.assertEqual(self.fields("wire", "S"),
+                         {"e": [7, 0, 0, ""], "c": [13, 0, 0, ""], "u": [3, 0, 0, ""]})
+
+    def test_tell_each_type_that_is_referred_to_once(self):
+        hashes = self.of("bounded")
+        self.assertEqual(hashes.referenced(hashes.described("p::msg::B")), {"o/msg/Three"})
+        self.assertRegex(hashes.of("p::msg::B"), "^RIHS01_[0-9a-f]{64}$")
+
+    def test_are_not_there_for_what_ros_2_cannot_say(self):
+        self.assertEqual(self.of("nested").of("S"), "")
 
 
 class Complaints(unittest.TestCase):

@@ -65,29 +65,57 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// GUIDs of Fast DDS are "01.0f.xx|0.0.1.3"; ROS 2 writes their bytes with a dot between.
-std::string gid_text(std::string guid) {
-  std::replace(guid.begin(), guid.end(), '|', '.');
-  return guid;
+/// Components of a process that use one topic share its end.
+std::vector<GraphNode> owners_of(const GraphEnd& end, const std::vector<GraphNode>& nodes) {
+  std::vector<GraphNode> owners;
+  for (const GraphNode& node : nodes) {
+    const auto& own = end.writer ? node.writers : node.readers;
+    if (std::find(own.begin(), own.end(), end.gid) != own.end()) owners.push_back(node);
+  }
+  if (owners.empty()) owners.push_back({"_NODE_NAMESPACE_UNKNOWN_", "_NODE_NAME_UNKNOWN_"});
+  return owners;
 }
 
-std::string end_text(const GraphEnd& end) {
-  return fmt::format(
-      "Participant name: {}\nTopic type: {}\nEndpoint type: {}\nGID: {}\nQoS profile:\n"
-      "  Reliability: {}\n  History (Depth): UNKNOWN\n  Durability: {}\n  Lifespan: {}\n"
-      "  Deadline: {}\n  Liveliness: {}\n  Liveliness lease duration: {}\nUser data: {}\n",
-      printable(end.participant), printable(ros_type(end.type)),
-      end.writer ? "PUBLISHER" : "SUBSCRIPTION", gid_text(end.gid),
-      upper(word_of(end.qos.reliability)), upper(word_of(end.qos.durability)),
-      seconds_text(end.writer ? end.lifespan_s : HUGE_VAL), seconds_text(end.qos.deadline_s),
-      upper(word_of(end.qos.liveliness)), seconds_text(end.qos.liveliness_lease_s),
-      printable(end.user_data));
+std::string owners_text(const GraphEnd& end, const std::vector<GraphNode>& nodes) {
+  std::vector<std::string> names;
+  std::set<std::string> namespaces;
+  for (const GraphNode& node : owners_of(end, nodes)) {
+    names.push_back(node.name);
+    namespaces.insert(node.ros_namespace);
+  }
+  return fmt::format("Node name: {}\nNode namespace: {}\n", printable(joined(names, ", ")),
+                     printable(fmt::to_string(fmt::join(namespaces, ", "))));
 }
 
-std::string ends_text(const std::vector<const GraphEnd*>& ends, bool verbose) {
+/// What the end announces as its type's hash.
+std::string type_hash_of(const GraphEnd& end) {
+  const std::string key = "typehash=";
+  const std::size_t at = end.user_data.find(key);
+  if (at == std::string::npos) return "INVALID";
+  const std::size_t from = at + key.size();
+  return printable(end.user_data.substr(from, end.user_data.find(';', from) - from));
+}
+
+std::string end_text(const GraphEnd& end, const std::vector<GraphNode>& nodes) {
+  return owners_text(end, nodes) +
+         fmt::format(
+             "Topic type: {}\nTopic type hash: {}\nEndpoint type: {}\nGID: {}\nQoS profile:\n"
+             "  Reliability: {}\n  History (Depth): UNKNOWN\n  Durability: {}\n  Lifespan: {}\n"
+             "  Deadline: {}\n  Liveliness: {}\n  Liveliness lease duration: {}\n"
+             "Participant name: {}\nUser data: {}\n",
+             printable(ros_type(end.type)), type_hash_of(end),
+             end.writer ? "PUBLISHER" : "SUBSCRIPTION", text_of(end.gid),
+             upper(word_of(end.qos.reliability)), upper(word_of(end.qos.durability)),
+             seconds_text(end.writer ? end.lifespan_s : HUGE_VAL), seconds_text(end.qos.deadline_s),
+             upper(word_of(end.qos.liveliness)), seconds_text(end.qos.liveliness_lease_s),
+             printable(end.participant), printable(end.user_data));
+}
+
+std::string ends_text(const std::vector<const GraphEnd*>& ends, const std::vector<GraphNode>& nodes,
+                      bool verbose) {
   std::string text;
   for (const GraphEnd* end : ends) {
-    if (verbose) text += "\n" + end_text(*end);
+    if (verbose) text += "\n" + end_text(*end, nodes);
   }
   return text;
 }
@@ -111,8 +139,8 @@ std::string list_text(const std::vector<GraphEnd>& ends, const ListOptions& opti
   return text;
 }
 
-std::string info_text(const std::vector<GraphEnd>& ends, const std::string& ros_topic,
-                      bool verbose) {
+std::string info_text(const std::vector<GraphEnd>& ends, const std::vector<GraphNode>& nodes,
+                      const std::string& ros_topic, bool verbose) {
   const Topics topics = topics_in(ends);
   const auto found = topics.find(ros_topic);
   if (found == topics.end()) return "";
@@ -120,8 +148,8 @@ std::string info_text(const std::vector<GraphEnd>& ends, const std::string& ros_
   const char* const gap = verbose ? "\n" : "";
   return fmt::format("Type: {}\n{}Publisher count: {}\n{}{}Subscription count: {}\n{}",
                      types_text(topic), gap, topic.writers.size(),
-                     ends_text(topic.writers, verbose), gap, topic.readers.size(),
-                     ends_text(topic.readers, verbose));
+                     ends_text(topic.writers, nodes, verbose), gap, topic.readers.size(),
+                     ends_text(topic.readers, nodes, verbose));
 }
 
 std::vector<std::string> types_of(const std::vector<GraphEnd>& ends, const std::string& ros_topic) {

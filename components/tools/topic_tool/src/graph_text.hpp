@@ -20,8 +20,9 @@ struct ListOptions {
 [[nodiscard]] std::string list_text(const std::vector<GraphEnd>& ends, const ListOptions& options);
 
 /// Empty: nobody writes or reads it.
-[[nodiscard]] std::string info_text(const std::vector<GraphEnd>& ends, const std::string& ros_topic,
-                                    bool verbose);
+[[nodiscard]] std::string info_text(const std::vector<GraphEnd>& ends,
+                                    const std::vector<GraphNode>& nodes,
+                                    const std::string& ros_topic, bool verbose);
 
 /// ROS types under the name of a topic; several when its ends disagree.
 [[nodiscard]] std::vector<std::string> types_of(const std::vector<GraphEnd>& ends,

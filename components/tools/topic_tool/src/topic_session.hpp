@@ -22,11 +22,11 @@ class TopicSession {
   /// `spin_s` [s]: how long is waited for what does not appear.
   TopicSession(const HostChoice& host, double spin_s);
 
-  /// All ends, once nothing new has come for a while.
+  /// All ends, once nothing new has come for a while; the nodes of `graph` are there then, too.
   [[nodiscard]] std::vector<GraphEnd> ends() const;
   /// Waits until somebody has announced the topic. Throws EnvironmentError when nobody does.
   [[nodiscard]] RawTopic find(const std::string& ros_topic) const;
-  [[nodiscard]] HostGraph& graph() { return *graph_; }
+  [[nodiscard]] HostGraph& graph() const { return *graph_; }
 
   /// Ctrl-C was pressed.
   [[nodiscard]] static bool is_over();

@@ -23,11 +23,6 @@ namespace {
 constexpr Duration for_ever = std::chrono::hours(24 * 365);
 constexpr Duration second = std::chrono::seconds(1);
 
-/// Names may come with or without the slash in front.
-std::string absolute(const std::string& topic) {
-  return !topic.empty() && topic.front() == '/' ? topic : "/" + topic;
-}
-
 std::shared_ptr<void> decoded(const TypeInfo& type, const RawSample& sample) {
   auto message = type.create();
   return type.deserialize(sample.bytes->data(), sample.bytes->size(), message.get()) ? message
@@ -43,7 +38,9 @@ int list(const Options& options) {
 int info(const Options& options) {
   const TopicSession session(options.host, options.spin_s);
   (void)session.find(absolute(options.topic));
-  std::printf("%s", info_text(session.ends(), absolute(options.topic), options.verbose).c_str());
+  const auto ends = session.ends();
+  const auto nodes = session.graph().nodes();
+  std::printf("%s", info_text(ends, nodes, absolute(options.topic), options.verbose).c_str());
   return 0;
 }
 

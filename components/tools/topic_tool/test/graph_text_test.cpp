@@ -18,7 +18,7 @@ GraphEnd end(const std::string& topic, bool writer, const std::string& name = "S
   made.topic = topic;
   made.type = "std_msgs::msg::dds_::" + name + "_";
   made.participant = "talker";
-  made.gid = "01.0f|0.3";
+  made.gid = {1, 15, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3};
   made.writer = writer;
   made.qos.reliability = Reliability::reliable;
   return made;
@@ -51,9 +51,9 @@ TEST(ListText, SaysWhoIsThereWhenItIsVerbose) {
 }
 
 TEST(InfoText, CountsBothSides) {
-  EXPECT_EQ(info_text(ends, "/chatter", false),
+  EXPECT_EQ(info_text(ends, {}, "/chatter", false),
             "Type: std_msgs/msg/String\nPublisher count: 1\nSubscription count: 2\n");
-  EXPECT_EQ(info_text(ends, "/nothing", false), "");
+  EXPECT_EQ(info_text(ends, {}, "/nothing", false), "");
 }
 
 TEST(InfoText, ShowsTheQosOfEachEndWhenItIsVerbose) {
@@ -61,12 +61,27 @@ TEST(InfoText, ShowsTheQosOfEachEndWhenItIsVerbose) {
   late.qos.durability = Durability::transient_local;
   late.qos.deadline_s = 0.5;
   late.lifespan_s = 5;
-  const std::string sut = info_text({late}, "/state", true);
-  EXPECT_THAT(sut, HasSubstr("Participant name: talker\nTopic type: std_msgs/msg/String\n"
-                             "Endpoint type: PUBLISHER\nGID: 01.0f.0.3\nQoS profile:\n"
-                             "  Reliability: RELIABLE\n"));
+  const std::string sut = info_text({late}, {}, "/state", true);
+  EXPECT_THAT(sut, HasSubstr("Topic type: std_msgs/msg/String\nTopic type hash: INVALID\n"
+                             "Endpoint type: PUBLISHER\n"
+                             "GID: 01.0f.00.00.00.00.00.00.00.00.00.00.00.00.00.03\n"
+                             "QoS profile:\n  Reliability: RELIABLE\n"));
   EXPECT_THAT(sut, HasSubstr("  Durability: TRANSIENT_LOCAL\n  Lifespan: 5000000000 nanoseconds\n"
                              "  Deadline: 500000000 nanoseconds\n  Liveliness: AUTOMATIC\n"));
+}
+
+TEST(InfoText, NamesTheNodesThatHaveAnEndAndItsTypeHash) {
+  GraphEnd one = end("rt/state", true);
+  one.user_data = "tocsin_layout=77;typehash=RIHS01_ab;";
+  const std::vector<GraphNode> nodes{{"/uxv", "mux", {}, {one.gid}},
+                                     {"/uxv", "smoother", {}, {one.gid}},
+                                     {"/uxv", "other", {one.gid}, {}}};
+  EXPECT_THAT(info_text({one}, nodes, "/state", true),
+              HasSubstr("\nNode name: mux, smoother\nNode namespace: /uxv\n"
+                        "Topic type: std_msgs/msg/String\nTopic type hash: RIHS01_ab\n"));
+  EXPECT_THAT(info_text({one}, {}, "/state", true),
+              HasSubstr("\nNode name: _NODE_NAME_UNKNOWN_\n"
+                        "Node namespace: _NODE_NAMESPACE_UNKNOWN_\n"));
 }
 
 TEST(InfoText, SaysWhatAReaderRequestsAndThatItHasNoLifespan) {
@@ -74,7 +89,7 @@ TEST(InfoText, SaysWhatAReaderRequestsAndThatItHasNoLifespan) {
   reader.qos.reliability = Reliability::best_effort;
   reader.qos.liveliness_lease_s = 2;
   reader.lifespan_s = 5;
-  const std::string sut = info_text({reader}, "/state", true);
+  const std::string sut = info_text({reader}, {}, "/state", true);
   EXPECT_THAT(sut, HasSubstr("Publisher count: 0\n\nSubscription count: 1\n"));
   EXPECT_THAT(sut, HasSubstr("Endpoint type: SUBSCRIPTION\n"));
   EXPECT_THAT(sut, HasSubstr("  Reliability: BEST_EFFORT\n"));

@@ -216,8 +216,10 @@ void edit_value(FieldEditor& editor, const char* name, std::array<T, size>& list
 
 template <class T>
 TypeInfo make_type_info(const char* name, void (*visit)(const void*, FieldVisitor&),
-                        void (*edit)(void*, FieldEditor&), bool (*skip)(WireCursor&)) {
-  return {name, create<T>, serialized_size<T>, serialize<T>, deserialize<T>, visit, edit, skip};
+                        void (*edit)(void*, FieldEditor&), bool (*skip)(WireCursor&),
+                        const char* ros_hash) {
+  return {name, create<T>, serialized_size<T>, serialize<T>, deserialize<T>, visit, edit,
+          skip, ros_hash};
 }
 
 }  // namespace tocsin::cdr

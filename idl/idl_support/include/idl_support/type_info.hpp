@@ -72,6 +72,9 @@ struct TypeInfo {
   void (*edit)(void* message, FieldEditor& editor);
   /// Passes one encoded message; false when the bytes end before it does.
   bool (*skip)(WireCursor& cursor);
+  /// "RIHS01_" and 64 hexadecimal digits, by which ROS 2 compares types; empty for a type that no
+  /// interface file of ROS 2 can say. A literal.
+  const char* ros_hash = "";
 };
 
 /// The description of a generated type. Declared for each type by its generated header.

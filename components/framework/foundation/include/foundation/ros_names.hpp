@@ -21,4 +21,20 @@ namespace tocsin {
 /// ConfigError for what is neither.
 [[nodiscard]] std::string wire_type(const std::string& ros_name);
 
+/// Names may come with or without the slash in front.
+[[nodiscard]] std::string absolute(const std::string& ros_name);
+
+enum class ServiceHalf { request, reply };
+
+/// A service, and which half of it a DDS topic carries.
+struct RosService {
+  std::string name;
+  ServiceHalf half;
+};
+/// `rq/uxv/dockRequest` and `rr/uxv/dockReply` are `/uxv/dock`; empty: no service of ROS.
+[[nodiscard]] std::optional<RosService> ros_service(const std::string& on_wire);
+
+/// `std_srvs::srv::dds_::Trigger_Request_` and `..._Response_` are `std_srvs/srv/Trigger`.
+[[nodiscard]] std::string ros_service_type(const std::string& on_wire);
+
 }  // namespace tocsin

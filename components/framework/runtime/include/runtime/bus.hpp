@@ -50,6 +50,7 @@ struct Endpoint {
   const TypeInfo* type;
   Writers writers = Writers::needed;
   const char* user_data = "";  ///< "key=value;" of a writer, announced beside what its profile says
+  std::string node = "";       ///< of ROS 2 that has it; empty: none
 };
 
 /// Subscribed as long as it lives. Destroying it waits for a running `receive`.
@@ -95,6 +96,9 @@ class Bus {
   /// Changes policies of this process's ends of a topic while they are in use. The number of these
   /// ends; 0: there are none. Throws ConfigError for what cannot change. Thread-safe.
   virtual int change_qos(const QosChange& /*change*/) { return 0; }
+  /// Tells ROS 2's peers which nodes this process has, when that or the peers have changed. Called
+  /// now and then by one thread of the process.
+  virtual void update_graph() {}
   /// Of every DDS endpoint of this process. Thread-safe.
   [[nodiscard]] virtual std::vector<EndpointHealth> health() const { return {}; }
 };

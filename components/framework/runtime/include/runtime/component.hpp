@@ -30,6 +30,7 @@ struct Context {
   std::function<void(int)> request_exit = [](int) {};
   Devices& devices = real_devices();  ///< of its computer
   std::uint64_t seed = 0;             ///< of the process, from the run's: see process_seed
+  std::string node = "";              ///< what ROS 2 calls it; empty: `name`
 
   /// The file that this instance keeps for its successor, as ".pose"; empty where none is kept.
   [[nodiscard]] std::string state_path(const std::string& extension) const;
@@ -59,6 +60,10 @@ class Component {
   virtual void tick(Time now) = 0;
 
   [[nodiscard]] const std::string& name() const { return context_.name; }
+  /// What ROS 2 calls it.
+  [[nodiscard]] const std::string& node() const {
+    return context_.node.empty() ? context_.name : context_.node;
+  }
   [[nodiscard]] Bus& bus() { return context_.bus; }
   [[nodiscard]] Schedule& schedule() { return schedule_; }
   /// When to do next what is done each `period` (> 0) and is done now: half to one and a half

@@ -94,7 +94,7 @@ class Output {
   /// `user_data`: see Endpoint; all outputs of a process to one topic must have the same.
   explicit Output(Component& owner, const char* user_data = "")
       : publication_(owner.bus().advertise(
-            {Topic::info, &type_info<Message>(), Writers::needed, user_data})) {}
+            {Topic::info, &type_info<Message>(), Writers::needed, user_data, owner.node()})) {}
 
   /// Never blocks on the network. Readers in this process get the very object, unserialised.
   Status write(Message message) {

@@ -5,12 +5,20 @@
 #include <utility>
 
 namespace tocsin {
+namespace {
+
+Endpoint of_node(Endpoint endpoint, const std::string& node) {
+  endpoint.node = node;
+  return endpoint;
+}
+
+}  // namespace
 
 InputPort::InputPort(Component& owner, const Endpoint& endpoint, WakeMode wake_mode)
     : owner_(owner),
-      endpoint_(endpoint),
+      endpoint_(of_node(endpoint, owner.node())),
       wake_mode_(wake_mode),
-      subscription_(owner.bus().subscribe(endpoint, *this)) {
+      subscription_(owner.bus().subscribe(endpoint_, *this)) {
   owner_.add_port(*this);
 }
 

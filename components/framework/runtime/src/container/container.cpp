@@ -26,7 +26,8 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
           host.address,
           host.peers,
           false,
-          host.name};
+          host.name,
+          gid_size_of_environment()};
 }
 
 }  // namespace
@@ -40,7 +41,8 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
                deployment.run_dir,
                std::move(request_exit),
                real_devices(),
-               process_seed(deployment.seed, host.name, container.name)} {
+               process_seed(deployment.seed, host.name, container.name),
+               container.name + "_container"} {
   const auto notice_failure = [this] { control_->schedule().input_arrived(); };
   threads_ = std::make_unique<RunnerThreads>(*bus_, container.shared_thread, container.name,
                                              notice_failure);

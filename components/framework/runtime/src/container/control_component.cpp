@@ -51,7 +51,10 @@ void ControlComponent::tick(Time now) {
     publish_health(now);
     changed = true;
   }
-  if (changed) publish_state(now);
+  if (changed) {
+    publish_state(now);
+    bus().update_graph();
+  }
   wake_at(next_report_);
 }
 

@@ -4,6 +4,7 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 
 #include "fast_dds/cdr_topic_type.hpp"
+#include "fast_dds/raw_ends.hpp"
 #include "foundation/error.hpp"
 #include "link/origin.hpp"
 
@@ -106,6 +107,8 @@ std::optional<WriterInfo> DdsReader::writer(std::uint64_t source) const {
   return participant_.remote_ends().writer(guid);
 }
 
+Gid DdsReader::gid() const { return gid_of(reader_->guid()); }
+
 EndpointHealth DdsReader::health() const {
   EndpointHealth health = account_.health();
   health.other_type = participant_.remote_ends().other_type(own_);
@@ -174,6 +177,8 @@ bool DdsWriter::send(const void* message) {
   (ok ? sent_ : refused_).fetch_add(1, std::memory_order_relaxed);
   return ok;
 }
+
+Gid DdsWriter::gid() const { return gid_of(writer_->guid()); }
 
 EndpointHealth DdsWriter::health() const {
   EndpointHealth health = account_.health();

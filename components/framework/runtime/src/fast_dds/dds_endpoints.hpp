@@ -15,6 +15,7 @@
 #include "fast_dds/fast_dds_participant.hpp"
 #include "fast_dds/single_drainer.hpp"
 #include "runtime/middleware/replay_filter.hpp"
+#include "runtime/middleware/ros_graph.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
 
 namespace tocsin {
@@ -34,6 +35,7 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   [[nodiscard]] EndpointHealth health() const;
   /// Requests what of `qos` can change. False when Fast DDS refused it. Not beside health().
   [[nodiscard]] bool change(const QosProfile& qos);
+  [[nodiscard]] Gid gid() const;
   /// Empty when it is not matched with that writer.
   [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const;
 
@@ -90,6 +92,7 @@ class DdsWriter : private eprosima::fastdds::dds::DataWriterListener {
   [[nodiscard]] EndpointHealth health() const;
   /// Offers what of `qos` can change. False when Fast DDS refused it. Not beside health().
   [[nodiscard]] bool change(const QosProfile& qos);
+  [[nodiscard]] Gid gid() const;
 
  private:
   using Writer = eprosima::fastdds::dds::DataWriter;

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <utility>
 
+#include "fast_dds/graph_writer.hpp"
 #include "fast_dds/this_host.hpp"
 #include "fast_dds/topic_channel.hpp"
 #include "foundation/error.hpp"
@@ -38,6 +39,7 @@ ParticipantOptions host_options(const BusOptions& options, const QosProfiles& pr
   host.name = options.name;
   host.domain = options.host_domain;
   host.shared_memory = options.shared_memory;
+  host.user_data = "enclave=/;";  // a participant of ROS 2
   host.flow_controllers = profiles.flow_controllers();
   return host;
 }
@@ -49,7 +51,9 @@ class FastDdsBus : public Bus {
         profiles_(options.qos_file.empty() ? QosProfiles() : QosProfiles(options.qos_file)),
         rules_(options.traffic_file.empty() ? TrafficRules()
                                             : TrafficRules(options.traffic_file, options.role)),
-        participant_(host_options(options, profiles_)) {}
+        participant_(host_options(options, profiles_)),
+        nodes_(options.ros_namespace),
+        graph_(participant_, options.gid_size) {}
 
   std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
@@ -62,7 +66,9 @@ class FastDdsBus : public Bus {
     return make_fast_dds_link_bus(options_, on_event);
   }
   int change_qos(const QosChange& change) override;
+  void update_graph() override { graph_.tell(nodes_.all()); }
   [[nodiscard]] std::vector<EndpointHealth> health() const override;
+  [[nodiscard]] LocalNodes& nodes() { return nodes_; }
 
  private:
   TopicChannel& channel(const Endpoint& endpoint);
@@ -72,17 +78,38 @@ class FastDdsBus : public Bus {
   const QosProfiles profiles_;
   const TrafficRules rules_;
   FastDdsParticipant participant_;
+  LocalNodes nodes_;
+  GraphWriter graph_;
   mutable std::mutex mutex_;
   std::map<std::string, std::unique_ptr<TopicChannel>> channels_;
+};
+
+/// An end that a node has as long as this lives.
+class NodeEnd {
+ public:
+  NodeEnd(LocalNodes& nodes, std::string node, LocalNodes::End end, const Gid& gid)
+      : nodes_(nodes), node_(std::move(node)), end_(end), gid_(gid) {
+    nodes_.add(node_, end_, gid_);
+  }
+  ~NodeEnd() { nodes_.remove(node_, end_, gid_); }
+  NodeEnd(const NodeEnd&) = delete;
+  NodeEnd& operator=(const NodeEnd&) = delete;
+
+ private:
+  LocalNodes& nodes_;
+  const std::string node_;
+  const LocalNodes::End end_;
+  const Gid gid_;
 };
 
 /// Removes the receiver when it is destroyed.
 class ChannelSubscription : public Subscription {
  public:
-  ChannelSubscription(TopicChannel& channel, Receiver& receiver, Time now)
-      : channel_(channel), receiver_(receiver) {
-    channel_.attach(receiver_, now);
-  }
+  ChannelSubscription(FastDdsBus& bus, TopicChannel& channel, const std::string& node,
+                      Receiver& receiver)
+      : channel_(channel),
+        receiver_(receiver),
+        end_(bus.nodes(), node, LocalNodes::End::reader, channel_.attach(receiver_, bus.now())) {}
   ~ChannelSubscription() override { channel_.detach(receiver_); }
   [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const override {
     return channel_.writer(source);
@@ -91,12 +118,17 @@ class ChannelSubscription : public Subscription {
  private:
   TopicChannel& channel_;
   Receiver& receiver_;
+  const NodeEnd end_;
 };
 
 class ChannelPublication : public Publication {
  public:
-  ChannelPublication(FastDdsBus& bus, TopicChannel& channel, std::uint64_t source)
-      : bus_(bus), channel_(channel), source_(source) {}
+  ChannelPublication(FastDdsBus& bus, TopicChannel& channel, const std::string& node,
+                     std::uint64_t source, const Gid& writer)
+      : bus_(bus),
+        channel_(channel),
+        source_(source),
+        end_(bus.nodes(), node, LocalNodes::End::writer, writer) {}
   ~ChannelPublication() override { bus_.withdraw(channel_, source_); }
 
   Status write(const std::shared_ptr<const void>& message) override {
@@ -112,6 +144,7 @@ class ChannelPublication : public Publication {
   FastDdsBus& bus_;
   TopicChannel& channel_;
   const std::uint64_t source_;
+  const NodeEnd end_;
   std::uint64_t delivered_ = 0;  // guarded by the channel
   WallClock wall_;
 };
@@ -140,7 +173,7 @@ TopicChannel& FastDdsBus::channel(const Endpoint& endpoint) {
 }
 
 std::unique_ptr<Subscription> FastDdsBus::subscribe(const Endpoint& endpoint, Receiver& receiver) {
-  return std::make_unique<ChannelSubscription>(channel(endpoint), receiver, now());
+  return std::make_unique<ChannelSubscription>(*this, channel(endpoint), endpoint.node, receiver);
 }
 
 std::unique_ptr<Publication> FastDdsBus::advertise(const Endpoint& endpoint) {
@@ -148,8 +181,8 @@ std::unique_ptr<Publication> FastDdsBus::advertise(const Endpoint& endpoint) {
   if (endpoint.topic.scope == Scope::link) (void)rules_.of(endpoint.topic.name);
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::uint64_t source = fresh_source();
-  topic.advertise(source, endpoint.user_data);
-  return std::make_unique<ChannelPublication>(*this, topic, source);
+  const Gid writer = topic.advertise(source, endpoint.user_data);
+  return std::make_unique<ChannelPublication>(*this, topic, endpoint.node, source, writer);
 }
 
 void FastDdsBus::withdraw(TopicChannel& topic, std::uint64_t source) {

@@ -42,6 +42,9 @@ class FastDdsParticipant {
     return writer.guidPrefix == prefix_;
   }
   [[nodiscard]] const eprosima::fastrtps::rtps::GuidPrefix_t& prefix() const { return prefix_; }
+  [[nodiscard]] const eprosima::fastrtps::rtps::GUID_t& guid() const {
+    return participant_->guid();
+  }
   [[nodiscard]] const RemoteEnds& remote_ends() const { return remote_ends_; }
 
  private:

@@ -139,6 +139,7 @@ rtps::Locator_t fresh_shared_memory_port() {
 dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   dds::DomainParticipantQos qos;
   qos.name(options.name);
+  qos.user_data().data_vec({options.user_data.begin(), options.user_data.end()});
   qos.transport().use_builtin_transports = false;
   auto filter = std::make_shared<PacketFilter>(
       limits_in({options.address, options.peers, options.marks != nullptr}));

@@ -21,6 +21,7 @@ struct ParticipantOptions {
   int domain = 0;
   std::string address = "127.0.0.1";    ///< on the link: IPv4 of the only interface that is used
   std::vector<std::string> peers = {};  ///< on the link: IPv4 addresses; none: on the host
+  std::string user_data = "";           ///< of the participant
   bool shared_memory = false;           ///< samples go so where the peer has it, too
   std::map<std::string, FlowController> flow_controllers = {};
   /// Called by discovery with what others announce; must not call Fast DDS.

@@ -47,6 +47,10 @@ std::string with_layout(const std::string& user_data, const std::string& layout)
   return layout.empty() ? user_data : joined(user_data, key + layout + ";");
 }
 
+std::string with_type_hash(const std::string& user_data, const std::string& hash) {
+  return hash.empty() ? user_data : joined(user_data, "typehash=" + hash + ";");
+}
+
 std::string layout_in(const std::string& user_data) {
   const std::size_t at = user_data.find(key);
   if (at == std::string::npos) return "";
@@ -118,6 +122,15 @@ std::vector<RemoteEnds::Known> RemoteEnds::all() const {
   std::vector<Known> all;
   all.reserve(ends_.size());
   for (const auto& [guid, end] : ends_) all.push_back({guid, end, name_of(guid)});
+  return all;
+}
+
+std::vector<std::string> RemoteEnds::user_data_of(const std::string& topic) const {
+  std::vector<std::string> all;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& entry : ends_) {
+    if (entry.second.topic == topic) all.push_back(entry.second.user_data);
+  }
   return all;
 }
 

@@ -29,6 +29,8 @@ struct AnnouncedEnd {
 /// The user data of an endpoint: what the profile asks for, and the layout, as "key=value;" like
 /// the type hash of ROS 2. Others ignore it.
 [[nodiscard]] std::string with_layout(const std::string& user_data, const std::string& layout);
+/// The same with the hash of ROS 2, see TypeInfo::ros_hash.
+[[nodiscard]] std::string with_type_hash(const std::string& user_data, const std::string& hash);
 /// Two pieces of user data in one.
 [[nodiscard]] std::string joined(const std::string& user_data, const std::string& more);
 /// The layout in user data; empty when there is none.
@@ -69,6 +71,8 @@ class RemoteEnds {
     std::string participant;
   };
   [[nodiscard]] std::vector<Known> all() const;
+  /// What each end of the topic of this wire name has announced.
+  [[nodiscard]] std::vector<std::string> user_data_of(const std::string& topic) const;
   /// What is known of a writer; empty fields: nothing.
   [[nodiscard]] WriterInfo writer(const Guid& guid) const;
 

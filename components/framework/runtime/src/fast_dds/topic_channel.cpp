@@ -13,7 +13,8 @@ namespace {
 
 ChannelOptions with_digest(ChannelOptions options) {
   std::string& user_data = options.qos.user_data;
-  user_data = with_layout(user_data, layout_digest(*options.endpoint.type));
+  const TypeInfo& type = *options.endpoint.type;
+  user_data = with_type_hash(with_layout(user_data, layout_digest(type)), type.ros_hash);
   return options;
 }
 
@@ -73,7 +74,8 @@ int TopicChannel::change_qos(const QosChange& change, Time now) {
   return ends;
 }
 
-void TopicChannel::attach(Receiver& receiver, Time now) {
+Gid TopicChannel::attach(Receiver& receiver, Time now) {
+  Gid gid;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!reader_) {
@@ -81,8 +83,10 @@ void TopicChannel::attach(Receiver& receiver, Time now) {
                                             *options_.endpoint.type, requested_, exchange_);
     }
     ++receivers_;
+    gid = reader_->gid();
   }
   exchange_.attach(receiver, now);
+  return gid;
 }
 
 void TopicChannel::detach(Receiver& receiver) {
@@ -91,7 +95,7 @@ void TopicChannel::detach(Receiver& receiver) {
   if (--receivers_ == 0) reader_.reset();
 }
 
-void TopicChannel::advertise(std::uint64_t source, const std::string& announced) {
+Gid TopicChannel::advertise(std::uint64_t source, const std::string& announced) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::string user_data = joined(options_.qos.user_data, announced);
   if (publications_.empty()) offered_.user_data = user_data;
@@ -105,6 +109,7 @@ void TopicChannel::advertise(std::uint64_t source, const std::string& announced)
                                           offered_);
   }
   publications_.insert(source);
+  return writer_->gid();
 }
 
 std::optional<WriterInfo> TopicChannel::writer(std::uint64_t source) const {

@@ -31,12 +31,14 @@ class TopicChannel {
 
   [[nodiscard]] const TypeInfo* type() const { return options_.endpoint.type; }
 
-  /// The first receiver makes the readers, the last one that goes removes them.
-  void attach(Receiver& receiver, Time now);
+  /// The first receiver makes the readers, the last one that goes removes them. Returns the gid of
+  /// the DDS reader, which stays until then.
+  Gid attach(Receiver& receiver, Time now);
   void detach(Receiver& receiver);
   /// The first publication makes the writer, the last one that goes removes it. `user_data`: what
   /// it announces. Throws ConfigError when the others of this process announce something else.
-  void advertise(std::uint64_t source, const std::string& user_data);
+  /// Returns the gid of the DDS writer, which stays until the last one goes.
+  Gid advertise(std::uint64_t source, const std::string& user_data);
   void withdraw(std::uint64_t source);
   /// The writer of samples that come here, see Subscription::writer.
   [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const;

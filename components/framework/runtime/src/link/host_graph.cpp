@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <sstream>
+#include <map>
+#include <mutex>
 #include <thread>
 #include <tuple>
 #include <utility>
 
+#include "fast_dds/graph_writer.hpp"
 #include "fast_dds/this_host.hpp"
 #include "link/flow_ends.hpp"
 #include "link/raw_type.hpp"
@@ -17,12 +19,8 @@ namespace tocsin {
 namespace {
 
 constexpr int writer_depth = 10;
-
-std::string text_of(const RemoteEnds::Guid& guid) {
-  std::ostringstream text;
-  text << guid;
-  return text.str();
-}
+/// Whose nodes may wait at once until a thread of Fast DDS has taken them.
+constexpr int most_participants = 256;
 
 QosProfile profile_of(const RawTopic& topic) {
   QosProfile profile;
@@ -83,18 +81,63 @@ RawSample sample_of(TakenSample&& taken) {
   return sample;
 }
 
-ParticipantOptions participant_of(const BusOptions& options) {
+/// What participants tell of their nodes. Thread-safe.
+class HeardNodes {
+ public:
+  void take(const std::vector<std::uint8_t>& bytes) {
+    auto nodes = decode_nodes(bytes);
+    if (!nodes) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    heard_[prefix_of(nodes->participant)] = std::move(nodes->nodes);
+  }
+  void forget(const RemoteEnds::Participant& participant) {
+    RemoteEnds::Guid guid;
+    guid.guidPrefix = participant;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    heard_.erase(prefix_of(gid_of(guid)));
+  }
+  [[nodiscard]] std::vector<GraphNode> all() const {
+    std::vector<GraphNode> all;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      for (const auto& one : heard_) all.insert(all.end(), one.second.begin(), one.second.end());
+    }
+    std::sort(all.begin(), all.end(),
+              [](const auto& one, const auto& other) { return one.path() < other.path(); });
+    return all;
+  }
+
+ private:
+  using Prefix = std::array<std::uint8_t, 12>;
+  static Prefix prefix_of(const Gid& gid) {
+    Prefix prefix;
+    std::copy_n(gid.begin(), prefix.size(), prefix.begin());
+    return prefix;
+  }
+  mutable std::mutex mutex_;
+  std::map<Prefix, std::vector<GraphNode>> heard_;
+};
+
+ParticipantOptions participant_of(const BusOptions& options, HeardNodes& nodes) {
   ParticipantOptions made;
   made.name = options.name;
   made.domain = options.host_domain;
+  made.on_participant = [&nodes](const auto& participant, const std::string&, bool there) {
+    if (!there) nodes.forget(participant);
+  };
   return made;
 }
 
 class FastDdsHostGraph final : public HostGraph {
  public:
-  explicit FastDdsHostGraph(const BusOptions& options) : participant_(participant_of(options)) {}
+  explicit FastDdsHostGraph(const BusOptions& options)
+      : participant_(participant_of(options, nodes_)),
+        discovery_(participant_,
+                   {discovery_topic, discovery_type, discovery_qos(most_participants)},
+                   [this](const auto& bytes, const auto&) { nodes_.take(*bytes); }) {}
 
   [[nodiscard]] std::vector<GraphEnd> ends() const override;
+  [[nodiscard]] std::vector<GraphNode> nodes() const override { return nodes_.all(); }
   [[nodiscard]] std::unique_ptr<RawReading> read(
       const RawTopic& topic, std::function<void(RawSample&&)> on_sample) override {
     return std::make_unique<Reading>(participant_, topic,
@@ -111,7 +154,9 @@ class FastDdsHostGraph final : public HostGraph {
   }
 
  private:
+  HeardNodes nodes_;  // before the participant, which tells it who leaves
   FastDdsParticipant participant_;
+  RawReader discovery_;
 };
 
 std::vector<GraphEnd> FastDdsHostGraph::ends() const {
@@ -119,7 +164,7 @@ std::vector<GraphEnd> FastDdsHostGraph::ends() const {
   for (const RemoteEnds::Known& known : participant_.remote_ends().all()) {
     if (participant_.owns(known.guid)) continue;
     const AnnouncedEnd& end = known.end;
-    all.push_back({end.topic, end.type, known.participant, text_of(known.guid), end.writer, end.qos,
+    all.push_back({end.topic, end.type, known.participant, gid_of(known.guid), end.writer, end.qos,
                    end.lifespan_s, end.user_data});
   }
   std::sort(all.begin(), all.end(), [](const GraphEnd& one, const GraphEnd& other) {
@@ -139,7 +184,7 @@ std::vector<GraphEnd> settled_ends(const HostGraph& graph, Duration patience,
   for (Duration waited{0}; waited < patience && unchanged < quiet && !(is_over && is_over());
        waited += look) {
     std::this_thread::sleep_for(look);
-    const std::size_t now = graph.ends().size();
+    const std::size_t now = graph.ends().size() + graph.nodes().size();
     unchanged = now == before && now > 0 ? unchanged + look : Duration{0};
     before = now;
   }

@@ -88,11 +88,12 @@ TEST_F(HostGraphTest, KnowsTheEndsOfOthersWithWhatTheyOfferUntilTheyLeave) {
   const GraphEnd end = *end_of("rt/state", true);
   EXPECT_EQ(end.type, "std_msgs::msg::dds_::String_");
   EXPECT_EQ(end.participant, "test");
-  EXPECT_FALSE(end.gid.empty());
+  EXPECT_EQ(text_of(end.gid).substr(0, 5), "01.0f");  // eProsima's
   EXPECT_EQ(end.qos.reliability, Reliability::reliable);
   EXPECT_EQ(end.qos.durability, Durability::transient_local);
   EXPECT_EQ(end.lifespan_s, 60);
   EXPECT_THAT(end.user_data, HasSubstr("tocsin_layout="));
+  EXPECT_THAT(end.user_data, HasSubstr(std::string("typehash=") + state.type->ros_hash + ";"));
   EXPECT_FALSE(end_of("rt/state", false));
   writer.reset();
   EXPECT_TRUE(eventually([&] { return !end_of("rt/state", true); }));
@@ -103,6 +104,73 @@ TEST_F(HostGraphTest, DoesNotShowItsOwnEnds) {
   const auto writing = graph_->write(raw_event);
   EXPECT_TRUE(graph_->ends().empty());
   EXPECT_EQ(writing->readers(), 0);
+}
+
+TEST_F(HostGraphTest, KnowsTheNodesOfAProcessWithTheirEndsUntilItLeaves) {
+  auto bus = process();
+  Samples unread;
+  Endpoint of_talker = state;
+  of_talker.node = "talker";
+  Endpoint of_both = event;
+  const auto writer = bus->advertise(of_talker);
+  of_both.node = "talker";
+  const auto reader = bus->subscribe(of_both, unread);
+  of_both.node = "listener";
+  auto other_reader = bus->subscribe(of_both, unread);
+  bus->update_graph();
+  ASSERT_TRUE(eventually([&] { return graph_->nodes().size() == 2 && end_of("rt/event", false); }));
+  const auto nodes = graph_->nodes();
+  EXPECT_EQ(nodes[0].path(), "/listener");
+  EXPECT_EQ(nodes[0].readers, std::vector<Gid>{end_of("rt/event", false)->gid});
+  EXPECT_EQ(nodes[1].path(), "/talker");
+  EXPECT_EQ(nodes[1].readers, nodes[0].readers);  // neighbours share it
+  EXPECT_EQ(nodes[1].writers, std::vector<Gid>{end_of("rt/state", true)->gid});
+  other_reader.reset();
+  bus->update_graph();
+  EXPECT_TRUE(eventually([&] { return graph_->nodes().size() == 1; }));
+}
+
+TEST_F(HostGraphTest, ForgetsTheNodesOfAProcessThatHasLeft) {
+  auto bus = process();
+  Endpoint of_talker = state;
+  of_talker.node = "talker";
+  auto writer = bus->advertise(of_talker);
+  bus->update_graph();
+  ASSERT_TRUE(eventually([&] { return graph_->nodes().size() == 1; }));
+  writer.reset();
+  bus.reset();
+  EXPECT_TRUE(eventually([&] { return graph_->nodes().empty(); }));
+}
+
+TEST_F(HostGraphTest, AProcessWithoutNodesHasNoEndForThem) {
+  const auto bus = process();
+  const auto writer = bus->advertise(state);
+  bus->update_graph();
+  ASSERT_TRUE(eventually([&] { return end_of("rt/state", true).has_value(); }));
+  EXPECT_FALSE(end_of(discovery_topic, true));
+}
+
+// A reader as of Humble announces no type hash; one as of Iron does.
+TEST_F(HostGraphTest, GidsHaveTheSizeThatThePeersTake) {
+  const auto peer = make_host_graph(options());
+  const RawTopic as_humble{discovery_topic, discovery_type, true, true};
+  const auto bus = process();
+  Endpoint of_talker = state;
+  of_talker.node = "talker";
+  const auto writer = bus->advertise(of_talker);
+  bus->update_graph();
+  std::mutex mutex;
+  std::size_t bytes = 0;
+  const auto reading = peer->read(as_humble, [&](RawSample&& sample) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    bytes = sample.bytes->size();
+  });
+  const ParticipantNodes told{{}, {{"/", "talker", {}, {Gid{}}}}};
+  EXPECT_TRUE(eventually([&] {
+    bus->update_graph();
+    const std::lock_guard<std::mutex> lock(mutex);
+    return bytes == encode(told, GidSize::bytes_24).size();
+  }));
 }
 
 TEST_F(HostGraphTest, ReadsTheLastSampleOfAStateAsBytes) {

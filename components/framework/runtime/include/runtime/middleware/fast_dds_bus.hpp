@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "foundation/role.hpp"
 #include "runtime/bus.hpp"
 #include "runtime/middleware/link_bus.hpp"
+#include "runtime/middleware/ros_graph.hpp"
 
 namespace tocsin {
 
@@ -25,7 +27,8 @@ struct BusOptions {
   /// Samples go to other processes of this host by shared memory instead of loopback UDP. A
   /// process that is killed leaves files in /dev/shm; the next start removes them.
   bool shared_memory = false;
-  std::string host = "";  ///< name of this side, as the peers of its router know it
+  std::string host = "";                 ///< name of this side, as the peers of its router know it
+  std::optional<GidSize> gid_size = {};  ///< told to ROS 2; empty: what its peers take
 };
 
 /// The bus on Fast DDS in real time. All topics stay on the host, where any participant with the

@@ -11,6 +11,7 @@
 #include "foundation/time.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/qos_policies.hpp"
+#include "runtime/middleware/ros_graph.hpp"
 
 namespace tocsin {
 
@@ -19,7 +20,7 @@ struct GraphEnd {
   std::string topic;        ///< on the wire: `rt/odom`
   std::string type;         ///< on the wire: `nav_msgs::msg::dds_::Odometry_`
   std::string participant;  ///< name of its participant
-  std::string gid;          ///< of the end: its GUID in hexadecimal
+  Gid gid{};
   bool writer = false;
   QosContract qos = {};                                         ///< what it offers or requests
   double lifespan_s = std::numeric_limits<double>::infinity();  ///< of a writer
@@ -65,6 +66,8 @@ class HostGraph {
   virtual ~HostGraph() = default;
   /// All ends of other participants that were heard so far, by topic and type. Any thread.
   [[nodiscard]] virtual std::vector<GraphEnd> ends() const = 0;
+  /// The nodes that others have told so far, by path. Any thread.
+  [[nodiscard]] virtual std::vector<GraphNode> nodes() const = 0;
   /// `on_sample` is called by another thread, one sample at a time.
   [[nodiscard]] virtual std::unique_ptr<RawReading> read(
       const RawTopic& topic, std::function<void(RawSample&&)> on_sample) = 0;

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// How processes tell ROS 2 which nodes they have: the topic ros_discovery_info. Pure.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tocsin {
+
+/// The bytes of a GUID: 12 of its participant, 4 of the endpoint.
+using Gid = std::array<std::uint8_t, 16>;
+
+/// "01.0f.4c..." as `ros2 topic info -v` shows it.
+[[nodiscard]] std::string text_of(const Gid& gid);
+
+/// A node and the ends that it has.
+struct GraphNode {
+  std::string ros_namespace;  ///< "/" or "/name"
+  std::string name;
+  std::vector<Gid> readers = {};
+  std::vector<Gid> writers = {};
+
+  /// "/name" or "/namespace/name".
+  [[nodiscard]] std::string path() const {
+    return (ros_namespace == "/" ? "" : ros_namespace) + "/" + name;
+  }
+};
+[[nodiscard]] bool operator==(const GraphNode& one, const GraphNode& other);
+
+/// All nodes of one participant: what one sample of ros_discovery_info says.
+struct ParticipantNodes {
+  Gid participant{};
+  std::vector<GraphNode> nodes = {};
+};
+
+inline constexpr const char* discovery_topic = "ros_discovery_info";
+inline constexpr const char* discovery_type = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
+
+/// How many bytes of a gid are sent: 24 in Humble and before, the last 8 zero; 16 since Iron.
+enum class GidSize { bytes_16, bytes_24 };
+
+/// The sample with its encapsulation header.
+[[nodiscard]] std::vector<std::uint8_t> encode(const ParticipantNodes& nodes, GidSize size);
+/// Of either size, which the bytes tell; nothing when they are neither.
+[[nodiscard]] std::optional<ParticipantNodes> decode_nodes(const std::vector<std::uint8_t>& bytes);
+
+/// Which size the peers understand. `user_data`: of the ends of ros_discovery_info that others have
+/// announced. Since Iron they tell a type hash there; before, nothing. One participant cannot serve
+/// both; of both, the newer are served. Without peers: 16.
+[[nodiscard]] GidSize gid_size_for(const std::vector<std::string>& user_data);
+/// $ROS_DISTRO, which says it without looking at peers; nothing when it is not set.
+[[nodiscard]] std::optional<GidSize> gid_size_of_environment();
+
+/// What our own ends of ros_discovery_info announce, so that they do not count as peers.
+[[nodiscard]] const std::string& discovery_user_data();
+
+/// The ends of this process's nodes. Thread-safe.
+class LocalNodes {
+ public:
+  enum class End { reader, writer };
+  /// `ros_namespace` without slashes; empty for none.
+  explicit LocalNodes(const std::string& ros_namespace) : namespace_("/" + ros_namespace) {}
+  /// Several ports of a node may share an end: it has it until each is removed. A node without a
+  /// name is none.
+  void add(const std::string& node, End end, const Gid& gid) { count(node, end, gid, 1); }
+  void remove(const std::string& node, End end, const Gid& gid) { count(node, end, gid, -1); }
+  /// By name.
+  [[nodiscard]] std::vector<GraphNode> all() const;
+
+ private:
+  void count(const std::string& node, End end, const Gid& gid, int change);
+  const std::string namespace_;
+  mutable std::mutex mutex_;
+  std::map<std::string, std::map<std::pair<End, Gid>, int>> nodes_;
+};
+
+}  // namespace tocsin

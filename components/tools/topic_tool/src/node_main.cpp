@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// tocsin node list | info, as `ros2 node` has them.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
+
+#include "command_line/command.hpp"
+#include "foundation/error.hpp"
+#include "node_text.hpp"
+#include "foundation/ros_names.hpp"
+#include "topic_session.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+struct NodeOptions {
+  HostChoice host;
+  double spin_s = 2;
+  std::string node;
+  bool hidden = false;
+  NodeListOptions list;
+};
+
+void declare_common(CLI::App& sub, NodeOptions& options) {
+  options.host.declare(sub);
+  sub.add_option("--spin-time", options.spin_s, "[s] waited for what does not appear [2]")
+      ->check(CLI::Range(0.1, 600.0));
+}
+
+int list(const NodeOptions& options) {
+  const TopicSession session(options.host, options.spin_s);
+  (void)session.ends();
+  const auto nodes = session.graph().nodes();
+  if (has_twins(nodes)) {
+    std::fputs(
+        "WARNING: Be aware that there are nodes in the graph that share an exact name, "
+        "which can have unintended side effects.\n",
+        stderr);
+  }
+  std::fputs(node_list_text(nodes, options.list).c_str(), stdout);
+  return 0;
+}
+
+int info(const NodeOptions& options) {
+  const TopicSession session(options.host, options.spin_s);
+  const auto ends = session.ends();
+  const std::string text =
+      node_info_text(ends, session.graph().nodes(), options.node, options.hidden);
+  if (text.empty()) {
+    throw EnvironmentError("Unable to find node '" + absolute(options.node) + "'");
+  }
+  std::fputs(text.c_str(), stdout);
+  return 0;
+}
+
+int run(int argc, char** argv) {
+  NodeOptions options;
+  CLI::App app("Nodes of a running host, ours and those of other ROS 2 programs there.");
+  app.name("tocsin node");
+  app.require_subcommand(1);
+  CLI::App* const all = app.add_subcommand("list", "names of all nodes");
+  declare_common(*all, options);
+  all->add_flag("-a,--all", options.list.hidden, "those that begin with _, too");
+  all->add_flag("-c,--count-nodes", options.list.count, "how many there are");
+  CLI::App* const about = app.add_subcommand("info", "what a node reads, writes, serves and calls");
+  declare_common(*about, options);
+  about->add_option("node", options.node, "its name, with its namespace")->required();
+  about->add_flag("--include-hidden", options.hidden, "names that begin with _, too");
+  return run_command(app, argc, argv,
+                     [&] { return about->parsed() ? info(options) : list(options); });
+}
+
+}  // namespace
+}  // namespace tocsin::topic_tool
+
+int main(int argc, char** argv) { return tocsin::topic_tool::run(argc, argv); }
