@@ -128,6 +128,23 @@ TEST_F(RemoteEndsTest, AWriterIsKnownByItsParticipantAndWhatItAnnounces) {
   EXPECT_EQ(sut.writer(guid(8, 1)).user_data, "");
 }
 
+TEST_F(RemoteEndsTest, TellsWhatEachEndOfATopicAnnounces) {
+  sut.add(guid(7, 1), {"ros_discovery_info", "Info", "", true, {}, "typehash=a;"});
+  sut.add(guid(8, 1), {"ros_discovery_info", "Info", "", false, {}, ""});
+  sut.add(guid(8, 2), {"rt/odom", "Odom", "", false, {}, "other"});
+  EXPECT_EQ(sut.user_data_of("ros_discovery_info"), (std::vector<std::string>{"typehash=a;", ""}));
+  sut.remove(guid(7, 1));
+  EXPECT_EQ(sut.user_data_of("ros_discovery_info"), std::vector<std::string>{""});
+  EXPECT_TRUE(sut.user_data_of("rt/nothing").empty());
+}
+
+TEST(UserData, TellsTheHashOfATypeThatHasOne) {
+  EXPECT_EQ(with_type_hash("tocsin_layout=0a;", "RIHS01_ab"),
+            "tocsin_layout=0a;typehash=RIHS01_ab;");
+  EXPECT_EQ(with_type_hash("mine", "RIHS01_ab"), "mine;typehash=RIHS01_ab;");
+  EXPECT_EQ(with_type_hash("mine", ""), "mine");
+}
+
 TEST(UserData, IsJoinedWithOneSemicolonBetween) {
   EXPECT_EQ(joined("a=1", "b=2;"), "a=1;b=2;");
   EXPECT_EQ(joined("a=1;", "b=2;"), "a=1;b=2;");
