@@ -97,7 +97,8 @@ Kept BagWriter::begin_file() {
   }
   files_.push_back({path, 0, 0, 0});
   for (const Topic& topic : topics_) file_->add(topic);
-  (void)write_metadata();  // made again at the end
+  (void)file_->writer().flush();  // its header and topics, so that it can be read from now on
+  (void)write_metadata();         // made again at the end
   return Kept::all;
 }
 

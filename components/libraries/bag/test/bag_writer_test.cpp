@@ -100,6 +100,13 @@ TEST(BagWriter, TellsTopicsThatCameLateInEveryFileFromThenOn) {
   EXPECT_THAT(folder.read("run/metadata.yaml"), HasSubstr("message_count: 3"));
 }
 
+TEST(BagWriter, CanBeReadAsSoonAsItIsThere) {
+  const TemporaryFolder folder;
+  const BagWriter sut(folder.path("run"), {});
+  EXPECT_GT(fs::file_size(folder.path("run/run_0.mcap")), 0U);
+  EXPECT_EQ(BagReader(folder.path("run")).about().count, 0U);
+}
+
 TEST(BagWriter, CanBeReadWhileItIsWritten) {
   const TemporaryFolder folder;
   BagWriter sut(folder.path("run"), {});

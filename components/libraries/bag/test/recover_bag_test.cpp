@@ -47,6 +47,15 @@ TEST(RecoverBag, TakesAllFilesThoughMetadataIsMissingOrOld) {
   EXPECT_EQ(BagReader(folder.path("mended")).about().count, 5U);
 }
 
+TEST(RecoverBag, GoesOnPastAFileThatAPowerCutLeftEmpty) {
+  const TemporaryFolder folder;
+  write_cut_bag(folder.path("run"));
+  fs::resize_file(folder.path("run/run_1.mcap"), 0);
+  const auto recovered = recover_bag(folder.path("run"), folder.path("mended"));
+  EXPECT_EQ(recovered.at(1).recovered.damage.cut_at, 0U);
+  EXPECT_EQ(BagReader(folder.path("mended")).about().count, 3U);
+}
+
 TEST(RecoverBag, TakesOneFileAlone) {
   const TemporaryFolder folder;
   write_cut_bag(folder.path("run"));

@@ -16,6 +16,7 @@ class Walk {
   Damage run() {
     Place place{magic.size(), 0};
     damage_.no_summary = true;
+    if (source_.size() < place.offset) damage_.cut_at = 0;
     while (place.offset < source_.size()) {
       const auto found = find_record(place);
       // A power cut may leave zeros, which are no record.
@@ -187,8 +188,10 @@ class Summarizer final : public ScanVisitor {
 
 Header read_header(ByteSource& source, const std::string& name) {
   std::array<std::uint8_t, magic.size()> begin{};
-  if (!source.read(0, begin.data(), begin.size()) || begin != magic) {
-    throw ConfigError(name + ": is no MCAP file, or ends within its first 8 bytes");
+  const auto there = static_cast<std::size_t>(std::min<std::uint64_t>(magic.size(), source.size()));
+  if (!source.read(0, begin.data(), there) ||
+      !std::equal(begin.begin(), begin.begin() + there, magic.begin())) {
+    throw ConfigError(name + ": is no MCAP file");
   }
   std::array<std::uint8_t, record_head> head{};
   if (!source.read(magic.size(), head.data(), head.size())) return {};

@@ -189,7 +189,7 @@ TEST(Reader, RefusesAnAttachmentWhoseChecksumIsWrong) {
 
 TEST(Reader, RefusesWhatIsNoMcapFileByItsName) {
   const TemporaryFolder folder;
-  for (const std::string text : {"", "abc", "a text that is longer than the magic bytes"}) {
+  for (const std::string text : {"abc", "a text that is longer than the magic bytes"}) {
     const std::string path = folder.write("wrong.mcap", text);
     try {
       const Reader sut(path);

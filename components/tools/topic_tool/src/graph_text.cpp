@@ -175,18 +175,8 @@ RawTopic readable(const std::vector<GraphEnd>& ends, const std::string& ros_topi
     throw EnvironmentError("topic " + ros_topic + " does not appear to be published yet");
   }
   const Topic& topic = found->second;
-  const auto& writers = topic.writers;
-  const auto all = [&](auto offers) {
-    return !writers.empty() && std::all_of(writers.begin(), writers.end(), offers);
-  };
-  RawTopic readable;
-  readable.name = wire_topic(ros_topic);
-  readable.type = (writers.empty() ? topic.readers : writers).front()->type;
-  readable.reliable = all([](const auto* end) { return end->qos.reliable(); });
-  readable.transient_local = readable.reliable && all([](const auto* end) {
-                               return end->qos.durability != Durability::volatile_kind;
-                             });
-  return readable;
+  if (!topic.writers.empty()) return tocsin::readable(topic.writers);
+  return {wire_topic(ros_topic), topic.readers.front()->type, false, false};
 }
 
 }  // namespace tocsin::topic_tool

@@ -191,6 +191,18 @@ std::vector<GraphEnd> settled_ends(const HostGraph& graph, Duration patience,
   return graph.ends();
 }
 
+RawTopic readable(const std::vector<const GraphEnd*>& writers) {
+  const auto all = [&](auto offers) { return std::all_of(writers.begin(), writers.end(), offers); };
+  RawTopic topic;
+  topic.name = writers.front()->topic;
+  topic.type = writers.front()->type;
+  topic.reliable = all([](const auto* end) { return end->qos.reliable(); });
+  topic.transient_local = topic.reliable && all([](const auto* end) {
+                            return end->qos.durability != Durability::volatile_kind;
+                          });
+  return topic;
+}
+
 std::unique_ptr<HostGraph> make_host_graph(const BusOptions& options) {
   return std::make_unique<FastDdsHostGraph>(options);
 }

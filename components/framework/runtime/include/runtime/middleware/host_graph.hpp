@@ -45,6 +45,11 @@ struct RawTopic {
   bool transient_local = false;
 };
 
+/// How to read what these writers of one topic write so that each is heard: reliable and with the
+/// last samples where all offer it. There is at least one; when their types differ, the first
+/// counts.
+[[nodiscard]] RawTopic readable(const std::vector<const GraphEnd*>& writers);
+
 /// Reads as long as it lives.
 class RawReading {
  public:
