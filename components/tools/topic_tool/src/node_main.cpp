@@ -6,8 +6,8 @@
 
 #include "command_line/command.hpp"
 #include "foundation/error.hpp"
-#include "node_text.hpp"
 #include "foundation/ros_names.hpp"
+#include "node_text.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {

@@ -235,5 +235,35 @@ TEST_F(HostGraphTest, OffersTheQosThatItIsGiven) {
   EXPECT_EQ(end.lifespan_s, 5);
 }
 
+TEST(Readable, IsReliableWithTheLastSamplesWhereAllWritersOfferIt) {
+  GraphEnd mode;
+  mode.topic = "rt/mode";
+  mode.type = "std_msgs::msg::dds_::String_";
+  mode.qos.reliability = Reliability::reliable;
+  mode.qos.durability = Durability::transient_local;
+  GraphEnd events = mode;
+  events.type = "another";
+  events.qos.durability = Durability::volatile_kind;
+  GraphEnd stream = events;
+  stream.qos.reliability = Reliability::best_effort;
+  const RawTopic of_mode = readable({&mode, &mode});
+  EXPECT_EQ(of_mode.name, "rt/mode");
+  EXPECT_EQ(of_mode.type, "std_msgs::msg::dds_::String_");
+  EXPECT_TRUE(of_mode.reliable);
+  EXPECT_TRUE(of_mode.transient_local);
+  EXPECT_TRUE(readable({&mode, &events}).reliable);
+  EXPECT_FALSE(readable({&mode, &events}).transient_local);
+  EXPECT_EQ(readable({&mode, &events}).type, "std_msgs::msg::dds_::String_");
+  EXPECT_FALSE(readable({&mode, &stream}).reliable);
+}
+
+TEST(Readable, AsksForNoLastSamplesOfAWriterThatRepairsNothing) {
+  GraphEnd odd;
+  odd.qos.reliability = Reliability::best_effort;
+  odd.qos.durability = Durability::transient_local;
+  EXPECT_FALSE(readable({&odd}).reliable);
+  EXPECT_FALSE(readable({&odd}).transient_local);
+}
+
 }  // namespace
 }  // namespace tocsin
