@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "documents.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "signed_text.hpp"
+
+namespace tocsin::keystore {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr std::int64_t now_s = 1'795'000'000;
+
+TEST(Documents, APermissionSaysWhoMayDoWhatAndUntilWhen) {
+  const Grant grant{"CN=/uxv1", now_s, now_s + 86'400, {{"rt/location", "rt/*"}, {"rt/goal"}}};
+  const std::string text = permissions_xml(grant);
+  EXPECT_THAT(text, HasSubstr("<subject_name>CN=/uxv1</subject_name>"));
+  EXPECT_THAT(text, HasSubstr("<default>DENY</default>"));
+  const auto read = grant_in(text);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->subject, "CN=/uxv1");
+  EXPECT_EQ(read->from_s, now_s);
+  EXPECT_EQ(read->until_s, now_s + 86'400);
+  EXPECT_THAT(read->permissions.publish, ElementsAre("rt/location", "rt/*"));
+  EXPECT_THAT(read->permissions.subscribe, ElementsAre("rt/goal"));
+}
+
+TEST(Documents, WhoMayDoNothingHasNoEmptyList) {
+  const std::string text = permissions_xml({"CN=/uxv1", 0, 1, {}});
+  EXPECT_THAT(text, Not(HasSubstr("<topics>")));
+  const auto read = grant_in(text);
+  ASSERT_TRUE(read);
+  EXPECT_THAT(read->permissions.publish, IsEmpty());
+}
+
+TEST(Documents, WhatIsNoPermissionIsNotRead) {
+  for (const char* text : {"", "<dds>", "<dds><permissions/></dds>", "not xml", "<a></b>"}) {
+    EXPECT_FALSE(grant_in(text)) << text;
+  }
+}
+
+TEST(Documents, UnknownDatesAreNotRead) {
+  std::string text = permissions_xml({"CN=/uxv1", 0, 1, {}});
+  text.replace(text.find("1970"), 4, "soon");
+  EXPECT_FALSE(grant_in(text));
+}
+
+TEST(Documents, ADateIsOfUtc) { EXPECT_EQ(date_text(0), "1970-01-01T00:00:00Z"); }
+
+TEST(SignedText, IsTheTextForWhoeverKnowsTheAuthority) {
+  const Authority authority = make_authority("one", now_s, 1);
+  const std::string document = sign(governance_xml(), authority);
+  EXPECT_EQ(verified(document, *authority.certificate, now_s), governance_xml());
+}
+
+TEST(SignedText, ChangedOrOfAnotherAuthorityItIsRefused) {
+  const Authority authority = make_authority("one", now_s, 1);
+  const Authority other = make_authority("one", now_s, 1);
+  std::string document = sign(governance_xml(), authority);
+  EXPECT_FALSE(verified(document, *other.certificate, now_s));
+  document.replace(document.find("ENCRYPT"), 7, "NONE   ");
+  EXPECT_FALSE(verified(document, *authority.certificate, now_s));
+  for (const char* text : {"", "no document", "MIME-Version: 1.0\n"}) {
+    EXPECT_FALSE(verified(text, *authority.certificate, now_s)) << text;
+  }
+}
+
+TEST(SignedText, OfAnAuthorityThatHasExpiredItIsRefused) {
+  const Authority authority = make_authority("one", now_s, 1);
+  const std::string document = sign("text", authority);
+  EXPECT_FALSE(verified(document, *authority.certificate, now_s + 2 * 86'400));
+}
+
+}  // namespace
+}  // namespace tocsin::keystore

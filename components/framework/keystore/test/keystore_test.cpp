@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "keystore/keystore.hpp"
+
+#include <sys/stat.h>
+
+#include "keystore_fixture.hpp"
+
+namespace tocsin::keystore {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST_F(KeystoreTest, HasTheFilesOfSros2) {
+  for (const char* file :
+       {"public/ca.cert.pem", "public/identity_ca.cert.pem", "public/permissions_ca.cert.pem",
+        "private/ca.key.pem", "private/identity_ca.key.pem", "private/permissions_ca.key.pem",
+        "enclaves/governance.p7s", "enclaves/governance.xml", "enclaves/uxv1/cert.pem",
+        "enclaves/uxv1/key.pem", "enclaves/uxv1/governance.p7s", "enclaves/uxv1/permissions.p7s",
+        "enclaves/uxv1/permissions.xml", "enclaves/uxv1/identity_ca.cert.pem",
+        "enclaves/uxv1/permissions_ca.cert.pem"}) {
+    EXPECT_FALSE(text_of(store() + "/" + file).empty()) << file;
+  }
+}
+
+TEST_F(KeystoreTest, NobodyElseReadsWhatIsSecret) {
+  for (const char* file : {"/private/ca.key.pem", "/enclaves/uxv1/key.pem"}) {
+    struct stat facts {};
+    ASSERT_EQ(stat((store() + file).c_str(), &facts), 0);
+    EXPECT_EQ(facts.st_mode & 077U, 0U) << file;
+  }
+}
+
+TEST_F(KeystoreTest, NamesItsIdentities) {
+  EXPECT_THAT(names_in(store()), ElementsAre("gcs", "uxv1"));
+  EXPECT_EQ(enclave_folder(store(), "gcs"), enclave("gcs"));
+  EXPECT_THAT(error_of([&] { (void)enclave_folder(store(), "uxv2"); }),
+              AllOf(HasSubstr("no identity 'uxv2'"), HasSubstr("[gcs, uxv1]")));
+}
+
+TEST_F(KeystoreTest, IsNotMadeOverWhatIsThere) {
+  EXPECT_THAT(error_of([&] { create(store(), now_s); }), HasSubstr("is not empty"));
+  EXPECT_THAT(problems("uxv1"), IsEmpty());
+}
+
+TEST_F(KeystoreTest, AnIdentityIsNotMadeTwice) {
+  const std::string key = text_of(enclave("uxv1") + "/key.pem");
+  EXPECT_THAT(error_of([&] { add(store(), {"uxv1", {}}, now_s); }), HasSubstr("is there already"));
+  EXPECT_EQ(text_of(enclave("uxv1") + "/key.pem"), key);
+}
+
+TEST_F(KeystoreTest, ANameThatLeavesItsFolderIsRefused) {
+  for (const char* name : {"", "../uxv2", "a/b", "a b", ".", "\n"}) {
+    EXPECT_THAT(error_of([&] {
+                  add(store(), {name, {}}, now_s);
+                }),
+                HasSubstr("allowed are letters"))
+        << name;
+  }
+}
+
+TEST_F(KeystoreTest, PermissionsAreSignedAnewWithTheSameIdentity) {
+  const std::string certificate = text_of(enclave("uxv1") + "/cert.pem");
+  permit(store(), "uxv1", {{"rt/odom"}, {}}, now_s);
+  EXPECT_EQ(read_enclave(enclave("uxv1")).permissions, (Permissions{{"rt/odom"}, {}}));
+  EXPECT_EQ(text_of(enclave("uxv1") + "/cert.pem"), certificate);
+  EXPECT_THAT(problems("uxv1"), IsEmpty());
+}
+
+TEST_F(KeystoreTest, ARevokedIdentityIsOneForAll) {
+  revoke(store(), "uxv1", now_s);
+  EXPECT_THAT(problems("uxv1"), ElementsAre(HasSubstr("is revoked")));
+  EXPECT_THAT(problems("gcs"), IsEmpty());
+  EXPECT_EQ(text_of(enclave("gcs") + "/crl.pem"), text_of(store() + "/public/crl.pem"));
+  EXPECT_THAT(error_of([&] { revoke(store(), "uxv1", now_s); }), HasSubstr("is revoked already"));
+}
+
+TEST_F(KeystoreTest, ARevokedNameCanBeGivenAgain) {
+  revoke(store(), "uxv1", now_s);
+  const std::string before = text_of(enclave("uxv1") + "/cert.pem");
+  add(store(), {"uxv1", {{"rt/location"}, {}}}, now_s);
+  EXPECT_THAT(problems("uxv1"), IsEmpty());
+  EXPECT_NE(text_of(enclave("uxv1") + "/cert.pem"), before);
+  write(enclave("uxv1") + "/cert.pem", before);
+  EXPECT_THAT(problems("uxv1"), Contains(HasSubstr("is revoked")));
+}
+
+TEST_F(KeystoreTest, WithoutItsPrivateKeyNothingIsMade) {
+  fs::rename(store() + "/private", store() + "/elsewhere");
+  EXPECT_THAT(error_of([&] {
+                add(store(), {"uxv2", {}}, now_s);
+              }),
+              HasSubstr("identities are made where it is"));
+  EXPECT_FALSE(fs::exists(enclave("uxv2")));
+  EXPECT_THAT(problems("uxv1"), IsEmpty());
+}
+
+TEST_F(KeystoreTest, AFolderThatIsNoKeystoreSaysSo) {
+  EXPECT_THAT(error_of([&] { (void)names_in(folder_.path()); }), HasSubstr("is no keystore"));
+}
+
+}  // namespace
+}  // namespace tocsin::keystore
