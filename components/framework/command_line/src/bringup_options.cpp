@@ -24,6 +24,8 @@ void BringupOptions::declare(CLI::App& app) {
       ->check(CLI::NonNegativeNumber);
   app.add_option("--channel", overrides.channel,
                  "channel file of the radio, in place of the file's");
+  app.add_option("--security", overrides.security,
+                 "keystore of the link, in place of the file's; see tocsin keystore");
   app.add_option("--domain", domain, "first of three DDS domain ids, in place of the file's")
       ->check(CLI::Range(0, 229));
 }
@@ -45,6 +47,7 @@ std::vector<std::string> BringupOptions::arguments() const {
   for (const std::string& setting : overrides.set) add("--set", setting);
   for (const std::string& process : overrides.without) add("--without", process);
   if (!overrides.channel.empty()) add("--channel", overrides.channel);
+  if (!overrides.security.empty()) add("--security", overrides.security);
   if (domain) add("--domain", std::to_string(*domain));
   return words;
 }

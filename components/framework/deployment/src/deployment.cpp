@@ -169,6 +169,15 @@ void replace_channel(const std::string& channel, Deployment& deployment) {
   if (!std::filesystem::exists(channel)) fail(deployment, "channel: no file " + channel);
 }
 
+/// Puts the command line's keystore in place of the file's.
+void replace_security(const std::string& folder, Deployment& deployment) {
+  if (folder.empty()) return;
+  deployment.security = std::filesystem::absolute(folder);
+  if (!std::filesystem::is_directory(folder)) {
+    fail(deployment, "--security " + printable(folder) + ": is no folder");
+  }
+}
+
 /// `parameters` come after the base's; what has a name is known by it.
 ListMerge bringup_lists(const YamlPath& path) {
   if (path == YamlPath{"parameters"}) return ListMerge::append;
@@ -240,10 +249,15 @@ Deployment load_deployment(const std::string& path, const Overrides& overrides) 
   deployment.stop_when_exits = without_slash(deployment.stop_when_exits);
   check_whole(deployment);
   replace_channel(overrides.channel, deployment);
+  replace_security(overrides.security, deployment);
   merge_parameters(parameters, removed, deployment);
   for (const std::string& process : overrides.without) leave_out(process, deployment);
   assign_domains(overrides.domain.value_or(domain), deployment);
   return deployment;
+}
+
+std::string enclave_of(const Deployment& deployment, const Host& host) {
+  return deployment.security.empty() ? "" : deployment.security + "/enclaves/" + host.enclave;
 }
 
 const Host& host_named(const Deployment& deployment, const std::string& given) {

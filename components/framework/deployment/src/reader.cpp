@@ -88,7 +88,7 @@ Host read_host(const std::string& name, const YAML::Node& node, const YamlSource
   check_name(name, "hosts", node, sources);
   const std::string owner = "hosts." + name;
   const Section section(node, owner, sources,
-                        {"role", "address", "peers", "programs", "containers"});
+                        {"role", "address", "peers", "enclave", "programs", "containers"});
   Host host;
   host.name = name;
   const std::string role = section.required_text("role");
@@ -98,6 +98,7 @@ Host read_host(const std::string& name, const YAML::Node& node, const YamlSource
   check_address(host.address, "address", section);
   host.peers = section.texts("peers");
   for (const std::string& peer : host.peers) check_address(peer, "peers", section);
+  host.enclave = section.text("enclave", name);
   for (const YAML::Node& item : section.items("programs")) {
     host.programs.push_back(read_program(item, owner + ".programs", sources));
   }
@@ -129,7 +130,7 @@ std::optional<Radio> read_radio(const YAML::Node& node, const YamlSources& sourc
 
 std::vector<std::string> body_keys(const std::vector<std::string>& more) {
   std::vector<std::string> keys{"qos",     "traffic", "namespace", "stop_when_exits",
-                                "restart", "radio",   "hosts"};
+                                "restart", "radio",   "security",  "hosts"};
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }
@@ -146,6 +147,7 @@ void read_body(const Section& section, const YamlSources& sources, Named named,
   deployment.stop_when_exits = section.text("stop_when_exits", "");
   deployment.restart = read_restart(section.find("restart"), sources);
   deployment.radio = read_radio(section.find("radio"), sources, named);
+  deployment.security = section.folder("security", named);
   const YAML::Node hosts = section.find("hosts");
   if (!hosts.IsDefined()) section.fail("hosts", "is missing");
   const Section names(hosts, "hosts", sources);

@@ -90,6 +90,7 @@ void write(YAML::Emitter& out, const Host& host, const YamlSources& sources) {
   pair(out, "role", to_string(host.role));
   text(out, "address", host.address);
   texts(out, "peers", host.peers);
+  text(out, "enclave", host.enclave);
   out << YAML::Key << "programs" << YAML::Value << BeginSeq;
   for (const Program& program : host.programs) write(out, program);
   out << EndSeq << YAML::Key << "containers" << YAML::Value << BeginSeq;
@@ -113,6 +114,7 @@ void write(YAML::Emitter& out, const Deployment& deployment) {
   text(out, "traffic", deployment.traffic);
   pair(out, "domain", deployment.link_domain - 2);
   text(out, "namespace", deployment.ros_namespace);
+  text(out, "security", deployment.security);
   text(out, "stop_when_exits", deployment.stop_when_exits);
   write_all(out, "restart", deployment.restart);
   if (deployment.radio) write(out, *deployment.radio);

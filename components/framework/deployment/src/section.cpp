@@ -103,6 +103,17 @@ std::string Section::file(const std::string& key, Named named) const {
   return path;
 }
 
+std::string Section::folder(const std::string& key, Named named) const {
+  const std::string value = text(key, "");
+  if (value.empty()) return value;
+  std::string path = sources_.path(find(key), value);
+  const bool must_be_there = named == Named::must_be_readable;
+  if (must_be_there && !std::filesystem::is_directory(path)) {
+    fail(key, "'" + printable(path) + "' is no folder");
+  }
+  return path;
+}
+
 int Section::whole(const std::string& key, int fallback, int min, int max) const {
   const std::string value = text(key, std::to_string(fallback));
   int read = 0;

@@ -42,6 +42,8 @@ class Section {
   [[nodiscard]] std::string required_name(const std::string& key) const;
   /// An absolute path of a file; empty when absent.
   [[nodiscard]] std::string file(const std::string& key, Named named) const;
+  /// An absolute path of a folder; empty when absent.
+  [[nodiscard]] std::string folder(const std::string& key, Named named) const;
   [[nodiscard]] int whole(const std::string& key, int fallback, int min, int max) const;
   [[nodiscard]] bool flag(const std::string& key, bool fallback) const;
   /// A list of texts; empty when absent.

@@ -66,6 +66,27 @@ TEST_F(DeploymentTest, RejectsAChannelThatIsNotThereOrHasNoRadio) {
   EXPECT_THAT(error_of(with(whole, radio, "")), HasSubstr("no channel to replace"));
 }
 
+TEST_F(DeploymentTest, AnOpenLinkHasNoEnclaves) {
+  const auto deployment = load(whole);
+  EXPECT_EQ(deployment.security, "");
+  EXPECT_EQ(enclave_of(deployment, deployment.hosts[0]), "");
+}
+
+TEST_F(DeploymentTest, ASecuredLinkHasAnEnclaveForEachHost) {
+  overrides_.security = ::testing::TempDir();
+  const auto deployment = load(with(whole, "role: gcs", "role: gcs\n    enclave: tower"));
+  const std::string enclaves = deployment.security + "/enclaves/";
+  EXPECT_EQ(enclave_of(deployment, deployment.hosts[0]), enclaves + "uxv");
+  EXPECT_EQ(enclave_of(deployment, deployment.hosts[1]), enclaves + "tower");
+}
+
+TEST_F(DeploymentTest, RejectsAKeystoreThatIsNotThere) {
+  EXPECT_THAT(error_of(with(whole, "domain: 40", "domain: 40\nsecurity: ./nowhere")),
+              HasSubstr("deployment.security: '"));
+  overrides_.security = "/nowhere";
+  EXPECT_THAT(error_of(whole), HasSubstr("--security /nowhere: is no folder"));
+}
+
 TEST_F(DeploymentTest, AllowsDomainsUpTo229) {
   EXPECT_EQ(error_of(with(whole, "domain: 40", "domain: 229")), "no error");
   EXPECT_THAT(error_of(with(whole, "domain: 40", "domain: 230")),
@@ -93,14 +114,14 @@ TEST_F(DeploymentTest, RejectsUnknownKeysEverywhereWithTheirLine) {
 
 TEST_F(DeploymentTest, AnUnknownKeyNamesAllKeysOnceAndComesBeforeWhatIsMissing) {
   EXPECT_THAT(error_of(with(whole, "role: uxv", "rol: uxv")),
-              HasSubstr("hosts.uxv.rol: unknown key; allowed: [role, address, peers, programs, "
-                        "containers] ("));
+              HasSubstr("hosts.uxv.rol: unknown key; allowed: [role, address, peers, enclave, "
+                        "programs, containers] ("));
   EXPECT_THAT(error_of(with(whole, "terminal: true", "terminl: true")),
               HasSubstr("allowed: [name, terminal, threads, health, components]"));
   EXPECT_THAT(
       error_of(with(whole, "domain: 40", "domian: 40")),
-      HasSubstr("allowed: [qos, traffic, namespace, stop_when_exits, restart, radio, hosts, "
-                "domain, parameters]"));
+      HasSubstr("allowed: [qos, traffic, namespace, stop_when_exits, restart, radio, security, "
+                "hosts, domain, parameters]"));
 }
 
 TEST_F(DeploymentTest, RejectsAKeyThatIsGivenTwice) {

@@ -23,6 +23,7 @@ BusOptions bus_of(const deployment::Deployment& deployment, const deployment::Ho
   bus.link_domain = deployment.link_domain;
   bus.link_address = host.address;
   bus.link_peers = host.peers;
+  bus.enclave = enclave_of(deployment, host);
   bus.host = "estop";
   return bus;
 }
@@ -46,6 +47,7 @@ EstopTarget target_of(const EstopOptions& options) {
     bus.link_domain = *options.link_domain;
     bus.link_address = options.address;
     bus.link_peers = options.peers;
+    bus.enclave = options.enclave;
     bus.host = "estop";
     bus.role = Role::gcs;
     bus.traffic_file = share_folder(own_program()) / "config/traffic.yaml";
@@ -107,6 +109,9 @@ void EstopOptions::declare(CLI::App& app) {
   app.add_option("--peer", peers, "IPv4 address of the vehicle on the link")
       ->expected(1)
       ->take_all();
+  app.add_option("--enclave", enclave,
+                 "folder of the identity with which a secured link lets it in")
+      ->check(CLI::ExistingDirectory);
   app.add_option("--namespace", ros_namespace, "ROS namespace of the topics, with a domain");
 }
 

@@ -29,6 +29,7 @@ struct EstopOptions {
   std::optional<int> link_domain;  ///< of the topics that cross the radio
   std::string address;             ///< own IPv4 on the link
   std::vector<std::string> peers;
+  std::string enclave;  ///< folder of the own identity on a secured link
   std::string ros_namespace;
 
   void declare(CLI::App& app);

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <map>
 
@@ -14,6 +15,7 @@
 #include "examine_load.hpp"
 #include "examine_programs.hpp"
 #include "examine_routers.hpp"
+#include "examine_security.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "runtime/middleware/component_library.hpp"
@@ -101,7 +103,8 @@ int check(Options& options) {
   BuiltGraph built = build_graph(deployment);
   examine_files(deployment, built);
   for (const auto& found : {examine_domains(deployment), examine_routers(deployment, built.graph),
-                            examine_programs(deployment, program_folders())}) {
+                            examine_programs(deployment, program_folders()),
+                            examine_security(deployment, std::time(nullptr))}) {
     built.findings.insert(built.findings.end(), found.begin(), found.end());
   }
   const std::size_t errors = print(built.findings, Severity::error, "error");

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
+#include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -16,6 +18,7 @@
 #include "foundation/error.hpp"
 #include "foundation/file_descriptor.hpp"
 #include "interfaces.hpp"
+#include "keystore/enclave.hpp"
 #include "leftovers.hpp"
 #include "limits.hpp"
 
@@ -61,10 +64,19 @@ Advice judge_domain(const std::string& what, int domain, const std::set<int>& po
           ""};
 }
 
+/// Of a host that has its identity here.
+Advice judge_identity(const std::string& enclave) {
+  const auto problems = keystore::problems_of(enclave, std::time(nullptr));
+  if (problems.empty()) return {Fitness::good, "identity " + enclave + ": sound", ""};
+  return {Fitness::bad, problems.front(), "tocsin keystore check"};
+}
+
 void examine(const deployment::Deployment& deployment, Advices& advices) {
   const auto here = interfaces();
   const std::set<int> ports = udp_ports(read_file("/proc/net/udp").value_or(""));
   for (const deployment::Host& host : deployment.hosts) {
+    const std::string enclave = enclave_of(deployment, host);
+    if (std::filesystem::is_directory(enclave)) advices.push_back(judge_identity(enclave));
     advices.push_back(judge_address(host.address, here));
     advices.push_back(judge_domain(host.name, host.local_domain, ports));
     if (advices[advices.size() - 2].fitness == Fitness::unknown) continue;

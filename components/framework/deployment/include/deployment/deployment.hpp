@@ -68,6 +68,7 @@ struct Host {
   int local_domain = 0;            ///< DDS domain id of topics that stay on this host
   std::vector<Program> programs;
   std::vector<Container> containers;
+  std::string enclave = {};  ///< name of its identity in the keystore
 };
 
 /// The emulated radio between the two hosts; with it each host has a network namespace.
@@ -101,6 +102,7 @@ struct Deployment {
   std::string traffic;          ///< path; empty only without containers
   int link_domain = 2;          ///< DDS domain id of the topics that cross the radio
   std::string ros_namespace;    ///< of all topics; empty or words joined by '/'
+  std::string security;         ///< folder of the link's keystore; empty: the link is open
   std::string stop_when_exits;  ///< "host/process" whose exit with 0 or 1 ends the run; or empty
   RestartPolicy restart;
   std::optional<Radio> radio;
@@ -114,6 +116,7 @@ struct Overrides {
   int seed = 1;               ///< value of ${seed}
   std::optional<int> domain;  ///< in place of the file's `domain`
   std::string channel;        ///< path in place of the file's `radio.channel`; empty: none
+  std::string security;       ///< path in place of the file's `security`; empty: none
   /// "name.key=value" or "host/name.key=value", value in YAML; names as in `means`.
   std::vector<std::string> set;
   /// "host/process" or "host/process/component" left out; names as in `resolve_path`.
@@ -144,6 +147,8 @@ void write_resolved(const Deployment& deployment, const std::string& path);
 /// Null when there is no such host or container.
 [[nodiscard]] const Host* find_host(const Deployment& deployment, const std::string& name);
 [[nodiscard]] const Container* find_container(const Host& host, const std::string& name);
+/// The folder of the host's identity for the link; empty when the link is open.
+[[nodiscard]] std::string enclave_of(const Deployment& deployment, const Host& host);
 /// Whether one of the host's containers has the component `link_router`: then that alone speaks on
 /// the link.
 [[nodiscard]] bool is_routed(const Host& host);

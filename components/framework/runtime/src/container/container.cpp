@@ -27,7 +27,8 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
           host.peers,
           false,
           host.name,
-          gid_size_of_environment()};
+          gid_size_of_environment(),
+          enclave_of(deployment, host)};
 }
 
 }  // namespace

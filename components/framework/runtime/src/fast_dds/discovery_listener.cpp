@@ -4,10 +4,13 @@
 #include <fastdds/rtps/participant/ParticipantDiscoveryInfo.h>
 #include <fastdds/rtps/reader/ReaderDiscoveryInfo.h>
 #include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
 
 #include <algorithm>
 #include <array>
 #include <limits>
+
+#include "foundation/printable.hpp"
 
 namespace tocsin {
 namespace {
@@ -74,21 +77,47 @@ AnnouncedEnd end_of(const Data& data, bool writer) {
           seconds_of(data.m_qos.m_lifespan.duration)};
 }
 
+/// Fast DDS tells a participant of its own endpoints, too.
+bool owns(const dds::DomainParticipant* self, const rtps::GUID_t& endpoint) {
+  return endpoint.guidPrefix == self->guid().guidPrefix;
+}
+
 }  // namespace
 
 void DiscoveryListener::on_participant_discovery(dds::DomainParticipant*,
                                                  rtps::ParticipantDiscoveryInfo&& info) {
   using Info = rtps::ParticipantDiscoveryInfo;
   const auto& prefix = info.info.m_guid.guidPrefix;
-  if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
-    ends_.remove(prefix);
+  const bool gone =
+      info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT;
+  const std::string name = info.info.m_participantName.to_string();
+  if (acquaintance_ == Acquaintance::when_authenticated) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (gone) strangers_.erase(prefix);
+    if (info.status == Info::DISCOVERED_PARTICIPANT) strangers_[prefix] = name;
+    if (!gone) return;
+  }
+  gone ? ends_.remove(prefix) : ends_.add(prefix, name);
+}
+
+void DiscoveryListener::onParticipantAuthentication(dds::DomainParticipant*,
+                                                    rtps::ParticipantAuthenticationInfo&& info) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto stranger = strangers_.find(info.guid.guidPrefix);
+  if (stranger == strangers_.end()) return;
+  const std::string name = stranger->second;
+  strangers_.erase(stranger);
+  lock.unlock();
+  if (info.status == rtps::ParticipantAuthenticationInfo::AUTHORIZED_PARTICIPANT) {
+    ends_.add(info.guid.guidPrefix, name);
   } else {
-    ends_.add(prefix, info.info.m_participantName.to_string());
+    log_.warn("participant '{}' is refused: its identity is not accepted", printable(name));
   }
 }
 
-void DiscoveryListener::on_publisher_discovery(dds::DomainParticipant*,
+void DiscoveryListener::on_publisher_discovery(dds::DomainParticipant* self,
                                                rtps::WriterDiscoveryInfo&& info) {
+  if (owns(self, info.info.guid())) return;
   if (info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER) {
     ends_.remove(info.info.guid());
   } else {
@@ -96,8 +125,9 @@ void DiscoveryListener::on_publisher_discovery(dds::DomainParticipant*,
   }
 }
 
-void DiscoveryListener::on_subscriber_discovery(dds::DomainParticipant*,
+void DiscoveryListener::on_subscriber_discovery(dds::DomainParticipant* self,
                                                 rtps::ReaderDiscoveryInfo&& info) {
+  if (owns(self, info.info.guid())) return;
   if (info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER) {
     ends_.remove(info.info.guid());
   } else {

@@ -9,12 +9,14 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <random>
 
 #include "fast_dds/fast_dds_qos.hpp"
 #include "fast_dds/host_multicast.hpp"
 #include "fast_dds/host_transport.hpp"
 #include "fast_dds/packet_filter.hpp"
+#include "keystore/enclave.hpp"
 #include "runtime/middleware/link_limits.hpp"
 
 namespace tocsin {
@@ -40,7 +42,7 @@ std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {options.address};
   if (!options.marks) return udp;
-  return marked(std::move(udp), options.marks);
+  return marked(std::move(udp), options.marks, !options.enclave.empty());
 }
 
 std::shared_ptr<SharedMemTransportDescriptor> shared_memory_transport() {
@@ -134,6 +136,32 @@ rtps::Locator_t fresh_shared_memory_port() {
   return locator;
 }
 
+/// DDS Security 1.1 with the plug-ins of its clause 9, with the files of a SROS2 enclave.
+void secure(const std::string& enclave, dds::DomainParticipantQos& qos) {
+  auto& properties = qos.properties().properties();
+  const auto add = [&](const char* name, const std::string& value) {
+    properties.emplace_back(name, value);
+  };
+  const auto add_file = [&](const char* name, const char* file) {
+    add(name, "file://" + enclave + "/" + file);
+  };
+  add("dds.sec.auth.plugin", "builtin.PKI-DH");
+  add_file("dds.sec.auth.builtin.PKI-DH.identity_ca", keystore::enclave_file::identity_ca);
+  add_file("dds.sec.auth.builtin.PKI-DH.identity_certificate", keystore::enclave_file::certificate);
+  add_file("dds.sec.auth.builtin.PKI-DH.private_key", keystore::enclave_file::key);
+  if (std::filesystem::exists(enclave + "/" + keystore::enclave_file::revocations)) {
+    add_file("dds.sec.auth.builtin.PKI-DH.identity_crl", keystore::enclave_file::revocations);
+  }
+  add("dds.sec.crypto.plugin", "builtin.AES-GCM-GMAC");
+  add("dds.sec.access.plugin", "builtin.Access-Permissions");
+  add_file("dds.sec.access.builtin.Access-Permissions.permissions_ca",
+           keystore::enclave_file::permissions_ca);
+  add_file("dds.sec.access.builtin.Access-Permissions.governance",
+           keystore::enclave_file::governance);
+  add_file("dds.sec.access.builtin.Access-Permissions.permissions",
+           keystore::enclave_file::permissions);
+}
+
 }  // namespace
 
 dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
@@ -141,8 +169,11 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   qos.name(options.name);
   qos.user_data().data_vec({options.user_data.begin(), options.user_data.end()});
   qos.transport().use_builtin_transports = false;
-  auto filter = std::make_shared<PacketFilter>(
-      limits_in({options.address, options.peers, options.marks != nullptr}));
+  rtps_filter::Limits limits =
+      limits_in({options.address, options.peers, options.marks != nullptr});
+  limits.secured = !options.enclave.empty();
+  auto filter = std::make_shared<PacketFilter>(std::move(limits));
+  if (!options.enclave.empty()) secure(options.enclave, qos);
   qos.transport().user_transports = {
       hold(transport_of(options), options.reception, std::move(filter))};
   if (options.shared_memory) {

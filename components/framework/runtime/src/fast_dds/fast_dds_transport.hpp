@@ -28,6 +28,7 @@ struct ParticipantOptions {
   RemoteEnds::OnEnd on_end = {};
   RemoteEnds::OnParticipant on_participant = {};
   std::shared_ptr<RadioMarks> marks = {};  ///< of a router's packets
+  std::string enclave = {};                ///< folder of its identity; empty: no DDS Security
   /// Released when the participant is complete.
   std::shared_ptr<DeferredReception> reception = std::make_shared<DeferredReception>();
 };

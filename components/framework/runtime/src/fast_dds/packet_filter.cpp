@@ -82,6 +82,11 @@ Limits limits_on_host(const std::set<std::uint32_t>& configured) {
   return limits;
 }
 
+rtps_filter::Source source_in(const rtps::Locator_t& from) {
+  const rtps::octet* const a = rtps::IPLocator::getIPv4(from);
+  return {ipv4(a[0], a[1], a[2], a[3]), rtps::IPLocator::getPhysicalPort(from)};
+}
+
 }  // namespace
 
 Limits limits_in(const Surroundings& surroundings) {
@@ -96,15 +101,21 @@ Limits limits_in(const Surroundings& surroundings) {
 
 rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::size_t size,
                                               const rtps::Locator_t& from) {
-  const rtps::octet* const a = rtps::IPLocator::getIPv4(from);
-  const rtps_filter::Source source{ipv4(a[0], a[1], a[2], a[3]),
-                                   rtps::IPLocator::getPhysicalPort(from)};
+  const rtps_filter::Source source = source_in(from);
   const Time now = std::chrono::steady_clock::now();
   std::unique_lock<std::mutex> lock(mutex_);
   rtps_filter::Inspection inspection = filter_.inspect(bytes, size, source, now);
   lock.unlock();
   if (inspection.drop) count_dropped_packet(*inspection.drop, source.address);
   return inspection;
+}
+
+PieceAssembly::Result PacketFilter::assemble(const std::uint8_t* bytes, std::size_t size,
+                                             const rtps::Locator_t& from) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const rtps_filter::Source source = source_in(from);
+  return pieces_.add(bytes, size, std::uint64_t{source.address} << 16U | source.port,
+                     std::chrono::steady_clock::now());
 }
 
 std::vector<std::uint8_t> PacketFilter::without(const std::uint8_t* bytes, std::size_t size,

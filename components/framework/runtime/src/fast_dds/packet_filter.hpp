@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "link/message_pieces.hpp"
 #include "rtps_filter/rtps_filter.hpp"
 
 namespace tocsin {
@@ -27,7 +28,8 @@ struct Surroundings {
 /// thread.
 class PacketFilter {
  public:
-  explicit PacketFilter(rtps_filter::Limits limits) : filter_(std::move(limits)) {}
+  explicit PacketFilter(rtps_filter::Limits limits)
+      : secured_(limits.secured), filter_(std::move(limits)) {}
 
   /// Calls `show(bytes, size)` with the packet, or a copy without what must not be read, and before
   /// it with an announcement that it completes; or does not.
@@ -36,6 +38,11 @@ class PacketFilter {
             const eprosima::fastrtps::rtps::Locator_t& from, Show show) {
     const rtps_filter::Inspection inspection = inspect(bytes, size, from);
     if (inspection.drop) return;
+    if (secured_) {
+      const auto assembled = assemble(bytes, size, from);
+      if (assembled.whole) pass(assembled.whole->data(), assembled.whole->size(), from, show);
+      if (assembled.piece) return;
+    }
     if (!inspection.before.empty()) show(inspection.before.data(), inspection.before.size());
     if (inspection.strip.empty() && inspection.hide.empty()) return show(bytes, size);
     const std::vector<std::uint8_t> shown = without(bytes, size, inspection);
@@ -47,8 +54,12 @@ class PacketFilter {
                                   const eprosima::fastrtps::rtps::Locator_t& from);
   static std::vector<std::uint8_t> without(const std::uint8_t* bytes, std::size_t size,
                                            const rtps_filter::Inspection& inspection);
+  PieceAssembly::Result assemble(const std::uint8_t* bytes, std::size_t size,
+                                 const eprosima::fastrtps::rtps::Locator_t& from);
+  const bool secured_;
   std::mutex mutex_;
   rtps_filter::RtpsFilter filter_;
+  PieceAssembly pieces_;
 };
 
 }  // namespace tocsin

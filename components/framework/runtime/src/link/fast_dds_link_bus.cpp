@@ -4,8 +4,11 @@
 #include <chrono>
 #include <utility>
 
+#include "fast_dds/this_host.hpp"
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "idl_support/encode.hpp"
+#include "keystore/enclave.hpp"
 #include "link/flow_text.hpp"
 #include "link/origin.hpp"
 #include "link/raw_type.hpp"
@@ -45,10 +48,18 @@ QosProfile offered_on_link(const Flow& flow) {
   return profile;
 }
 
+/// Fast DDS gives no reason when it refuses an identity.
+const BusOptions& with_sound_identity(const BusOptions& options) {
+  if (options.enclave.empty()) return options;
+  const auto problems = keystore::problems_of(options.enclave, wall_now_ns() / 1'000'000'000);
+  if (!problems.empty()) throw ConfigError(joined(problems, "; "));
+  return options;
+}
+
 }  // namespace
 
 FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> on_event)
-    : options_(options),
+    : options_(with_sound_identity(options)),
       rules_(options.traffic_file, options.role),
       table_(options.ros_namespace, rules_, std::move(on_event)),
       host_(host_options()) {
@@ -78,6 +89,7 @@ ParticipantOptions FastDdsLinkBus::link_options() {
   ParticipantOptions link{options_.host + router_suffix, options_.link_domain,
                           options_.link_address, options_.link_peers};
   link.marks = marks_;
+  link.enclave = options_.enclave;
   link.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_link_end(guid, end, there);
   };
@@ -94,11 +106,15 @@ void FastDdsLinkBus::join_link() {
 
 void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
   const std::string topic = table_.names().on_wire(sending.flow.topic);
-  sending.writer = std::make_unique<FlowWriter>(
-      *link_, topic, sending.flow.type, offered_on_link(sending.flow),
-      [this, id](const auto& peer) {
-        table_.push(link_event::PeerListens{id, FlowTable::peer_of(peer)});
-      });
+  const auto on_reader = [this, id](const auto& peer) {
+    table_.push(link_event::PeerListens{id, FlowTable::peer_of(peer)});
+  };
+  try {
+    sending.writer = std::make_unique<FlowWriter>(*link_, topic, sending.flow.type,
+                                                  offered_on_link(sending.flow), on_reader);
+  } catch (const EnvironmentError& error) {
+    return log_refusal("send", topic, error);
+  }
   marks_->set(sending.writer->entity(), rules_.dscp(sending.traffic_class), sending.traffic_class);
 }
 
@@ -128,8 +144,19 @@ void FastDdsLinkBus::listen_on_link(const Flow& flow) {
   const ReaderKey key{table_.names().on_wire(flow.topic), flow.type};
   auto& reader = link_readers_[key];
   if (reader) return;
-  reader = std::make_unique<FlowReader>(
-      *link_, key, [this](TakenSample&& taken) { on_link_sample(std::move(taken)); });
+  try {
+    reader = std::make_unique<FlowReader>(
+        *link_, key, [this](TakenSample&& taken) { on_link_sample(std::move(taken)); });
+  } catch (const EnvironmentError& error) {
+    log_refusal("receive", key.topic, error);
+  }
+}
+
+void FastDdsLinkBus::log_refusal(const char* what, const std::string& topic,
+                                 const EnvironmentError& error) {
+  if (options_.enclave.empty()) return log_.error("{}", error.what());
+  log_.error("the identity in {} may not {} {}; `tocsin keystore permit` allows it",
+             options_.enclave, what, topic);
 }
 
 /// A best-effort reader also hears writers that offer more, which have a reader of their own.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "foundation/error.hpp"
 #include "link/flow_ends.hpp"
 #include "link/flow_table.hpp"
 #include "link/late_interface.hpp"
@@ -20,7 +21,8 @@ namespace tocsin {
 /// is there, and the only one on the link. The one on the link is made when its interface is up.
 class FastDdsLinkBus final : public LinkBus {
  public:
-  /// Throws EnvironmentError when a participant cannot be created.
+  /// Throws EnvironmentError when a participant cannot be created, ConfigError for an identity that
+  /// nobody would accept.
   FastDdsLinkBus(const BusOptions& options, std::function<void()> on_event);
 
   [[nodiscard]] std::optional<LinkEvent> take() override;
@@ -52,7 +54,9 @@ class FastDdsLinkBus final : public LinkBus {
   [[nodiscard]] ParticipantOptions host_options();
   [[nodiscard]] ParticipantOptions link_options();
   void join_link();
+  /// Without a writer, and with a line in the log, when Fast DDS refuses.
   void connect(FlowId id, Sending& sending);
+  void log_refusal(const char* what, const std::string& topic, const EnvironmentError& error);
   void listen_on_host(const Flow& flow);
   void listen_on_link(const Flow& flow);
   void on_host_sample(const ReaderKey& key, TakenSample&& taken);

@@ -110,7 +110,21 @@ class MarkingSender : public rtps::SenderResource {
       const rtps::Locator_t& to = *next;
       if (to.kind != LOCATOR_KIND_UDPv4 || rtps::IPLocator::isMulticast(to)) continue;
       if (state && !passes(*state, {{bytes, bytes + size}, to})) continue;
-      all = socket_.send(bytes, size, to, marks_->mark(bytes, size)) && all;
+      all = send_in_pieces(bytes, size, to) && all;
+    }
+    return all;
+  }
+  bool send_in_pieces(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to) {
+    if (size <= radio_message_bytes) {
+      return socket_.send(bytes, size, to, marks_->mark(bytes, size, size));
+    }
+    bool all = true;
+    std::unique_lock<std::mutex> lock(mutex_);
+    const auto pieces = pieces_.of(bytes, size);
+    lock.unlock();
+    for (const auto& piece : pieces) {
+      all = socket_.send(piece.data(), piece.size(), to, marks_->mark(bytes, size, piece.size())) &&
+            all;
     }
     return all;
   }
@@ -128,7 +142,7 @@ class MarkingSender : public rtps::SenderResource {
       if (const auto due = pacer_.take_due(std::chrono::steady_clock::now())) {
         const auto& bytes = due->message;
         (void)socket_.send(bytes.data(), bytes.size(), due->to,
-                           marks_->mark(bytes.data(), bytes.size()));
+                           marks_->mark(bytes.data(), bytes.size(), bytes.size()));
         continue;
       }
       const Time deadline = pacer_.deadline();
@@ -145,20 +159,21 @@ class MarkingSender : public rtps::SenderResource {
   std::mutex mutex_;
   std::condition_variable changed_;
   DiscoveryPacer pacer_;
+  MessagePieces pieces_;
   bool stopping_ = false;
   std::thread thread_;  // last: it uses all of this
 };
 
 struct MarkingDescriptor : ChainingTransportDescriptor {
   MarkingDescriptor(std::shared_ptr<TransportDescriptorInterface> low, std::string its_address,
-                    std::shared_ptr<RadioMarks> its_marks)
+                    std::shared_ptr<RadioMarks> its_marks, std::uint32_t longest_message)
       : ChainingTransportDescriptor(std::move(low)),
         address(std::move(its_address)),
         marks(std::move(its_marks)) {
-    maxMessageSize = radio_message_bytes;
+    maxMessageSize = longest_message;
   }
   [[nodiscard]] TransportInterface* create_transport() const override;
-  [[nodiscard]] std::uint32_t max_message_size() const override { return radio_message_bytes; }
+  [[nodiscard]] std::uint32_t max_message_size() const override { return maxMessageSize; }
   std::string address;
   std::shared_ptr<RadioMarks> marks;
 };
@@ -215,21 +230,21 @@ void RadioMarks::forget(const Endpoint& endpoint) {
   marks_.erase(endpoint);
 }
 
-int RadioMarks::mark(const std::uint8_t* message, std::size_t size) {
+int RadioMarks::mark(const std::uint8_t* message, std::size_t size, std::size_t sent) {
   const auto endpoint = sender_in(message, size);
   const bool discovery = !endpoint || is_builtin(*endpoint);
   const std::lock_guard<std::mutex> lock(mutex_);
   ++packets_.packets;
-  packets_.bytes += size + ip_and_udp_bytes;
+  packets_.bytes += sent + ip_and_udp_bytes;
   if (discovery) {
     ++packets_.discovery_packets;
-    packets_.discovery_bytes += size + ip_and_udp_bytes;
+    packets_.discovery_bytes += sent + ip_and_udp_bytes;
     return network_control;
   }
   const auto found = marks_.find(*endpoint);
   if (found == marks_.end()) return network_control;
   packets_.class_bytes[static_cast<std::size_t>(found->second.traffic_class)] +=
-      size + ip_and_udp_bytes;
+      sent + ip_and_udp_bytes;
   return found->second.dscp;
 }
 
@@ -239,11 +254,13 @@ LinkPackets RadioMarks::packets() const {
 }
 
 std::shared_ptr<TransportDescriptorInterface> marked(std::shared_ptr<UDPv4TransportDescriptor> udp,
-                                                     std::shared_ptr<RadioMarks> marks) {
+                                                     std::shared_ptr<RadioMarks> marks,
+                                                     bool secured) {
   const std::string address =
       udp->interfaceWhiteList.empty() ? "0.0.0.0" : udp->interfaceWhiteList.front();
   udp->maxMessageSize = largest_datagram;
-  return std::make_shared<MarkingDescriptor>(std::move(udp), address, std::move(marks));
+  return std::make_shared<MarkingDescriptor>(std::move(udp), address, std::move(marks),
+                                             secured ? largest_datagram : radio_message_bytes);
 }
 
 }  // namespace tocsin

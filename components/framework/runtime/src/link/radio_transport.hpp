@@ -11,6 +11,7 @@
 #include <mutex>
 #include <optional>
 
+#include "link/message_pieces.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "runtime/middleware/link_limits.hpp"
 
@@ -27,8 +28,8 @@ class RadioMarks {
   void set(const eprosima::fastrtps::rtps::EntityId_t& endpoint, int dscp,
            TrafficClass traffic_class);
   void forget(const eprosima::fastrtps::rtps::EntityId_t& endpoint);
-  /// Notes a message that is sent, and returns its code point.
-  [[nodiscard]] int mark(const std::uint8_t* message, std::size_t size);
+  /// Notes a packet of `sent` bytes, with the message or a piece of it, and returns its code point.
+  [[nodiscard]] int mark(const std::uint8_t* message, std::size_t size, std::size_t sent);
   [[nodiscard]] LinkPackets packets() const;
 
  private:
@@ -44,9 +45,10 @@ class RadioMarks {
 
 /// A UDP transport that sends through a socket of its own, each packet with the code point that
 /// `marks` has for it, in RTPS messages of at most `radio_message_bytes`; it receives any size.
-/// Heartbeats and acknowledgements of discovery are paced (DiscoveryPacer).
+/// Heartbeats and acknowledgements of discovery are paced (DiscoveryPacer). `secured`: Fast DDS
+/// makes messages as long as UDP carries, and they go in pieces (MessagePieces).
 [[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> marked(
     std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp,
-    std::shared_ptr<RadioMarks> marks);
+    std::shared_ptr<RadioMarks> marks, bool secured);
 
 }  // namespace tocsin

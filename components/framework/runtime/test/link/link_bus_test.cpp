@@ -7,56 +7,22 @@
 
 #include <algorithm>
 
-#include "fast_dds/bus_fixture.hpp"
 #include "fast_dds/rtps_capture.hpp"
-#include "link/relay.hpp"
+#include "link/link_bus_fixture.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
 namespace {
 
-class LinkBusTest : public ::testing::Test {
+class LinkBusTest : public LinkBusFixture {
  protected:
-  static void SetUpTestSuite() { deliver_by_packets(); }
-  LinkBusTest() : first_(next_domain()) {}
-
-  [[nodiscard]] BusOptions options(Role role) const {
-    BusOptions options;
-    options.name = options.host = to_string(role);
-    options.role = role;
-    options.qos_file = std::string(TOCSIN_REPOSITORY) + "/config/qos.yaml";
-    options.traffic_file = std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml";
-    options.host_domain = first_ + (role == Role::uxv ? 0 : 1);
-    options.link_domain = first_ + 2;
-    options.link_address = "127.0.0.1";
-    options.link_peers = {"127.0.0.1"};
-    return options;
-  }
-  /// An ordinary process of a host: it knows nothing of the link.
-  [[nodiscard]] std::unique_ptr<Bus> process(Role role) const {
-    BusOptions ordinary = options(role);
-    ordinary.link_address.clear();
-    return make_fast_dds_bus(ordinary);
-  }
-  template <class Topic>
-  [[nodiscard]] static Endpoint endpoint(const char* user_data = "") {
-    return {Topic::info, &type_info<typename Topic::Message>(), Writers::needed, user_data};
-  }
-  template <class Topic>
-  [[nodiscard]] static bool write_until_heard(Publication& publication, Samples& samples) {
-    return eventually([&] {
-      (void)publication.write(std::make_shared<const typename Topic::Message>());
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      return !samples.all().empty();
-    });
-  }
+  LinkBusTest() : LinkBusFixture(next_domain()) {}
 
  private:
   static int next_domain() {
     static int next = 160;
     return next += 3;
   }
-  const int first_;
 };
 
 TEST_F(LinkBusTest, ASampleCrossesToAnOrdinaryReaderOfTheOtherHostWithItsWriterNumberAndTime) {

@@ -28,21 +28,21 @@ TEST(RadioMarks, APacketBearsTheMarkOfItsWriter) {
   RadioMarks sut;
   const rtps::EntityId_t writer = writer_7();
   Bytes bytes = message_of_writer_7();
-  EXPECT_EQ(sut.mark(bytes.data(), bytes.size()), 48) << "not known yet";
+  EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()), 48) << "not known yet";
   sut.set(writer, 8, TrafficClass::low);
-  EXPECT_EQ(sut.mark(bytes.data(), bytes.size()), 8);
+  EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()), 8);
   sut.forget(writer);
-  EXPECT_EQ(sut.mark(bytes.data(), bytes.size()), 48);
+  EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()), 48);
 }
 
 TEST(RadioMarks, TheBytesOfAWriterCountForItsClassAlsoWhenItIsForgotten) {
   RadioMarks sut;
   const rtps::EntityId_t writer = writer_7();
   Bytes bytes = message_of_writer_7();
-  (void)sut.mark(bytes.data(), bytes.size());
+  (void)sut.mark(bytes.data(), bytes.size(), bytes.size());
   sut.set(writer, 32, TrafficClass::high);
-  (void)sut.mark(bytes.data(), bytes.size());
-  (void)sut.mark(bytes.data(), bytes.size());
+  (void)sut.mark(bytes.data(), bytes.size(), bytes.size());
+  (void)sut.mark(bytes.data(), bytes.size(), bytes.size());
   sut.forget(writer);
   const auto& by_class = sut.packets().class_bytes;
   EXPECT_EQ(by_class[1], 2 * (bytes.size() + 28));
@@ -57,9 +57,9 @@ TEST(RadioMarks, DiscoveryGoesFirstAndIsCounted) {
   append(announcement, data, content);
   Bytes sample = message();
   append(sample, data, data_of(7));
-  EXPECT_EQ(sut.mark(announcement.data(), announcement.size()), 48);
-  (void)sut.mark(sample.data(), sample.size());
-  (void)sut.mark(sample.data(), sample.size());
+  EXPECT_EQ(sut.mark(announcement.data(), announcement.size(), announcement.size()), 48);
+  (void)sut.mark(sample.data(), sample.size(), sample.size());
+  (void)sut.mark(sample.data(), sample.size(), sample.size());
   const LinkPackets packets = sut.packets();
   EXPECT_EQ(packets.packets, 3U);
   EXPECT_EQ(packets.discovery_packets, 1U);

@@ -29,6 +29,9 @@ struct BusOptions {
   bool shared_memory = false;
   std::string host = "";                 ///< name of this side, as the peers of its router know it
   std::optional<GidSize> gid_size = {};  ///< told to ROS 2; empty: what its peers take
+  /// Of a router: folder with its identity for DDS Security, laid out as an enclave of SROS2;
+  /// empty: the link is open.
+  std::string enclave = "";
 };
 
 /// The bus on Fast DDS in real time. All topics stay on the host, where any participant with the

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "foundation/role.hpp"
+#include "keystore/permissions.hpp"
+
+namespace tocsin {
+
+/// Whose permissions on a secured link are meant.
+struct LinkSide {
+  Role role = Role::uxv;
+  std::string traffic_file;   ///< which topics cross the link, from which side
+  std::string ros_namespace;  ///< of all topics; empty for none
+};
+
+/// What a router of this side needs: it publishes what its role sends, hears what the other sends,
+/// and receipts go both ways. Throws ConfigError for the traffic file.
+[[nodiscard]] keystore::Permissions link_permissions(const LinkSide& side);
+
+}  // namespace tocsin

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/middleware/link_permissions.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "foundation/error.hpp"
+
+namespace tocsin {
+namespace {
+
+using ::testing::Contains;
+using ::testing::Not;
+using ::testing::UnorderedElementsAreArray;
+
+const std::string shipped = std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml";
+
+TEST(LinkPermissions, OnlyTheStationWritesGoalsStopsAndDrives) {
+  const auto vehicle = link_permissions({Role::uxv, shipped, ""});
+  const auto station = link_permissions({Role::gcs, shipped, ""});
+  for (const char* topic : {"rt/goal", "rt/emergency_stop", "rt/mission_status"}) {
+    EXPECT_THAT(station.publish, Contains(topic));
+    EXPECT_THAT(vehicle.publish, Not(Contains(topic)));
+    EXPECT_THAT(vehicle.subscribe, Contains(topic));
+  }
+}
+
+TEST(LinkPermissions, OnlyTheVehicleWritesItsState) {
+  const auto vehicle = link_permissions({Role::uxv, shipped, ""});
+  const auto station = link_permissions({Role::gcs, shipped, ""});
+  for (const char* topic : {"rt/location", "rt/camera/image_raw/compressed", "rt/safety_status"}) {
+    EXPECT_THAT(vehicle.publish, Contains(topic));
+    EXPECT_THAT(station.publish, Not(Contains(topic)));
+  }
+}
+
+TEST(LinkPermissions, WhatOneSendsTheOtherHears) {
+  const auto vehicle = link_permissions({Role::uxv, shipped, ""});
+  const auto station = link_permissions({Role::gcs, shipped, ""});
+  EXPECT_THAT(vehicle.subscribe, UnorderedElementsAreArray(station.publish));
+  EXPECT_THAT(station.subscribe, UnorderedElementsAreArray(vehicle.publish));
+  EXPECT_THAT(vehicle.publish, Contains("rt/link_receipt"));
+}
+
+TEST(LinkPermissions, AreOfTheNamespace) {
+  const auto vehicle = link_permissions({Role::uxv, shipped, "fleet/uxv1"});
+  EXPECT_THAT(vehicle.publish, Contains("rt/fleet/uxv1/location"));
+  EXPECT_THAT(vehicle.subscribe, Not(Contains("rt/goal")));
+}
+
+TEST(LinkPermissions, NeedATrafficFile) {
+  EXPECT_THROW((void)link_permissions({Role::uxv, "/nowhere.yaml", ""}), ConfigError);
+}
+
+}  // namespace
+}  // namespace tocsin

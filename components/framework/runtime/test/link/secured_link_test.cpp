@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two routers with identities, and those who have none, by real UDP on loopback.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <ctime>
+#include <filesystem>
+
+#include "fast_dds/rtps_capture.hpp"
+#include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
+#include "keystore/keystore.hpp"
+#include "link/link_bus_fixture.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class SecuredLinkTest : public LinkBusFixture {
+ protected:
+  SecuredLinkTest() : LinkBusFixture(next_domain()) {
+    make_keystore("keystore");
+    keystore::add(store("keystore"), {"spy", {{}, {"rt/*"}}}, std::time(nullptr));
+  }
+  void make_keystore(const std::string& name) const {
+    keystore::create(store(name), std::time(nullptr));
+    keystore::add(store(name), {"uxv", {{"rt/location", "rt/camera/*"}, {"rt/goal"}}},
+                  std::time(nullptr));
+    keystore::add(store(name), {"gcs", {{"rt/goal"}, {"rt/location", "rt/camera/*"}}},
+                  std::time(nullptr));
+  }
+  [[nodiscard]] std::string store(const std::string& name) const {
+    return folder_.path() + "/" + name;
+  }
+  [[nodiscard]] BusOptions secured(Role role, const std::string& identity = "",
+                                   const std::string& keystore = "keystore") const {
+    BusOptions secured = options(role);
+    secured.enclave =
+        store(keystore) + "/enclaves/" + (identity.empty() ? to_string(role) : identity);
+    return secured;
+  }
+  /// A router of the vehicle that the station must not hear: its samples do not cross, neither is
+  /// it a peer, while a vehicle with a good identity is heard.
+  void expect_not_heard(const BusOptions& stranger_options) {
+    Relay gcs(secured(Role::gcs));
+    const Relay stranger(stranger_options);
+    const auto vehicle = process(Role::uxv);
+    const auto writer = vehicle->advertise(endpoint<topic::Location>());
+    for (int i = 0; i < 100; ++i) {  // as long as it takes those who are let in, ten times
+      (void)writer->write(std::make_shared<const topic::Location::Message>());
+      std::this_thread::sleep_for(milliseconds(10));
+    }
+    EXPECT_THAT(gcs.crossed(), IsEmpty());
+    EXPECT_THAT(gcs.peers(), IsEmpty());
+    const Relay good(secured(Role::uxv));
+    EXPECT_TRUE(eventually([&] {
+      (void)writer->write(std::make_shared<const topic::Location::Message>());
+      std::this_thread::sleep_for(milliseconds(5));
+      return !gcs.crossed().empty();
+    }));
+    EXPECT_THAT(gcs.peers(), ElementsAre("uxv"));
+  }
+
+ private:
+  static int next_domain() {
+    static int next = 197;
+    return next += 3;
+  }
+  const TemporaryFolder folder_;
+};
+
+TEST_F(SecuredLinkTest, ASampleCrossesBetweenTwoWhoAreLetIn) {
+  Relay uxv(secured(Role::uxv));
+  Relay gcs(secured(Role::gcs));
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
+  Samples there;
+  const auto far = station->subscribe(endpoint<topic::Location>(), there);
+  const auto writer = vehicle->advertise(endpoint<topic::Location>());
+  ASSERT_TRUE(write_until_heard<topic::Location>(*writer, there));
+  EXPECT_THAT(gcs.peers(), ElementsAre("uxv"));
+  EXPECT_THAT(uxv.peers(), ElementsAre("gcs"));
+}
+
+TEST_F(SecuredLinkTest, APictureCrossesInPacketsOfAtMost1400BytesThatNobodyElseCanRead) {
+  RtpsCapture capture;
+  if (!capture.ok()) GTEST_SKIP() << "no packet socket: CAP_NET_RAW is needed";
+  const Relay uxv(secured(Role::uxv));
+  Relay gcs(secured(Role::gcs));
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
+  Samples there;
+  const auto far = station->subscribe(endpoint<topic::CameraImage>(), there);
+  const auto writer = vehicle->advertise(endpoint<topic::CameraImage>());
+  const auto image = std::make_shared<topic::CameraImage::Message>();
+  image->data().assign(30'000, 0x5a);
+  ASSERT_TRUE(eventually([&] {
+    (void)writer->write(image);
+    std::this_thread::sleep_for(milliseconds(20));
+    return !there.all().empty();
+  }));
+  const auto arrived =
+      std::static_pointer_cast<const topic::CameraImage::Message>(there.all().front().message);
+  EXPECT_EQ(arrived->data(), image->data());
+  const int port = 7400 + 250 * options(Role::uxv).link_domain;
+  for (const CapturedSubmessage& one : capture.take()) {
+    if (one.port < port || one.port >= port + 250) continue;
+    EXPECT_LE(one.packet_bytes, 1428U);
+  }
+}
+
+TEST_F(SecuredLinkTest, WhoHasNoIdentityIsNotHeard) { expect_not_heard(options(Role::uxv)); }
+
+TEST_F(SecuredLinkTest, AnIdentityOfAnotherAuthorityIsNotHeard) {
+  make_keystore("other");
+  expect_not_heard(secured(Role::uxv, "uxv", "other"));
+}
+
+TEST_F(SecuredLinkTest, ARevokedIdentityIsNotHeard) {
+  keystore::add(store("keystore"), {"stolen", {{"rt/*"}, {"rt/*"}}}, std::time(nullptr));
+  const std::string copy = store("copy/enclaves");  // of before, which knows of no revocation
+  fs::create_directories(copy);
+  fs::copy(store("keystore") + "/enclaves/stolen", copy + "/stolen", fs::copy_options::recursive);
+  keystore::revoke(store("keystore"), "stolen", std::time(nullptr));
+  expect_not_heard(secured(Role::uxv, "stolen", "copy"));
+}
+
+TEST_F(SecuredLinkTest, WhoMayOnlyListenWritesNothing) {
+  Relay gcs(secured(Role::gcs));
+  Relay spy(secured(Role::uxv, "spy"));
+  const auto vehicle = process(Role::uxv);
+  const auto writer = vehicle->advertise(endpoint<topic::Location>());
+  ASSERT_TRUE(eventually([&] { return !gcs.peers().empty(); })) << "it is one of ours";
+  for (int i = 0; i < 50; ++i) {
+    (void)writer->write(std::make_shared<const topic::Location::Message>());
+    std::this_thread::sleep_for(milliseconds(10));
+  }
+  EXPECT_THAT(gcs.crossed(), IsEmpty());
+  EXPECT_THAT(gcs.peer_flows(), IsEmpty());
+}
+
+TEST_F(SecuredLinkTest, AnIdentityThatNobodyWouldAcceptEndsTheStartWithItsReason) {
+  BusOptions broken = secured(Role::uxv);
+  fs::remove(broken.enclave + "/permissions.p7s");
+  try {
+    (void)make_fast_dds_link_bus(broken, [] {});
+    FAIL() << "nothing was thrown";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("permissions.p7s: cannot be read"));
+  }
+}
+
+}  // namespace
+}  // namespace tocsin
