@@ -9,11 +9,9 @@
 #include <vector>
 
 #include "foundation/time.hpp"
+#include "runtime/middleware/link_limits.hpp"
 
 namespace tocsin {
-
-/// RTPS messages that fit one 1500-byte IP packet: IP never fragments on the radio.
-constexpr std::uint32_t radio_message_bytes = 1400;
 
 /// A secured link's way to keep packets below `radio_message_bytes`. What DDS Security has sealed
 /// cannot be divided any more, and Fast DDS 2.9.1 sends messages of authentication, of 2 to 4 kB,
