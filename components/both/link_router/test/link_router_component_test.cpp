@@ -227,7 +227,7 @@ TEST_F(LinkRouterTest, WhileTheLinkIsNotUpItGoesOn) {
 
 TEST(LinkRouter, IsRefusedWhereThereIsNoLink) {
   SimBus bus;
-  Context context{bus, "link_router", Role::uxv, ""};
+  Context context{bus, "link_router", Role::uxv};
   EXPECT_THROW(LinkRouterComponent(context, {}), ConfigError);
 }
 

@@ -102,7 +102,7 @@ class LinkRouterTest : public ::testing::Test {
 
   ScriptedLink script_;
   RoutedSimBus bus_{script_};
-  Context context_{bus_, "link_router", Role::uxv, ""};
+  Context context_{bus_, "link_router", Role::uxv};
   SimReader<topic::LinkState> states_{bus_};
   SimReader<topic::LinkBudget> budgets_{bus_};
   SimReader<topic::TrafficReport> reports_{bus_};

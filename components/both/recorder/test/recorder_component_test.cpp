@@ -33,7 +33,7 @@ class RecorderTest : public ::testing::Test {
   }
   void record_a_goal(std::uint64_t id) {
     SimBus bus;
-    Context context{bus, "recorder", Role::gcs, directory_};
+    Context context = Context(bus, "recorder", Role::gcs).with_run_dir(directory_);
     RecorderComponent sut(context, {});
     bus.add(sut);
     tocsin_msgs::msg::Goal goal;
@@ -62,7 +62,7 @@ TEST_F(RecorderTest, RecordsATopicOfItsHostByName) {
   RecorderComponent::Params params;
   params.topics = {"odom"};
   SimBus bus;
-  Context context{bus, "recorder", Role::gcs, directory_};
+  Context context = Context(bus, "recorder", Role::gcs).with_run_dir(directory_);
   RecorderComponent sut(context, params);
   bus.add(sut);
   nav_msgs::msg::Odometry odometry;
@@ -85,7 +85,7 @@ TEST_F(RecorderTest, RecordsATopicThatNobodyKnowsByItsType) {
   params.link_topics = false;
   params.topics = {"/crew/remark std_msgs/msg/String event"};
   SimBus bus;
-  Context context{bus, "recorder", Role::gcs, directory_};
+  Context context = Context(bus, "recorder", Role::gcs).with_run_dir(directory_);
   RecorderComponent sut(context, params);
   bus.add(sut);
   std_msgs::msg::String remark;
@@ -101,7 +101,7 @@ TEST_F(RecorderTest, ATopicThatNobodyKnowsIsNamedInTheError) {
   RecorderComponent::Params params;
   params.topics = {"sensors/cor"};
   SimBus bus;
-  Context context{bus, "recorder", Role::gcs, directory_};
+  Context context = Context(bus, "recorder", Role::gcs).with_run_dir(directory_);
   try {
     const RecorderComponent sut(context, params);
     FAIL() << "no error";
@@ -130,7 +130,7 @@ TEST_F(RecorderTest, SaysOnceThatTheDiskIsFullAndOnceThatItIsNot) {
   std::filesystem::create_directories(directory_ + "/gcs");
   std::filesystem::create_symlink("/dev/full", directory_ + "/gcs/goal.csv");
   SimBus bus;
-  Context context{bus, "recorder", Role::gcs, directory_};
+  Context context = Context(bus, "recorder", Role::gcs).with_run_dir(directory_);
   RecorderComponent sut(context, {});
   bus.add(sut);
   ::testing::internal::CaptureStderr();
@@ -148,7 +148,7 @@ TEST_F(RecorderTest, SaysOnceThatTheDiskIsFullAndOnceThatItIsNot) {
 
 TEST_F(RecorderTest, AFolderThatCannotBeMadeIsAConfigError) {
   SimBus bus;
-  Context context{bus, "recorder", Role::gcs, "/proc/nowhere"};
+  Context context = Context(bus, "recorder", Role::gcs).with_run_dir("/proc/nowhere");
   EXPECT_THROW((RecorderComponent{context, {}}), ConfigError);
 }
 

@@ -23,7 +23,7 @@ class TransmissionControllerComponentTest : public ::testing::Test {
  protected:
   TransmissionControllerComponentTest() { bus_.add(sut_); }
   SimBus bus_;
-  Context context_{bus_, "transmission_controller", Role::uxv, ""};
+  Context context_{bus_, "transmission_controller", Role::uxv};
   TransmissionControllerComponent sut_{context_, {}};
   SimReader<topic::TransmissionState> states_{bus_};
   SimReader<topic::Heartbeat> beats_{bus_};

@@ -17,8 +17,8 @@ using ::testing::HasSubstr;
 class GreetingsTest : public ::testing::Test {
  protected:
   tocsin::SimBus bus_;
-  tocsin::Context talker_context_{bus_, "talker", tocsin::Role::uxv, ""};
-  tocsin::Context listener_context_{bus_, "listener", tocsin::Role::uxv, ""};
+  tocsin::Context talker_context_{bus_, "talker", tocsin::Role::uxv};
+  tocsin::Context listener_context_{bus_, "listener", tocsin::Role::uxv};
 };
 
 TEST_F(GreetingsTest, TheTalkerCountsWhatItSays) {

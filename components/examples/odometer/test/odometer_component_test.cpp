@@ -23,7 +23,7 @@ class OdometerComponentTest : public ::testing::Test {
   }
 
   tocsin::SimBus bus_;
-  tocsin::Context context_{bus_, "odometer", tocsin::Role::uxv, ""};
+  tocsin::Context context_{bus_, "odometer", tocsin::Role::uxv};
   tocsin::SimReader<DistanceDriven> reports_{bus_};
   OdometerComponent sut_{context_, {}};
   double x_m_ = 7;

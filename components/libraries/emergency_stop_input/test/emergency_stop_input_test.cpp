@@ -40,7 +40,7 @@ class EmergencyStopInputTest : public ::testing::Test {
   }
 
   SimBus bus_;
-  Context context_{bus_, "listener", Role::uxv, ""};
+  Context context_{bus_, "listener", Role::uxv};
   Listener sut_{context_};
 };
 

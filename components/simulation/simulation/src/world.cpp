@@ -140,10 +140,13 @@ void World::start(Process& process) {
 }
 
 World::Instance& World::add_instance(const std::string& name, Process& process) {
+  const SimHost& host = *process.side->host;
   process.instances.push_back(
-      {{*process.bus, name, process.side->host->role(), deployment_.run_dir,
-        [this, &process](int code) { exit(process, code); }, *process.side->devices,
-        process_seed(deployment_.seed, process.side->host->name(), process.container->name)},
+      {Context(*process.bus, name, host.role())
+           .with_run_dir(deployment_.run_dir)
+           .with_request_exit([this, &process](int code) { exit(process, code); })
+           .with_devices(*process.side->devices)
+           .with_seed(process_seed(deployment_.seed, host.name(), process.container->name)),
        nullptr});
   return process.instances.back();
 }

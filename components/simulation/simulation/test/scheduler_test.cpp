@@ -35,7 +35,7 @@ class SchedulerTest : public ::testing::Test {
     sut_.add(puppet, [this] { return running_; });
   }
   SimBus bus_;
-  Context context_{bus_, "puppet", Role::uxv, ""};
+  Context context_{bus_, "puppet", Role::uxv};
   bool running_ = true;
   Scheduler sut_;
 };

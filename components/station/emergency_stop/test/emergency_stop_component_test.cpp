@@ -51,7 +51,7 @@ class EmergencyStopComponentTest : public ::testing::Test {
 
   const TemporaryFolder folder_;
   SimBus bus_;
-  Context context_{bus_, "emergency_stop", Role::gcs, folder_.path()};
+  Context context_ = Context(bus_, "emergency_stop", Role::gcs).with_run_dir(folder_.path());
   SimReader<topic::EmergencyStop> stops_{bus_};
   SimReader<topic::EmergencyStopState> states_{bus_};
   std::unique_ptr<EmergencyStopComponent> sut_;

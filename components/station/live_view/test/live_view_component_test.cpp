@@ -13,7 +13,7 @@ class LiveViewTest : public ::testing::Test {
  protected:
   LiveViewTest() { bus_.add(sut_); }
   SimBus bus_;
-  Context context_{bus_, "live_view", Role::gcs, ""};
+  Context context_{bus_, "live_view", Role::gcs};
   LiveViewComponent sut_{context_, {}};
 };
 
@@ -158,7 +158,7 @@ TEST_F(LiveViewTest, CountsEveryTopicThatTheVehicleSends) {
 
 TEST(LiveView, RefusesLimitsThatContradictEachOther) {
   SimBus bus;
-  Context context{bus, "live_view", Role::gcs, ""};
+  Context context{bus, "live_view", Role::gcs};
   LiveViewComponent::Params params;
   params.limits = {10, 5};
   EXPECT_THROW(LiveViewComponent(context, params), ConfigError);

@@ -88,7 +88,7 @@ using Page = std::vector<std::string>;
 std::vector<Page> pages_at(const std::vector<terminal::Size>& sizes) {
   const TerminalAsOutput output;
   SimBus bus;
-  Context context{bus, "live_view", Role::gcs, ""};
+  Context context{bus, "live_view", Role::gcs};
   LiveViewComponent sut(context, {});
   bus.add(sut);
   bus.publish<topic::TrafficReport>(report_of_many_topics());

@@ -78,7 +78,7 @@ class MissionControlComponentTest : public ::testing::Test {
   const std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
                                         ("tocsin_mission_control_" + std::to_string(::getpid()));
   SimBus bus_;
-  Context context_{bus_, "mission_control", Role::gcs, ""};
+  Context context_{bus_, "mission_control", Role::gcs};
   MissionControlComponent::Params params_;
   std::unique_ptr<MissionControlComponent> sut_;
   SimReader<topic::Goal> goals_{bus_};

@@ -37,8 +37,10 @@ int give(const EstopTarget& target, const Params& params) {
   if (target.process) deployment::enter_namespaces(*target.process);
   const auto bus = make_fast_dds_bus(target.bus);
   std::optional<int> code;
-  Context context{*bus, "estop", target.bus.role, "", [&code](int wanted) { code = wanted; }};
-  Context router_context{*bus, "link_router", target.bus.role, "", [](int) {}};
+  Context context = Context(*bus, "estop", target.bus.role).with_request_exit([&code](int wanted) {
+    code = wanted;
+  });
+  Context router_context(*bus, "link_router", target.bus.role);
   const auto router = target.needs_router ? make_router(router_context) : nullptr;
   OperatorConsoleComponent order(context, params);
   while (!code) {

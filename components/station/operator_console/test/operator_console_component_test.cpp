@@ -40,7 +40,10 @@ class OperatorConsoleComponentTest : public ::testing::Test {
 
   SimBus bus_;
   std::optional<int> code_;
-  Context context_{bus_, "operator_console", Role::gcs, "", [this](int code) { code_ = code; }};
+  Context context_ =
+      Context(bus_, "operator_console", Role::gcs).with_request_exit([this](int code) {
+        code_ = code;
+      });
   SimReader<topic::EmergencyStopRequest> requests_{bus_};
   SimReader<topic::DockingCommand> commands_{bus_};
   SimReader<topic::EmergencyStop> stops_{bus_};

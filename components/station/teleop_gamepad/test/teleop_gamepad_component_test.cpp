@@ -78,7 +78,7 @@ class TeleopGamepadComponentTest : public ::testing::Test {
   SimBus bus_;
   Pad pad_;
   PadDevices devices_{pad_};
-  Context context_{bus_, "teleop_gamepad", Role::gcs, "", [](int) {}, devices_};
+  Context context_ = Context(bus_, "teleop_gamepad", Role::gcs).with_devices(devices_);
   SimReader<topic::TeleopCmdVel> commands_{bus_};
   std::unique_ptr<TeleopGamepadComponent> sut_;
 };

@@ -22,7 +22,7 @@ std::string hindrance(const topic::SafetyStatus::Message& status) {
 
 TeleopKeyboardComponent::TeleopKeyboardComponent(Context& context, const Params& params)
     : Component(context),
-      terminal_(context.devices.open_terminal()),
+      terminal_(context.devices.get().open_terminal()),
       teleop_(params.keys),
       sender_(params.sender) {
   if (!terminal_) return;

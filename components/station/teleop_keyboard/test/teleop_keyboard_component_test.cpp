@@ -75,7 +75,7 @@ class TeleopKeyboardComponentTest : public ::testing::Test {
   SimBus bus_;
   Typed typed_;
   TypedDevices devices_{typed_};
-  Context context_{bus_, "teleop_keyboard", Role::gcs, "", [](int) {}, devices_};
+  Context context_ = Context(bus_, "teleop_keyboard", Role::gcs).with_devices(devices_);
   SimReader<topic::TeleopCmdVel> commands_{bus_};
   std::unique_ptr<TeleopKeyboardComponent> sut_;
 };
@@ -134,7 +134,7 @@ TEST_F(TeleopKeyboardComponentTest, ShowsSpeedsAndWhatHindersTheVehicle) {
 
 TEST_F(TeleopKeyboardComponentTest, LivesWithoutATerminal) {
   AbsentDevices devices;
-  Context context{bus_, "teleop_keyboard", Role::gcs, "", [](int) {}, devices};
+  Context context = Context(bus_, "teleop_keyboard", Role::gcs).with_devices(devices);
   sut_ = std::make_unique<TeleopKeyboardComponent>(context, TeleopKeyboardComponent::Params{});
   EXPECT_TRUE(run(1).empty());
   sut_.reset();

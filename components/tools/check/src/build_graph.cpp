@@ -14,7 +14,9 @@ template <class Make>
 void probe(Node node, const deployment::Deployment& deployment, BuiltGraph& built, Make make) {
   PortRecorder recorder;
   SilentDevices devices;
-  Context context{recorder, node.name, node.role, deployment.run_dir, [](int) {}, devices};
+  Context context = Context(recorder, node.name, node.role)
+                        .with_run_dir(deployment.run_dir)
+                        .with_devices(devices);
   try {
     const auto component = make(context);
     node.ports = recorder.ports();

@@ -25,7 +25,7 @@ class Toy : public Component {
 
 TEST(PortRecorder, WritesDownEachPortOnce) {
   PortRecorder sut;
-  Context context{sut, "toy", Role::uxv, ""};
+  Context context{sut, "toy", Role::uxv};
   const Toy toy(context);
   ASSERT_EQ(sut.ports().size(), 2U);
   EXPECT_EQ(sut.ports()[0].topic, "odom");
@@ -38,7 +38,7 @@ TEST(PortRecorder, WritesDownEachPortOnce) {
 
 TEST(PortRecorder, KeepsWhatAWriterExpectsToWrite) {
   PortRecorder sut;
-  Context context{sut, "toy", Role::uxv, ""};
+  Context context{sut, "toy", Role::uxv};
   Toy toy(context);
   EXPECT_FALSE(sut.ports()[1].load);
   toy.expect(5, 400);
@@ -61,7 +61,7 @@ class Choosy : public Component {
 
 TEST(PortRecorder, KnowsWhichReadersNeedAWriter) {
   PortRecorder sut;
-  Context context{sut, "choosy", Role::uxv, ""};
+  Context context{sut, "choosy", Role::uxv};
   const Choosy choosy(context);
   ASSERT_EQ(sut.ports().size(), 2U);
   EXPECT_EQ(sut.ports()[0].writers, Writers::optional);

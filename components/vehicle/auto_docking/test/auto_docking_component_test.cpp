@@ -56,7 +56,7 @@ class AutoDockingComponentTest : public ::testing::Test {
   }
 
   SimBus bus_;
-  Context context_{bus_, "auto_docking", Role::uxv, ""};
+  Context context_{bus_, "auto_docking", Role::uxv};
   SimReader<topic::CmdVelDocking> commands_{bus_};
   SimReader<topic::DockingStatus> statuses_{bus_};
   AutoDockingComponent sut_{context_, {}};

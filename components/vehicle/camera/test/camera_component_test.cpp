@@ -51,7 +51,7 @@ class CameraTest : public ::testing::Test {
   std::string walls_file_;
   CameraComponent::Params params_;
   SimBus bus_;
-  Context context_{bus_, "camera", Role::uxv, ""};
+  Context context_{bus_, "camera", Role::uxv};
   SimReader<topic::CameraImage> images_{bus_};
   std::unique_ptr<CameraComponent> sut_;
 };
@@ -124,7 +124,7 @@ TEST_F(CameraTest, TellsHowMuchItWillWriteWhenItIsAsked) {
     [[nodiscard]] std::int64_t wall_ns(Time) const override { return 0; }
     std::optional<ExpectedLoad> load;
   } bus;
-  Context context{bus, "camera", Role::uxv, ""};
+  Context context{bus, "camera", Role::uxv};
   CameraComponent::Params params;
   params.walls_file = walls_file_;
   const CameraComponent sut(context, params);
@@ -160,7 +160,7 @@ TEST(CameraParams, KeepTheLensBelowTheTables) {
 
 TEST_F(CameraTest, SendsZerosOfTheRightNumberWhereNobodyLooksAtPictures) {
   AbsentDevices devices;
-  Context context{bus_, "camera", Role::uxv, "", [](int) {}, devices};
+  Context context = Context(bus_, "camera", Role::uxv).with_devices(devices);
   CameraComponent sized(context, params_);
   SimBus& bus = bus_;
   bus.add(sized);
@@ -181,7 +181,7 @@ TEST(CameraReadme, ShowsTheParameters) {
 
 TEST(Camera, NeedsAWallsFile) {
   SimBus bus;
-  Context context{bus, "camera", Role::uxv, ""};
+  Context context{bus, "camera", Role::uxv};
   EXPECT_THROW(CameraComponent(context, {}), ConfigError);
 }
 

@@ -91,7 +91,7 @@ class KobukiDriverComponentTest : public ::testing::Test {
   SimBus bus_;
   Base base_{bus_};
   ModelDevices devices_{base_};
-  Context context_{bus_, "kobuki_driver", Role::uxv, "", [](int) {}, devices_};
+  Context context_ = Context(bus_, "kobuki_driver", Role::uxv).with_devices(devices_);
   KobukiDriverComponent::Params params_;
   std::unique_ptr<KobukiDriverComponent> sut_;
   SimReader<topic::Odom> odom_{bus_};

@@ -74,7 +74,7 @@ class NavigatorComponentTest : public ::testing::Test {
   const std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() / ("tocsin_navigator_" + std::to_string(::getpid()));
   SimBus bus_;
-  Context context_{bus_, "navigator", Role::uxv, ""};
+  Context context_{bus_, "navigator", Role::uxv};
   NavigatorComponent::Params params_;
   std::unique_ptr<NavigatorComponent> sut_;
   SimReader<topic::CmdVelNavigation> commands_{bus_};

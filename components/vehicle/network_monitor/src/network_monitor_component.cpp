@@ -59,7 +59,7 @@ std::unique_ptr<network::WirelessDevice> open_wireless(
 NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params& params)
     : Component(context),
       interface_name_(params.interface_name),
-      echo_(context.devices.open_echo(target_of(params), when_readable())),
+      echo_(context.devices.get().open_echo(target_of(params), when_readable())),
       probe_period_(seconds(params.probe.period_s)),
       window_(params.probe),
       wireless_(open_wireless(context.devices, params)) {

@@ -60,7 +60,7 @@ TEST(DeletedInterface, IsADeadLinkWithoutSignal) {
   if (!make_interface()) GTEST_SKIP() << "no network namespace or no TUN here";
   const TemporaryFolder folder;
   SimBus bus;
-  Context context{bus, "network_monitor", Role::uxv, ""};
+  Context context{bus, "network_monitor", Role::uxv};
   SimReader<topic::NetworkQuality> samples(bus);
   NetworkMonitorComponent::Params params;
   params.target = "10.77.0.1";

@@ -87,7 +87,7 @@ class NetworkMonitorTest : public ::testing::Test {
   SimBus bus_;
   Target target_;
   TargetDevices devices_{bus_, target_};
-  Context context_{bus_, "network_monitor", Role::uxv, "", [](int) {}, devices_};
+  Context context_ = Context(bus_, "network_monitor", Role::uxv).with_devices(devices_);
   SimReader<topic::NetworkQuality> samples_{bus_};
   std::string file_;
   bool running_ = false;
@@ -234,7 +234,7 @@ class ScriptedDevices final : public AbsentDevices {
 TEST(NetworkMonitorOnAnotherComputer, UsesItsDevices) {
   SimBus bus;
   ScriptedDevices devices(bus);
-  Context context{bus, "network_monitor", Role::uxv, "", [](int) {}, devices};
+  Context context = Context(bus, "network_monitor", Role::uxv).with_devices(devices);
   SimReader<topic::NetworkQuality> samples(bus);
   NetworkMonitorComponent sut(context, {});
   bus.add(sut);
@@ -256,7 +256,7 @@ TEST(NetworkMonitorOnAnotherComputer, UsesItsDevices) {
 TEST(NetworkMonitorOnAnotherComputer, SendsProbesWithTheDscpOfClassLowUnlessToldOtherwise) {
   SimBus bus;
   ScriptedDevices devices(bus);
-  Context context{bus, "network_monitor", Role::uxv, "", [](int) {}, devices};
+  Context context = Context(bus, "network_monitor", Role::uxv).with_devices(devices);
   NetworkMonitorComponent::Params params;
   const NetworkMonitorComponent by_default(context, params);
   EXPECT_EQ(devices.echo_target.dscp, dscp(TrafficClass::low));
@@ -269,7 +269,7 @@ TEST(NetworkMonitorOnAnotherComputer, SendsProbesWithTheDscpOfClassLowUnlessTold
 TEST(NetworkMonitorOnAnotherComputer, AsksNoRadioWhenNoInterfaceIsConfigured) {
   SimBus bus;
   ScriptedDevices devices(bus);
-  Context context{bus, "network_monitor", Role::uxv, "", [](int) {}, devices};
+  Context context = Context(bus, "network_monitor", Role::uxv).with_devices(devices);
   NetworkMonitorComponent::Params params;
   params.interface_name = "";
   SimReader<topic::NetworkQuality> samples(bus);
@@ -284,7 +284,7 @@ TEST(NetworkMonitorOnAnotherComputer, AsksNoRadioWhenNoInterfaceIsConfigured) {
 
 TEST(NetworkMonitor, RefusesATargetThatIsNoAddress) {
   SimBus bus;
-  Context context{bus, "network_monitor", Role::uxv, ""};
+  Context context{bus, "network_monitor", Role::uxv};
   NetworkMonitorComponent::Params params;
   EXPECT_THROW(NetworkMonitorComponent(context, params), ConfigError);
 }

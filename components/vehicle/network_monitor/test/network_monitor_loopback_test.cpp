@@ -34,7 +34,7 @@ void run(NetworkMonitorComponent& sut, Time end) {
 TEST(NetworkMonitor, MeasuresLoopbackWithoutLoss) {
   if (!may_send_echo()) GTEST_SKIP() << "neither kind of ICMP socket is allowed here";
   SimBus bus;
-  Context context{bus, "network_monitor", Role::uxv, ""};
+  Context context{bus, "network_monitor", Role::uxv};
   SimReader<topic::NetworkQuality> samples(bus);
   NetworkMonitorComponent::Params params;
   params.target = "127.0.0.1";

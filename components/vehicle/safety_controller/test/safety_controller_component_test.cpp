@@ -63,7 +63,7 @@ class SafetyControllerComponentTest : public ::testing::Test {
   }
 
   SimBus bus_;
-  Context context_{bus_, "safety_controller", Role::uxv, ""};
+  Context context_{bus_, "safety_controller", Role::uxv};
   SafetyControllerComponent::Params params_;
   SimReader<topic::CmdVel> commands_{bus_};
   SimReader<topic::SafetyStatus> statuses_{bus_};

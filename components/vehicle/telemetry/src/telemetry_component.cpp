@@ -69,7 +69,7 @@ void TelemetryComponent::report_temperature(Time now) {
 }
 
 std::optional<std::string> TelemetryComponent::read(const std::string& path) const {
-  return context().devices.read_text(path);
+  return context().devices.get().read_text(path);
 }
 
 void TelemetryComponent::say_once(const std::string& text) {

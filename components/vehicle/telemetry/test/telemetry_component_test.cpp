@@ -45,7 +45,7 @@ class TelemetryTest : public ::testing::Test {
 
   std::filesystem::path root_;
   SimBus bus_;
-  Context context_{bus_, "telemetry", Role::uxv, ""};
+  Context context_{bus_, "telemetry", Role::uxv};
   SimReader<topic::MemoryUsage> memory_{bus_};
   SimReader<topic::CpuLoad> load_{bus_};
   SimReader<topic::CpuTemperature> temperature_{bus_};
@@ -87,7 +87,7 @@ TEST(TelemetryOfAnotherComputer, ReadsItsFiles) {
   };
   Other devices;
   SimBus bus;
-  Context context{bus, "telemetry", Role::uxv, "", [](int) {}, devices};
+  Context context = Context(bus, "telemetry", Role::uxv).with_devices(devices);
   SimReader<topic::MemoryUsage> memory(bus);
   SimReader<topic::CpuTemperature> temperature(bus);
   TelemetryComponent sut(context, {});
@@ -149,7 +149,7 @@ TEST_F(TelemetryTest, ReportsAgainWhenAFileComesBack) {
 
 TEST(Telemetry, ReadsThisComputer) {
   SimBus bus;
-  Context context{bus, "telemetry", Role::uxv, ""};
+  Context context{bus, "telemetry", Role::uxv};
   SimReader<topic::MemoryUsage> memory(bus);
   TelemetryComponent sut(context, {});
   bus.add(sut);

@@ -26,7 +26,7 @@ class TeleopReceiverComponentTest : public ::testing::Test {
   }
 
   SimBus bus_;
-  Context context_{bus_, "teleop_receiver", Role::uxv, ""};
+  Context context_{bus_, "teleop_receiver", Role::uxv};
   SimReader<topic::CmdVelTeleop> commands_{bus_};
   TeleopReceiverComponent sut_{context_, {}};
 };

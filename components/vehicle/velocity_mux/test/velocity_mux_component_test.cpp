@@ -47,7 +47,7 @@ class VelocityMuxComponentTest : public ::testing::Test {
   }
 
   SimBus bus_;
-  Context context_{bus_, "velocity_mux", Role::uxv, ""};
+  Context context_{bus_, "velocity_mux", Role::uxv};
   SimReader<topic::CmdVelSelected> commands_{bus_};
   SimReader<topic::MuxActive> active_{bus_};
   SimReader<topic::MuxInputs> inputs_{bus_};

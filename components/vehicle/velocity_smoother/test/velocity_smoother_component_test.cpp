@@ -34,7 +34,7 @@ class VelocitySmootherComponentTest : public ::testing::Test {
   }
 
   SimBus bus_;
-  Context context_{bus_, "velocity_smoother", Role::uxv, ""};
+  Context context_{bus_, "velocity_smoother", Role::uxv};
   SimReader<topic::CmdVelSmoothed> commands_{bus_};
   VelocitySmootherComponent sut_{context_, {}};
 };

@@ -89,7 +89,7 @@ Result driver(double duration_s) {
   OdomWatch watch(*bus, [&] {
     result.latency_us.push_back(1e-3 * static_cast<double>(now_ns() - feeder.sent_ns()));
   });
-  Context context{watch, "kobuki_driver", Role::uxv, ""};
+  Context context{watch, "kobuki_driver", Role::uxv};
   YAML::Node parameters;
   parameters["device_port"] = feeder.path();
   const auto component =

@@ -44,7 +44,7 @@ Series clock_nanosleep_lateness(int count) {
 
 void print_deadline(int count) {
   const auto bus = make_bench_bus("sleepy", 85, false);
-  Context context{*bus, "sleepy", Role::uxv, ""};
+  Context context{*bus, "sleepy", Role::uxv};
   Sleepy sleepy(context);
   TickAccount account;
   Series raw;

@@ -83,7 +83,7 @@ class Components : public Way {
   Components(const Load& load, bool one_thread)
       : one_thread_(one_thread),
         bus_(make_bench_bus("bench", one_thread ? 63 : 64, false)),
-        context_{*bus_, "bench", Role::uxv, ""},
+        context_{*bus_, "bench", Role::uxv},
         ping_(context_, load.bytes) {
     for (int i = load.readers - 1; i >= 0; --i) {
       pongs_.push_back(std::make_unique<Pong>(context_, i > 0));

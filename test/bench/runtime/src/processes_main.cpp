@@ -63,7 +63,7 @@ std::unique_ptr<Bus> make_bus(const char* name, const Setting& setting, int doma
     for (;;) pause();
   }
   const auto bus = make_bus("echo", setting, domain);
-  Context context{*bus, "echo", Role::uxv, ""};
+  Context context{*bus, "echo", Role::uxv};
   Pong pong(context);
   TickAccount account;
   Runner runner("echo", *bus);
@@ -95,7 +95,7 @@ class End : public Way {
       return;
     }
     bus_ = make_bus("ping", setting, domain);
-    context_ = std::make_unique<Context>(Context{*bus_, "ping", Role::uxv, ""});
+    context_ = std::make_unique<Context>(Context{*bus_, "ping", Role::uxv});
     ping_ = std::make_unique<Ping>(*context_, bytes);
     runner_ = std::make_unique<Runner>("ping", *bus_);
     runner_->add(*ping_, account_);

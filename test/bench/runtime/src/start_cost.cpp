@@ -57,7 +57,7 @@ class Station : public Component {
 class Crowd {
  public:
   Crowd(const char* mine, const char* theirs, int count)
-      : bus_(make_bench_bus(mine, start_domain, false)), context_{*bus_, mine, Role::uxv, ""} {
+      : bus_(make_bench_bus(mine, start_domain, false)), context_{*bus_, mine, Role::uxv} {
     for (int i = 0; i < count; ++i) {
       stations_.emplace_back(context_, topic(theirs, i), topic(mine, i));
     }

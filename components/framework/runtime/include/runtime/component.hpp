@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "devices/devices.hpp"
@@ -20,17 +21,27 @@
 
 namespace tocsin {
 
-/// What a component is given at construction.
+/// What a component is given at construction. What is not said by name is as it is for a component
+/// that runs alone: no folder, nothing that it can end, the devices of this computer.
 struct Context {
+  Context(Bus& its_bus, std::string its_name, Role its_role)
+      : bus(its_bus), name(std::move(its_name)), role(its_role) {}
+
   Bus& bus;
   std::string name;     ///< instance name, from the bringup file
   Role role;            ///< of its host
-  std::string run_dir;  ///< folder for files of this run; exists
+  std::string run_dir;  ///< folder for files of this run, which exists; empty: there is none
   /// Ends the process with this code after the current tick; 0 is "my work is done".
   std::function<void(int)> request_exit = [](int) {};
-  Devices& devices = real_devices();  ///< of its computer
-  std::uint64_t seed = 0;             ///< of the process, from the run's: see process_seed
-  std::string node = "";              ///< what ROS 2 calls it; empty: `name`
+  std::reference_wrapper<Devices> devices = real_devices();  ///< of its computer
+  std::uint64_t seed = 0;  ///< of the process, from the run's: see process_seed
+  std::string node;        ///< what ROS 2 calls it; empty: `name`
+
+  [[nodiscard]] Context with_run_dir(std::string folder) const;
+  [[nodiscard]] Context with_request_exit(std::function<void(int)> request) const;
+  [[nodiscard]] Context with_devices(Devices& its_devices) const;
+  [[nodiscard]] Context with_seed(std::uint64_t its_seed) const;
+  [[nodiscard]] Context with_node(std::string its_node) const;
 
   /// The file that this instance keeps for its successor, as ".pose"; empty where none is kept.
   [[nodiscard]] std::string state_path(const std::string& extension) const;

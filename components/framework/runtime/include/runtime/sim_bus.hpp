@@ -4,18 +4,21 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "runtime/bus.hpp"
 #include "runtime/component.hpp"
+#include "runtime/middleware/qos_profile.hpp"
 
 namespace tocsin {
 
-/// A bus in memory with virtual time and one thread: what component tests run on.
+/// A bus in memory with virtual time and one thread: what component tests run on. Late readers, and
+/// readers of what has outlived its lifespan, get what the profile of the topic promises.
 ///
 ///     SimBus bus;
-///     Context context{bus, "link_monitor", Role::uxv, ""};
+///     Context context{bus, "link_monitor", Role::uxv};
 ///     LinkMonitorComponent sut(context, {});
 ///     SimReader<topic::LinkState> states(bus);
 ///     bus.add(sut);
@@ -24,8 +27,11 @@ namespace tocsin {
 ///     EXPECT_EQ(states.take().size(), 1U);
 class SimBus : public Bus {
  public:
-  /// Virtual time starts at one hour, wall time at 2026-01-01 00:00 UTC.
+  /// Virtual time starts at one hour, wall time at 2026-01-01 00:00 UTC. Topics have the shipped
+  /// profiles; one with a profile of another name has what DDS has by default.
   SimBus();
+  /// The same with the profiles of a QoS file; a topic whose profile it has not is a ConfigError.
+  explicit SimBus(const QosProfiles& profiles);
   ~SimBus() override;
 
   std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
@@ -43,19 +49,21 @@ class SimBus : public Bus {
   template <class Topic>
   void publish(typename Topic::Message message) {
     deliver({Topic::info, &type_info<typename Topic::Message>()},
-            std::make_shared<const typename Topic::Message>(std::move(message)), anybody);
+            std::make_shared<const typename Topic::Message>(std::move(message)));
   }
 
  private:
   class Topic;
   class Writer;
   static constexpr std::uint64_t anybody = 1;
-  void deliver(const Endpoint& endpoint, const std::shared_ptr<const void>& message,
-               std::uint64_t source);
+  void deliver(const Endpoint& endpoint, const std::shared_ptr<const void>& message);
+  void deliver(Topic& topic, const std::shared_ptr<const void>& message, std::uint64_t source);
   Topic& topic(const Endpoint& endpoint);
+  [[nodiscard]] QosProfile profile_of(const TopicInfo& topic) const;
   void tick_all_due();
   [[nodiscard]] Time next_deadline() const;
 
+  const std::optional<QosProfiles> profiles_;
   Time now_;
   std::uint64_t last_source_ = anybody;
   std::map<std::string, std::unique_ptr<Topic>> topics_;

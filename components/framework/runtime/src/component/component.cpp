@@ -7,8 +7,38 @@
 
 namespace tocsin {
 
+Context Context::with_run_dir(std::string folder) const {
+  Context other = *this;
+  other.run_dir = std::move(folder);
+  return other;
+}
+
+Context Context::with_request_exit(std::function<void(int)> request) const {
+  Context other = *this;
+  other.request_exit = std::move(request);
+  return other;
+}
+
+Context Context::with_devices(Devices& its_devices) const {
+  Context other = *this;
+  other.devices = its_devices;
+  return other;
+}
+
+Context Context::with_seed(std::uint64_t its_seed) const {
+  Context other = *this;
+  other.seed = its_seed;
+  return other;
+}
+
+Context Context::with_node(std::string its_node) const {
+  Context other = *this;
+  other.node = std::move(its_node);
+  return other;
+}
+
 std::string Context::state_path(const std::string& extension) const {
-  if (run_dir.empty() || !devices.keeps_files()) return {};
+  if (run_dir.empty() || !devices.get().keeps_files()) return {};
   return run_dir + "/" + name + extension;
 }
 

@@ -36,14 +36,11 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
 Container::Container(const deployment::Deployment& deployment, const deployment::Host& host,
                      const deployment::Container& container, std::function<void(int)> request_exit)
     : bus_(make_fast_dds_bus(bus_options(deployment, host, container))),
-      context_{*bus_,
-               "control",
-               host.role,
-               deployment.run_dir,
-               std::move(request_exit),
-               real_devices(),
-               process_seed(deployment.seed, host.name, container.name),
-               container.name + "_container"} {
+      context_(Context(*bus_, "control", host.role)
+                   .with_run_dir(deployment.run_dir)
+                   .with_request_exit(std::move(request_exit))
+                   .with_seed(process_seed(deployment.seed, host.name, container.name))
+                   .with_node(container.name + "_container")) {
   const auto notice_failure = [this] { control_->schedule().input_arrived(); };
   threads_ = std::make_unique<RunnerThreads>(*bus_, container.shared_thread, container.name,
                                              notice_failure);

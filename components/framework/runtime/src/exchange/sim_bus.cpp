@@ -2,9 +2,10 @@
 #include "runtime/sim_bus.hpp"
 
 #include <algorithm>
-#include <string_view>
+#include <utility>
 
 #include "foundation/error.hpp"
+#include "runtime/middleware/topic_exchange.hpp"
 
 namespace tocsin {
 namespace {
@@ -14,80 +15,79 @@ constexpr std::int64_t start_wall_ns = 1'767'225'600'000'000'000;  // 2026-01-01
 
 }  // namespace
 
-/// The readers of one topic, and its last sample for those who come late to a `state` topic.
+/// The readers of one topic, and what its profile keeps for those who come late.
 class SimBus::Topic {
  public:
-  explicit Topic(const Endpoint& endpoint) : endpoint_(endpoint) {}
+  Topic(const Endpoint& endpoint, const QosProfile& qos)
+      : type_(endpoint.type), keeps_(qos.keeps_last()), exchange_(requested(endpoint.topic, qos)) {}
 
-  [[nodiscard]] const TypeInfo* type() const { return endpoint_.type; }
-
-  void attach(Receiver& receiver) {
-    receivers_.push_back(&receiver);
-    if (keeps_last() && last_.message) receiver.receive(last_);
-  }
-
-  void detach(Receiver& receiver) {
-    receivers_.erase(std::remove(receivers_.begin(), receivers_.end(), &receiver),
-                     receivers_.end());
-  }
+  [[nodiscard]] const TypeInfo* type() const { return type_; }
+  [[nodiscard]] TopicExchange& exchange() { return exchange_; }
+  /// As on the real bus: nobody knows who comes late.
+  [[nodiscard]] bool has_receivers() const { return keeps_ || exchange_.has_receivers(); }
 
   void add_writer(std::uint64_t source, const char* user_data) {
-    writers_[source] = {"simulated", user_data};
+    writers_[source] = {{"simulated", user_data}, 0};
   }
-
-  void remove_writer(std::uint64_t source) { writers_.erase(source); }
-
+  void remove_writer(std::uint64_t source) {
+    exchange_.forget(source);
+    writers_.erase(source);
+  }
   [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const {
     const auto found = writers_.find(source);
-    return found != writers_.end() ? std::optional(found->second) : std::nullopt;
+    return found != writers_.end() ? std::optional(found->second.info) : std::nullopt;
   }
-
-  [[nodiscard]] bool has_receivers() const { return !receivers_.empty() || keeps_last(); }
-
-  void deliver(Sample sample) {
-    sample.sequence = last_.sequence + 1;
-    last_ = sample;
-    for (Receiver* receiver : receivers_) receiver->receive(sample);
+  void deliver(Sample&& sample) {
+    std::uint64_t& sequence = writers_.at(sample.source).sequence;
+    exchange_.deliver(std::move(sample), sequence);
   }
 
  private:
-  [[nodiscard]] bool keeps_last() const {
-    return std::string_view(endpoint_.topic.qos) == "state" &&
-           endpoint_.topic.requests == Requests::profile;
-  }
-  Endpoint endpoint_;
-  std::vector<Receiver*> receivers_;
-  std::map<std::uint64_t, WriterInfo> writers_{{anybody, {"anybody", ""}}};
-  Sample last_;
+  struct KnownWriter {
+    WriterInfo info;
+    std::uint64_t sequence;  ///< of its last sample
+  };
+  const TypeInfo* type_;
+  const bool keeps_;
+  TopicExchange exchange_;
+  std::map<std::uint64_t, KnownWriter> writers_{{anybody, {{"anybody", ""}, 0}}};
 };
 
 class SimBus::Writer : public Publication {
  public:
-  Writer(SimBus& bus, const Endpoint& endpoint)
-      : bus_(bus), endpoint_(endpoint), source_(++bus.last_source_) {
-    bus_.topic(endpoint_).add_writer(source_, endpoint.user_data);
+  Writer(SimBus& bus, Topic& topic, const char* user_data)
+      : bus_(bus), topic_(topic), source_(++bus.last_source_) {
+    topic_.add_writer(source_, user_data);
   }
-  ~Writer() override { bus_.topic(endpoint_).remove_writer(source_); }
+  ~Writer() override { topic_.remove_writer(source_); }
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
   Status write(const std::shared_ptr<const void>& message) override {
-    bus_.deliver(endpoint_, message, source_);
+    bus_.deliver(topic_, message, source_);
     return Status::ok;
   }
-  [[nodiscard]] bool has_readers() const override { return bus_.topic(endpoint_).has_receivers(); }
+  [[nodiscard]] bool has_readers() const override { return topic_.has_receivers(); }
 
  private:
   SimBus& bus_;
-  Endpoint endpoint_;
+  Topic& topic_;
   const std::uint64_t source_;
 };
 
 SimBus::SimBus() : now_(start) {}
+SimBus::SimBus(const QosProfiles& profiles) : profiles_(profiles), now_(start) {}
 SimBus::~SimBus() = default;
+
+QosProfile SimBus::profile_of(const TopicInfo& topic) const {
+  if (profiles_) return profiles_->of(topic.qos, topic.name);
+  static const QosProfiles shipped;
+  const auto found = shipped.all().find(topic.qos);
+  return found != shipped.all().end() ? found->second : QosProfile{};
+}
 
 SimBus::Topic& SimBus::topic(const Endpoint& endpoint) {
   auto& found = topics_[endpoint.topic.name];
-  if (!found) found = std::make_unique<Topic>(endpoint);
+  if (!found) found = std::make_unique<Topic>(endpoint, profile_of(endpoint.topic));
   if (found->type() != endpoint.type) {
     throw ConfigError(std::string("topic ") + endpoint.topic.name + ": type " +
                       endpoint.type->name + " clashes with " + found->type()->name);
@@ -98,10 +98,10 @@ SimBus::Topic& SimBus::topic(const Endpoint& endpoint) {
 std::unique_ptr<Subscription> SimBus::subscribe(const Endpoint& endpoint, Receiver& receiver) {
   class Attached : public Subscription {
    public:
-    Attached(Topic& topic, Receiver& receiver) : topic_(topic), receiver_(receiver) {
-      topic_.attach(receiver_);
+    Attached(Topic& topic, Receiver& receiver, Time now) : topic_(topic), receiver_(receiver) {
+      topic_.exchange().attach(receiver_, now);
     }
-    ~Attached() override { topic_.detach(receiver_); }
+    ~Attached() override { topic_.exchange().detach(receiver_); }
     [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const override {
       return topic_.writer(source);
     }
@@ -110,23 +110,27 @@ std::unique_ptr<Subscription> SimBus::subscribe(const Endpoint& endpoint, Receiv
     Topic& topic_;
     Receiver& receiver_;
   };
-  return std::make_unique<Attached>(topic(endpoint), receiver);
+  return std::make_unique<Attached>(topic(endpoint), receiver, now_);
 }
 
 std::unique_ptr<Publication> SimBus::advertise(const Endpoint& endpoint) {
-  return std::make_unique<Writer>(*this, endpoint);
+  return std::make_unique<Writer>(*this, topic(endpoint), endpoint.user_data);
 }
 
 std::int64_t SimBus::wall_ns(Time t) const { return start_wall_ns + (t - start).count(); }
 
-void SimBus::deliver(const Endpoint& endpoint, const std::shared_ptr<const void>& message,
+void SimBus::deliver(const Endpoint& endpoint, const std::shared_ptr<const void>& message) {
+  deliver(topic(endpoint), message, anybody);
+}
+
+void SimBus::deliver(Topic& topic, const std::shared_ptr<const void>& message,
                      std::uint64_t source) {
   Sample sample;
   sample.source = source;
   sample.message = message;
   sample.received = now_;
   sample.sent_wall_ns = sample.received_wall_ns = wall_ns(now_);
-  topic(endpoint).deliver(sample);
+  topic.deliver(std::move(sample));
 }
 
 void SimBus::add(Component& component) {

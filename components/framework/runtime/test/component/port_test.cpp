@@ -38,7 +38,7 @@ class PortTest : public ::testing::Test {
  protected:
   void publish_goal() { bus_.publish<topic::Goal>({}); }
   SimBus bus_;
-  Context context_{bus_, "reading", Role::uxv, ""};
+  Context context_{bus_, "reading", Role::uxv};
   Reading sut_{context_};
 };
 

@@ -78,7 +78,7 @@ class ControlTest : public ::testing::Test {
   SimReader<topic::ContainerState> states_{bus_};
   SimReader<topic::Diagnostics> reports_{bus_};
   NoTicker ticker_;
-  Context context_{bus_, "control", Role::uxv, "/runs/7"};
+  Context context_ = Context(bus_, "control", Role::uxv).with_run_dir("/runs/7");
   Instances instances_{context_, ticker_, entry_of};
   std::uint64_t resident_ = 20U << 20U;
   std::optional<std::uint64_t> free_ = std::uint64_t{1} << 40U;

@@ -94,7 +94,7 @@ class InstancesTest : public ::testing::Test {
   }
   SimBus bus_;
   HandTicker ticker_;
-  Instances sut_{Context{bus_, "", Role::uxv, ""}, ticker_, entry_of};
+  Instances sut_{Context{bus_, "", Role::uxv}, ticker_, entry_of};
 };
 
 TEST_F(InstancesTest, LoadsAnActiveComponent) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -37,7 +38,7 @@ class Echo : public Component {
 class SimBusTest : public ::testing::Test {
  protected:
   SimBus bus_;
-  Context context_{bus_, "echo", Role::uxv, ""};
+  Context context_{bus_, "echo", Role::uxv};
 };
 
 /// The name of a topic with another type.
@@ -101,6 +102,55 @@ TEST_F(SimBusTest, LateReaderOfAStateTopicGetsTheLastSample) {
 TEST_F(SimBusTest, LateReaderOfACommandTopicGetsNothing) {
   bus_.publish<topic::Goal>(goal(7));
   SimReader<topic::Goal> late(bus_);
+  EXPECT_TRUE(late.take().empty());
+}
+
+/// A topic with the profile of a QoS file.
+struct Latched {
+  using Message = std_msgs::msg::String;
+  static constexpr TopicInfo info{"latched", "latched", Scope::host};
+};
+
+TEST(SimBus, KeepsForLateReadersWhatTheProfileOfItsFilePromises) {
+  const TemporaryFolder folder;
+  SimBus bus(QosProfiles(folder.write(
+      "qos.yaml", "latched: {durability: transient_local, depth: 2, lifespan_s: 10}\n")));
+  for (const char* text : {"one", "two", "three"}) {
+    std_msgs::msg::String message;
+    message.data(text);
+    bus.publish<Latched>(message);
+    bus.run_for(seconds(4));
+  }
+  SimReader<Latched> late(bus);
+  const auto taken = late.take();
+  ASSERT_EQ(taken.size(), 2U);
+  EXPECT_EQ(taken[0].data(), "two");
+  bus.run_for(seconds(4));
+  SimReader<Latched> later(bus);
+  EXPECT_EQ(later.take().size(), 1U) << "the second has outlived its lifespan";
+}
+
+TEST(SimBus, RefusesATopicWhoseProfileIsNotInItsFile) {
+  const TemporaryFolder folder;
+  SimBus bus(QosProfiles(folder.write("qos.yaml", "command: {depth: 1}\n")));
+  EXPECT_THROW(SimReader<Latched>{bus}, ConfigError);
+}
+
+TEST(SimBus, AProfileOfAnotherNameIsAsDdsHasItByDefault) {
+  SimBus bus;
+  bus.publish<Latched>({});
+  SimReader<Latched> late(bus);
+  EXPECT_TRUE(late.take().empty());
+  bus.publish<Latched>({});
+  EXPECT_EQ(late.take().size(), 1U);
+}
+
+TEST_F(SimBusTest, WhatAWriterThatIsGoneWroteIsNotKept) {
+  {
+    SimWriter<topic::NavigationStatus> writer(bus_);
+    EXPECT_EQ(writer.write({}), Status::ok);
+  }
+  SimReader<topic::NavigationStatus> late(bus_);
   EXPECT_TRUE(late.take().empty());
 }
 

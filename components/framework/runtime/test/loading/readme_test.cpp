@@ -37,7 +37,7 @@ tocsin_msgs::msg::TransmissionState quality(float qni) {
 
 TEST(Readme, ItsComponentTurnsTheLampRedOnlyBelowItsLimit) {
   SimBus bus;
-  Context context{bus, "link_lamp", Role::uxv, ""};
+  Context context{bus, "link_lamp", Role::uxv};
   SimReader<LampRed> lamp(bus);
   const auto sut = readme_component().create(context, YAML::Load("{poor_below: 40}"), "test");
   bus.add(*sut);
@@ -52,7 +52,7 @@ TEST(Readme, ItsComponentTurnsTheLampRedOnlyBelowItsLimit) {
 
 TEST(Readme, ItsComponentRefusesAWrongParameter) {
   SimBus bus;
-  Context context{bus, "link_lamp", Role::uxv, ""};
+  Context context{bus, "link_lamp", Role::uxv};
   EXPECT_THROW(readme_component().create(context, YAML::Load("{poor_below: 101}"), "test"),
                ConfigError);
 }

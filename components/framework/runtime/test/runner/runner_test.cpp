@@ -59,7 +59,7 @@ class RunnerTest : public ::testing::Test {
   static constexpr Duration patience = std::chrono::seconds(10);
   TickAccount account_;
   ClockBus bus_;
-  Context context_{bus_, "counting", Role::uxv, ""};
+  Context context_{bus_, "counting", Role::uxv};
 };
 
 TEST_F(RunnerTest, TicksOnceAtStartThenOnInput) {

@@ -31,7 +31,7 @@ class Teller : public Component {
 class RunnerThreadsTest : public ::testing::Test {
  protected:
   SimBus bus_;
-  Context context_{bus_, "teller", Role::uxv, ""};
+  Context context_{bus_, "teller", Role::uxv};
   TickAccount account_;
   TickAccount other_account_;
 };

@@ -136,8 +136,8 @@ class Ticker final : public Component {
 
 TEST(ComponentPhase, ComponentsOfOneProcessStartTogetherAndThenTickAtInstantsOfTheirOwn) {
   SimBus bus;
-  Context first_context{bus, "first", Role::uxv, ""};
-  Context second_context{bus, "second", Role::uxv, ""};
+  Context first_context{bus, "first", Role::uxv};
+  Context second_context{bus, "second", Role::uxv};
   Ticker first(first_context, seconds(1));
   Ticker second(second_context, seconds(1));
   bus.add(first);
@@ -153,7 +153,7 @@ TEST(ComponentPhase, ComponentsOfOneProcessStartTogetherAndThenTickAtInstantsOfT
 
 TEST(ComponentPhase, OneThatIsRestartedTakesUpTheInstantsThatItHad) {
   SimBus bus;
-  Context context{bus, "one", Role::uxv, ""};
+  Context context{bus, "one", Role::uxv};
   Time before{};
   {
     Ticker sut(context, seconds(1));
@@ -163,7 +163,7 @@ TEST(ComponentPhase, OneThatIsRestartedTakesUpTheInstantsThatItHad) {
   }
   SimBus later;
   later.run_for(seconds(7.77));
-  Context again{later, "one", Role::uxv, ""};
+  Context again{later, "one", Role::uxv};
   Ticker sut(again, seconds(1));
   later.add(sut);
   later.run_for(seconds(5));
@@ -172,7 +172,7 @@ TEST(ComponentPhase, OneThatIsRestartedTakesUpTheInstantsThatItHad) {
 
 TEST(ComponentPhase, AnotherSeedOfTheRunGivesOtherInstants) {
   SimBus bus;
-  Context one{bus, "one", Role::uxv, ""};
+  Context one{bus, "one", Role::uxv};
   Context other = one;
   other.seed = process_seed(2, "uxv", "link");
   const Ticker first(one, seconds(1));
