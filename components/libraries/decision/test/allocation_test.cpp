@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <new>
 
-#include "decision/channel_qni.hpp"
-#include "decision/detectors.hpp"
 #include "decision/llr.hpp"
 #include "decision/policy.hpp"
+#include "decision/research/channel_qni.hpp"
+#include "decision/research/detectors.hpp"
 
 namespace {
 long allocations = 0;

@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include "decision/detectors.hpp"
+#include "decision/research/detectors.hpp"
 
 namespace tocsin::decision {
 namespace {

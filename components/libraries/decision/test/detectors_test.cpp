@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "decision/detectors.hpp"
+#include "decision/research/detectors.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "decision/optimal_stopping.hpp"
+#include "decision/research/optimal_stopping.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "decision/scenario.hpp"
+#include "decision/research/scenario.hpp"
 
 #include <gtest/gtest.h>
 

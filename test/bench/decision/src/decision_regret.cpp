@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "decision/scenario.hpp"
+#include "decision/research/scenario.hpp"
 
 namespace tocsin::decision {
 namespace {

@@ -8,7 +8,7 @@
 #include "decision/costs.hpp"
 #include "decision/fit.hpp"
 #include "decision/policy.hpp"
-#include "decision/scenario.hpp"
+#include "decision/research/scenario.hpp"
 #include "foundation/error.hpp"
 #include "metrics/slot_cost.hpp"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "decision/optimal_stopping.hpp"
+#include "decision/research/optimal_stopping.hpp"
 #include "special_functions.hpp"
 
 namespace tocsin::decision {
