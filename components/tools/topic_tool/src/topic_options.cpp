@@ -2,8 +2,12 @@
 #include "topic_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <initializer_list>
 #include <limits>
 #include <utility>
+#include <vector>
+
+#include "foundation/enum_words.hpp"
 
 namespace tocsin::topic_tool {
 namespace {
@@ -19,6 +23,19 @@ CLI::App* verb(CLI::App& app, const char* name, const char* text, Options& optio
 
 void need_topic(CLI::App& sub, Options& options) {
   sub.add_option("topic", options.topic, "its name, with or without the slash")->required();
+}
+
+/// An option that is one of `allowed`, in the words of a QoS file.
+template <class Policy>
+void add_qos_option(CLI::App& app, const char* name, Policy& policy,
+                    std::initializer_list<Policy> allowed) {
+  std::vector<std::string> words;
+  for (const Policy one : allowed) words.emplace_back(word_of(one));
+  const auto take = [&policy](const std::string& word) {
+    policy = value_of<Policy>(word).value_or(policy);
+  };
+  app.add_option_function<std::string>(name, take, std::string("[") + word_of(policy) + "]")
+      ->check(CLI::IsMember(words));
 }
 
 void declare_echo(CLI::App& app, Options& options) {
@@ -45,10 +62,10 @@ void declare_pub(CLI::App& app, Options& options) {
   sub->add_option("-w,--wait-matching-subscriptions", options.wait_readers,
                   "readers that are waited for [1 with --once and --times, else 0]")
       ->check(CLI::Range(0, 1000));
-  sub->add_option("--qos-reliability", options.reliability, "[reliable]")
-      ->check(CLI::IsMember({"reliable", "best_effort"}));
-  sub->add_option("--qos-durability", options.durability, "[volatile]")
-      ->check(CLI::IsMember({"volatile", "transient_local"}));
+  add_qos_option(*sub, "--qos-reliability", options.reliability,
+                 {Reliability::reliable, Reliability::best_effort});
+  add_qos_option(*sub, "--qos-durability", options.durability,
+                 {Durability::volatile_kind, Durability::transient_local});
 }
 
 void declare_list(CLI::App& app, Options& options) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "graph_text.hpp"
 #include "message_yaml.hpp"
 #include "runtime/middleware/host_bus.hpp"
+#include "runtime/middleware/qos_policies.hpp"
 
 namespace CLI {
 class App;
@@ -28,9 +30,9 @@ struct Options {
   std::size_t window = 10'000;
   double rate_hz = 1;
   int times = 0;
-  int wait_readers = -1;
-  std::string reliability = "reliable";
-  std::string durability = "volatile";
+  std::optional<int> wait_readers;  ///< empty: as many as the verb needs
+  Reliability reliability = Reliability::reliable;
+  Durability durability = Durability::volatile_kind;
 };
 
 /// Declares the verbs and their options.

@@ -157,12 +157,12 @@ int pub(const Options& options) {
   const auto message = from_yaml(known, options.message);
   const auto bytes = encode(known, message.get());
   TopicSession session(options.host, options.spin_s);
-  const RawTopic topic{wire_topic(options.topic), known.name, options.reliability == "reliable",
-                       options.durability == "transient_local"};
+  const RawTopic topic{wire_topic(options.topic), known.name,
+                       options.reliability == Reliability::reliable,
+                       options.durability == Durability::transient_local};
   const auto writing = session.graph().write(topic);
   const int times = options.once ? 1 : options.times;
-  wait_for_readers(*writing,
-                   options.wait_readers >= 0 ? options.wait_readers : (times > 0 ? 1 : 0));
+  wait_for_readers(*writing, options.wait_readers.value_or(times > 0 ? 1 : 0));
   const std::string text = to_yaml(known, message.get(), {});
   std::printf("publisher: beginning loop\n");
   for (int count = 1; !TopicSession::is_over(); ++count) {

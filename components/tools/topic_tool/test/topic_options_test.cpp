@@ -78,9 +78,14 @@ TEST(TopicOptions, OfPubAreThoseOfRos2) {
   EXPECT_EQ(sut.options.rate_hz, 5);
   EXPECT_EQ(sut.options.times, 3);
   EXPECT_EQ(sut.options.wait_readers, 2);
-  EXPECT_EQ(sut.options.reliability, "reliable");
+  EXPECT_EQ(sut.options.reliability, Reliability::reliable);
+  EXPECT_EQ(sut.options.durability, Durability::volatile_kind);
   EXPECT_EQ(Parsed("pub /x a/b --qos-durability transient_local").options.durability,
-            "transient_local");
+            Durability::transient_local);
+  EXPECT_EQ(Parsed("pub /x a/b --qos-reliability best_effort").options.reliability,
+            Reliability::best_effort);
+  EXPECT_FALSE(Parsed("pub /x a/b").options.wait_readers.has_value());
+  EXPECT_FALSE(Parsed("pub /x a/b --qos-durability persistent").refused.empty()) << "not offered";
   EXPECT_FALSE(Parsed("pub /x").refused.empty()) << "without a type";
   EXPECT_FALSE(Parsed("pub /x a/b -1 -t 3").refused.empty()) << "once and three times";
   EXPECT_FALSE(Parsed("pub /x a/b -r 0").refused.empty());
