@@ -134,6 +134,7 @@ TEST_F(EmergencyStopTest, WorksOnAFullDisk) {
   ASSERT_NE(before, 0) << "the list of processes is lost";
   kill(before, SIGKILL);
   kill(stack_->pid("gcs/link"), SIGKILL);
+  kill(stack_->pid("uxv/recorder"), SIGKILL);
   EXPECT_TRUE(stands()) << stack_->output();
   EXPECT_EQ(stack_->pid("uxv/drive"), before);  // the old list, whole
   EXPECT_EQ(estop({"off"}), 0) << said();
@@ -141,6 +142,9 @@ TEST_F(EmergencyStopTest, WorksOnAFullDisk) {
   fs::remove(stack_->path("fill"));
   EXPECT_TRUE(Stack::eventually(seconds(10), [&] { return stack_->logged("has room again"); }));
   EXPECT_TRUE(Stack::eventually(seconds(10), [&] { return stack_->pid("uxv/drive") != before; }));
+  EXPECT_TRUE(Stack::eventually(seconds(10), [&] {
+    return fs::exists(stack_->path("uxv/bag_2/metadata.yaml"));
+  })) << stack_->output();
 }
 
 TEST_F(EmergencyStopTest, WorksWithoutARunFolder) {

@@ -9,11 +9,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "bag/bag_reader.hpp"
+#include "foundation/csv_table.hpp"
 #include "foundation/temporary_folder.hpp"
 
 namespace tocsin {
@@ -87,6 +90,25 @@ TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
   }
 }
 
+TEST_F(SimulationTest, TheBagOfEachSideHoldsEveryMessageOfItsCsvFiles) {
+  const Ended run = sim("mission.yaml --seed 1");
+  ASSERT_EQ(run.code, 0) << run.output;
+  for (const std::string side : {"uxv", "gcs"}) {
+    const CsvTable rows = CsvTable::load(folder_ + "/1/" + side + "/messages.csv");
+    std::map<std::string, std::uint64_t> in_csv;
+    for (std::size_t i = 0; i < rows.rows(); ++i) ++in_csv["/" + rows.text(i, "topic")];
+    const bag::BagReader bag(folder_ + "/1/" + side + "/bag");
+    std::map<std::string, std::uint64_t> in_bag;
+    for (const auto& [topic, count] : bag.topics()) {
+      EXPECT_EQ(topic.definition_encoding, "ros2msg") << topic.name;
+      if (count > 0) in_bag[topic.name] = count;
+    }
+    EXPECT_EQ(in_bag, in_csv) << side;
+    EXPECT_GT(in_bag["/camera/image_raw/compressed"], 100U) << side;
+    EXPECT_TRUE(bag.damaged().empty());
+  }
+}
+
 TEST_F(SimulationTest, LogLinesCarryTheSimulatedTime) {
   const Ended run = sim("mission.yaml --seed 1 --without uxv/payload");
   ASSERT_EQ(run.code, 0) << run.output;
@@ -136,7 +158,7 @@ TEST_F(SimulationTest, DecidingARecordedRunAgainGivesItsOwnDecisionsSampleBySamp
                     "/1/uxv/transmission_state.csv")
                 .code,
             2);
-  EXPECT_THAT(read("errors"), HasSubstr("of the roles gcs and uxv; choose one by --host"));
+  EXPECT_THAT(read("errors"), HasSubstr("of the roles uxv and gcs; choose one by --host"));
 }
 
 TEST_F(SimulationTest, SameSeedGivesTheSameSamplesOnTwoThreadsAndInAnotherProcess) {

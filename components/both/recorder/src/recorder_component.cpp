@@ -3,7 +3,9 @@
 
 #include <utility>
 
+#include "foundation/enum_words.hpp"
 #include "foundation/error.hpp"
+#include "recorder/bag_recording.hpp"
 #include "recorder/csv_recording.hpp"
 #include "runtime/component_entry.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
@@ -18,6 +20,22 @@ std::vector<ChosenTopic> chosen_topics(const std::string& name,
   return choose_topics(name, {params.link_topics, params.topics}, known_topics());
 }
 
+std::vector<std::unique_ptr<Recording>> recordings_of(const std::string& name,
+                                                      const RecorderComponent::Params& params,
+                                                      const std::string& directory, Logger& log) {
+  if (!params.csv && !params.bag) {
+    throw ConfigError(name + ": nothing would be recorded, since neither csv nor bag is true");
+  }
+  std::vector<std::unique_ptr<Recording>> recordings;
+  if (params.csv) recordings.push_back(std::make_unique<CsvRecording>(name, directory, log));
+  if (params.bag) {
+    const auto compression = value_of<mcap::Compression>(params.bag_compression);
+    recordings.push_back(
+        std::make_unique<BagRecording>(directory, compression.value_or(mcap::Compression::none)));
+  }
+  return recordings;
+}
+
 }  // namespace
 
 RecorderComponent::RecorderComponent(Context& context, const Params& params)
@@ -26,11 +44,13 @@ RecorderComponent::RecorderComponent(Context& context, const Params& params)
                                           : params.directory),
       flush_period_(seconds(params.flush_period_s)),
       topics_(chosen_topics(context.name, params)),
-      recording_(std::make_unique<CsvRecording>(context.name, directory_, log())) {
+      recordings_(recordings_of(context.name, params, directory_, log())) {
   for (const ChosenTopic& topic : topics_) {
-    if (auto input = listen_to(topic)) {
-      tracks_.push_back({recording_->add(topic), std::move(input)});
-    }
+    auto input = listen_to(topic);
+    if (!input) continue;
+    std::vector<std::size_t> numbers;
+    for (const auto& recording : recordings_) numbers.push_back(recording->add(topic));
+    tracks_.push_back({std::move(numbers), std::move(input)});
   }
 }
 
@@ -50,7 +70,9 @@ std::unique_ptr<InputPort> RecorderComponent::listen_to(const ChosenTopic& topic
 void RecorderComponent::tick(Time now) {
   for (const Track& track : tracks_) {
     while (const auto sample = track.input->take_sample()) {
-      recording_->write(track.number, *sample);
+      for (std::size_t i = 0; i < recordings_.size(); ++i) {
+        recordings_[i]->write(track.numbers[i], *sample);
+      }
     }
   }
   if (now >= next_flush_) flush(now);
@@ -59,8 +81,11 @@ void RecorderComponent::tick(Time now) {
 
 void RecorderComponent::flush(Time now) {
   next_flush_ = next_instant(flush_period_, now);
-  recording_->flush();
-  const std::uint64_t lost_before = std::exchange(lost_, recording_->lost());
+  const std::uint64_t lost_before = std::exchange(lost_, 0);
+  for (const auto& recording : recordings_) {
+    recording->flush();
+    lost_ += recording->lost();
+  }
   const bool was_full = std::exchange(disk_full_, lost_ > lost_before);
   if (disk_full_ != was_full) {
     if (disk_full_) {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "bag/bag_reader.hpp"
 #include "foundation/error.hpp"
 #include "runtime/sim_bus.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -144,6 +145,30 @@ TEST_F(RecorderTest, SaysOnceThatTheDiskIsFullAndOnceThatItIsNot) {
   ASSERT_NE(first, std::string::npos) << log;
   EXPECT_EQ(log.find("rows are being lost", first + 1), std::string::npos);
   EXPECT_THAT(log, HasSubstr("can be written again; 6 rows were lost since the start"));
+}
+
+TEST_F(RecorderTest, WritesABagBesideTheCsvFiles) {
+  record_a_goal(7);
+  const bag::BagReader reader(directory_ + "/gcs/bag");
+  EXPECT_EQ(reader.about().count, 1U);
+  EXPECT_TRUE(reader.damaged().empty());
+}
+
+TEST_F(RecorderTest, WritesOneOfTheTwoWhenAsked) {
+  SimBus bus;
+  Context context{bus, "recorder", Role::gcs, directory_};
+  RecorderComponent::Params params;
+  params.csv = false;
+  { const RecorderComponent sut(context, params); }
+  EXPECT_TRUE(std::filesystem::exists(directory_ + "/gcs/bag"));
+  EXPECT_FALSE(std::filesystem::exists(directory_ + "/gcs/messages.csv"));
+  params.csv = true;
+  params.bag = false;
+  { const RecorderComponent sut(context, params); }
+  EXPECT_TRUE(std::filesystem::exists(directory_ + "/gcs/messages.csv"));
+  EXPECT_FALSE(std::filesystem::exists(directory_ + "/gcs/bag_2"));
+  params.csv = false;
+  EXPECT_THROW((RecorderComponent{context, params}), ConfigError);
 }
 
 TEST_F(RecorderTest, AFolderThatCannotBeMadeIsAConfigError) {

@@ -45,7 +45,10 @@ Metadata::File described(const std::string& path, const mcap::Statistics& statis
 BagWriter::BagWriter(const std::string& folder, const BagOptions& options)
     : folder_(without_slash_behind(folder)), options_(options) {
   make_folder(folder_);
-  if (begin_file() == Kept::nothing) throw ConfigError(folder_ + ": no file can be made in it");
+  if (begin_file() == Kept::all) return;
+  std::error_code none;
+  fs::remove(folder_, none);
+  throw ConfigError(folder_ + ": no file can be made in it");
 }
 
 BagWriter::~BagWriter() { (void)close(); }
@@ -86,7 +89,11 @@ Kept BagWriter::write(const mcap::Metadata& metadata) {
   return file_ ? file_->writer().write(metadata) : Kept::nothing;
 }
 
-Kept BagWriter::flush() { return file_ ? file_->writer().flush() : Kept::nothing; }
+Kept BagWriter::flush() {
+  if (!file_) return Kept::nothing;
+  if (!has_metadata_) (void)write_metadata();
+  return file_->writer().flush();
+}
 
 Kept BagWriter::begin_file() {
   const std::string path = name_of(folder_) + "_" + std::to_string(files_.size()) + ".mcap";
@@ -119,7 +126,7 @@ Kept BagWriter::close() {
   return write_metadata() == Kept::all ? kept : Kept::nothing;
 }
 
-Kept BagWriter::write_metadata() const {
+Kept BagWriter::write_metadata() {
   Metadata metadata;
   metadata.files = files_;
   std::int64_t end_ns = 0;
@@ -136,6 +143,7 @@ Kept BagWriter::write_metadata() const {
   }
   const auto failed =
       replace_file((fs::path(folder_) / metadata_file).string(), to_yaml(metadata), Sync::no);
+  has_metadata_ = !failed;
   return failed ? Kept::nothing : Kept::all;
 }
 

@@ -156,6 +156,22 @@ TEST(BagWriter, CountsWhatAFullDiskTakesAndGoesOn) {
   EXPECT_THAT(folder.read("run/metadata.yaml"), HasSubstr("message_count: 2"));
 }
 
+TEST(BagWriter, BeginsOnAFullDiskAndWritesItsMetadataWhenThereIsRoom) {
+  const TemporaryFolder folder;
+  auto* const before = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limit{};
+  getrlimit(RLIMIT_FSIZE, &limit);
+  const rlimit nothing{0, limit.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &nothing);
+  BagWriter sut(folder.path("run"), {});
+  EXPECT_FALSE(fs::exists(folder.path("run/metadata.yaml")));
+  setrlimit(RLIMIT_FSIZE, &limit);
+  (void)std::signal(SIGXFSZ, before);
+  EXPECT_EQ(sut.flush(), mcap::Kept::all);
+  EXPECT_TRUE(fs::exists(folder.path("run/metadata.yaml")));
+  EXPECT_EQ(BagReader(folder.path("run")).about().files.size(), 1U);
+}
+
 TEST(BagWriter, TakesNothingAfterItsEnd) {
   const TemporaryFolder folder;
   BagWriter sut(folder.path("run"), {});

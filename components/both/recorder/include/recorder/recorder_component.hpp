@@ -21,12 +21,18 @@ class RecorderComponent final : public Component {
     double flush_period_s = 0.5;
     bool link_topics = true;
     std::vector<std::string> topics;
+    bool csv = true;
+    bool bag = true;
+    std::string bag_compression = "zstd";
     template <class Visitor>
     void visit(Visitor& v) {
       v("directory", directory, "folder of the files; made when absent; empty: run folder/role");
       v("flush_period_s", flush_period_s, {0.05, 60}, "[s] between writes to the disk");
       v("link_topics", link_topics, "whether every topic that crosses the link is recorded");
       v("topics", topics, "others: names, patterns, or NAME TYPE [QOS [host|link]]");
+      v("csv", csv, "whether CSV files are written, which report, decide and fit read");
+      v("bag", bag, "whether a bag is written, which tocsin bag, ros2 bag and Foxglove open");
+      v("bag_compression", bag_compression, {"none", "lz4", "zstd"}, "of the bag's chunks");
     }
   };
 
@@ -35,9 +41,9 @@ class RecorderComponent final : public Component {
 
  private:
   [[nodiscard]] std::unique_ptr<InputPort> listen_to(const ChosenTopic& topic);
-  /// One topic: where it comes from, and its number in the recording.
+  /// One topic: where it comes from, and its number in each recording.
   struct Track {
-    std::size_t number;
+    std::vector<std::size_t> numbers;
     std::unique_ptr<InputPort> input;
   };
   void flush(Time now);
@@ -46,7 +52,7 @@ class RecorderComponent final : public Component {
   const Duration flush_period_;
   Time next_flush_{};
   const std::vector<ChosenTopic> topics_;
-  const std::unique_ptr<Recording> recording_;
+  const std::vector<std::unique_ptr<Recording>> recordings_;
   std::vector<Track> tracks_;
   bool disk_full_ = false;
   std::uint64_t lost_ = 0;

@@ -23,7 +23,8 @@ struct BagOptions {
 /// Writes a bag: a folder `name` with `name_0.mcap`, `name_1.mcap`, ... and metadata.yaml. One
 /// thread; after its constructor nothing throws.
 ///
-/// metadata.yaml is there from the beginning, and is made anew with each file and at the end.
+/// metadata.yaml is there from the beginning, or as soon as there is room, and is made anew with
+/// each file and at the end.
 class BagWriter {
  public:
   /// Throws ConfigError when the folder is there already or cannot be made.
@@ -52,7 +53,7 @@ class BagWriter {
   [[nodiscard]] bool has_to_split(std::int64_t log_time_ns) const;
   mcap::Kept begin_file();
   mcap::Kept end_file();
-  mcap::Kept write_metadata() const;
+  mcap::Kept write_metadata();
 
   const std::string folder_;
   const BagOptions options_;
@@ -60,7 +61,8 @@ class BagWriter {
   std::vector<std::uint64_t> counts_;  ///< by topic, of files that are closed
   std::vector<Metadata::File> files_;  ///< the last one may be open
   std::unique_ptr<File> file_;
-  std::uint64_t lost_ = 0;  ///< by files that are closed, or that could not be made
+  std::uint64_t lost_ = 0;     ///< by files that are closed, or that could not be made
+  bool has_metadata_ = false;  ///< of the files that there are; false: the disk was full
   bool closed_ = false;
 };
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bag/bag_writer.hpp"
+#include "recorder/recording.hpp"
+
+namespace tocsin {
+
+/// A bag with the messages as they are on the wire: `bag` in the folder, or `bag_2`, ... for a
+/// recorder that was started again, since a bag belongs to one process. On a full disk it begins
+/// when there is room.
+class BagRecording final : public Recording {
+ public:
+  /// Throws ConfigError naming the folder when it cannot be made.
+  BagRecording(const std::string& directory, mcap::Compression compression);
+
+  [[nodiscard]] std::size_t add(const ChosenTopic& topic) override;
+  void write(std::size_t topic, const Sample& sample) override;
+  void flush() override;
+  [[nodiscard]] std::uint64_t lost() const override;
+
+ private:
+  /// Throws ConfigError.
+  void begin();
+
+  const std::string directory_;
+  const bag::BagOptions options_;
+  std::vector<bag::Topic> topics_;
+  std::vector<const TypeInfo*> types_;      ///< by topic
+  std::unique_ptr<bag::BagWriter> writer_;  ///< null: there was no room for it yet
+  std::uint64_t before_it_ = 0;             ///< messages that came until then
+  std::vector<std::uint8_t> bytes_;         ///< of the message that is written
+};
+
+}  // namespace tocsin
