@@ -156,7 +156,7 @@ TEST_F(RecorderTest, WritesABagBesideTheCsvFiles) {
 
 TEST_F(RecorderTest, WritesOneOfTheTwoWhenAsked) {
   SimBus bus;
-  Context context{bus, "recorder", Role::gcs, directory_};
+  Context context = Context(bus, "recorder", Role::gcs).with_run_dir(directory_);
   RecorderComponent::Params params;
   params.csv = false;
   { const RecorderComponent sut(context, params); }
