@@ -49,6 +49,7 @@ Instance& Instances::append(const std::string& library, const std::string& name)
   instance.name = name;
   instance.context = std::make_unique<Context>(home_);
   instance.context->name = name;
+  instance.context->node.clear();  // its own, not that of its home
   return instance;
 }
 

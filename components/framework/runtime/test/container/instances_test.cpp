@@ -105,6 +105,13 @@ TEST_F(InstancesTest, LoadsAnActiveComponent) {
   EXPECT_EQ(ticker_.size(), 1U);
 }
 
+TEST_F(InstancesTest, AComponentIsANodeOfItsOwnNameAndNotItsContainers) {
+  Instances sut(Context(bus_, "control", Role::uxv).with_node("drive_container"), ticker_,
+                entry_of);
+  ASSERT_TRUE(sut.load("fragile", "arm", "").done);
+  EXPECT_EQ(sut.all().front().component->node(), "arm");
+}
+
 TEST_F(InstancesTest, RefusesASecondNodeOfOneName) {
   EXPECT_TRUE(sut_.load("fragile", "a", "").done);
   const Outcome outcome = sut_.load("fragile", "a", "");
