@@ -23,7 +23,7 @@ bool CdrTopicType::serialize(void* data, Payload* payload) {
 bool CdrTopicType::deserialize(Payload* payload, void* data) {
   auto& incoming = *static_cast<IncomingSample*>(data);
   if (incoming.skip) return true;
-  incoming.message = incoming.pool != nullptr ? incoming.pool->take() : type_.create();
+  incoming.message = type_.create();
   incoming.bytes = payload->length;
   incoming.valid = type_.deserialize(payload->data, payload->length, incoming.message.get());
   return true;  // a sample that cannot be decoded is taken and dropped, not offered again

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <fastdds/dds/topic/TopicDataType.hpp>
+#include <functional>
 #include <memory>
 
-#include "exchange/message_pool.hpp"
 #include "idl_support/type_info.hpp"
 
 namespace tocsin {
 
 /// What take_next_sample fills.
 struct IncomingSample {
-  MessagePool* pool = nullptr;  ///< set before: where to take the message from
   std::shared_ptr<void> message;
   std::uint32_t bytes = 0;
   bool valid = false;

@@ -37,7 +37,6 @@ DdsReader::DdsReader(FastDdsParticipant& participant, const std::string& topic,
       skips_own_(!qos.exclusive()),
       own_{topic, type.name, layout_in(qos.user_data), false, qos},
       account_(topic, false),
-      pool_(type),
       reader_(participant.create_reader(topic, type, qos, *this)) {
   if (reader_ == nullptr) throw EnvironmentError("DDS reader of " + topic + " cannot be created");
 }
@@ -69,7 +68,6 @@ bool DdsReader::has_other_layout(const RemoteEnds::Guid& writer) {
 
 void DdsReader::drain(Reader* reader) {
   IncomingSample incoming;
-  incoming.pool = &pool_;
   dds::SampleInfo info;
   for (;;) {
     incoming.skip = next_is_own(reader);  // spares the decoding

@@ -10,7 +10,6 @@
 #include <optional>
 #include <string>
 
-#include "exchange/message_pool.hpp"
 #include "fast_dds/endpoint_account.hpp"
 #include "fast_dds/fast_dds_participant.hpp"
 #include "fast_dds/single_drainer.hpp"
@@ -74,7 +73,6 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   /// The writers that it is matched with, and those for whom one of these writes.
   std::map<std::uint64_t, RemoteEnds::Guid> sources_;
   ReplayFilter carried_;
-  MessagePool pool_;
   Reader* reader_;
 };
 

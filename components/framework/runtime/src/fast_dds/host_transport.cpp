@@ -139,7 +139,7 @@ void HostTransport::receive(TransportReceiverInterface* next, const rtps::octet*
                             const rtps::Locator_t& remote) {
   std::unique_lock<std::mutex> turn(discovery_, std::defer_lock);
   if (is_for_discovery(local)) turn.lock();
-  thread_local std::vector<std::uint8_t> changed;
+  std::vector<std::uint8_t> changed;
   const auto message = counts_.translate(bytes, size, changed);
   next->OnDataReceived(message.first, static_cast<std::uint32_t>(message.second), local, remote);
 }

@@ -35,7 +35,6 @@ RawReader::RawReader(FastDdsParticipant& participant, RawEnd end, OnSample on_sa
       end_(std::move(end)),
       on_sample_(std::move(on_sample)),
       on_match_(std::move(on_match)),
-      pool_(raw_type(end_.type)),
       reader_(participant.create_reader(end_.topic, raw_type(end_.type), end_.qos, *this)) {
   if (reader_ == nullptr)
     throw EnvironmentError("DDS reader of " + end_.topic + " cannot be created");
@@ -51,7 +50,6 @@ void RawReader::on_data_available(Reader* reader) {
 
 void RawReader::drain(Reader* reader) {
   IncomingSample incoming;
-  incoming.pool = &pool_;
   dds::SampleInfo info;
   while (reader->take_next_sample(&incoming, &info) == ReturnCode::RETCODE_OK) {
     if (info.valid_data && incoming.valid) on_sample_(bytes_of(incoming), info);

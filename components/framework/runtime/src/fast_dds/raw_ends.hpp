@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "exchange/message_pool.hpp"
 #include "fast_dds/fast_dds_participant.hpp"
 #include "fast_dds/single_drainer.hpp"
 #include "runtime/middleware/ros_graph.hpp"
@@ -55,7 +54,6 @@ class RawReader : private eprosima::fastdds::dds::DataReaderListener {
   const RawEnd end_;  // its profile must outlive the reader
   const OnSample on_sample_;
   const OnMatch on_match_;
-  MessagePool pool_;
   SingleDrainer drainer_;
   Reader* reader_;
 };

@@ -53,7 +53,6 @@ FlowReader::FlowReader(FastDdsParticipant& participant, const ReaderKey& key, On
     : participant_(participant),
       type_(raw_type(key.type)),
       on_sample_(std::move(on_sample)),
-      pool_(type_),
       reader_(participant.create_reader(key.topic, type_, profile_of(key), *this)) {
   if (reader_ == nullptr) {
     throw EnvironmentError("DDS reader of " + key.topic + " cannot be created");
@@ -68,7 +67,6 @@ void FlowReader::on_data_available(Reader* reader) {
 
 void FlowReader::drain(Reader* reader) {
   IncomingSample incoming;
-  incoming.pool = &pool_;
   dds::SampleInfo info;
   while (reader->take_next_sample(&incoming, &info) == ReturnCode::RETCODE_OK) {
     if (!info.valid_data || participant_.owns(info.sample_identity.writer_guid())) continue;

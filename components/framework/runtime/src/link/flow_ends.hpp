@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 
-#include "exchange/message_pool.hpp"
 #include "fast_dds/cdr_topic_type.hpp"
 #include "fast_dds/fast_dds_participant.hpp"
 #include "fast_dds/single_drainer.hpp"
@@ -49,7 +48,6 @@ class FlowReader : private eprosima::fastdds::dds::DataReaderListener {
   FastDdsParticipant& participant_;
   const TypeInfo& type_;
   OnSample on_sample_;
-  MessagePool pool_;
   SingleDrainer drainer_;
   Reader* reader_;
 };
