@@ -19,8 +19,7 @@ set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 set(TOCSIN_SANITIZE "" CACHE STRING "Sanitizers for all of our code: address,undefined or thread")
 
 # Calls within a shared library go straight to their function, those between libraries through one
-# pointer: a stub on the way costs a line of the instruction cache, the scarcest thing in a program
-# that does a little of everything all the time.
+# pointer: a stub on the way costs a line of the instruction cache.
 function(tocsin_link_directly target)
   target_compile_options(${target} PRIVATE -fno-plt)
   get_target_property(type ${target} TYPE)
