@@ -18,11 +18,13 @@ class Talker final : public tocsin::Component {
     double period_s = 1;
     template <class Visitor>
     void visit(Visitor& v) {
-      v("text", text, "what is said");
+      live(v)("text", text, "what is said");
       v("period_s", period_s, {0.01, 60}, "[s] between two greetings");
     }
   };
   Talker(tocsin::Context& context, const Params& params);
+  /// The text may change while it talks.
+  void set_parameters(const Params& params) { params_ = params; }
   void tick(tocsin::Time now) override;
 
  private:

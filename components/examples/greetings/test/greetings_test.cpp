@@ -34,6 +34,16 @@ TEST_F(GreetingsTest, TheTalkerCountsWhatItSays) {
   }
 }
 
+TEST_F(GreetingsTest, TheTextMayChangeWhileTheTalkerTalks) {
+  tocsin::SimReader<Greetings> heard(bus_);
+  Talker talker(talker_context_, {"good morning", 1});
+  bus_.add(talker);
+  talker.post([&] { talker.set_parameters({"good evening", 1}); });
+  EXPECT_EQ(heard.take().back().text(), "good morning");
+  bus_.run_for(tocsin::seconds(1));
+  EXPECT_EQ(heard.take().back().text(), "good evening");
+}
+
 TEST_F(GreetingsTest, TheListenerLogsWhatItHears) {
   Listener listener(listener_context_, {});
   bus_.add(listener);

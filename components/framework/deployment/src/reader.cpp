@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "foundation/enum_words.hpp"
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/yaml_file.hpp"
@@ -67,14 +68,25 @@ bool read_shared_thread(const Section& section) {
   return threads == "shared";
 }
 
+ParameterServices read_parameter_services(const Section& section) {
+  const std::string word = section.text("parameter_services", "on_demand");
+  const auto value = value_of<ParameterServices>(word);
+  if (!value) {
+    section.fail("parameter_services", "'" + word + "' is not one of: on_demand, always, never");
+  }
+  return *value;
+}
+
 Container read_container(const YAML::Node& node, const std::string& owner,
                          const YamlSources& sources) {
-  const Section section(node, owner, sources,
-                        {"name", "terminal", "threads", "health", "components"});
+  const Section section(
+      node, owner, sources,
+      {"name", "terminal", "threads", "health", "parameter_services", "components"});
   Container container;
   container.name = section.required_name("name");
   container.terminal = section.flag("terminal", false);
   container.shared_thread = read_shared_thread(section);
+  container.parameter_services = read_parameter_services(section);
   container.health =
       load_parameters<HealthLimits>(section.find("health"), owner + ".health", sources);
   for (const YAML::Node& item : section.items("components")) {

@@ -2,6 +2,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "deployment/deployment.hpp"
+#include "foundation/enum_words.hpp"
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/replace_file.hpp"
@@ -79,6 +80,7 @@ void write(YAML::Emitter& out, const Container& container, const YamlSources& so
   pair(out, "name", container.name);
   pair(out, "terminal", container.terminal);
   pair(out, "threads", container.shared_thread ? "shared" : "one_each");
+  pair(out, "parameter_services", word_of(container.parameter_services));
   write_all(out, "health", container.health);
   out << YAML::Key << "components" << YAML::Value << BeginSeq;
   for (const ComponentInstance& instance : container.components) write(out, instance, sources);

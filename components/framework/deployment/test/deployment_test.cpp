@@ -116,8 +116,9 @@ TEST_F(DeploymentTest, AnUnknownKeyNamesAllKeysOnceAndComesBeforeWhatIsMissing) 
   EXPECT_THAT(error_of(with(whole, "role: uxv", "rol: uxv")),
               HasSubstr("hosts.uxv.rol: unknown key; allowed: [role, address, peers, enclave, "
                         "programs, containers] ("));
-  EXPECT_THAT(error_of(with(whole, "terminal: true", "terminl: true")),
-              HasSubstr("allowed: [name, terminal, threads, health, components]"));
+  EXPECT_THAT(
+      error_of(with(whole, "terminal: true", "terminl: true")),
+      HasSubstr("allowed: [name, terminal, threads, health, parameter_services, components]"));
   EXPECT_THAT(
       error_of(with(whole, "domain: 40", "domian: 40")),
       HasSubstr("allowed: [qos, traffic, namespace, stop_when_exits, restart, radio, security, "
@@ -242,6 +243,16 @@ TEST_F(DeploymentTest, AContainerHasOneThreadEachUnlessItSharesOne) {
   EXPECT_TRUE(load(shared).hosts[0].containers[0].shared_thread);
   EXPECT_THAT(error_of(with(whole, "- name: drive", "- name: drive\n        threads: two")),
               HasSubstr("threads: 'two' is not one of: one_each, shared"));
+}
+
+TEST_F(DeploymentTest, AContainerHasParameterServicesOnDemandUnlessItSaysOtherwise) {
+  EXPECT_EQ(load(whole).hosts[0].containers[0].parameter_services, ParameterServices::on_demand);
+  const auto always =
+      with(whole, "- name: drive", "- name: drive\n        parameter_services: always");
+  EXPECT_EQ(load(always).hosts[0].containers[0].parameter_services, ParameterServices::always);
+  EXPECT_THAT(error_of(with(whole, "- name: drive",
+                            "- name: drive\n        parameter_services: sometimes")),
+              HasSubstr("parameter_services: 'sometimes' is not one of: on_demand, always, never"));
 }
 
 TEST_F(DeploymentTest, TheLimitsOfAContainersWatchAreAMap) {

@@ -166,6 +166,8 @@ void ParameterPrinter::line(const char* name, const std::string& value, const st
                             const char* text) {
   text_ += std::string(name) + ": " + value + "  # " + text;
   if (!allowed.empty()) text_ += "; " + allowed;
+  if (next_is_live_) text_ += "; live";
+  next_is_live_ = false;
   text_ += "\n";
 }
 

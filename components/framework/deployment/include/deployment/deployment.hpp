@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,6 +44,16 @@ struct HealthLimits {
   }
 };
 
+/// Which nodes of a process have ROS 2's parameter services: six servers, twelve ends of DDS each.
+enum class ParameterServices {
+  on_demand,  ///< one that somebody asks; all, while a participant of ROS 2 is on the host
+  always,
+  never,
+};
+[[nodiscard]] inline constexpr std::array<const char*, 3> words_of(ParameterServices) {
+  return {"on_demand", "always", "never"};
+}
+
 /// One process that runs components.
 struct Container {
   std::string name;       ///< unique among the programs and containers of its host
@@ -51,6 +62,7 @@ struct Container {
   /// All components on one thread, which hand over without a system call; else one thread each.
   bool shared_thread = false;
   HealthLimits health = {};
+  ParameterServices parameter_services = ParameterServices::on_demand;
 };
 
 /// One plain process without DDS.

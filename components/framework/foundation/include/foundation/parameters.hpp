@@ -4,6 +4,8 @@
 #include <initializer_list>
 #include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "foundation/yaml_sources.hpp"
@@ -69,13 +71,32 @@ class ParameterPrinter {
                   const char* text);
   void operator()(const char* name, const std::vector<std::string>& value, const char* text);
 
+  /// The next one can be changed while the component runs.
+  void mark_live() { next_is_live_ = true; }
+
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
   void line(const char* name, const std::string& value, const std::string& allowed,
             const char* text);
   std::string text_;
+  bool next_is_live_ = false;
 };
+
+template <class Visitor, class = void>
+struct KnowsLive : std::false_type {};
+template <class Visitor>
+struct KnowsLive<Visitor, std::void_t<decltype(std::declval<Visitor&>().mark_live())>>
+    : std::true_type {};
+
+/// Says in `visit` that a parameter may be changed while the component runs:
+///
+///     live(v)("lost_after_s", lost_after_s, {0.05, 60}, "[s] longer silence is lost");
+template <class Visitor>
+Visitor& live(Visitor& visitor) {
+  if constexpr (KnowsLive<Visitor>::value) visitor.mark_live();
+  return visitor;
+}
 
 /// A parameter struct loaded from a YAML map; every wrong, unknown or out-of-range key throws
 /// ConfigError, for example `link_monitor.lost_after_s: -1 is outside [0.05, 60] (a.yaml:3)`.

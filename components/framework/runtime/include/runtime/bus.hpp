@@ -14,6 +14,7 @@
 #include "runtime/middleware/accounts.hpp"
 #include "runtime/middleware/endpoint_facts.hpp"
 #include "runtime/middleware/link_bus.hpp"
+#include "runtime/middleware/services.hpp"
 
 namespace tocsin {
 
@@ -84,6 +85,26 @@ class Bus {
   /// that another endpoint of this process uses. `receiver` must outlive the result.
   virtual std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) = 0;
   virtual std::unique_ptr<Publication> advertise(const Endpoint& endpoint) = 0;
+
+  /// Serves, or calls, a service; null: this bus has none. `receiver` must outlive the result.
+  virtual std::unique_ptr<ServerEnd> serve(const ServiceEndpoint& /*endpoint*/,
+                                           ServerReceiver& /*receiver*/) {
+    return nullptr;
+  }
+  virtual std::unique_ptr<ClientEnd> call(const ServiceEndpoint& /*endpoint*/,
+                                          ClientReceiver& /*receiver*/) {
+    return nullptr;
+  }
+  /// Of its topics, without slashes; empty for none.
+  [[nodiscard]] virtual const std::string& ros_namespace() const {
+    static const std::string none;
+    return none;
+  }
+  /// Who asks from outside. Thread-safe.
+  [[nodiscard]] virtual Callers callers() const { return {}; }
+  /// `notice` is called, by any thread, when that may have changed; it must not block. Empty ends
+  /// it, and waits for a call that is running.
+  virtual void watch_callers(const std::function<void()>& /*notice*/) {}
 
   /// The clock of this bus: real, or virtual in a simulation.
   [[nodiscard]] virtual Time now() const = 0;

@@ -84,6 +84,13 @@ class Component {
   /// For the container, any thread: account of all inputs; ending and resuming their supply.
   [[nodiscard]] std::vector<PortHealth> port_health() const;
   void listen(bool on);
+  /// For the container, any thread: `change` is done on the component's thread before its next
+  /// tick, which it asks for.
+  void post(std::function<void()> change);
+  /// For who ticks it, before the tick: does what was posted.
+  void take_changes() {
+    if (has_changes_) do_changes();
+  }
 
  protected:
   /// Tick not later than `deadline`. The earliest wish since the start of the last tick counts;
@@ -106,12 +113,16 @@ class Component {
   friend class InputPort;
   void add_port(InputPort& port);
   void remove_port(InputPort& port);
+  void do_changes();
   Context& context_;
   const double phase_;
   Schedule schedule_;
   Logger log_;
   mutable std::mutex ports_mutex_;
   std::vector<InputPort*> ports_;
+  std::atomic<bool> has_changes_{false};
+  std::mutex changes_mutex_;
+  std::vector<std::function<void()>> changes_;
 };
 
 }  // namespace tocsin

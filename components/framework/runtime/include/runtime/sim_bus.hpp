@@ -14,6 +14,8 @@
 
 namespace tocsin {
 
+class LocalServices;
+
 /// A bus in memory with virtual time and one thread: what component tests run on. Late readers, and
 /// readers of what has outlived its lifespan, get what the profile of the topic promises.
 ///
@@ -36,6 +38,11 @@ class SimBus : public Bus {
 
   std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
+  std::unique_ptr<ServerEnd> serve(const ServiceEndpoint& endpoint,
+                                   ServerReceiver& receiver) override;
+  std::unique_ptr<ClientEnd> call(const ServiceEndpoint& endpoint,
+                                  ClientReceiver& receiver) override;
+  [[nodiscard]] Callers callers() const override;
   [[nodiscard]] Time now() const override { return now_; }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
 
@@ -65,6 +72,7 @@ class SimBus : public Bus {
 
   const std::optional<QosProfiles> profiles_;
   Time now_;
+  std::unique_ptr<LocalServices> services_;
   std::uint64_t last_source_ = anybody;
   std::map<std::string, std::unique_ptr<Topic>> topics_;
   std::vector<Component*> components_;

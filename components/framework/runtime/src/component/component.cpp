@@ -88,6 +88,25 @@ void Component::listen(bool on) {
   for (InputPort* port : ports_) port->listen(on);
 }
 
+void Component::post(std::function<void()> change) {
+  {
+    const std::lock_guard<std::mutex> lock(changes_mutex_);
+    changes_.push_back(std::move(change));
+    has_changes_ = true;
+  }
+  schedule_.input_arrived();
+}
+
+void Component::do_changes() {
+  std::vector<std::function<void()>> changes;
+  {
+    const std::lock_guard<std::mutex> lock(changes_mutex_);
+    changes.swap(changes_);
+    has_changes_ = false;
+  }
+  for (const auto& change : changes) change();
+}
+
 builtin_interfaces::msg::Time Component::wall(Time now) const {
   constexpr std::int64_t second = 1'000'000'000;
   const std::int64_t ns = context_.bus.wall_ns(now);

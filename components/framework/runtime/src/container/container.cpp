@@ -47,8 +47,9 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
   instances_ = std::make_unique<Instances>(context_, *threads_, load_component);
   control_ = std::make_unique<ControlComponent>(
       context_, container.health,
-      ProcessName{host.name, container.name, static_cast<int>(getpid())}, *instances_,
-      ControlComponent::Computer{resident_bytes, free_bytes, dropped_packets});
+      ProcessName{host.name, container.name, static_cast<int>(getpid()),
+                  container.parameter_services},
+      *instances_, ControlComponent::Computer{resident_bytes, free_bytes, dropped_packets});
   for (const deployment::ComponentInstance& one : container.components) {
     instances_->add(one.component, one.name, one.parameters, deployment.sources);
   }

@@ -17,6 +17,7 @@ using Command = tocsin_msgs::msg::ContainerCommand;
 constexpr Duration neighbour_silence = std::chrono::seconds(3);
 constexpr Duration settling = std::chrono::seconds(10);  // allocations of the start are no leak
 constexpr std::size_t kept_answers = 8;
+constexpr Duration unasked = std::chrono::seconds(10);  // a command of a person comes again
 constexpr Duration between_drop_lines = std::chrono::minutes(1);  // a flood must not fill the log
 
 }  // namespace
@@ -35,7 +36,11 @@ ControlComponent::ControlComponent(Context& context, const HealthLimits& limits,
       limits_(limits),
       process_(std::move(process)),
       instances_(instances),
-      computer_(std::move(computer)) {}
+      computer_(std::move(computer)) {
+  bus().watch_callers([this] { schedule().input_arrived(); });
+}
+
+ControlComponent::~ControlComponent() { bus().watch_callers({}); }
 
 void ControlComponent::tick(Time now) {
   bool changed = instances_.settle_failures();
@@ -51,6 +56,7 @@ void ControlComponent::tick(Time now) {
     publish_health(now);
     changed = true;
   }
+  serve_parameters(now);
   if (changed) {
     publish_state(now);
     bus().update_graph();
@@ -101,6 +107,62 @@ Outcome ControlComponent::set_qos(const Command& command) {
   } catch (const ConfigError& error) {
     return {false, error.what()};
   }
+}
+
+bool ControlComponent::is_asked(const Instance& instance, const Callers& callers) const {
+  using Mode = deployment::ParameterServices;
+  const Mode mode = process_.parameter_services;
+  if (mode != Mode::on_demand) return mode == Mode::always;
+  return callers.ros2 || calls_parameters_of(instance.name, callers.services);
+}
+
+/// Twelve ends of DDS for each node: made for who asks, and taken away a while after he has gone.
+void ControlComponent::note_callers(Time now) {
+  const Callers callers = bus().callers();
+  for (const Instance& instance : instances_.all()) {
+    if (!is_asked(instance, callers)) continue;
+    if (!events_) events_.emplace(*this);
+    Served& served = served_[instance.id];
+    served.asked = now;
+    if (!served.services) {
+      served.services = std::make_unique<ParameterServices>(*this, instance.name);
+    }
+  }
+  for (auto it = served_.begin(); it != served_.end();) {
+    const bool over = now - it->second.asked > unasked || !instances_.has(it->first);
+    it = over ? served_.erase(it) : std::next(it);
+  }
+}
+
+void ControlComponent::serve_parameters(Time now) {
+  const std::size_t before = served_.size();
+  note_callers(now);
+  for (const Instance& instance : instances_.all()) {
+    const auto served = served_.find(instance.id);
+    if (served != served_.end()) served->second.services->answer(source_of(instance, now));
+  }
+  if (served_.size() != before) bus().update_graph();
+}
+
+ParameterSource ControlComponent::source_of(const Instance& instance, Time now) {
+  return {[this, &instance] { return instances_.parameters(instance); },
+          [this, &instance, now](const auto& given) {
+            const Outcome outcome = instances_.set_parameters(instance.id, given);
+            if (outcome.done) tell_change(instance, given, now);
+            return outcome;
+          }};
+}
+
+void ControlComponent::tell_change(const Instance& instance,
+                                   const std::vector<rcl_interfaces::msg::Parameter>& changed,
+                                   Time now) {
+  const std::string& home = bus().ros_namespace();
+  rcl_interfaces::msg::ParameterEvent event;
+  event.stamp(wall(now));
+  event.node((home.empty() ? "/" : "/" + home + "/") + instance.name);
+  event.changed_parameters(changed);
+  for (const auto& one : changed) log().info("{}: parameter {} set", instance.name, one.name());
+  if (events_->write(std::move(event)) == Status::failed) log().warn("a change was not told");
 }
 
 void ControlComponent::note_neighbour(const tocsin_msgs::msg::ContainerState& state, Time now) {

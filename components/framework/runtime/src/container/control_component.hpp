@@ -11,6 +11,8 @@
 
 #include "container/health_report.hpp"
 #include "container/instances.hpp"
+#include "container/parameter_services.hpp"
+#include "deployment/deployment.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -21,6 +23,14 @@ struct ProcessName {
   std::string host;
   std::string container;
   int pid;
+  /// Which of its nodes have them.
+  deployment::ParameterServices parameter_services = deployment::ParameterServices::on_demand;
+};
+
+/// Where ROS 2 hears of parameters that have changed, whatever the namespace.
+struct ParameterEvents {
+  using Message = rcl_interfaces::msg::ParameterEvent;
+  static constexpr TopicInfo info{"/parameter_events", "event", Scope::host};
 };
 
 /// Runs in every container, on a thread of its own: carries out commands on the instances, and
@@ -36,6 +46,7 @@ class ControlComponent final : public Component {
   /// `instances` must outlive it.
   ControlComponent(Context& context, const HealthLimits& limits, ProcessName process,
                    Instances& instances, Computer computer);
+  ~ControlComponent() override;
   void tick(Time now) override;
 
  private:
@@ -44,6 +55,12 @@ class ControlComponent final : public Component {
     Time at;
     std::vector<std::string> names;
   };
+  void serve_parameters(Time now);
+  void note_callers(Time now);
+  [[nodiscard]] bool is_asked(const Instance& instance, const Callers& callers) const;
+  [[nodiscard]] ParameterSource source_of(const Instance& instance, Time now);
+  void tell_change(const Instance& instance,
+                   const std::vector<rcl_interfaces::msg::Parameter>& changed, Time now);
   void obey(const tocsin_msgs::msg::ContainerCommand& command);
   Outcome carry_out(const tocsin_msgs::msg::ContainerCommand& command);
   /// The answer's text is the number of ends that were changed.
@@ -71,6 +88,13 @@ class ControlComponent final : public Component {
   std::map<std::string, EndpointHealth> endpoints_before_;
   std::deque<tocsin_msgs::msg::ContainerAnswer> answers_;
   rtps_filter::DropAccount dropped_before_;
+  /// Of a node that somebody asks, or has asked not long ago.
+  struct Served {
+    Time asked;
+    std::unique_ptr<ParameterServices> services;
+  };
+  std::map<std::uint32_t, Served> served_;
+  std::optional<Output<ParameterEvents>> events_;
   Time next_drop_line_{};
   std::uint64_t first_bytes_ = 0;
   Time started_{};

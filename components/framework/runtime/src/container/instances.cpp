@@ -3,6 +3,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -118,6 +119,49 @@ Outcome Instances::change(const std::string& name, Transition transition) {
   Instance* const instance = find(name);
   if (instance == nullptr) return {false, name + ": no component of this name is loaded"};
   return apply(*instance, transition);
+}
+
+std::vector<ParameterFacts> Instances::parameters(const Instance& instance) const {
+  std::vector<ParameterFacts> facts;
+  (void)error_of([&] {
+    facts = find_(instance.library).facts(instance.name, *instance.parameters, instance.sources);
+  });
+  return facts;
+}
+
+/// Why some of these cannot be set, whatever their values; empty: they can.
+std::string Instances::refusal(const Instance& instance,
+                               const std::vector<rcl_interfaces::msg::Parameter>& given) const {
+  const std::vector<ParameterFacts> facts = parameters(instance);
+  for (const auto& one : given) {
+    const ParameterFacts* const known = find_parameter(facts, one.name());
+    const std::string owner = instance.name + "." + printable(one.name()) + ": ";
+    if (known == nullptr) return owner + "there is no such parameter";
+    if (!known->live)
+      return owner + "is fixed while the component runs; set it in the bringup file";
+    const std::string fault = type_fault(known->value, one.value());
+    if (!fault.empty()) return owner + fault;
+  }
+  return "";
+}
+
+Outcome Instances::set_parameters(std::uint32_t id,
+                                  const std::vector<rcl_interfaces::msg::Parameter>& given) {
+  const auto found =
+      std::find_if(all_.begin(), all_.end(), [&](const Instance& one) { return one.id == id; });
+  if (found == all_.end()) return {false, "the component is gone"};
+  const std::string refused = refusal(*found, given);
+  if (!refused.empty()) return {false, refused};
+  YAML::Node merged = YAML::Clone(*found->parameters);
+  const std::string wrong = error_of([&] {
+    for (const auto& one : given) merged[one.name()] = yaml_of(one.value()).value();
+    const ComponentEntry& entry = find_(found->library);
+    entry.check(found->name, merged, found->sources);
+    if (found->component) entry.change(*found->component, merged, found->sources);
+  });
+  if (!wrong.empty()) return {false, wrong};
+  found->parameters = std::make_shared<const YAML::Node>(merged);
+  return {true, ""};
 }
 
 Outcome Instances::apply(Instance& instance, Transition transition) {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <list>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "container/lifecycle.hpp"
 #include "runner/tick_account.hpp"
 #include "runtime/component_entry.hpp"
+#include "runtime/middleware/ros_parameters.hpp"
 
 namespace tocsin {
 
@@ -62,10 +65,18 @@ class Instances {
   /// `name` may also be the id.
   Outcome unload(const std::string& name);
   Outcome change(const std::string& name, Transition transition);
+  /// Its parameters as they are; none when its library does not tell.
+  [[nodiscard]] std::vector<ParameterFacts> parameters(const Instance& instance) const;
+  /// All of them or none; one that is not live is refused.
+  Outcome set_parameters(std::uint32_t id,
+                         const std::vector<rcl_interfaces::msg::Parameter>& given);
   /// Puts those whose tick threw into the state error. True when there were some.
   bool settle_failures();
 
   [[nodiscard]] const std::list<Instance>& all() const { return all_; }
+  [[nodiscard]] bool has(std::uint32_t id) const {
+    return std::any_of(all_.begin(), all_.end(), [=](const auto& one) { return one.id == id; });
+  }
 
  private:
   Instance& append(const std::string& library, const std::string& name);
@@ -73,6 +84,8 @@ class Instances {
   void construct(Instance& instance);
   Outcome apply(Instance& instance, Transition transition);
   Outcome configure(Instance& instance);
+  [[nodiscard]] std::string refusal(const Instance& instance,
+                                    const std::vector<rcl_interfaces::msg::Parameter>& given) const;
   bool quieten(Instance& instance);
 
   const Context home_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "exchange/local_services.hpp"
 #include "foundation/error.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
 
@@ -74,8 +75,9 @@ class SimBus::Writer : public Publication {
   const std::uint64_t source_;
 };
 
-SimBus::SimBus() : now_(start) {}
-SimBus::SimBus(const QosProfiles& profiles) : profiles_(profiles), now_(start) {}
+SimBus::SimBus() : now_(start), services_(std::make_unique<LocalServices>()) {}
+SimBus::SimBus(const QosProfiles& profiles)
+    : profiles_(profiles), now_(start), services_(std::make_unique<LocalServices>()) {}
 SimBus::~SimBus() = default;
 
 QosProfile SimBus::profile_of(const TopicInfo& topic) const {
@@ -117,6 +119,17 @@ std::unique_ptr<Publication> SimBus::advertise(const Endpoint& endpoint) {
   return std::make_unique<Writer>(*this, topic(endpoint), endpoint.user_data);
 }
 
+std::unique_ptr<ServerEnd> SimBus::serve(const ServiceEndpoint& endpoint,
+                                         ServerReceiver& receiver) {
+  return services_->serve(endpoint, receiver);
+}
+
+std::unique_ptr<ClientEnd> SimBus::call(const ServiceEndpoint& endpoint, ClientReceiver& receiver) {
+  return services_->call(endpoint, receiver);
+}
+
+Callers SimBus::callers() const { return {false, services_->called()}; }
+
 std::int64_t SimBus::wall_ns(Time t) const { return start_wall_ns + (t - start).count(); }
 
 void SimBus::deliver(const Endpoint& endpoint, const std::shared_ptr<const void>& message) {
@@ -136,6 +149,7 @@ void SimBus::deliver(Topic& topic, const std::shared_ptr<const void>& message,
 void SimBus::add(Component& component) {
   components_.push_back(&component);
   component.schedule().begin_tick(now_);
+  component.take_changes();
   component.tick(now_);
 }
 
@@ -153,6 +167,7 @@ void SimBus::tick_all_due() {
       Schedule& schedule = component->schedule();
       if (!schedule.input_pending && schedule.due() > now_) continue;
       schedule.begin_tick(now_);
+      component->take_changes();
       component->tick(now_);
       ticked = true;
     }

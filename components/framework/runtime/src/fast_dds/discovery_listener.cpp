@@ -97,7 +97,8 @@ void DiscoveryListener::on_participant_discovery(dds::DomainParticipant*,
     if (info.status == Info::DISCOVERED_PARTICIPANT) strangers_[prefix] = name;
     if (!gone) return;
   }
-  gone ? ends_.remove(prefix) : ends_.add(prefix, name);
+  const auto& data = info.info.m_userData;
+  gone ? ends_.remove(prefix) : ends_.add(prefix, name, {data.begin(), data.end()});
 }
 
 void DiscoveryListener::onParticipantAuthentication(dds::DomainParticipant*,

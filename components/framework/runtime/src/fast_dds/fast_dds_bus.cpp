@@ -6,12 +6,16 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <set>
 #include <utility>
 
 #include "fast_dds/graph_writer.hpp"
+#include "fast_dds/node_ends.hpp"
+#include "fast_dds/service_ends.hpp"
 #include "fast_dds/this_host.hpp"
 #include "fast_dds/topic_channel.hpp"
 #include "foundation/error.hpp"
+#include "foundation/ros_names.hpp"
 #include "runner/tick_time.hpp"
 
 namespace tocsin {
@@ -34,13 +38,35 @@ class WallClock {
   std::atomic<std::int64_t> offset_ns_{0};
 };
 
-ParticipantOptions host_options(const BusOptions& options, const QosProfiles& profiles) {
+/// Calls who wants to know of callers. Thread-safe.
+class CallerWatch {
+ public:
+  void set(std::function<void()> notice) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    notice_ = std::move(notice);
+  }
+  void notice() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (notice_) notice_();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::function<void()> notice_;
+};
+
+ParticipantOptions host_options(const BusOptions& options, const QosProfiles& profiles,
+                                CallerWatch& watch) {
   ParticipantOptions host;
   host.name = options.name;
   host.domain = options.host_domain;
   host.shared_memory = options.shared_memory;
-  host.user_data = "enclave=/;";  // a participant of ROS 2
+  host.user_data = participant_user_data;
   host.flow_controllers = profiles.flow_controllers();
+  host.on_end = [&watch](const auto&, const AnnouncedEnd& end, bool) {
+    if (end.writer && ros_service(end.topic)) watch.notice();
+  };
+  host.on_participant = [&watch](const auto&, const auto&, bool) { watch.notice(); };
   return host;
 }
 
@@ -51,7 +77,7 @@ class FastDdsBus : public Bus {
         profiles_(options.qos_file.empty() ? QosProfiles() : QosProfiles(options.qos_file)),
         rules_(options.traffic_file.empty() ? TrafficRules()
                                             : TrafficRules(options.traffic_file, options.role)),
-        participant_(host_options(options, profiles_)),
+        participant_(host_options(options, profiles_, watch_)),
         nodes_(options.ros_namespace),
         graph_(participant_, options.gid_size) {}
 
@@ -66,6 +92,13 @@ class FastDdsBus : public Bus {
     return make_fast_dds_link_bus(options_, on_event);
   }
   int change_qos(const QosChange& change) override;
+  std::unique_ptr<ServerEnd> serve(const ServiceEndpoint& endpoint,
+                                   ServerReceiver& receiver) override;
+  std::unique_ptr<ClientEnd> call(const ServiceEndpoint& endpoint,
+                                  ClientReceiver& receiver) override;
+  [[nodiscard]] const std::string& ros_namespace() const override { return options_.ros_namespace; }
+  [[nodiscard]] Callers callers() const override;
+  void watch_callers(const std::function<void()>& notice) override { watch_.set(notice); }
   void update_graph() override { graph_.tell(nodes_.all()); }
   [[nodiscard]] std::vector<EndpointHealth> health() const override;
   [[nodiscard]] LocalNodes& nodes() { return nodes_; }
@@ -77,29 +110,13 @@ class FastDdsBus : public Bus {
   const BusOptions options_;
   const QosProfiles profiles_;
   const TrafficRules rules_;
+  CallerWatch watch_;  // before the participant, which tells it
   FastDdsParticipant participant_;
   LocalNodes nodes_;
+  OwnCalls own_calls_;
   GraphWriter graph_;
   mutable std::mutex mutex_;
   std::map<std::string, std::unique_ptr<TopicChannel>> channels_;
-};
-
-/// An end that a node has as long as this lives.
-class NodeEnd {
- public:
-  NodeEnd(LocalNodes& nodes, std::string node, LocalNodes::End end, const Gid& gid)
-      : nodes_(nodes), node_(std::move(node)), end_(end), gid_(gid) {
-    nodes_.add(node_, end_, gid_);
-  }
-  ~NodeEnd() { nodes_.remove(node_, end_, gid_); }
-  NodeEnd(const NodeEnd&) = delete;
-  NodeEnd& operator=(const NodeEnd&) = delete;
-
- private:
-  LocalNodes& nodes_;
-  const std::string node_;
-  const LocalNodes::End end_;
-  const Gid gid_;
 };
 
 /// Removes the receiver when it is destroyed.
@@ -151,11 +168,43 @@ class ChannelPublication : public Publication {
 
 std::unique_ptr<TopicChannel> FastDdsBus::make_channel(const Endpoint& endpoint) {
   const std::string name = endpoint.topic.name;
+  const bool absolute = name.front() == '/';
   const std::string prefix =
-      options_.ros_namespace.empty() ? "rt/" : "rt/" + options_.ros_namespace + "/";
+      absolute || options_.ros_namespace.empty() ? "" : options_.ros_namespace + "/";
   return std::make_unique<TopicChannel>(
-      ChannelOptions{endpoint, prefix + name, profiles_.of(endpoint.topic.qos, name)},
+      ChannelOptions{endpoint, "rt" + (absolute ? name : "/" + prefix + name),
+                     profiles_.of(endpoint.topic.qos, name)},
       participant_);
+}
+
+std::unique_ptr<ServerEnd> FastDdsBus::serve(const ServiceEndpoint& endpoint,
+                                             ServerReceiver& receiver) {
+  auto server =
+      std::make_unique<DdsServer>(participant_, options_.ros_namespace, endpoint, receiver);
+  return std::make_unique<NodeServer>(nodes_, endpoint.node, std::move(server));
+}
+
+std::unique_ptr<ClientEnd> FastDdsBus::call(const ServiceEndpoint& endpoint,
+                                            ClientReceiver& receiver) {
+  auto client =
+      std::make_unique<DdsClient>(participant_, options_.ros_namespace, endpoint, receiver);
+  auto made = std::make_unique<NodeClient>(nodes_, endpoint, std::move(client), own_calls_);
+  watch_.notice();
+  return made;
+}
+
+Callers FastDdsBus::callers() const {
+  const std::string home =
+      options_.ros_namespace.empty() ? "/" : "/" + options_.ros_namespace + "/";
+  const auto own = own_calls_.all();
+  std::set<std::string> called(own.begin(), own.end());
+  for (const std::string& topic : participant_.remote_ends().written_topics("rq/")) {
+    const auto service = ros_service(topic);
+    if (service && service->name.compare(0, home.size(), home) == 0) {
+      called.insert(service->name.substr(home.size()));
+    }
+  }
+  return {participant_.remote_ends().has_ros2(), {called.begin(), called.end()}};
 }
 
 TopicChannel& FastDdsBus::channel(const Endpoint& endpoint) {

@@ -58,10 +58,12 @@ std::string layout_in(const std::string& user_data) {
   return user_data.substr(from, user_data.find(';', from) - from);
 }
 
-void RemoteEnds::add(const Participant& participant, const std::string& name) {
+void RemoteEnds::add(const Participant& participant, const std::string& name,
+                     const std::string& user_data) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     names_[participant] = name;
+    participants_data_[participant] = user_data;
   }
   if (on_participant_) on_participant_(participant, name, true);
 }
@@ -86,6 +88,7 @@ void RemoteEnds::remove(const Participant& participant) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     names_.erase(participant);
+    participants_data_.erase(participant);
   }
   if (on_participant_) on_participant_(participant, "", false);
 }
@@ -123,6 +126,24 @@ std::vector<RemoteEnds::Known> RemoteEnds::all() const {
   all.reserve(ends_.size());
   for (const auto& [guid, end] : ends_) all.push_back({guid, end, name_of(guid)});
   return all;
+}
+
+std::vector<std::string> RemoteEnds::written_topics(const std::string& prefix) const {
+  std::vector<std::string> topics;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& entry : ends_) {
+    const AnnouncedEnd& end = entry.second;
+    if (end.writer && end.topic.compare(0, prefix.size(), prefix) == 0) topics.push_back(end.topic);
+  }
+  return topics;
+}
+
+bool RemoteEnds::has_ros2() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::any_of(participants_data_.begin(), participants_data_.end(), [](const auto& one) {
+    const std::string& data = one.second;
+    return data.find("enclave=") != std::string::npos && data.find("tocsin=") == std::string::npos;
+  });
 }
 
 std::vector<std::string> RemoteEnds::user_data_of(const std::string& topic) const {

@@ -31,6 +31,8 @@ struct AnnouncedEnd {
 [[nodiscard]] std::string with_layout(const std::string& user_data, const std::string& layout);
 /// The same with the hash of ROS 2, see TypeInfo::ros_hash.
 [[nodiscard]] std::string with_type_hash(const std::string& user_data, const std::string& hash);
+/// What our participants announce: they are of ROS 2, and of this stack.
+inline constexpr const char* participant_user_data = "enclave=/;tocsin=1;";
 /// Two pieces of user data in one.
 [[nodiscard]] std::string joined(const std::string& user_data, const std::string& more);
 /// The layout in user data; empty when there is none.
@@ -50,7 +52,8 @@ class RemoteEnds {
   RemoteEnds(OnEnd on_end, OnParticipant on_participant)
       : on_end_(std::move(on_end)), on_participant_(std::move(on_participant)) {}
 
-  void add(const Participant& participant, const std::string& name);
+  void add(const Participant& participant, const std::string& name,
+           const std::string& user_data = "");
   void add(const Guid& guid, const AnnouncedEnd& end);
   /// The participant and all its ends.
   void remove(const Participant& participant);
@@ -73,6 +76,10 @@ class RemoteEnds {
   [[nodiscard]] std::vector<Known> all() const;
   /// What each end of the topic of this wire name has announced.
   [[nodiscard]] std::vector<std::string> user_data_of(const std::string& topic) const;
+  /// The topics whose wire name begins with `prefix` and that somebody writes.
+  [[nodiscard]] std::vector<std::string> written_topics(const std::string& prefix) const;
+  /// Whether a participant of ROS 2 is there that is none of ours.
+  [[nodiscard]] bool has_ros2() const;
   /// What is known of a writer; empty fields: nothing.
   [[nodiscard]] WriterInfo writer(const Guid& guid) const;
 
@@ -83,6 +90,7 @@ class RemoteEnds {
   OnParticipant on_participant_;
   mutable std::mutex mutex_;
   std::map<Participant, std::string> names_;
+  std::map<Participant, std::string> participants_data_;
   std::map<Guid, AnnouncedEnd> ends_;
 };
 

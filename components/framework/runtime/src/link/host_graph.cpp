@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "fast_dds/graph_writer.hpp"
+#include "fast_dds/service_ends.hpp"
 #include "fast_dds/this_host.hpp"
 #include "link/flow_ends.hpp"
 #include "link/raw_type.hpp"
@@ -144,6 +145,10 @@ class FastDdsHostGraph final : public HostGraph {
                                      [on_sample = std::move(on_sample)](TakenSample&& taken) {
                                        on_sample(sample_of(std::move(taken)));
                                      });
+  }
+  [[nodiscard]] std::unique_ptr<ClientEnd> call(const ServiceEndpoint& endpoint,
+                                                ClientReceiver& receiver) override {
+    return std::make_unique<DdsClient>(participant_, "", endpoint, receiver);
   }
   [[nodiscard]] std::unique_ptr<RawWriting> write(const RawTopic& topic) override {
     return write(topic, profile_of(topic));

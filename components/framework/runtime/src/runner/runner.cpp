@@ -116,6 +116,7 @@ void Runner::tick(Entry& entry) {
   entry.component->schedule().begin_tick(began);
   try {
     const TickTime time(began);
+    entry.component->take_changes();
     entry.component->tick(began);
   } catch (const std::exception& thrown) {
     return fail(entry, thrown.what());

@@ -138,6 +138,25 @@ TEST_F(RemoteEndsTest, TellsWhatEachEndOfATopicAnnounces) {
   EXPECT_TRUE(sut.user_data_of("rt/nothing").empty());
 }
 
+TEST_F(RemoteEndsTest, TellsWhichTopicsOfAKindAreWritten) {
+  sut.add(guid(7, 1), {"rq/dockRequest", "Dock", "", true});
+  sut.add(guid(7, 2), {"rq/undockRequest", "Dock", "", false});
+  sut.add(guid(7, 3), {"rt/odom", "Odom", "", true});
+  EXPECT_EQ(sut.written_topics("rq/"), std::vector<std::string>{"rq/dockRequest"});
+  EXPECT_TRUE(sut.written_topics("rr/").empty());
+}
+
+TEST_F(RemoteEndsTest, AParticipantOfRos2IsOneWithAnEnclaveThatIsNoneOfOurs) {
+  EXPECT_FALSE(sut.has_ros2());
+  sut.add(guid(8, 0).guidPrefix, "ours", participant_user_data);
+  sut.add(guid(9, 0).guidPrefix, "plain DDS", "mine=1;");
+  EXPECT_FALSE(sut.has_ros2());
+  sut.add(guid(10, 0).guidPrefix, "/", "enclave=/;");
+  EXPECT_TRUE(sut.has_ros2());
+  sut.remove(guid(10, 0).guidPrefix);
+  EXPECT_FALSE(sut.has_ros2());
+}
+
 TEST(UserData, TellsTheHashOfATypeThatHasOne) {
   EXPECT_EQ(with_type_hash("tocsin_layout=0a;", "RIHS01_ab"),
             "tocsin_layout=0a;typehash=RIHS01_ab;");

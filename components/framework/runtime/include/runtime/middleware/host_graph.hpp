@@ -12,6 +12,7 @@
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/qos_policies.hpp"
 #include "runtime/middleware/ros_graph.hpp"
+#include "runtime/middleware/services.hpp"
 
 namespace tocsin {
 
@@ -77,6 +78,9 @@ class HostGraph {
   [[nodiscard]] virtual std::unique_ptr<RawReading> read(
       const RawTopic& topic, std::function<void(RawSample&&)> on_sample) = 0;
   /// Keeps its last 10 samples, or the last one for late readers.
+  /// Calls a service; its name begins with a slash. `receiver` must outlive the result.
+  [[nodiscard]] virtual std::unique_ptr<ClientEnd> call(const ServiceEndpoint& endpoint,
+                                                        ClientReceiver& receiver) = 0;
   [[nodiscard]] virtual std::unique_ptr<RawWriting> write(const RawTopic& topic) = 0;
   /// Offers `qos`, in which reliability and durability stand, too.
   [[nodiscard]] virtual std::unique_ptr<RawWriting> write(const RawTopic& topic,

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/middleware/ros_parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "foundation/joined.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace type = rcl_interfaces::msg::ParameterType_Constants;
+
+/// Fills a message by what the value is.
+struct Filler {
+  RosValue& value;
+  void operator()(bool given) const {
+    value.type(type::PARAMETER_BOOL);
+    value.bool_value(given);
+  }
+  void operator()(std::int64_t given) const {
+    value.type(type::PARAMETER_INTEGER);
+    value.integer_value(given);
+  }
+  void operator()(double given) const {
+    value.type(type::PARAMETER_DOUBLE);
+    value.double_value(given);
+  }
+  void operator()(const std::string& given) const {
+    value.type(type::PARAMETER_STRING);
+    value.string_value(given);
+  }
+  void operator()(const std::vector<double>& given) const {
+    value.type(type::PARAMETER_DOUBLE_ARRAY);
+    value.double_array_value(given);
+  }
+  void operator()(const std::vector<std::string>& given) const {
+    value.type(type::PARAMETER_STRING_ARRAY);
+    value.string_array_value(given);
+  }
+};
+
+/// Steps of 0: any value between.
+void add_range(const ParameterFacts& facts, rcl_interfaces::msg::ParameterDescriptor& described) {
+  if (!facts.range) return;
+  if (described.type() == type::PARAMETER_INTEGER) {
+    constexpr double most = 9.2e18;  // of 64 bits
+    rcl_interfaces::msg::IntegerRange range;
+    range.from_value(std::llround(std::clamp(facts.range->min, -most, most)));
+    range.to_value(std::llround(std::clamp(facts.range->max, -most, most)));
+    described.integer_range().push_back(range);
+    return;
+  }
+  rcl_interfaces::msg::FloatingPointRange range;
+  range.from_value(facts.range->min);
+  range.to_value(facts.range->max);
+  described.floating_point_range().push_back(range);
+}
+
+std::size_t parts_in(const std::string& name) {
+  return 1 + static_cast<std::size_t>(std::count(name.begin(), name.end(), '.'));
+}
+
+/// What follows `prefix` and a dot in the name; all of it for no prefix; empty: it does not begin
+/// so.
+std::string below(const std::string& name, const std::string& prefix) {
+  if (prefix.empty() || name == prefix) return name;
+  const std::string start = prefix + ".";
+  return name.compare(0, start.size(), start) == 0 ? name.substr(start.size()) : "";
+}
+
+bool is_wanted(const std::string& name,
+               const rcl_interfaces::srv::ListParameters_Request& request) {
+  const auto fits = [&](const std::string& prefix) {
+    const std::string rest = below(name, prefix);
+    return !rest.empty() && (request.depth() == 0 || parts_in(rest) <= request.depth());
+  };
+  const auto& prefixes = request.prefixes();
+  return prefixes.empty() ? fits("") : std::any_of(prefixes.begin(), prefixes.end(), fits);
+}
+
+}  // namespace
+
+RosValue ros_value(const ParameterValue& value) {
+  RosValue made;
+  std::visit(Filler{made}, value);
+  return made;
+}
+
+std::optional<YAML::Node> yaml_of(const RosValue& value) {
+  switch (value.type()) {
+    case type::PARAMETER_BOOL:
+      return YAML::Node(value.bool_value());
+    case type::PARAMETER_INTEGER:
+      return YAML::Node(value.integer_value());
+    case type::PARAMETER_DOUBLE:
+      return YAML::Node(value.double_value());
+    case type::PARAMETER_STRING:
+      return YAML::Node(value.string_value());
+    case type::PARAMETER_INTEGER_ARRAY:
+      return YAML::Node(value.integer_array_value());
+    case type::PARAMETER_DOUBLE_ARRAY:
+      return YAML::Node(value.double_array_value());
+    case type::PARAMETER_STRING_ARRAY:
+      return YAML::Node(value.string_array_value());
+    default:
+      return std::nullopt;
+  }
+}
+
+const char* type_word(std::uint8_t code) {
+  static constexpr std::array<const char*, 10> words{
+      "not set",    "boolean",       "integer",       "double",       "string",
+      "byte array", "boolean array", "integer array", "double array", "string array"};
+  return code < words.size() ? words[code] : "unknown";
+}
+
+std::string type_fault(const ParameterValue& has, const RosValue& given) {
+  const std::uint8_t wanted = ros_value(has).type();
+  const bool whole = given.type() == type::PARAMETER_INTEGER && wanted == type::PARAMETER_DOUBLE;
+  const bool all_whole =
+      given.type() == type::PARAMETER_INTEGER_ARRAY && wanted == type::PARAMETER_DOUBLE_ARRAY;
+  if (given.type() == wanted || whole || all_whole) return "";
+  return fmt::format("is of type {}, not {}", type_word(wanted), type_word(given.type()));
+}
+
+rcl_interfaces::msg::ParameterDescriptor describe(const ParameterFacts& facts) {
+  rcl_interfaces::msg::ParameterDescriptor described;
+  described.name(facts.name);
+  described.type(ros_value(facts.value).type());
+  described.description(facts.text);
+  described.read_only(!facts.live);
+  if (!facts.choices.empty()) {
+    described.additional_constraints("one of: " + joined(facts.choices, ", "));
+  }
+  add_range(facts, described);
+  return described;
+}
+
+rcl_interfaces::msg::ListParametersResult list_parameters(
+    const std::vector<ParameterFacts>& all,
+    const rcl_interfaces::srv::ListParameters_Request& request) {
+  rcl_interfaces::msg::ListParametersResult result;
+  std::set<std::string> prefixes;
+  for (const ParameterFacts& one : all) {
+    if (!is_wanted(one.name, request)) continue;
+    result.names().push_back(one.name);
+    const std::size_t dot = one.name.rfind('.');
+    if (dot != std::string::npos) prefixes.insert(one.name.substr(0, dot));
+  }
+  result.prefixes().assign(prefixes.begin(), prefixes.end());
+  return result;
+}
+
+const ParameterFacts* find_parameter(const std::vector<ParameterFacts>& all,
+                                     const std::string& name) {
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const ParameterFacts& one) { return one.name == name; });
+  return found != all.end() ? &*found : nullptr;
+}
+
+}  // namespace tocsin

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// Services between processes, by real UDP on loopback. Other makers' requests: test/interop.
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+
+#include "fast_dds/bus_fixture.hpp"
+#include "ros_idl/std_srvs.hpp"
+#include "runtime/middleware/host_graph.hpp"
+
+namespace tocsin {
+namespace {
+
+using Request = std_srvs::srv::SetBool_Request;
+using Response = std_srvs::srv::SetBool_Response;
+
+int next_domain() {
+  static int last = 112;
+  return ++last;
+}
+
+const char* const qos = "state: {}\nevent: {reliability: reliable, depth: 100}\n";
+
+ServiceEndpoint lamp(const std::string& node) {
+  return {"lamp/set", &type_info<Request>(), &type_info<Response>(), node};
+}
+
+/// Answers in a thread of the test.
+class Servant : public ServerReceiver {
+ public:
+  explicit Servant(Bus& bus) : end_(bus.serve(lamp("lamp"), *this)) {}
+  void receive(ServiceRequest&& request) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    requests_.push_back(std::move(request));
+  }
+  void wake() override {}
+  /// Replies to all that has come, with what was asked. How many there were.
+  int answer() {
+    end_->flush();
+    int count = 0;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (; !requests_.empty(); requests_.pop_front(), ++count) {
+      const auto& request = requests_.front();
+      auto response = std::make_shared<Response>();
+      response->success(std::static_pointer_cast<const Request>(request.message)->data());
+      end_->reply(request.id, response);
+    }
+    return count;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::deque<ServiceRequest> requests_;
+  std::unique_ptr<ServerEnd> end_;
+};
+
+class Asker : public ClientReceiver {
+ public:
+  explicit Asker(Bus& bus) : end_(bus.call(lamp("asker"), *this)) {}
+  explicit Asker(HostGraph& graph) : end_(graph.call(lamp(""), *this)) {}
+  void receive(ServiceReply&& reply) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    replies_.push_back(std::move(reply));
+  }
+  void wake() override {}
+  [[nodiscard]] bool available() const { return end_->available(); }
+  std::optional<std::int64_t> ask(bool on) {
+    auto request = std::make_shared<Request>();
+    request->data(on);
+    return end_->send(request);
+  }
+  std::vector<ServiceReply> replies() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return replies_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<ServiceReply> replies_;
+  std::unique_ptr<ClientEnd> end_;
+};
+
+bool success_of(const ServiceReply& reply) {
+  return std::static_pointer_cast<const Response>(reply.message)->success();
+}
+
+class ServiceEndsTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { deliver_by_packets(); }
+  const int domain_ = next_domain();
+};
+
+TEST_F(ServiceEndsTest, EachOfTwoClientsGetsItsOwnReplies) {
+  const auto server_bus = make_test_bus(domain_, qos);
+  const auto client_bus = make_test_bus(domain_, qos);
+  Servant servant(*server_bus);
+  Asker one(*client_bus);
+  Asker other(*client_bus);
+  ASSERT_TRUE(eventually([&] { return one.available() && other.available(); }));
+  const auto first = one.ask(true);
+  const auto second = other.ask(false);
+  ASSERT_TRUE(first && second);
+  int answered = 0;
+  ASSERT_TRUE(eventually([&] {
+    answered += servant.answer();
+    return !one.replies().empty() && !other.replies().empty();
+  }));
+  EXPECT_EQ(answered, 2);
+  ASSERT_EQ(one.replies().size(), 1U);
+  EXPECT_EQ(one.replies()[0].number, *first);
+  EXPECT_TRUE(success_of(one.replies()[0]));
+  ASSERT_EQ(other.replies().size(), 1U);
+  EXPECT_EQ(other.replies()[0].number, *second);
+  EXPECT_FALSE(success_of(other.replies()[0]));
+}
+
+TEST_F(ServiceEndsTest, AComponentMayCallANeighbourInItsProcess) {
+  const auto bus = make_test_bus(domain_, qos);
+  Servant servant(*bus);
+  Asker asker(*bus);
+  ASSERT_TRUE(eventually([&] { return asker.available(); }));
+  ASSERT_TRUE(asker.ask(true));
+  EXPECT_TRUE(eventually([&] {
+    (void)servant.answer();
+    return asker.replies().size() == 1;
+  }));
+  EXPECT_EQ(bus->callers().services, std::vector<std::string>{"lamp/set"});
+}
+
+TEST_F(ServiceEndsTest, WithoutServerNothingIsSent) {
+  const auto bus = make_test_bus(domain_, qos);
+  Asker asker(*bus);
+  EXPECT_FALSE(asker.available());
+  EXPECT_FALSE(asker.ask(true));
+}
+
+TEST_F(ServiceEndsTest, AServerThatLeavesIsNotAvailable) {
+  const auto server_bus = make_test_bus(domain_, qos);
+  const auto client_bus = make_test_bus(domain_, qos);
+  auto servant = std::make_unique<Servant>(*server_bus);
+  Asker asker(*client_bus);
+  ASSERT_TRUE(eventually([&] { return asker.available(); }));
+  servant.reset();
+  EXPECT_TRUE(eventually([&] { return !asker.available(); }));
+}
+
+TEST_F(ServiceEndsTest, AToolIsACallerButNoParticipantOfRos2) {
+  const auto bus = make_test_bus(domain_, qos);
+  Servant servant(*bus);
+  BusOptions options;
+  options.name = "tool";
+  options.host_domain = domain_;
+  const auto graph = make_host_graph(options);
+  EXPECT_TRUE(bus->callers().services.empty());
+  Asker asker(*graph);
+  ASSERT_TRUE(eventually([&] { return !bus->callers().services.empty() && asker.available(); }));
+  EXPECT_EQ(bus->callers().services, std::vector<std::string>{"lamp/set"});
+  EXPECT_FALSE(bus->callers().ros2);
+  ASSERT_TRUE(asker.ask(true));
+  EXPECT_TRUE(eventually([&] {
+    (void)servant.answer();
+    return asker.replies().size() == 1;
+  }));
+}
+
+TEST_F(ServiceEndsTest, ACallerIsNoticedAtOnce) {
+  const auto bus = make_test_bus(domain_, qos);
+  std::atomic<int> noticed{0};
+  bus->watch_callers([&] { ++noticed; });
+  const auto client_bus = make_test_bus(domain_, qos);
+  const Asker asker(*client_bus);
+  EXPECT_TRUE(eventually([&] { return noticed > 0 && !bus->callers().services.empty(); }));
+  bus->watch_callers({});
+}
+
+TEST_F(ServiceEndsTest, TheEndsOfAServiceBelongToTheirNodes) {
+  const auto bus = make_test_bus(domain_, qos);
+  BusOptions options;
+  options.name = "tool";
+  options.host_domain = domain_;
+  const auto graph = make_host_graph(options);
+  Servant servant(*bus);
+  bus->update_graph();
+  ASSERT_TRUE(eventually([&] { return graph->nodes().size() == 1; }));
+  const GraphNode node = graph->nodes().front();
+  EXPECT_EQ(node.path(), "/lamp");
+  EXPECT_EQ(node.readers.size(), 1U);
+  EXPECT_EQ(node.writers.size(), 1U);
+}
+
+}  // namespace
+}  // namespace tocsin

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// tocsin param list | get | set | describe | dump | load, as `ros2 param` has them.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "command_line/command.hpp"
+#include "foundation/error.hpp"
+#include "foundation/printable.hpp"
+#include "foundation/ros_names.hpp"
+#include "param_text.hpp"
+#include "runtime/middleware/parameter_service.hpp"
+#include "service_caller.hpp"
+#include "topic_session.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+namespace service = parameter_service;
+
+struct ParamOptions {
+  HostChoice host;
+  double spin_s = 2;
+  double timeout_s = 5;
+  std::string node;
+  std::string parameter;
+  std::vector<std::string> parameters;
+  std::string value;
+  std::string file;
+  bool hide_type = false;
+};
+
+/// The parameters of one node, asked for by its services.
+class NodeParameters {
+ public:
+  NodeParameters(const ParamOptions& options, const TopicSession& session, const std::string& node)
+      : graph_(session.graph()), node_(absolute(node)), patience_(seconds(options.timeout_s)) {}
+
+  [[nodiscard]] std::vector<std::string> names() const {
+    auto names = ask<service::ListParameters>({})->result().names();
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+  [[nodiscard]] std::vector<RosValue> values(const std::vector<std::string>& names) const {
+    service::GetParameters::Request request;
+    request.names(names);
+    const auto response = ask<service::GetParameters>(request);
+    if (response->values().size() != names.size()) {
+      throw EnvironmentError(node_ + ": did not answer for each parameter");
+    }
+    return response->values();
+  }
+  [[nodiscard]] std::vector<rcl_interfaces::msg::ParameterDescriptor> descriptions(
+      const std::vector<std::string>& names) const {
+    service::DescribeParameters::Request request;
+    request.names(names);
+    return ask<service::DescribeParameters>(request)->descriptors();
+  }
+  [[nodiscard]] rcl_interfaces::msg::SetParametersResult set(const NamedValue& value) const {
+    service::SetParameters::Request request;
+    rcl_interfaces::msg::Parameter parameter;
+    parameter.name(value.first);
+    parameter.value(value.second);
+    request.parameters({parameter});
+    const auto response = ask<service::SetParameters>(request);
+    if (response->results().empty()) throw EnvironmentError(node_ + ": did not say what it did");
+    return response->results().front();
+  }
+  [[nodiscard]] const std::string& node() const { return node_; }
+
+ private:
+  template <class Service>
+  [[nodiscard]] std::shared_ptr<const typename Service::Response> ask(
+      typename Service::Request request) const {
+    return call_service<Service>(graph_, node_, std::move(request), patience_);
+  }
+  HostGraph& graph_;
+  const std::string node_;
+  const Duration patience_;
+};
+
+void print_names(const std::vector<std::string>& names) {
+  for (const std::string& name : names) std::printf("  %s\n", printable(name).c_str());
+}
+
+/// Every node, when none is named; one that has no parameters, as those of other programs, is left
+/// out.
+int list(const ParamOptions& options) {
+  const TopicSession session(options.host, options.spin_s);
+  if (!options.node.empty()) {
+    print_names(NodeParameters(options, session, options.node).names());
+    return 0;
+  }
+  (void)session.ends();
+  ParamOptions brief = options;
+  brief.timeout_s = std::min(options.timeout_s, options.spin_s);
+  for (const GraphNode& node : session.graph().nodes()) {
+    if (node.name.empty() || node.name[0] == '_') continue;
+    try {
+      const auto names = NodeParameters(brief, session, node.path()).names();
+      std::printf("%s:\n", printable(node.path()).c_str());
+      print_names(names);
+    } catch (const EnvironmentError&) {
+      continue;
+    }
+  }
+  return 0;
+}
+
+int get(const ParamOptions& options) {
+  const TopicSession session(options.host, options.spin_s);
+  const auto value =
+      NodeParameters(options, session, options.node).values({options.parameter}).front();
+  const std::string text = options.hide_type ? value_text(value) : typed_value_text(value);
+  std::printf("%s\n", text.c_str());
+  return value.type() == rcl_interfaces::msg::ParameterType_Constants::PARAMETER_NOT_SET ? 1 : 0;
+}
+
+int set(const ParamOptions& options) {
+  const RosValue value = value_in(options.value);
+  const TopicSession session(options.host, options.spin_s);
+  const auto result =
+      NodeParameters(options, session, options.node).set({options.parameter, value});
+  const std::string reason = result.reason().empty() ? "" : ": " + printable(result.reason());
+  if (!result.successful()) throw EnvironmentError("Setting parameter failed" + reason);
+  std::printf("Set parameter successful%s\n", reason.c_str());
+  return 0;
+}
+
+int describe(const ParamOptions& options) {
+  const TopicSession session(options.host, options.spin_s);
+  const auto all = NodeParameters(options, session, options.node).descriptions(options.parameters);
+  for (const auto& one : all) std::printf("%s", description_text(one).c_str());
+  return 0;
+}
+
+int dump(const ParamOptions& options) {
+  const TopicSession session(options.host, options.spin_s);
+  const NodeParameters parameters(options, session, options.node);
+  const auto names = parameters.names();
+  const auto values = parameters.values(names);
+  std::vector<NamedValue> named;
+  for (std::size_t i = 0; i < names.size(); ++i) named.emplace_back(names[i], values[i]);
+  std::fputs(dump_text(parameters.node(), named).c_str(), stdout);
+  return 0;
+}
+
+int load(const ParamOptions& options) {
+  const auto values = values_in_file(options.file, absolute(options.node));
+  const TopicSession session(options.host, options.spin_s);
+  const NodeParameters parameters(options, session, options.node);
+  bool all = true;
+  for (const NamedValue& one : values) {
+    const auto result = parameters.set(one);
+    all = all && result.successful();
+    std::printf("Set parameter %s %s%s%s\n", printable(one.first).c_str(),
+                result.successful() ? "successful" : "failed", result.reason().empty() ? "" : ": ",
+                printable(result.reason()).c_str());
+  }
+  return all ? 0 : 1;
+}
+
+CLI::App* verb(CLI::App& app, const char* name, const char* text, ParamOptions& options) {
+  CLI::App* const sub = app.add_subcommand(name, text);
+  options.host.declare(*sub);
+  sub->add_option("--spin-time", options.spin_s, "[s] waited for what does not appear [2]")
+      ->check(CLI::Range(0.1, 600.0));
+  sub->add_option("--timeout", options.timeout_s, "[s] for a node, and for its answer [5]")
+      ->check(CLI::Range(0.1, 600.0));
+  sub->add_option("node", options.node, "its name, with its namespace");
+  return sub;
+}
+
+void declare(CLI::App& app, ParamOptions& options) {
+  app.require_subcommand(1);
+  (void)verb(app, "list", "parameters of a node, or of all", options);
+  const char* const which = "name of a parameter";
+  CLI::App* const read = verb(app, "get", "the value of a parameter", options);
+  read->add_option("parameter", options.parameter, which)->required();
+  read->add_flag("--hide-type", options.hide_type, "the value alone");
+  CLI::App* const written = verb(app, "set", "sets a live parameter", options);
+  written->add_option("parameter", options.parameter, which)->required();
+  written->add_option("value", options.value, "in YAML: 0.3, true, [a, b]")->required();
+  verb(app, "describe", "type, meaning and range of parameters", options)
+      ->add_option("parameters", options.parameters, "their names")
+      ->required();
+  (void)verb(app, "dump", "all parameters of a node as YAML", options);
+  verb(app, "load", "sets what a file as of dump says", options)
+      ->add_option("file", options.file, "YAML")
+      ->required();
+  for (CLI::App* sub : app.get_subcommands({})) {
+    if (sub->get_name() != "list") sub->get_option("node")->required();
+  }
+}
+
+int run(int argc, char** argv) {
+  ParamOptions options;
+  CLI::App app("Parameters of running nodes, ours and those of other ROS 2 programs on the host.");
+  app.name("tocsin param");
+  declare(app, options);
+  return run_command(app, argc, argv, [&] {
+    using Verb = int (*)(const ParamOptions&);
+    static const std::map<std::string, Verb> verbs{{"list", list},         {"get", get},
+                                                   {"set", set},           {"dump", dump},
+                                                   {"describe", describe}, {"load", load}};
+    return verbs.at(app.get_subcommands().front()->get_name())(options);
+  });
+}
+
+}  // namespace
+}  // namespace tocsin::topic_tool
+
+int main(int argc, char** argv) { return tocsin::topic_tool::run(argc, argv); }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "foundation/time.hpp"
+#include "runtime/middleware/host_graph.hpp"
+
+namespace tocsin::topic_tool {
+
+/// A service of a host as a command of a person calls it: waits for the answer.
+class ServiceCaller : private ClientReceiver {
+ public:
+  ServiceCaller(HostGraph& graph, const ServiceEndpoint& endpoint);
+
+  /// Whether somebody serves it, at once or within `patience`.
+  [[nodiscard]] bool wait_for_server(Duration patience);
+  /// Throws EnvironmentError when nobody serves it, or nobody answers, within `patience` each.
+  [[nodiscard]] std::shared_ptr<const void> call(const std::shared_ptr<const void>& request,
+                                                 Duration patience);
+
+ private:
+  void receive(ServiceReply&& reply) override;
+  void wake() override { changed_.notify_all(); }
+  /// Until `done`, Ctrl-C or the end of `patience`; what `done` says then.
+  template <class Condition>
+  bool wait(Duration patience, const Condition& done);
+  const std::string name_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::map<std::int64_t, std::shared_ptr<const void>> replies_;  ///< by the number of the call
+  std::unique_ptr<ClientEnd> end_;                               // last: destroyed first
+};
+
+/// Calls a service whose types are known here, of `node` ("/uxv/talker") when its name begins
+/// with ~.
+template <class Service>
+std::shared_ptr<const typename Service::Response> call_service(HostGraph& graph,
+                                                               const std::string& node,
+                                                               typename Service::Request request,
+                                                               Duration patience) {
+  using Request = typename Service::Request;
+  using Response = typename Service::Response;
+  ServiceCaller caller(graph, {Service::name, &type_info<Request>(), &type_info<Response>(), node});
+  return std::static_pointer_cast<const Response>(
+      caller.call(std::make_shared<const Request>(std::move(request)), patience));
+}
+
+}  // namespace tocsin::topic_tool

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// tocsin service list | type | find | call, as `ros2 service` has them.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "command_line/command.hpp"
+#include "foundation/error.hpp"
+#include "foundation/ros_names.hpp"
+#include "message_yaml.hpp"
+#include "service_caller.hpp"
+#include "service_text.hpp"
+#include "topic_session.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+struct ServiceOptions {
+  HostChoice host;
+  double spin_s = 2;
+  double timeout_s = 5;
+  std::string service;
+  std::string type;
+  std::string request;
+  ServiceListOptions list;
+};
+
+CLI::App* verb(CLI::App& app, const char* name, const char* text, ServiceOptions& options) {
+  CLI::App* const sub = app.add_subcommand(name, text);
+  options.host.declare(*sub);
+  sub->add_option("--spin-time", options.spin_s, "[s] waited for what does not appear [2]")
+      ->check(CLI::Range(0.1, 600.0));
+  return sub;
+}
+
+int list(const ServiceOptions& options) {
+  const TopicSession session(options.host, options.spin_s);
+  std::fputs(service_list_text(session.ends(), options.list).c_str(), stdout);
+  return 0;
+}
+
+int type(const ServiceOptions& options) {
+  const TopicSession session(options.host, options.spin_s);
+  const auto services = services_in(session.ends());
+  const auto found = services.find(absolute(options.service));
+  if (found == services.end()) {
+    throw EnvironmentError("service " + absolute(options.service) + " is not there");
+  }
+  for (const std::string& one : found->second) std::printf("%s\n", one.c_str());
+  return 0;
+}
+
+int find(const ServiceOptions& options) {
+  const TopicSession session(options.host, options.spin_s);
+  for (const auto& [name, types] : services_in(session.ends())) {
+    if (types.count(options.type) != 0) std::printf("%s\n", name.c_str());
+  }
+  return 0;
+}
+
+int call(const ServiceOptions& options) {
+  const TypeInfo& request = known_type(wire_type(options.type + "_Request"));
+  const TypeInfo& response = known_type(wire_type(options.type + "_Response"));
+  const std::shared_ptr<const void> message = from_yaml(request, options.request);
+  const TopicSession session(options.host, options.spin_s);
+  ServiceCaller caller(session.graph(), {absolute(options.service), &request, &response});
+  if (!caller.wait_for_server(seconds(0.5))) {
+    std::printf("waiting for service to become available...\n");
+    std::fflush(stdout);
+  }
+  std::printf("requester: making request: %s\n\n", python_text(request, message.get()).c_str());
+  std::fflush(stdout);
+  const auto answer = caller.call(message, seconds(options.timeout_s));
+  std::printf("response:\n%s\n\n", python_text(response, answer.get()).c_str());
+  return 0;
+}
+
+void declare(CLI::App& app, ServiceOptions& options) {
+  app.require_subcommand(1);
+  CLI::App* const all = verb(app, "list", "services that somebody serves or calls", options);
+  all->add_flag("-t,--show-types", options.list.types, "with their types");
+  all->add_flag("-c,--count-services", options.list.count, "how many there are");
+  all->add_flag("--include-hidden-services", options.list.hidden, "those that begin with _, too");
+  const char* const of = "its name, with or without the slash";
+  verb(app, "type", "the type of a service", options)
+      ->add_option("service", options.service, of)
+      ->required();
+  verb(app, "find", "services of a type", options)
+      ->add_option("type", options.type, "std_srvs/srv/Trigger")
+      ->required();
+  CLI::App* const asked = verb(app, "call", "calls a service and waits for the answer", options);
+  asked->add_option("service", options.service, of)->required();
+  asked->add_option("type", options.type, "std_srvs/srv/SetBool")->required();
+  asked->add_option("request", options.request, "in YAML: '{data: true}' [all defaults]");
+  asked->add_option("--timeout", options.timeout_s, "[s] for the server, and for its answer [5]")
+      ->check(CLI::Range(0.1, 600.0));
+}
+
+int run(int argc, char** argv) {
+  ServiceOptions options;
+  CLI::App app("Services of a running host, ours and those of other ROS 2 programs there.");
+  app.name("tocsin service");
+  declare(app, options);
+  return run_command(app, argc, argv, [&] {
+    using Verb = int (*)(const ServiceOptions&);
+    static const std::map<std::string, Verb> verbs{
+        {"list", list}, {"type", type}, {"find", find}, {"call", call}};
+    return verbs.at(app.get_subcommands().front()->get_name())(options);
+  });
+}
+
+}  // namespace
+}  // namespace tocsin::topic_tool
+
+int main(int argc, char** argv) { return tocsin::topic_tool::run(argc, argv); }

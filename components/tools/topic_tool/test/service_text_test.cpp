@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "service_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ros_idl/geometry_msgs.hpp"
+#include "ros_idl/rcl_interfaces.hpp"
+#include "ros_idl/std_srvs.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+GraphEnd end(const std::string& topic, const std::string& type) {
+  GraphEnd made;
+  made.topic = topic;
+  made.type = type;
+  return made;
+}
+
+const std::vector<GraphEnd> ends{
+    end("rq/lamp/setRequest", "std_srvs::srv::dds_::SetBool_Request_"),
+    end("rr/lamp/setReply", "std_srvs::srv::dds_::SetBool_Response_"),
+    end("rq/dock/_action/send_goalRequest", "a::action::dds_::Dock_SendGoal_Request_"),
+    end("rt/odom", "nav_msgs::msg::dds_::Odometry_")};
+
+TEST(ServiceList, HasServicesByName) {
+  EXPECT_EQ(service_list_text(ends, {}), "/lamp/set\n");
+  ServiceListOptions options;
+  options.types = true;
+  EXPECT_EQ(service_list_text(ends, options), "/lamp/set [std_srvs/srv/SetBool]\n");
+  options.hidden = true;
+  options.count = true;
+  EXPECT_EQ(service_list_text(ends, options), "2\n");
+}
+
+TEST(PythonText, ShowsAMessageAsRos2ServiceCallDoes) {
+  std_srvs::srv::SetBool_Request request;
+  request.data(true);
+  EXPECT_EQ(python_text(type_info<std_srvs::srv::SetBool_Request>(), &request),
+            "std_srvs.srv.SetBool_Request(data=True)");
+  std_srvs::srv::SetBool_Response response;
+  response.message("it's on");
+  EXPECT_EQ(python_text(type_info<std_srvs::srv::SetBool_Response>(), &response),
+            "std_srvs.srv.SetBool_Response(success=False, message='it's on')");
+}
+
+TEST(PythonText, ShowsNumbersListsAndMessagesInMessages) {
+  geometry_msgs::msg::Pose pose;
+  pose.position().x(1);
+  pose.position().y(-0.25);
+  EXPECT_EQ(python_text(type_info<geometry_msgs::msg::Pose>(), &pose),
+            "geometry_msgs.msg.Pose(position=(x=1.0, y=-0.25, z=0.0), "
+            "orientation=(x=0.0, y=0.0, z=0.0, w=1.0))");
+  rcl_interfaces::srv::GetParameters_Request names;
+  names.names({"a", "b"});
+  EXPECT_EQ(python_text(type_info<rcl_interfaces::srv::GetParameters_Request>(), &names),
+            "rcl_interfaces.srv.GetParameters_Request(names=['a', 'b'])");
+  rcl_interfaces::srv::SetParameters_Response results;
+  results.results().resize(2);
+  EXPECT_EQ(python_text(type_info<rcl_interfaces::srv::SetParameters_Response>(), &results),
+            "rcl_interfaces.srv.SetParameters_Response(results=[(successful=False, reason=''), "
+            "(successful=False, reason='')])");
+}
+
+}  // namespace
+}  // namespace tocsin::topic_tool

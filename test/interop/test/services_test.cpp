@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+// Requests and replies as rmw_fastrtps and rmw_cyclonedds send them, against our ends. None of the
+// two is installed here: what they send is stated in runtime's service_wire.hpp and service_ends,
+// and made here by each maker's own library.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <mutex>
+
+#include "cyclone.hpp"
+#include "fast_dds_service.hpp"
+#include "headed_services.h"
+#include "ros_idl/std_srvs.hpp"
+#include "runtime/middleware/host_graph.hpp"
+#include "within.hpp"
+
+namespace tocsin::interop {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using Request = std_srvs::srv::SetBool_Request;
+using Response = std_srvs::srv::SetBool_Response;
+
+const FastDdsService::Half requests{"rq/lamp/setRequest", "std_srvs::srv::dds_::SetBool_Request_"};
+const FastDdsService::Half replies{"rr/lamp/setReply", "std_srvs::srv::dds_::SetBool_Response_"};
+const ServiceEndpoint lamp{"lamp/set", &type_info<Request>(), &type_info<Response>()};
+const Bytes request_bytes{0, 1, 0, 0, 1};
+/// success, then the text "on" with its length.
+const Bytes response_bytes{0, 1, 0, 0, 1, 0, 0, 0, 3, 0, 0, 0, 'o', 'n', 0};
+
+int next_domain() {
+  static int last = 119;
+  return ++last;
+}
+
+BusOptions options(int domain) {
+  BusOptions options;
+  options.name = "services";
+  options.host_domain = domain;
+  return options;
+}
+
+/// Our server: whoever asks for true is told that it is on.
+class Lamp : public ServerReceiver {
+ public:
+  explicit Lamp(Bus& bus) : end_(bus.serve(lamp, *this)) {}
+  void receive(ServiceRequest&& request) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    requests_.push_back(std::move(request));
+  }
+  void wake() override {}
+  void answer() {
+    end_->flush();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (; !requests_.empty(); requests_.pop_front()) {
+      const auto& request = requests_.front();
+      auto response = std::make_shared<Response>();
+      response->success(std::static_pointer_cast<const Request>(request.message)->data());
+      response->message(response->success() ? "on" : "off");
+      end_->reply(request.id, response);
+      ++answered;
+    }
+  }
+  int answered = 0;
+
+ private:
+  std::mutex mutex_;
+  std::deque<ServiceRequest> requests_;
+  std::unique_ptr<ServerEnd> end_;
+};
+
+/// Our client.
+class Asker : public ClientReceiver {
+ public:
+  explicit Asker(Bus& bus) : end_(bus.call(lamp, *this)) {}
+  void receive(ServiceReply&& reply) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    replies_.push_back(std::move(reply));
+  }
+  void wake() override {}
+  [[nodiscard]] bool available() const { return end_->available(); }
+  std::optional<std::int64_t> ask() {
+    auto request = std::make_shared<Request>();
+    request->data(true);
+    return end_->send(request);
+  }
+  std::vector<ServiceReply> replies() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return replies_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<ServiceReply> replies_;
+  std::unique_ptr<ClientEnd> end_;
+};
+
+/// As rmw_cyclonedds has it: headers in the messages.
+template <class Read, class Written>
+class CycloneService {
+ public:
+  CycloneService(int domain, const dds_topic_descriptor_t& written,
+                 const std::string& written_topic, const char* written_type,
+                 const dds_topic_descriptor_t& read, const std::string& read_topic,
+                 const char* read_type)
+      : participant_(domain) {
+    const auto qos = CycloneParticipant::qos();
+    dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
+    dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, 10);
+    reader_ = participant_.reader(participant_.topic(read, read_topic, read_type), qos);
+    writer_ = participant_.writer(participant_.topic(written, written_topic, written_type), qos);
+  }
+  [[nodiscard]] bool is_connected() const {
+    dds_publication_matched_status_t readers{};
+    dds_subscription_matched_status_t writers{};
+    (void)dds_get_publication_matched_status(writer_, &readers);
+    (void)dds_get_subscription_matched_status(reader_, &writers);
+    return readers.current_count > 0 && writers.current_count > 0;
+  }
+  void write(const Written& message) { (void)dds_write(writer_, &message); }
+  /// Calls `use` with each message.
+  template <class Use>
+  void take(const Use& use) {
+    void* sample = nullptr;
+    dds_sample_info_t info{};
+    while (dds_take(reader_, &sample, &info, 1, 1) == 1) {
+      if (info.valid_data) use(*static_cast<const Read*>(sample));
+      (void)dds_return_loan(reader_, &sample, 1);
+      sample = nullptr;
+    }
+  }
+
+ private:
+  CycloneParticipant participant_;
+  dds_entity_t reader_ = 0;
+  dds_entity_t writer_ = 0;
+};
+
+class CycloneClient : public CycloneService<headed_SetBoolResponse, headed_SetBoolRequest> {
+ public:
+  explicit CycloneClient(int domain)
+      : CycloneService(domain, headed_SetBoolRequest_desc, requests.topic, requests.type.c_str(),
+                       headed_SetBoolResponse_desc, replies.topic, replies.type.c_str()) {}
+};
+
+class CycloneServer : public CycloneService<headed_SetBoolRequest, headed_SetBoolResponse> {
+ public:
+  explicit CycloneServer(int domain)
+      : CycloneService(domain, headed_SetBoolResponse_desc, replies.topic, replies.type.c_str(),
+                       headed_SetBoolRequest_desc, requests.topic, requests.type.c_str()) {}
+};
+
+TEST(Services, AClientOfRmwFastrtpsIsAnsweredByTheIdentityOfItsRequest) {
+  const int domain = next_domain();
+  const auto bus = make_fast_dds_bus(options(domain));
+  Lamp sut(*bus);
+  FastDdsService client(domain, requests, replies);
+  ASSERT_TRUE(eventually([&] { return client.is_connected(); }));
+  FastDdsService::Identity asked;
+  asked.writer_guid(client.reader_guid());  // and no number, which the request's own stands for
+  const std::int64_t number = client.write(request_bytes, asked);
+  std::optional<FastDdsService::Taken> reply;
+  ASSERT_TRUE(eventually([&] {
+    sut.answer();
+    return (reply = client.take()).has_value();
+  }));
+  EXPECT_EQ(reply->bytes, response_bytes);
+  EXPECT_EQ(reply->related.writer_guid(), client.reader_guid());
+  EXPECT_EQ(reply->related.sequence_number().to64long(), number);
+}
+
+TEST(Services, AClientOfRmwCycloneddsIsAnsweredWithItsHeader) {
+  const int domain = next_domain();
+  const auto bus = make_fast_dds_bus(options(domain));
+  const auto raw = make_host_graph(options(domain));
+  std::mutex mutex;
+  Bytes heard;
+  const auto reading = raw->read({replies.topic, replies.type, true}, [&](RawSample&& sample) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    heard = *sample.bytes;
+  });
+  Lamp sut(*bus);
+  CycloneClient client(domain);
+  ASSERT_TRUE(eventually([&] { return client.is_connected(); }));
+  client.write({0x1122334455667788, 42, true});
+  bool came = false;
+  ASSERT_TRUE(eventually([&] {
+    sut.answer();
+    client.take([&](const headed_SetBoolResponse& reply) {
+      came = true;
+      EXPECT_EQ(reply.client, 0x1122334455667788U);
+      EXPECT_EQ(reply.number, 42);
+      EXPECT_TRUE(reply.success);
+      EXPECT_STREQ(reply.message, "on");
+    });
+    return came;
+  }));
+  Bytes expected{0,    1,    0,  0, 0x88, 0x77, 0x66, 0x55, 0x44, 0x33,
+                 0x22, 0x11, 42, 0, 0,    0,    0,    0,    0,    0};
+  expected.insert(expected.end(), response_bytes.begin() + 4, response_bytes.end());
+  EXPECT_TRUE(eventually([&] {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return heard == expected;
+  }));
+}
+
+TEST(Services, ClientsOfBothAreServedSideBySideAndNeitherTakesTheOthersReply) {
+  const int domain = next_domain();
+  const auto bus = make_fast_dds_bus(options(domain));
+  Lamp sut(*bus);
+  FastDdsService fast(domain, requests, replies);
+  CycloneClient cyclone(domain);
+  ASSERT_TRUE(eventually([&] { return fast.is_connected() && cyclone.is_connected(); }));
+  FastDdsService::Identity asked;
+  asked.writer_guid(fast.reader_guid());
+  std::vector<std::int64_t> numbers;
+  for (int i = 0; i < 5; ++i) {
+    numbers.push_back(fast.write(request_bytes, asked));
+    cyclone.write({7, 100 + i, i % 2 == 0});
+  }
+  std::vector<std::int64_t> of_fast;
+  std::vector<std::int64_t> of_cyclone;
+  ASSERT_TRUE(eventually([&] {
+    sut.answer();
+    while (const auto reply = fast.take()) {
+      if (reply->related.writer_guid() != fast.reader_guid()) continue;  // as rmw_fastrtps
+      EXPECT_EQ(reply->bytes, response_bytes);
+      of_fast.push_back(reply->related.sequence_number().to64long());
+    }
+    cyclone.take([&](const headed_SetBoolResponse& reply) {
+      if (reply.client != 7) return;  // as rmw_cyclonedds
+      EXPECT_EQ(reply.success, (reply.number - 100) % 2 == 0);
+      of_cyclone.push_back(reply.number);
+    });
+    return of_fast.size() == 5 && of_cyclone.size() == 5;
+  }));
+  EXPECT_EQ(of_fast, numbers);
+  EXPECT_EQ(of_cyclone, (std::vector<std::int64_t>{100, 101, 102, 103, 104}));
+  EXPECT_EQ(sut.answered, 10);
+}
+
+TEST(Services, OurClientAsksAServerOfRmwFastrtpsByIdentity) {
+  const int domain = next_domain();
+  const auto bus = make_fast_dds_bus(options(domain));
+  FastDdsService server(domain, replies, requests);
+  Asker sut(*bus);
+  ASSERT_TRUE(eventually([&] { return sut.available() && server.is_connected(); }));
+  const auto number = sut.ask();
+  ASSERT_TRUE(number);
+  std::optional<FastDdsService::Taken> request;
+  ASSERT_TRUE(eventually([&] { return (request = server.take()).has_value(); }));
+  EXPECT_EQ(request->bytes, request_bytes);
+  EXPECT_NE(request->related.writer_guid(), eprosima::fastrtps::rtps::GUID_t::unknown());
+  // rmw_fastrtps answers so: the guid that was given, and the number of the request's sample.
+  FastDdsService::Identity answered = request->related;
+  answered.sequence_number(request->identity.sequence_number());
+  (void)server.write(response_bytes, answered);
+  ASSERT_TRUE(eventually([&] { return sut.replies().size() == 1; }));
+  EXPECT_EQ(sut.replies()[0].number, *number);
+}
+
+TEST(Services, OurClientAsksAServerOfRmwCycloneddsWithAHeader) {
+  const int domain = next_domain();
+  const auto bus = make_fast_dds_bus(options(domain));
+  CycloneServer server(domain);
+  Asker sut(*bus);
+  ASSERT_TRUE(eventually([&] { return sut.available() && server.is_connected(); }));
+  const auto number = sut.ask();
+  ASSERT_TRUE(number);
+  std::string text = "on";
+  EXPECT_TRUE(eventually([&] {
+    server.take([&](const headed_SetBoolRequest& request) {
+      EXPECT_TRUE(request.data);
+      server.write({request.client + 1, request.number, true, text.data()});  // another's
+      server.write({request.client, request.number, true, text.data()});
+    });
+    return !sut.replies().empty();
+  }));
+  ASSERT_EQ(sut.replies().size(), 1U);
+  EXPECT_EQ(sut.replies()[0].number, *number);
+  EXPECT_EQ(std::static_pointer_cast<const Response>(sut.replies()[0].message)->message(), "on");
+}
+
+}  // namespace
+}  // namespace tocsin::interop
