@@ -102,6 +102,21 @@ TEST(ParamText, ADescriptionOfAnUnknownParameterSaysThatItIsNotSet) {
   EXPECT_EQ(description_text(sut), "Parameter name: none\n  Type: not set\n  Constraints:\n");
 }
 
+TEST(ParamText, NumbersThatAreNoneAreReadAndShown) {
+  EXPECT_EQ(value_in(".inf").type(), type::PARAMETER_DOUBLE);
+  EXPECT_EQ(typed_value_text(value_in("-.inf")), "Double value is: -inf");
+  EXPECT_EQ(dump_text("/n", {{"a", value_in(".inf")}}), "/n:\n  ros__parameters:\n    a: .inf\n");
+}
+
+TEST(ParamText, AnEmptyValueIsAnEmptyTextAndAnEmptyListOneOfTexts) {
+  EXPECT_EQ(value_in("''").type(), type::PARAMETER_STRING);
+  EXPECT_EQ(value_in("[]").type(), type::PARAMETER_STRING_ARRAY);
+  EXPECT_EQ(value_in("y").type(), type::PARAMETER_STRING);
+  EXPECT_EQ(value_in("yes").type(), type::PARAMETER_BOOL);
+  EXPECT_EQ(value_in("~").type(), type::PARAMETER_STRING);
+  EXPECT_EQ(value_in("-7").integer_value(), -7);
+}
+
 TEST(ParamText, WholeNumbersHaveTheirRange) {
   rcl_interfaces::msg::ParameterDescriptor sut;
   sut.name("rate");

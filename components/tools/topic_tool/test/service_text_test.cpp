@@ -33,6 +33,37 @@ TEST(ServiceList, HasServicesByName) {
   EXPECT_EQ(service_list_text(ends, options), "2\n");
 }
 
+TEST(ServiceList, NamesEachServiceOnceWhoeverServesOrCallsIt) {
+  std::vector<GraphEnd> many = ends;
+  many.push_back(end("rq/lamp/setRequest", "std_srvs::srv::dds_::SetBool_Request_"));
+  many.push_back(end("rq/arm/resetRequest", "std_srvs::srv::dds_::Trigger_Request_"));
+  EXPECT_EQ(service_list_text(many, {}), "/arm/reset\n/lamp/set\n");
+}
+
+TEST(ServiceList, ShowsBothTypesWhenTheEndsDisagree) {
+  std::vector<GraphEnd> two = ends;
+  two.push_back(end("rq/lamp/setRequest", "std_srvs::srv::dds_::Trigger_Request_"));
+  ServiceListOptions options;
+  options.types = true;
+  EXPECT_EQ(service_list_text(two, options),
+            "/lamp/set [std_srvs/srv/SetBool, std_srvs/srv/Trigger]\n");
+  EXPECT_EQ(services_in(two).at("/lamp/set").size(), 2U);
+}
+
+TEST(ServiceList, IsEmptyWhereNobodyServes) {
+  EXPECT_EQ(service_list_text({end("rt/odom", "nav_msgs::msg::dds_::Odometry_")}, {}), "");
+  ServiceListOptions options;
+  options.count = true;
+  EXPECT_EQ(service_list_text({}, options), "0\n");
+}
+
+TEST(PythonText, ShowsControlCharactersOfOthersAsText) {
+  std_srvs::srv::Trigger_Response response;
+  response.message("\x1b[2J");
+  EXPECT_EQ(python_text(type_info<std_srvs::srv::Trigger_Response>(), &response),
+            "std_srvs.srv.Trigger_Response(success=False, message='\\x1b[2J')");
+}
+
 TEST(PythonText, ShowsAMessageAsRos2ServiceCallDoes) {
   std_srvs::srv::SetBool_Request request;
   request.data(true);

@@ -39,6 +39,13 @@ TEST(ServiceWire, AHeaderHasTheByteOrderOfItsMessage) {
   EXPECT_EQ(taken->bytes, (Bytes{0, 0, 0, 0}));
 }
 
+TEST(ServiceWire, ANumberMayBeAnyOf64Bits) {
+  const auto taken = take_header(with_header({0, 1, 0, 0}, {~std::uint64_t{0}, -2}));
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(taken->header.client, ~std::uint64_t{0});
+  EXPECT_EQ(taken->header.number, -2);
+}
+
 TEST(ServiceWire, FewerBytesThanAHeaderAreNoRequest) {
   EXPECT_FALSE(take_header(Bytes(19, 0)));
   EXPECT_TRUE(take_header(Bytes(20, 0)));
