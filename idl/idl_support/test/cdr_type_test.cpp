@@ -70,5 +70,29 @@ TEST(RangeOf, IsWhatTheFieldCanHoldAndSigned64BitsCan) {
   EXPECT_EQ(range_of<Colour>().least, 0);
 }
 
+/// As fastddsgen makes a type with the key fields `id` and `name`.
+struct Keyed {
+  std::int32_t id = 0;
+  std::string name;
+  void serializeKey(eprosima::fastcdr::Cdr& encoder) const { encoder << id << name; }
+};
+
+/// RTPS 2.2, section 9.6.3.3: big endian, without header.
+TEST(SerializeKey, WritesTheKeyFieldsInBigEndian) {
+  Keyed message;
+  message.id = 0x01020304;
+  message.name = "ab";
+  std::uint8_t bytes[32] = {};
+  ASSERT_EQ(cdr::serialize_key<Keyed>(&message, bytes, sizeof bytes), 11U);
+  const std::uint8_t expected[] = {1, 2, 3, 4, 0, 0, 0, 3, 'a', 'b', 0};
+  EXPECT_TRUE(std::equal(std::begin(expected), std::end(expected), bytes));
+}
+
+TEST(SerializeKey, WritesNothingWhereThereIsNoRoom) {
+  Keyed message;
+  std::uint8_t bytes[8] = {};
+  EXPECT_EQ(cdr::serialize_key<Keyed>(&message, bytes, sizeof bytes), 0U);
+}
+
 }  // namespace
 }  // namespace tocsin::cdr

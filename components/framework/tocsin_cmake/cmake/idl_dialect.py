@@ -64,9 +64,9 @@ def field_faults(field):
     takes_default = field["kind"] in PLAIN or field["kind"] == STRING
     for name in field["annotations"]:
         if name == "key":
-            yield "is a @key, but topics have no instances: it would be ignored"
-        elif name != "default":
-            yield f"has @{name}, which would be ignored; allowed is @default"
+            continue  # its values are the instances of a topic
+        if name != "default":
+            yield f"has @{name}, which would be ignored; allowed are @default and @key"
         elif not takes_default:
             yield "has @default, which only a number, boolean, char, string or enum takes"
 

@@ -53,12 +53,12 @@ ACCEPTED = {
     "brace_below": "@final\nstruct Below\n{\n  sequence<long>\n    values;\n  float grid[2][3];\n}\n;",
     "same_name": "module a { @final struct S { long x; }; };\nmodule b { @final struct S { a::S y; }; };",
     "enum": "enum E { E_A, E_B };\ntypedef sequence<E> Es;\n@final struct Uses { E e; Es es; };",
+    "key": "@final struct Key {\n  @key string name;\n  @key @default(7) long id;\n  double w;\n};",
     "user": '#include "one_line.idl"\n@final struct User { a::msg::One one; };',
 }
 
 # name: (text, line of the fault, what is said)
 REFUSED = {
-    "key": ("@final struct S {\n  @key long id;\n};", 2, "S field id is a @key"),
     "optional": ("@final struct S {\n  long a;\n  @optional long b;\n};", 3, "field b has @optional"),
     "map": ("@final struct S {\n\n  map<long, long> m;\n};", 3, "field m is a map; allowed are boolean"),
     "not_final": ("// x\nstruct S { long a; };", 2, "S must be @final"),
@@ -101,6 +101,9 @@ class Accepted(unittest.TestCase):
 
     def test_several_names_of_one_type(self):
         self.assertEqual(self.structs_of("two_names"), [([], "Two", ["x", "z", "w"])])
+
+    def test_fields_of_the_key(self):
+        self.assertEqual(self.structs_of("key"), [([], "Key", ["name", "id", "w"])])
 
     def test_comments_hold_no_fields(self):
         self.assertEqual(self.structs_of("comments"), [([], "Yes", ["c"])])
@@ -283,7 +286,7 @@ class Program(unittest.TestCase):
         self.assertEqual(folder.made(), [])
 
     def test_names_the_faults_of_all_files_and_makes_nothing(self):
-        folder = IdlFolder({"a": ACCEPTED["enum"], "b": REFUSED["map"][0], "c": REFUSED["key"][0]})
+        folder = IdlFolder({"a": ACCEPTED["enum"], "b": REFUSED["map"][0], "c": REFUSED["optional"][0]})
         code, printed = folder.run("a", "b", "c")
         self.assertEqual(code, 1)
         self.assertEqual([line.split(":")[0] for line in printed.splitlines()],

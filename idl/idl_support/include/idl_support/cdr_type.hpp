@@ -43,6 +43,18 @@ std::size_t serialize(const void* message, std::uint8_t* buffer, std::size_t cap
   return encoder.getSerializedDataLength();
 }
 
+template <class T>
+std::size_t serialize_key(const void* message, std::uint8_t* buffer, std::size_t capacity) {
+  eprosima::fastcdr::FastBuffer memory(reinterpret_cast<char*>(buffer), capacity);
+  eprosima::fastcdr::Cdr encoder(memory, eprosima::fastcdr::Cdr::BIG_ENDIANNESS);
+  try {
+    static_cast<const T*>(message)->serializeKey(encoder);
+  } catch (const eprosima::fastcdr::exception::Exception&) {
+    return 0;
+  }
+  return encoder.getSerializedDataLength();
+}
+
 /// Passes one encoded value of type T.
 template <class T>
 struct Skip {
@@ -218,8 +230,13 @@ template <class T>
 TypeInfo make_type_info(const char* name, void (*visit)(const void*, FieldVisitor&),
                         void (*edit)(void*, FieldEditor&), bool (*skip)(WireCursor&),
                         const char* ros_hash) {
-  return {name, create<T>, serialized_size<T>, serialize<T>, deserialize<T>, visit, edit,
-          skip, ros_hash};
+  TypeInfo info{name, create<T>, serialized_size<T>, serialize<T>, deserialize<T>, visit,
+                edit, skip, ros_hash};
+  if (T::isKeyDefined()) {
+    info.longest_key = T::getKeyMaxCdrSerializedSize();
+    info.serialize_key = serialize_key<T>;
+  }
+  return info;
 }
 
 }  // namespace tocsin::cdr

@@ -75,6 +75,12 @@ struct TypeInfo {
   /// "RIHS01_" and 64 hexadecimal digits, by which ROS 2 compares types; empty for a type that no
   /// interface file of ROS 2 can say. A literal.
   const char* ros_hash = "";
+  /// Bytes that the key fields may take; 0: the type has no key, so that a topic is one instance.
+  std::size_t longest_key = 0;
+  /// Writes the key fields in XCDR1 big endian without header, as RTPS 2.2, section 9.6.3.3, has
+  /// them. Returns the bytes written, 0 when `capacity` is too small. Null without a key.
+  std::size_t (*serialize_key)(const void* message, std::uint8_t* buffer,
+                               std::size_t capacity) = nullptr;
 };
 
 /// The description of a generated type. Declared for each type by its generated header.

@@ -26,6 +26,9 @@ enum class [[nodiscard]] Status{
     failed,  ///< The middleware refused it (history full, or shutting down); counted.
 };
 
+/// Of an instance, a value of the key of a topic's type: disposed by a writer, or left by all.
+enum class InstanceState : std::uint8_t { alive, disposed, no_writers };
+
 /// One message with what is known of its way here.
 struct Sample {
   std::shared_ptr<const void> message;
@@ -35,6 +38,8 @@ struct Sample {
   std::uint64_t sequence = 0;  ///< of the writer, gaps are samples that never came; 0 unknown
   std::uint64_t source = 0;    ///< identifies the writer; changes when it restarts
   std::uint32_t bytes = 0;     ///< serialised size; 0 when it was handed over unserialised
+  InstanceState state = InstanceState::alive;
+  std::uint64_t instance = 0;  ///< the same for the same key; 0: the type has no key
 };
 
 /// Takes samples off a bus. Called from any thread; must not block.
@@ -43,6 +48,8 @@ struct Receiver {
   virtual void receive(const Sample& sample) = 0;
   /// Called instead when nobody gets it after this one, who may move from it.
   virtual void receive_last(Sample&& sample) { receive(sample); }
+  /// An instance has ended: `sample` has its state and no message.
+  virtual void instance_ended(const Sample& /*sample*/) {}
 };
 
 /// One end of a topic, as the bus sees it.
@@ -70,6 +77,12 @@ class Publication {
   virtual ~Publication() = default;
   /// Thread-safe; never blocks on the network. The message must not change afterwards.
   virtual Status write(const std::shared_ptr<const void>& message) = 0;
+  /// Ends the instance of the message's key: it is no more (disposed), or this does not write it
+  /// any more (no_writers). Failed: no key, not written before, or the bus has no instances.
+  virtual Status end_instance(const std::shared_ptr<const void>& /*message*/,
+                              InstanceState /*how*/) {
+    return Status::failed;
+  }
   /// False: nobody would notice a write, now or as a late joiner. Thread-safe.
   [[nodiscard]] virtual bool has_readers() const { return true; }
   /// Asks `load` what will be written, if this bus wants to know.

@@ -14,8 +14,8 @@ bool RateLimit::pass(Time now) {
   return true;
 }
 
-bool Separation::is_apart(std::uint64_t source, Time now) {
-  const auto [found, is_new] = last_.try_emplace(source, now);
+bool Separation::is_apart(const Key& key, Time now) {
+  const auto [found, is_new] = last_.try_emplace(key, now);
   if (!is_new && now - found->second < least_) {
     ++dropped_;
     return false;

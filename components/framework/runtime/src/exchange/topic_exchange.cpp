@@ -2,6 +2,7 @@
 #include "runtime/middleware/topic_exchange.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -60,7 +61,8 @@ void TopicExchange::deliver(Sample&& sample, std::uint64_t& sequence) {
 
 void TopicExchange::hand_over(Sample&& sample) {
   deadline_.on_sample(sample.received);
-  if (!separation_.pass(sample.source, sample.received)) return;
+  if (!separation_.pass(sample.source, sample.received, sample.instance)) return;
+  if (sample.instance != 0) instances_.on_sample(sample.source, sample.instance);
   ++samples_;
   if (kept_per_writer_ > 0) keep(sample);
   if (receivers_.empty()) return;
@@ -69,7 +71,7 @@ void TopicExchange::hand_over(Sample&& sample) {
 }
 
 void TopicExchange::keep(const Sample& sample) {
-  std::deque<Sample>& kept = kept_[sample.source];
+  std::deque<Sample>& kept = kept_[{sample.source, sample.instance}];
   if (kept.size() == kept_per_writer_) kept.pop_front();
   kept.push_back(sample);
 }
@@ -81,10 +83,36 @@ void TopicExchange::change(const QosProfile& qos, Time now) {
   deadline_.change(seconds(qos.deadline_s), now);
 }
 
-void TopicExchange::forget(std::uint64_t source) {
+void TopicExchange::tell_end(const Sample& sample) {
+  for (Receiver* const receiver : receivers_) receiver->instance_ended(sample);
+}
+
+void TopicExchange::end_instance(const Sample& sample) {
   const std::lock_guard<TurnLock> lock(turn_);
-  kept_.erase(source);
+  if (sample.state == InstanceState::disposed) {
+    for (auto it = kept_.begin(); it != kept_.end();) {
+      it = it->first.second == sample.instance ? kept_.erase(it) : std::next(it);
+    }
+    if (instances_.on_disposed(sample.instance)) tell_end(sample);
+    return;
+  }
+  kept_.erase({sample.source, sample.instance});
+  if (instances_.on_unregistered(sample.source, sample.instance)) tell_end(sample);
+}
+
+void TopicExchange::forget(std::uint64_t source, Time now) {
+  constexpr std::uint64_t last_instance = std::numeric_limits<std::uint64_t>::max();
+  const std::lock_guard<TurnLock> lock(turn_);
+  kept_.erase(kept_.lower_bound({source, 0}), kept_.upper_bound({source, last_instance}));
   separation_.forget(source);
+  for (const std::uint64_t instance : instances_.on_writer_gone(source)) {
+    Sample end;
+    end.received = now;
+    end.source = source;
+    end.instance = instance;
+    end.state = InstanceState::no_writers;
+    tell_end(end);
+  }
 }
 
 TopicExchange::Account TopicExchange::account(Time now) const {

@@ -4,6 +4,7 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 
 #include "fast_dds/cdr_topic_type.hpp"
+#include "fast_dds/instance_key.hpp"
 #include "fast_dds/raw_ends.hpp"
 #include "foundation/error.hpp"
 #include "link/origin.hpp"
@@ -25,6 +26,7 @@ Sample sample_of(IncomingSample& incoming, const dds::SampleInfo& info) {
   sample.sequence = origin ? origin->sequence : info.sample_identity.sequence_number().to64long();
   sample.source = origin ? origin->source : source_of(info.sample_identity.writer_guid());
   sample.bytes = incoming.bytes;
+  if (info.instance_handle.isDefined()) sample.instance = instance_of(info.instance_handle);
   return sample;
 }
 
@@ -68,14 +70,25 @@ bool DdsReader::has_other_layout(const RemoteEnds::Guid& writer) {
 
 void DdsReader::drain(Reader* reader) {
   IncomingSample incoming;
+  auto* const carried = static_cast<CarriedMessage*>(&incoming);
   dds::SampleInfo info;
   for (;;) {
     incoming.skip = next_is_own(reader);  // spares the decoding
-    if (reader->take_next_sample(&incoming, &info) != ReturnCode::RETCODE_OK) return;
-    if (!info.valid_data || incoming.skip) continue;
+    if (reader->take_next_sample(carried, &info) != ReturnCode::RETCODE_OK) return;
+    if (incoming.skip) continue;
     if (skips_own_ && participant_.owns(info.sample_identity.writer_guid())) continue;
-    hand_over(incoming, info);
+    info.valid_data ? hand_over(incoming, info) : hand_over_end(info);
   }
+}
+
+void DdsReader::hand_over_end(const dds::SampleInfo& info) {
+  if (!info.instance_handle.isDefined()) return;
+  IncomingSample none;
+  Sample sample = sample_of(none, info);
+  sample.state = info.instance_state == dds::NOT_ALIVE_DISPOSED_INSTANCE_STATE
+                     ? InstanceState::disposed
+                     : InstanceState::no_writers;
+  exchange_.end_instance(sample);
 }
 
 void DdsReader::hand_over(IncomingSample& incoming, const dds::SampleInfo& info) {
@@ -136,7 +149,7 @@ void DdsReader::on_subscription_matched(Reader*, const dds::SubscriptionMatchedS
       ++it;
       continue;
     }
-    exchange_.forget(it->first);
+    exchange_.forget(it->first, std::chrono::steady_clock::now());
     it = sources_.erase(it);
   }
 }
@@ -170,13 +183,22 @@ DdsWriter::DdsWriter(FastDdsParticipant& participant, const std::string& topic,
 DdsWriter::~DdsWriter() { participant_.remove(writer_); }
 
 bool DdsWriter::send(const void* message) {
-  OutgoingSample outgoing{message};  // the overload of write that returns a bool hides the reason
-  const bool ok = writer_->write(&outgoing, dds::HANDLE_NIL) == ReturnCode::RETCODE_OK;
+  OutgoingSample outgoing(message);  // the overload of write that returns a bool hides the reason
+  auto* const carried = static_cast<CarriedMessage*>(&outgoing);
+  const bool ok = writer_->write(carried, dds::HANDLE_NIL) == ReturnCode::RETCODE_OK;
   (ok ? sent_ : refused_).fetch_add(1, std::memory_order_relaxed);
   return ok;
 }
 
 Gid DdsWriter::gid() const { return gid_of(writer_->guid()); }
+
+bool DdsWriter::end_instance(const void* message, InstanceState how) {
+  OutgoingSample outgoing(message);
+  auto* const carried = static_cast<CarriedMessage*>(&outgoing);
+  return (how == InstanceState::disposed
+              ? writer_->dispose(carried, dds::HANDLE_NIL)
+              : writer_->unregister_instance(carried, dds::HANDLE_NIL)) == ReturnCode::RETCODE_OK;
+}
 
 EndpointHealth DdsWriter::health() const {
   EndpointHealth health = account_.health();

@@ -42,6 +42,7 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   using Reader = eprosima::fastdds::dds::DataReader;
   void on_data_available(Reader* reader) override;
   void drain(Reader* reader);
+  void hand_over_end(const eprosima::fastdds::dds::SampleInfo& info);
   void hand_over(IncomingSample& incoming, const eprosima::fastdds::dds::SampleInfo& info);
   void on_subscription_matched(
       Reader* reader, const eprosima::fastdds::dds::SubscriptionMatchedStatus& status) override;
@@ -85,6 +86,8 @@ class DdsWriter : private eprosima::fastdds::dds::DataWriterListener {
 
   /// False when the middleware refused it.
   [[nodiscard]] bool send(const void* message);
+  /// Ends the instance of a message's key. False: it was never written, or has no key.
+  [[nodiscard]] bool end_instance(const void* message, InstanceState how);
   /// Readers in other processes.
   [[nodiscard]] int matched_readers() const { return matched_.load(std::memory_order_relaxed); }
   [[nodiscard]] EndpointHealth health() const;

@@ -149,15 +149,24 @@ class ChannelPublication : public Publication {
   ~ChannelPublication() override { bus_.withdraw(channel_, source_); }
 
   Status write(const std::shared_ptr<const void>& message) override {
-    Sample head;
-    head.received = TickTime::now() != never ? TickTime::now() : bus_.now();
-    head.sent_wall_ns = head.received_wall_ns = wall_.at(head.received);
-    head.source = source_;
-    return channel_.write(message, std::move(head), delivered_);
+    return channel_.write(message, head(), delivered_);
+  }
+  Status end_instance(const std::shared_ptr<const void>& message, InstanceState how) override {
+    Sample end = head();
+    end.state = how;
+    return channel_.end_instance(message, std::move(end));
   }
   [[nodiscard]] bool has_readers() const override { return channel_.has_readers(); }
 
  private:
+  Sample head() {
+    Sample head;
+    head.received = TickTime::now() != never ? TickTime::now() : bus_.now();
+    head.sent_wall_ns = head.received_wall_ns = wall_.at(head.received);
+    head.source = source_;
+    return head;
+  }
+
   FastDdsBus& bus_;
   TopicChannel& channel_;
   const std::uint64_t source_;
@@ -171,8 +180,9 @@ std::unique_ptr<TopicChannel> FastDdsBus::make_channel(const Endpoint& endpoint)
   const bool absolute = name.front() == '/';
   const std::string prefix =
       absolute || options_.ros_namespace.empty() ? "" : options_.ros_namespace + "/";
+  const std::string on_wire = "rt" + (absolute ? name : "/" + prefix + name);
   return std::make_unique<TopicChannel>(
-      ChannelOptions{endpoint, "rt" + (absolute ? name : "/" + prefix + name),
+      ChannelOptions{endpoint, options_.plain_names ? name : on_wire,
                      profiles_.of(endpoint.topic.qos, name)},
       participant_);
 }
@@ -236,7 +246,7 @@ std::unique_ptr<Publication> FastDdsBus::advertise(const Endpoint& endpoint) {
 
 void FastDdsBus::withdraw(TopicChannel& topic, std::uint64_t source) {
   const std::lock_guard<std::mutex> lock(mutex_);  // the accounts look at its writer
-  topic.withdraw(source);
+  topic.withdraw(source, now());
 }
 
 int FastDdsBus::change_qos(const QosChange& change) {

@@ -39,6 +39,8 @@ dds::Subscriber* subscriber_of(dds::DataReader* reader) {
   return const_cast<dds::Subscriber*>(reader->get_subscriber());
 }
 
+Keys keys_of(const TypeInfo& type) { return type.longest_key > 0 ? Keys::some : Keys::none; }
+
 /// Moves what holds an end; false when Fast DDS refused it.
 template <class Holder>
 bool move_to(Holder* holder, const std::vector<std::string>& partition) {
@@ -84,8 +86,8 @@ dds::DataWriter* FastDdsParticipant::create_writer(const std::string& name, cons
   const std::lock_guard<std::mutex> lock(mutex_);
   auto* const publisher =
       participant_->create_publisher(in_partition(dds::PUBLISHER_QOS_DEFAULT, profile.partition));
-  auto* const writer =
-      publisher->create_datawriter(topic(name, type), writer_qos(profile), &listener);
+  auto* const writer = publisher->create_datawriter(topic(name, type),
+                                                    writer_qos(profile, keys_of(type)), &listener);
   if (writer == nullptr) participant_->delete_publisher(publisher);
   return writer;
 }
@@ -96,8 +98,8 @@ dds::DataReader* FastDdsParticipant::create_reader(const std::string& name, cons
   const std::lock_guard<std::mutex> lock(mutex_);
   auto* const subscriber =
       participant_->create_subscriber(in_partition(dds::SUBSCRIBER_QOS_DEFAULT, profile.partition));
-  auto* const reader =
-      subscriber->create_datareader(topic(name, type), reader_qos(profile), &listener);
+  auto* const reader = subscriber->create_datareader(topic(name, type),
+                                                     reader_qos(profile, keys_of(type)), &listener);
   if (reader == nullptr) participant_->delete_subscriber(subscriber);
   return reader;
 }

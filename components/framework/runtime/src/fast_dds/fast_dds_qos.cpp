@@ -27,11 +27,12 @@ rtps::MemoryManagementPolicy_t memory_policy(const QosProfile& profile) {
 }
 
 template <class Qos>
-void apply_history(const QosProfile& profile, Qos& qos) {
+void apply_history(const QosProfile& profile, Keys keys, Qos& qos) {
+  constexpr int unlimited = 0;
   qos.history().kind = profile.keeps_all() ? dds::KEEP_ALL_HISTORY_QOS : dds::KEEP_LAST_HISTORY_QOS;
   qos.history().depth = profile.depth;
-  qos.resource_limits().max_samples = profile.room();
-  qos.resource_limits().max_instances = 1;
+  qos.resource_limits().max_samples = keys == Keys::some ? unlimited : profile.room();
+  qos.resource_limits().max_instances = keys == Keys::some ? unlimited : 1;
   qos.resource_limits().max_samples_per_instance = profile.room();
   qos.resource_limits().allocated_samples = profile.allocated_samples;
   qos.resource_limits().extra_samples = profile.extra_samples;
@@ -84,10 +85,12 @@ eprosima::fastrtps::Duration_t dds_duration(double s) {
   return {static_cast<std::int32_t>(ns / ns_in_s), static_cast<std::uint32_t>(ns % ns_in_s)};
 }
 
-dds::DataWriterQos writer_qos(const QosProfile& profile) {
+dds::DataWriterQos writer_qos(const QosProfile& profile, Keys keys) {
   dds::DataWriterQos qos;
   apply_contract(profile, qos);
-  apply_history(profile, qos);
+  apply_history(profile, keys, qos);
+  // Who does not write an instance any more says only that.
+  qos.writer_data_lifecycle().autodispose_unregistered_instances = keys == Keys::none;
   apply_publishing(profile, qos);
   auto& times = qos.reliable_writer_qos().times;
   times.initialHeartbeatDelay = dds_duration(profile.initial_heartbeat_delay_s);
@@ -99,12 +102,17 @@ dds::DataWriterQos writer_qos(const QosProfile& profile) {
   return qos;
 }
 
-dds::DataReaderQos reader_qos(const QosProfile& profile) {
+dds::DataReaderQos reader_qos(const QosProfile& profile, Keys keys) {
   // An answer to each sample costs a round trip of 1 MiB a fifth; on a host little is lost.
   constexpr double least_response_delay_s = 0.005;
   dds::DataReaderQos qos;
   apply_contract(profile, qos);
-  apply_history(profile, qos);
+  apply_history(profile, keys, qos);
+  // With its dynamic policies a reader of Fast DDS 2.9.1 has no memory for what has no payload, and
+  // asks for the end of an instance again and again.
+  if (keys == Keys::some) {
+    qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  }
   // The writer lets go of what is too old. A reader of Fast DDS would compare the writer's wall
   // clock with its own, and drop every sample of a host whose clock is behind by the lifespan.
   qos.lifespan().duration = eprosima::fastrtps::c_TimeInfinite;

@@ -19,10 +19,15 @@ namespace tocsin {
 /// Seconds as Fast DDS has them; infinity stays infinity.
 [[nodiscard]] eprosima::fastrtps::Duration_t dds_duration(double s);
 
+/// Whether a topic's type has a key: then the history holds for each of any number of instances.
+enum class Keys { none, some };
+
 /// A profile in the words of Fast DDS.
-[[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(const QosProfile& profile);
+[[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(const QosProfile& profile,
+                                                               Keys keys = Keys::none);
 /// A heartbeat is answered after 5 ms at least.
-[[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(const QosProfile& profile);
+[[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(const QosProfile& profile,
+                                                               Keys keys = Keys::none);
 
 /// `name` must live as long as the participant does.
 [[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::FlowControllerDescriptor> descriptor_of(

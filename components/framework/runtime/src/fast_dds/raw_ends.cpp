@@ -51,7 +51,8 @@ void RawReader::on_data_available(Reader* reader) {
 void RawReader::drain(Reader* reader) {
   IncomingSample incoming;
   dds::SampleInfo info;
-  while (reader->take_next_sample(&incoming, &info) == ReturnCode::RETCODE_OK) {
+  while (reader->take_next_sample(static_cast<CarriedMessage*>(&incoming), &info) ==
+         ReturnCode::RETCODE_OK) {
     if (info.valid_data && incoming.valid) on_sample_(bytes_of(incoming), info);
   }
 }
@@ -74,8 +75,8 @@ RawWriter::~RawWriter() { participant_.remove(writer_); }
 
 bool RawWriter::write(std::vector<std::uint8_t> bytes, rtps::WriteParams& params) {
   const EncodedMessage message{std::move(bytes)};
-  OutgoingSample outgoing{&message};
-  return writer_->write(&outgoing, params);
+  OutgoingSample outgoing(&message);
+  return writer_->write(static_cast<CarriedMessage*>(&outgoing), params);
 }
 
 Gid RawWriter::gid() const { return gid_of(writer_->guid()); }

@@ -117,7 +117,12 @@ std::string RemoteEnds::other_type(const AnnouncedEnd& own) const {
 WriterInfo RemoteEnds::writer(const Guid& guid) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto end = ends_.find(guid);
-  return {name_of(guid), end != ends_.end() ? end->second.user_data : ""};
+  WriterInfo info;
+  info.name = name_of(guid);
+  if (end == ends_.end()) return info;
+  info.user_data = end->second.user_data;
+  info.lifespan_s = end->second.lifespan_s;
+  return info;
 }
 
 std::vector<RemoteEnds::Known> RemoteEnds::all() const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fast_dds/instance_key.hpp"
 #include "fast_dds/layout_digest.hpp"
 #include "foundation/error.hpp"
 #include "runtime/middleware/qos_profile.hpp"
@@ -18,6 +19,13 @@ ChannelOptions with_digest(ChannelOptions options) {
   return options;
 }
 
+/// A router carries bytes, and knows no instances.
+void refuse_keys_on_link(const Endpoint& endpoint) {
+  if (endpoint.topic.scope != Scope::link || endpoint.type->longest_key == 0) return;
+  throw ConfigError(std::string("topic ") + endpoint.topic.name +
+                    ": crosses the link; types with a key are for host topics");
+}
+
 }  // namespace
 
 TopicChannel::TopicChannel(ChannelOptions options, FastDdsParticipant& participant)
@@ -29,6 +37,7 @@ TopicChannel::TopicChannel(ChannelOptions options, FastDdsParticipant& participa
       offered_(options_.qos),
       requested_(requested(options_.endpoint.topic, options_.qos)) {
   refuse_owners_on_link(options_.endpoint.topic, options_.qos);
+  refuse_keys_on_link(options_.endpoint);
   offer(offered_, Time{});
 }
 
@@ -114,12 +123,14 @@ Gid TopicChannel::advertise(std::uint64_t source, const std::string& announced) 
 
 std::optional<WriterInfo> TopicChannel::writer(std::uint64_t source) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (publications_.count(source) != 0) return WriterInfo{"this process", offered_.user_data};
+  if (publications_.count(source) != 0) {
+    return WriterInfo{"this process", offered_.user_data, offered_.lifespan_s};
+  }
   return reader_ ? reader_->writer(source) : std::nullopt;
 }
 
-void TopicChannel::withdraw(std::uint64_t source) {
-  exchange_.forget(source);
+void TopicChannel::withdraw(std::uint64_t source, Time now) {
+  exchange_.forget(source, now);
   const std::lock_guard<std::mutex> lock(mutex_);
   publications_.erase(source);
   if (publications_.empty()) writer_.reset();
@@ -141,10 +152,19 @@ Status TopicChannel::write(const std::shared_ptr<const void>& message, Sample&& 
                            std::uint64_t& delivered) {
   if (too_soon(head.received)) return Status::ok;  // the profile asks for no more
   if (!exclusive_) {
+    head.instance = instance_of(*options_.endpoint.type, message.get());
     head.message = message;
     exchange_.deliver(std::move(head), delivered);
   }
   return !has_remote_readers() || writer_->send(message.get()) ? Status::ok : Status::failed;
+}
+
+Status TopicChannel::end_instance(const std::shared_ptr<const void>& message, Sample&& head) {
+  head.instance = instance_of(*options_.endpoint.type, message.get());
+  if (head.instance == 0) return Status::failed;
+  if (!exclusive_) exchange_.end_instance(head);
+  return writer_->end_instance(message.get(), head.state) || !has_remote_readers() ? Status::ok
+                                                                                   : Status::failed;
 }
 
 EndpointHealth TopicChannel::writer_health(const DdsWriter& writer, Time now) const {

@@ -39,11 +39,13 @@ class TopicChannel {
   /// it announces. Throws ConfigError when the others of this process announce something else.
   /// Returns the gid of the DDS writer, which stays until the last one goes.
   Gid advertise(std::uint64_t source, const std::string& user_data);
-  void withdraw(std::uint64_t source);
+  void withdraw(std::uint64_t source, Time now);
   /// The writer of samples that come here, see Subscription::writer.
   [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const;
   /// `head` lacks the message and its number, the next after `delivered`.
   Status write(const std::shared_ptr<const void>& message, Sample&& head, std::uint64_t& delivered);
+  /// Ends an instance for the readers of this process and of others.
+  Status end_instance(const std::shared_ptr<const void>& message, Sample&& head);
   /// Whether a sample that is written now gets anywhere, or is kept or counted for others.
   [[nodiscard]] bool has_readers() const {
     return has_deadline_ || exchange_.has_receivers() || has_remote_readers();

@@ -68,7 +68,8 @@ void FlowReader::on_data_available(Reader* reader) {
 void FlowReader::drain(Reader* reader) {
   IncomingSample incoming;
   dds::SampleInfo info;
-  while (reader->take_next_sample(&incoming, &info) == ReturnCode::RETCODE_OK) {
+  while (reader->take_next_sample(static_cast<CarriedMessage*>(&incoming), &info) ==
+         ReturnCode::RETCODE_OK) {
     if (!info.valid_data || participant_.owns(info.sample_identity.writer_guid())) continue;
     if (incoming.valid) on_sample_(taken(incoming, info));
   }
@@ -85,9 +86,9 @@ FlowWriter::FlowWriter(FastDdsParticipant& participant, const std::string& topic
 FlowWriter::~FlowWriter() { participant_.remove(writer_); }
 
 std::optional<std::uint64_t> FlowWriter::write(const CarriedSample& sample) {
-  OutgoingSample outgoing{sample.content.get()};
+  OutgoingSample outgoing(sample.content.get());
   rtps::WriteParams params = on_behalf_of({sample.source, sample.sequence}, sample.sent_wall_ns);
-  if (!writer_->write(&outgoing, params)) return std::nullopt;
+  if (!writer_->write(static_cast<CarriedMessage*>(&outgoing), params)) return std::nullopt;
   return params.sample_identity().sequence_number().to64long();
 }
 

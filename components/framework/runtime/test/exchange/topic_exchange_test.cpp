@@ -186,5 +186,80 @@ TEST(TopicExchange, AChangedSeparationLifespanAndDeadlineHoldFromThenOn) {
   EXPECT_THAT(early.sequences, ElementsAre(1, 2));
 }
 
+/// Notes samples as instance and number, ends as instance and state.
+class InstanceNotes : public Receiver {
+ public:
+  void receive(const Sample& sample) override {
+    seen.push_back(std::to_string(sample.instance) + "." + std::to_string(sample.sequence));
+  }
+  void instance_ended(const Sample& sample) override {
+    seen.push_back(std::to_string(sample.instance) +
+                   (sample.state == InstanceState::disposed ? " disposed" : " no writers"));
+  }
+  std::vector<std::string> seen;
+};
+
+Sample of_instance(std::uint64_t instance, Sample one) {
+  one.instance = instance;
+  return one;
+}
+
+Sample end_of(std::uint64_t instance, std::uint64_t source, InstanceState state) {
+  Sample end = of_instance(instance, sample(source, 0));
+  end.message = nullptr;
+  end.state = state;
+  return end;
+}
+
+TEST(TopicExchange, KeepsTheLastOfEachInstance) {
+  TopicExchange sut(keeping(1));
+  sut.deliver(of_instance(7, sample(1, 1)));
+  sut.deliver(of_instance(8, sample(1, 2)));
+  sut.deliver(of_instance(7, sample(1, 3)));
+  InstanceNotes late;
+  sut.attach(late);
+  EXPECT_THAT(late.seen, ElementsAre("7.3", "8.2"));
+}
+
+TEST(TopicExchange, ADisposedInstanceIsToldAndNotKept) {
+  TopicExchange sut(keeping(1));
+  InstanceNotes early;
+  sut.attach(early);
+  sut.deliver(of_instance(7, sample(1, 1)));
+  sut.end_instance(end_of(7, 2, InstanceState::disposed));
+  sut.end_instance(end_of(7, 2, InstanceState::disposed));
+  EXPECT_THAT(early.seen, ElementsAre("7.1", "7 disposed"));
+  InstanceNotes late;
+  sut.attach(late);
+  EXPECT_THAT(late.seen, IsEmpty());
+}
+
+TEST(TopicExchange, AnInstanceHasNoWritersWhenTheLastHasUnregisteredItOrIsGone) {
+  TopicExchange sut(QosProfile{});
+  InstanceNotes notes;
+  sut.attach(notes);
+  sut.deliver(of_instance(7, sample(1, 1)));
+  sut.deliver(of_instance(7, sample(2, 1)));
+  sut.deliver(of_instance(8, sample(2, 2)));
+  sut.end_instance(end_of(7, 1, InstanceState::no_writers));
+  EXPECT_EQ(notes.seen.size(), 3U) << "source 2 still writes it";
+  sut.forget(2);
+  EXPECT_EQ(notes.seen.size(), 5U);
+  EXPECT_EQ(notes.seen[3], "7 no writers");
+  EXPECT_EQ(notes.seen[4], "8 no writers");
+}
+
+TEST(TopicExchange, MinimumSeparationHoldsForEachInstanceApart) {
+  QosProfile qos;
+  qos.minimum_separation_s = 1;
+  TopicExchange sut(qos);
+  InstanceNotes notes;
+  sut.attach(notes);
+  sut.deliver(of_instance(7, sample(1, 1)));
+  sut.deliver(of_instance(8, sample(1, 2)));
+  sut.deliver(of_instance(7, sample(1, 3)));
+  EXPECT_THAT(notes.seen, ElementsAre("7.1", "8.2"));
+}
+
 }  // namespace
 }  // namespace tocsin

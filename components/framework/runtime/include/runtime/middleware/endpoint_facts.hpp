@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <string>
 
 namespace tocsin {
@@ -12,6 +13,7 @@ enum class Writers { needed, optional };
 struct WriterInfo {
   std::string name;       ///< of its participant, as discovery tools show it; not unique
   std::string user_data;  ///< all that it announces
+  double lifespan_s = std::numeric_limits<double>::infinity();  ///< of its samples
 };
 
 /// What a component expects to write to a topic.

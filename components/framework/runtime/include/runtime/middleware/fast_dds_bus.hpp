@@ -32,6 +32,7 @@ struct BusOptions {
   /// Of a router: folder with its identity for DDS Security, laid out as an enclave of SROS2;
   /// empty: the link is open.
   std::string enclave = "";
+  bool plain_names = false;  ///< topics are called on the wire as they are, without ROS's `rt/`
 };
 
 /// The bus on Fast DDS in real time. All topics stay on the host, where any participant with the

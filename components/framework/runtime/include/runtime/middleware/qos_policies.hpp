@@ -102,7 +102,7 @@ struct QosContract {
   [[nodiscard]] bool exclusive() const { return ownership == Ownership::exclusive; }
 };
 
-/// What each end keeps. Types here have no keys, so a topic has one instance.
+/// What each end keeps, of each instance if the type has a key.
 struct QosHistory {
   History history = History::keep_last;
   int depth = 1;
@@ -117,10 +117,10 @@ struct QosHistory {
     constexpr double inf = std::numeric_limits<double>::infinity();
     visit_enum(v, "history", history, Choices{"keep_last", "keep_all"},
                "keep_all: a full reliable writer blocks for max_blocking_time_s, then refuses");
-    v("depth", depth, {1, 10000}, "[1] samples kept by keep_last");
+    v("depth", depth, {1, 10000}, "[1] samples of an instance kept by keep_last");
     v("lifespan_s", lifespan_s, {0.001, inf}, "[s] an older sample is never delivered");
     v("max_samples", max_samples, {0, 100000},
-      "[1] samples an end has room for; 0: depth + 1, with keep_all 1000");
+      "[1] samples of an instance an end has room for; 0: depth + 1, with keep_all 1000");
     v("allocated_samples", allocated_samples, {0, 10000}, "[1] room made at start");
     v("extra_samples", extra_samples, {0, 1000}, "[1] room for samples that are being sent");
     visit_enum(v, "memory_policy", memory_policy,

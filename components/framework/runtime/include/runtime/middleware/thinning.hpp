@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <utility>
 
 #include "foundation/time.hpp"
 
@@ -25,24 +27,28 @@ class RateLimit {
   std::uint64_t dropped_ = 0;
 };
 
-/// `minimum_separation_s`: of each writer, passes a sample only so long after the one that it
-/// passed before. Pure.
+/// `minimum_separation_s`: of each writer and instance, passes a sample only so long after the one
+/// that it passed before. Pure.
 class Separation {
  public:
   /// Zero passes everything.
   explicit Separation(Duration least) : least_(least) {}
-  [[nodiscard]] bool pass(std::uint64_t source, Time now) {
-    return least_ <= Duration::zero() || is_apart(source, now);
+  [[nodiscard]] bool pass(std::uint64_t source, Time now, std::uint64_t instance = 0) {
+    return least_ <= Duration::zero() || is_apart({source, instance}, now);
   }
   /// The writer is gone.
-  void forget(std::uint64_t source) { last_.erase(source); }
+  void forget(std::uint64_t source) {
+    last_.erase(last_.lower_bound({source, 0}), last_.upper_bound({source, last_instance}));
+  }
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
   void change(Duration least) { least_ = least; }
 
  private:
-  [[nodiscard]] bool is_apart(std::uint64_t source, Time now);
+  using Key = std::pair<std::uint64_t, std::uint64_t>;  // source and instance
+  static constexpr std::uint64_t last_instance = std::numeric_limits<std::uint64_t>::max();
+  [[nodiscard]] bool is_apart(const Key& key, Time now);
   Duration least_;
-  std::map<std::uint64_t, Time> last_;
+  std::map<Key, Time> last_;
   std::uint64_t dropped_ = 0;
 };
 

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "runtime/bus.hpp"
+#include "runtime/middleware/instance_table.hpp"
 #include "runtime/middleware/qos_policies.hpp"
 #include "runtime/middleware/thinning.hpp"
 #include "runtime/middleware/turn_lock.hpp"
@@ -18,8 +20,8 @@ namespace tocsin {
 /// which one writer delivers is the order in which every receiver gets it.
 ///
 /// It keeps what the topic's profile promises wherever a sample came from: the last `depth`
-/// samples of each writer for late receivers of a transient_local topic, lifespan, minimum
-/// separation, deadline.
+/// samples of each writer and instance for late receivers of a transient_local topic, lifespan,
+/// minimum separation, deadline.
 class TopicExchange {
  public:
   explicit TopicExchange(const QosProfile& qos);
@@ -40,8 +42,12 @@ class TopicExchange {
   }
   /// From now on `qos` holds in lifespan, minimum separation and deadline.
   void change(const QosProfile& qos, Time now);
-  /// The writer is gone: what it wrote is not kept for late receivers any more.
-  void forget(std::uint64_t source);
+  /// An instance ends as `sample`, which has no message, says: at once when it was disposed, with
+  /// its last writer when one has unregistered it.
+  void end_instance(const Sample& sample);
+  /// The writer is gone: what it wrote is not kept for late receivers any more, and instances that
+  /// nobody writes now have ended.
+  void forget(std::uint64_t source, Time now = Time{});
 
   struct Account {
     std::uint64_t samples = 0;  ///< delivered
@@ -54,6 +60,7 @@ class TopicExchange {
  private:
   void hand_over(Sample&& sample);
   void keep(const Sample& sample);
+  void tell_end(const Sample& sample);
   [[nodiscard]] bool expired(const Sample& sample, Time now) const;
 
   const std::size_t kept_per_writer_;
@@ -61,7 +68,9 @@ class TopicExchange {
   mutable TurnLock turn_;
   std::vector<Receiver*> receivers_;
   std::atomic<bool> has_receivers_{false};
-  std::map<std::uint64_t, std::deque<Sample>> kept_;
+  using Key = std::pair<std::uint64_t, std::uint64_t>;  // source and instance
+  std::map<Key, std::deque<Sample>> kept_;
+  InstanceTable instances_;
   Separation separation_;
   DeadlineWatch deadline_;
   std::uint64_t samples_ = 0;
