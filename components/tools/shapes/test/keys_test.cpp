@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// Instances over real DDS: what two processes hear of each other's. Each test has a domain of its
+// own.
+#include <fastrtps/attributes/LibrarySettingsAttributes.h>
+#include <fastrtps/xmlparser/XMLProfileManager.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+#include "runtime/port.hpp"
+#include "shape_bus.hpp"
+
+namespace tocsin::shapes {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+template <class Condition>
+bool eventually(const Condition& condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(8);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
+}
+
+/// Notes colours and sizes, and the ends of instances by the colour that they had.
+class Notes : public Receiver {
+ public:
+  void receive(const Sample& sample) override {
+    const Shape shape = shape_of(*static_cast<const ShapeType*>(sample.message.get()));
+    const std::lock_guard<std::mutex> lock(mutex_);
+    colors_[sample.instance] = shape.color;
+    seen_.push_back(shape.color + std::to_string(shape.size));
+  }
+  void instance_ended(const Sample& sample) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    seen_.push_back(colors_[sample.instance] +
+                    (sample.state == InstanceState::disposed ? " disposed" : " no writers"));
+  }
+  [[nodiscard]] std::vector<std::string> seen() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return seen_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::uint64_t, std::string> colors_;
+  std::vector<std::string> seen_;
+};
+
+std::shared_ptr<const void> shape(const std::string& color, int size) {
+  Shape one;
+  one.color = color;
+  one.size = size;
+  return std::make_shared<const ShapeType>(message_of(one));
+}
+
+class Keys : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    eprosima::fastrtps::LibrarySettingsAttributes settings;
+    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+  }
+  static ShapeOptions options() {
+    static int next = 200;
+    ShapeOptions options;
+    options.domain = ++next;
+    options.qos.history = History::keep_all;
+    return options;
+  }
+  static bool is_matched(const Bus& bus) {
+    const auto health = bus.health();
+    return std::any_of(health.begin(), health.end(),
+                       [](const EndpointHealth& one) { return one.matched > 0; });
+  }
+};
+
+const Endpoint square = shape_endpoint("Square");
+
+TEST_F(Keys, ADisposedInstanceIsToldToOthersAndToReadersOfTheSameProcess) {
+  const ShapeOptions both = options();
+  const auto a = make_shape_bus(both);
+  const auto b = make_shape_bus(both);
+  Notes far;
+  Notes near;
+  const auto writer = a->advertise(square);
+  const auto reader = b->subscribe(square, far);
+  ASSERT_TRUE(eventually([&] { return is_matched(*a) && is_matched(*b); }));
+  const auto reader_beside = a->subscribe(square, near);
+  EXPECT_EQ(writer->write(shape("RED", 1)), Status::ok);
+  EXPECT_EQ(writer->write(shape("BLUE", 2)), Status::ok);
+  EXPECT_EQ(writer->end_instance(shape("RED", 0), InstanceState::disposed), Status::ok);
+  EXPECT_TRUE(eventually([&] { return far.seen().size() == 3; }));
+  EXPECT_THAT(far.seen(), Contains("RED disposed"));
+  EXPECT_THAT(far.seen(), Not(Contains("BLUE disposed")));
+  EXPECT_THAT(near.seen(), ElementsAre("RED1", "BLUE2", "RED disposed"));
+}
+
+TEST_F(Keys, AnInstanceHasNoWritersOnceAllHaveUnregisteredItOrAreGone) {
+  const ShapeOptions both = options();
+  const auto a = make_shape_bus(both);
+  const auto b = make_shape_bus(both);
+  Notes notes;
+  const auto one = a->advertise(square);
+  const auto reader = b->subscribe(square, notes);
+  ASSERT_TRUE(eventually([&] { return is_matched(*a) && is_matched(*b); }));
+  EXPECT_EQ(one->write(shape("RED", 1)), Status::ok);
+  EXPECT_EQ(one->write(shape("BLUE", 2)), Status::ok);
+  EXPECT_EQ(one->end_instance(shape("RED", 0), InstanceState::no_writers), Status::ok);
+  EXPECT_TRUE(eventually([&] { return notes.seen().size() == 3; }));
+  EXPECT_THAT(notes.seen(), Contains("RED no writers"));
+}
+
+TEST_F(Keys, AWriterThatIsGoneLeavesItsInstancesWithoutWriters) {
+  const ShapeOptions both = options();
+  auto a = make_shape_bus(both);
+  const auto b = make_shape_bus(both);
+  Notes notes;
+  auto writer = a->advertise(square);
+  const auto reader = b->subscribe(square, notes);
+  ASSERT_TRUE(eventually([&] { return is_matched(*a) && is_matched(*b); }));
+  EXPECT_EQ(writer->write(shape("RED", 1)), Status::ok);
+  ASSERT_TRUE(eventually([&] { return notes.seen().size() == 1; }));
+  writer.reset();
+  EXPECT_TRUE(eventually([&] { return notes.seen().size() == 2; }));
+  EXPECT_THAT(notes.seen(), ElementsAre("RED1", "RED no writers"));
+}
+
+TEST_F(Keys, ALateReaderGetsTheLastOfEachInstanceOnceFromEitherSide) {
+  ShapeOptions state = options();
+  state.qos = {};
+  state.qos.durability = Durability::transient_local;
+  const auto a = make_shape_bus(state);
+  const auto b = make_shape_bus(state);
+  const auto writer = a->advertise(square);
+  for (const int size : {1, 2}) {
+    for (int i = 0; i < 20; ++i) {
+      EXPECT_EQ(writer->write(shape("C" + std::to_string(i) + "_", size)), Status::ok);
+    }
+  }
+  Notes far;
+  Notes near;
+  const auto reader = b->subscribe(square, far);
+  const auto reader_beside = a->subscribe(square, near);
+  EXPECT_TRUE(eventually([&] { return far.seen().size() == 20; }));
+  EXPECT_THAT(far.seen(), Contains("C19_2"));
+  EXPECT_THAT(far.seen(), Not(Contains("C19_1")));
+  EXPECT_EQ(near.seen().size(), 20U);
+}
+
+TEST_F(Keys, AnInstanceThatWasNeverWrittenCannotEnd) {
+  const auto bus = make_shape_bus(options());
+  const auto writer = bus->advertise(square);
+  EXPECT_EQ(writer->write(shape("RED", 1)), Status::ok);
+  Notes notes;
+  const auto reader = bus->subscribe(square, notes);
+  (void)writer->end_instance(shape("BLUE", 0), InstanceState::disposed);
+  EXPECT_THAT(notes.seen(), IsEmpty());
+}
+
+/// A topic as components have it.
+struct Squares {
+  using Message = ShapeType;
+  static constexpr TopicInfo info{"Square", "shape", Scope::host};
+};
+
+class Watcher : public Component {
+ public:
+  explicit Watcher(Context& context) : Component(context) {}
+  void tick(Time) override {}
+  KeyedInput<Squares> squares{*this};
+  Input<Squares> samples{*this};
+};
+
+TEST_F(Keys, AnInputTellsInstancesApartAndHearsTheirEnds) {
+  const auto bus = make_shape_bus(options());
+  Context context(*bus, "watcher", Role::uxv);
+  Watcher watcher(context);
+  const auto writer = bus->advertise({Squares::info, &type_info<ShapeType>()});
+  EXPECT_EQ(writer->write(shape("RED", 1)), Status::ok);
+  EXPECT_EQ(writer->write(shape("BLUE", 2)), Status::ok);
+  EXPECT_EQ(writer->write(shape("RED", 3)), Status::ok);
+  (void)writer->end_instance(shape("RED", 0), InstanceState::disposed);
+  const auto red = watcher.squares.take();
+  const auto blue = watcher.squares.take();
+  const auto again = watcher.squares.take();
+  const auto end = watcher.squares.take();
+  ASSERT_TRUE(red && blue && again && end);
+  EXPECT_EQ(red->instance, again->instance);
+  EXPECT_NE(red->instance, blue->instance);
+  EXPECT_EQ(end->instance, red->instance);
+  EXPECT_EQ(end->state, InstanceState::disposed);
+  EXPECT_EQ(end->message, nullptr);
+  for (const int size : {1, 2, 3}) EXPECT_EQ(watcher.samples.take()->shapesize(), size);
+  EXPECT_EQ(watcher.samples.take(), nullptr) << "a plain input hears samples only";
+}
+
+}  // namespace
+}  // namespace tocsin::shapes

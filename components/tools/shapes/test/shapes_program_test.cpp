@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two programs as the suite starts them, on real DDS, a domain for each test.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <sstream>
+#include <thread>
+
+#include "foundation/child_process.hpp"
+
+namespace tocsin::shapes {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Program {
+ public:
+  Program(const std::string& arguments, int domain) {
+    ChildSetup setup;
+    setup.command = {SHAPES_PROGRAM, "-d", std::to_string(domain)};
+    std::istringstream words(arguments);
+    for (std::string word; words >> word;) setup.command.push_back(word);
+    setup.streams = ChildSetup::Streams::piped;
+    child_ = start_child(setup);
+  }
+  ~Program() { (void)end(); }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  [[nodiscard]] std::string output() {
+    std::array<char, 65536> bytes{};
+    for (auto count = ::read(child_.output.get(), bytes.data(), bytes.size()); count > 0;
+         count = ::read(child_.output.get(), bytes.data(), bytes.size())) {
+      text_.append(bytes.data(), static_cast<std::size_t>(count));
+    }
+    return text_;
+  }
+  [[nodiscard]] bool says(const std::string& text) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(15);
+    while (output().find(text) == std::string::npos) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return true;
+  }
+  /// Ends it as the suite does; its exit code.
+  int end() {
+    if (child_.pid <= 0) return code_;
+    ::kill(child_.pid, SIGINT);
+    return wait();
+  }
+  int wait() {
+    code_ = wait_for_child(child_.pid);
+    child_.pid = -1;
+    return code_;
+  }
+
+ private:
+  Child child_;
+  std::string text_;
+  int code_ = -1;
+};
+
+TEST(ShapesProgram, PrintsWhatTheSuiteWaitsFor) {
+  Program publisher("-P -t Square -w", 221);
+  Program subscriber("-S -t Square", 221);
+  EXPECT_TRUE(subscriber.says("[20]"));
+  EXPECT_TRUE(publisher.says("on_publication_matched() topic: 'Square'"));
+  EXPECT_TRUE(subscriber.says("on_subscription_matched() topic: 'Square'"));
+  EXPECT_THAT(publisher.output(), HasSubstr("Create writer for topic: Square color: BLUE"));
+  EXPECT_THAT(publisher.output(), HasSubstr("Square     BLUE"));
+  EXPECT_THAT(subscriber.output(), HasSubstr("Create reader for topic: Square"));
+  EXPECT_EQ(subscriber.end(), 0);
+  EXPECT_THAT(subscriber.output(), HasSubstr("Done."));
+}
+
+TEST(ShapesProgram, IncompatibleQosIsSaidByBoth) {
+  Program publisher("-P -t Square -b", 222);
+  Program subscriber("-S -t Square -r", 222);
+  EXPECT_TRUE(publisher.says("on_offered_incompatible_qos() topic: 'Square'"));
+  EXPECT_TRUE(subscriber.says("on_requested_incompatible_qos() topic: 'Square'"));
+  EXPECT_THAT(subscriber.output(), Not(HasSubstr("[20]")));
+}
+
+TEST(ShapesProgram, TheEndsOfInstancesAreSaidWithTheirColours) {
+  Program subscriber("-S -t Square -k 0", 223);
+  ASSERT_TRUE(subscriber.says("Create reader"));
+  Program publisher(
+      "-P -t Square -k 0 -c RED --num-instances 2 --num-iterations 60 "
+      "--final-instance-state d",
+      223);
+  EXPECT_TRUE(subscriber.says("Square     RED        NOT_ALIVE_DISPOSED_INSTANCE_STATE"));
+  EXPECT_TRUE(subscriber.says("Square     RED1       NOT_ALIVE_DISPOSED_INSTANCE_STATE"));
+  EXPECT_EQ(publisher.wait(), 0);
+}
+
+TEST(ShapesProgram, ExitCodesAreThoseOfShapeMain) {
+  EXPECT_EQ(Program("-P", 224).wait(), 1);
+  EXPECT_EQ(Program("-S -t Square --cft x", 224).wait(), 1);
+  Program unsupported("-P -t Square --coherent", 224);
+  EXPECT_EQ(unsupported.wait(), 2);
+  EXPECT_THAT(unsupported.output(), HasSubstr("not supported"));
+}
+
+}  // namespace
+}  // namespace tocsin::shapes

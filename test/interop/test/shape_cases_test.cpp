@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a case's output is judged.
+#include "shape_cases.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tocsin::interop {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// The output of a subscriber with samples of these sizes.
+Lines samples(const std::vector<int>& sizes, const char* color = "BLUE") {
+  Lines lines{"Create topic: Square", "Create reader for topic: Square"};
+  for (const int size : sizes) {
+    lines.push_back(std::string("Square     ") + color + "       001 002 [" + std::to_string(size) +
+                    "]");
+  }
+  return lines;
+}
+
+Code judged(const std::vector<int>& sizes, Check check) {
+  return code_of_subscriber(samples(sizes), check);
+}
+
+TEST(ShapeCases, APublisherIsJudgedByTheStepsItReached) {
+  EXPECT_EQ(code_of_publisher({}, false), Code::not_created);
+  Lines lines{"Create topic: Square", "Create writer for topic: Square color: BLUE"};
+  EXPECT_EQ(code_of_publisher(lines, false), Code::reader_not_matched);
+  lines.emplace_back("on_publication_matched() topic: 'Square'");
+  EXPECT_EQ(code_of_publisher(lines, false), Code::ok);
+  lines.emplace_back("on_offered_deadline_missed() topic: 'Square'");
+  EXPECT_EQ(code_of_publisher(lines, false), Code::ok);
+  EXPECT_EQ(code_of_publisher(lines, true), Code::deadline_missed);
+  EXPECT_EQ(code_of_publisher({"   x = not supported"}, false), Code::unsupported);
+}
+
+TEST(ShapeCases, ASubscriberIsJudgedByItsSamples) {
+  EXPECT_EQ(code_of_subscriber({}, Check::received), Code::not_created);
+  EXPECT_EQ(judged({}, Check::received), Code::data_not_received);
+  EXPECT_EQ(judged({20}, Check::received), Code::ok);
+  EXPECT_EQ(judged({3, 4, 9}, Check::in_order), Code::ok);
+  EXPECT_EQ(judged({3, 5, 4}, Check::in_order), Code::data_not_correct);
+  EXPECT_EQ(judged({3, 4, 5}, Check::no_losses), Code::ok);
+  EXPECT_EQ(judged({3, 4, 6}, Check::no_losses), Code::data_not_correct);
+  EXPECT_EQ(judged({3, 4, 4}, Check::no_losses), Code::data_not_correct);
+  EXPECT_EQ(judged({1, 20}, Check::at_most_20), Code::ok);
+  EXPECT_EQ(judged({1, 21}, Check::at_most_20), Code::data_not_correct);
+  EXPECT_EQ(judged({1, 2}, Check::first_kept), Code::ok);
+  EXPECT_EQ(judged({2, 3}, Check::first_kept), Code::data_not_correct);
+  EXPECT_EQ(judged({2, 3}, Check::first_gone), Code::ok);
+  EXPECT_EQ(judged({1, 2}, Check::first_gone), Code::data_not_correct);
+}
+
+TEST(ShapeCases, EveryTenthMeansAStepOfNineToNineteen) {
+  EXPECT_EQ(judged({1, 2, 11, 30}, Check::every_tenth), Code::ok);
+  EXPECT_EQ(judged({1, 2, 10}, Check::every_tenth), Code::data_not_correct);
+  EXPECT_EQ(judged({1, 2, 22}, Check::every_tenth), Code::data_not_correct);
+}
+
+TEST(ShapeCases, RunsOfTwoOrThreeBetweenGaps) {
+  EXPECT_EQ(judged({1, 5, 6, 9, 10, 11, 15}, Check::two_or_three), Code::ok);
+  EXPECT_EQ(judged({1, 5, 9, 10, 15}, Check::two_or_three), Code::data_not_correct)
+      << "a run of one";
+  EXPECT_EQ(judged({1, 5, 6, 7, 8, 15}, Check::two_or_three), Code::data_not_correct);
+  EXPECT_EQ(judged({1, 2, 3, 4, 5, 6}, Check::two_or_three), Code::data_not_correct)
+      << "nothing has expired";
+}
+
+TEST(ShapeCases, SizesAndColoursTellHowManyPublishersAreHeard) {
+  EXPECT_EQ(judged({20, 30, 30, 30}, Check::sizes), Code::receiving_from_one)
+      << "the weaker one was heard before the stronger was known";
+  EXPECT_EQ(judged({20, 30, 20, 30}, Check::sizes), Code::receiving_from_both);
+  EXPECT_EQ(judged({1, 2}, Check::colors), Code::receiving_from_one);
+  Lines both = samples({1});
+  const Lines red = samples({1}, "RED");
+  both.insert(both.end(), red.begin(), red.end());
+  EXPECT_EQ(code_of_subscriber(both, Check::colors), Code::receiving_from_both);
+}
+
+TEST(ShapeCases, TheEndsOfAllInstancesAreWanted) {
+  Lines lines = samples({1});
+  for (int i = 0; i < 3; ++i) lines.emplace_back("Square BLUE NOT_ALIVE_DISPOSED_INSTANCE_STATE");
+  EXPECT_EQ(code_of_subscriber(lines, Check::disposed), Code::data_not_correct);
+  EXPECT_FALSE(is_enough(lines, Check::disposed));
+  lines.emplace_back("Square BLUE3 NOT_ALIVE_DISPOSED_INSTANCE_STATE");
+  EXPECT_EQ(code_of_subscriber(lines, Check::disposed), Code::ok);
+  EXPECT_TRUE(is_enough(lines, Check::disposed));
+}
+
+TEST(ShapeCases, EveryCaseHasACodeForEachOfItsPrograms) {
+  EXPECT_EQ(shape_cases().size(), 48U);
+  for (const ShapeCase& one : shape_cases()) {
+    EXPECT_EQ(one.apps.size(), one.expected.size()) << one.name;
+  }
+}
+
+}  // namespace
+}  // namespace tocsin::interop
