@@ -57,7 +57,7 @@ TEST(Readme, ItsComponentRefusesAWrongParameter) {
                ConfigError);
 }
 
-TEST(Readme, WhatAComponentAuthorReadsIsUnderSixHundredAndFiftyLines) {
+TEST(Readme, WhatAComponentAuthorReadsIsUnderSevenHundredLines) {
   const std::filesystem::path folder =
       std::filesystem::path(TOCSIN_SOURCE_DIR) / "include" / "runtime";
   int lines = 0;
@@ -68,7 +68,7 @@ TEST(Readme, WhatAComponentAuthorReadsIsUnderSixHundredAndFiftyLines) {
   }
   RecordProperty("lines", lines);
   EXPECT_GT(lines, 300);
-  EXPECT_LT(lines, 650);
+  EXPECT_LT(lines, 700);
 }
 
 }  // namespace
