@@ -13,7 +13,7 @@ import unity_names  # noqa: E402
 LINE_LIMIT = 300
 # How package.xml calls what find_package or pkg-config finds; None is part of every system.
 NAMES = {"JPEG": "libjpeg-dev", "libevdev": "libevdev-dev", "liblz4": "liblz4-dev", "libnl-genl-3.0": "libnl-genl-3-dev",
-         "libzstd": "libzstd-dev", "nlopt_cxx": "libnlopt-cxx-dev", "PkgConfig": None, "Python3": None, "Threads": None, "GTest": None,
+         "libzstd": "libzstd-dev", "nlopt_cxx": "libnlopt-cxx-dev", "OpenSSL": "libssl-dev", "tinyxml2": "libtinyxml2-dev", "PkgConfig": None, "Python3": None, "Threads": None, "GTest": None,
          "zlib": "zlib1g-dev"}
 NUMBERS = r"(?:unsigned )?(?:short|long long|long)|octet|float|double|u?int(?:8|16|32|64)"
 FIELD = re.compile(rf"^\s*(?:sequence<)?\s*(?:{NUMBERS})\b[^;]*;(.*)$")

@@ -125,7 +125,7 @@ std::int64_t valid_until(const X509& certificate) {
 
 std::string openssl_error() {
   std::array<char, 256> text{"no reason given"};
-  if (const auto code = ERR_get_error()) ERR_error_string_n(code, text.data(), text.size());
+  if (const auto code = ERR_peek_last_error()) ERR_error_string_n(code, text.data(), text.size());
   ERR_clear_error();
   return text.data();
 }

@@ -23,7 +23,7 @@ Store store_of(X509& authority, std::int64_t now_s) {
 }
 
 /// Lines end as MIME wants them, or the signature is one of another text.
-std::string without_carriage_returns(std::string text) {
+std::string without_carriage_returns(const std::string& text) {
   std::string plain;
   for (const char c : text) {
     if (c != '\r') plain += c;

@@ -99,6 +99,81 @@ TEST_F(KeystoreTest, WithoutItsPrivateKeyNothingIsMade) {
   EXPECT_THAT(problems("uxv1"), IsEmpty());
 }
 
+TEST_F(KeystoreTest, EveryIdentityHasAKeyAndANumberOfItsOwn) {
+  EXPECT_NE(text_of(enclave("uxv1") + "/key.pem"), text_of(enclave("gcs") + "/key.pem"));
+  EXPECT_NE(text_of(enclave("uxv1") + "/cert.pem"), text_of(enclave("gcs") + "/cert.pem"));
+}
+
+TEST_F(KeystoreTest, AnIdentityIsValidForTheDaysThatItWasGiven) {
+  add(store(), {"guest", {{"rt/location"}, {}}, 3}, now_s);
+  EXPECT_EQ(read_enclave(enclave("guest")).valid_until_s, now_s + 3 * 86'400);
+  EXPECT_THAT(problems("guest", now_s + 2 * 86'400), IsEmpty());
+  EXPECT_THAT(problems("guest", now_s + 4 * 86'400),
+              AllOf(Contains(HasSubstr("cert.pem: has expired")),
+                    Contains(HasSubstr("permissions.p7s: has expired"))));
+}
+
+TEST_F(KeystoreTest, SeveralAreRevokedOneAfterTheOther) {
+  add(store(), {"uxv2", {}}, now_s);
+  add(store(), {"uxv3", {}}, now_s);
+  revoke(store(), "uxv1", now_s);
+  revoke(store(), "uxv3", now_s + 60);
+  for (const char* name : {"uxv1", "uxv3"}) {
+    EXPECT_THAT(problems(name), ElementsAre(HasSubstr("is revoked"))) << name;
+  }
+  for (const char* name : {"uxv2", "gcs"}) EXPECT_THAT(problems(name), IsEmpty()) << name;
+}
+
+TEST_F(KeystoreTest, WhatIsAddedAfterARevocationKnowsOfIt) {
+  revoke(store(), "uxv1", now_s);
+  add(store(), {"uxv2", {}}, now_s);
+  EXPECT_EQ(text_of(enclave("uxv2") + "/crl.pem"), text_of(store() + "/public/crl.pem"));
+  EXPECT_THAT(problems("uxv2"), IsEmpty());
+}
+
+TEST_F(KeystoreTest, ThePublicPartsHoldNoSecret) {
+  for (const char* file : {"/public/ca.cert.pem", "/public/crl.pem", "/enclaves/governance.p7s",
+                           "/enclaves/uxv1/permissions.p7s", "/enclaves/uxv1/cert.pem"}) {
+    EXPECT_EQ(text_of(store() + file).find("PRIVATE KEY"), std::string::npos) << file;
+  }
+}
+
+TEST_F(KeystoreTest, AKeystoreMayBeMadeInAnEmptyFolder) {
+  const std::string empty = folder_.path() + "/empty";
+  fs::create_directory(empty);
+  create(empty, now_s);
+  EXPECT_THAT(names_in(empty), IsEmpty());
+}
+
+TEST_F(KeystoreTest, AFileInThePlaceOfAFolderIsAnError) {
+  const std::string file = folder_.path() + "/file";
+  write(file, "text");
+  EXPECT_FALSE(error_of([&] { create(file, now_s); }).empty());
+  EXPECT_EQ(text_of(file), "text");
+}
+
+TEST_F(KeystoreTest, TheKeyOfAnotherAuthorityMakesNothing) {
+  const std::string other = folder_.path() + "/other";
+  create(other, now_s);
+  write(store() + "/private/ca.key.pem", text_of(other + "/private/ca.key.pem"));
+  EXPECT_THAT(error_of([&] {
+                add(store(), {"uxv2", {}}, now_s);
+              }),
+              HasSubstr("is not the key of public/ca.cert.pem"));
+  EXPECT_THAT(error_of([&] { permit(store(), "uxv1", {}, now_s); }),
+              HasSubstr("is not the key of public/ca.cert.pem"));
+  EXPECT_THAT(error_of([&] { revoke(store(), "uxv1", now_s); }),
+              HasSubstr("is not the key of public/ca.cert.pem"));
+  EXPECT_THAT(problems("uxv1"), IsEmpty());
+}
+
+TEST_F(KeystoreTest, AnIdentityThatIsNotThereCannotBePermittedOrRevoked) {
+  for (const char* name : {"uxv2", "", "../gcs"}) {
+    EXPECT_THAT(error_of([&] { permit(store(), name, {}, now_s); }), HasSubstr("no identity"));
+    EXPECT_THAT(error_of([&] { revoke(store(), name, now_s); }), HasSubstr("no identity"));
+  }
+}
+
 TEST_F(KeystoreTest, AFolderThatIsNoKeystoreSaysSo) {
   EXPECT_THAT(error_of([&] { (void)names_in(folder_.path()); }), HasSubstr("is no keystore"));
 }

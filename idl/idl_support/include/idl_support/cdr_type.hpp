@@ -230,8 +230,8 @@ template <class T>
 TypeInfo make_type_info(const char* name, void (*visit)(const void*, FieldVisitor&),
                         void (*edit)(void*, FieldEditor&), bool (*skip)(WireCursor&),
                         const char* ros_hash) {
-  TypeInfo info{name, create<T>, serialized_size<T>, serialize<T>, deserialize<T>, visit,
-                edit, skip, ros_hash};
+  TypeInfo info{name, create<T>, serialized_size<T>, serialize<T>, deserialize<T>, visit, edit,
+                skip, ros_hash};
   if (T::isKeyDefined()) {
     info.longest_key = T::getKeyMaxCdrSerializedSize();
     info.serialize_key = serialize_key<T>;

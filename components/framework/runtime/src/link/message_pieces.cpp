@@ -10,8 +10,6 @@ namespace {
 
 /// Of the kinds that RTPS 2.2 section 9.4.5.1.1 leaves to vendors (0x80 to 0xff).
 constexpr std::uint8_t piece_kind = 0xc7;
-constexpr std::size_t header_bytes = 20;
-constexpr std::size_t submessage_header_bytes = 4;
 constexpr std::size_t numbers_bytes = 12;
 constexpr std::size_t overhead = header_bytes + submessage_header_bytes + numbers_bytes;
 constexpr std::size_t piece_bytes = (radio_message_bytes - overhead) / 4 * 4;

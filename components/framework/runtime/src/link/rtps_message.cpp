@@ -8,8 +8,6 @@ namespace {
 
 namespace rtps = eprosima::fastrtps::rtps;
 
-constexpr std::size_t header_bytes = 20;
-constexpr std::size_t submessage_header_bytes = 4;
 constexpr std::size_t entity_bytes = 4;
 constexpr std::size_t prefix_bytes = 12;
 

@@ -10,6 +10,10 @@
 
 namespace tocsin {
 
+/// RTPS 2.2 sections 9.4.4 and 9.4.5.1: of a message, and of each submessage.
+constexpr std::size_t header_bytes = 20;
+constexpr std::size_t submessage_header_bytes = 4;
+
 /// One submessage, without its header of four bytes.
 struct Submessage {
   std::uint8_t kind = 0;

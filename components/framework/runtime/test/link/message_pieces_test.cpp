@@ -101,6 +101,13 @@ TEST(MessagePieces, OfTwoMessagesAreNotMixed) {
   EXPECT_EQ((add(assembly, second[1]), add(assembly, second[0]).whole), message_of(2000, 2));
 }
 
+TEST(MessagePieces, AreAsManyAsTheMessageNeeds) {
+  MessagePieces sut;
+  EXPECT_THAT(cut(sut, message_of(1401)), SizeIs(2));
+  EXPECT_THAT(cut(sut, message_of(2728)), SizeIs(2));
+  EXPECT_THAT(cut(sut, message_of(2729)), SizeIs(3));
+}
+
 TEST(PieceAssembly, ForgetsWhatIsNotCompleteInTime) {
   MessagePieces sut;
   const auto pieces = cut(sut, message_of(2000));
