@@ -52,6 +52,24 @@ TEST(Documents, UnknownDatesAreNotRead) {
 
 TEST(Documents, ADateIsOfUtc) { EXPECT_EQ(date_text(0), "1970-01-01T00:00:00Z"); }
 
+TEST(Documents, GovernanceLetsNobodyInWhoIsUnknownAndHidesWhatIsSaid) {
+  const std::string text = governance_xml();
+  EXPECT_THAT(text, HasSubstr("<allow_unauthenticated_participants>false<"));
+  EXPECT_THAT(text, HasSubstr("<enable_join_access_control>true<"));
+  EXPECT_THAT(text, HasSubstr("<enable_read_access_control>true<"));
+  EXPECT_THAT(text, HasSubstr("<enable_write_access_control>true<"));
+  EXPECT_THAT(text, HasSubstr("<discovery_protection_kind>ENCRYPT<"));
+  EXPECT_THAT(text, HasSubstr("<liveliness_protection_kind>ENCRYPT<"));
+  EXPECT_THAT(text, HasSubstr("<data_protection_kind>ENCRYPT<"));
+}
+
+TEST(Documents, GovernanceLeavesTheWriterOfAPacketReadable) {
+  const std::string text = governance_xml();
+  EXPECT_THAT(text, HasSubstr("<metadata_protection_kind>SIGN<"));
+  EXPECT_THAT(text, HasSubstr("<rtps_protection_kind>NONE<"));
+  EXPECT_THAT(text, HasSubstr("<topic_expression>*<"));
+}
+
 TEST(SignedText, IsTheTextForWhoeverKnowsTheAuthority) {
   const Authority authority = make_authority("one", now_s, 1);
   const std::string document = sign(governance_xml(), authority);
