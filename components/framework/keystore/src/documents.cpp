@@ -12,7 +12,7 @@
 namespace tocsin::keystore {
 namespace {
 
-constexpr const char* governance = R"(<?xml version="1.0" encoding="UTF-8"?>
+constexpr const char* governance_text = R"(<?xml version="1.0" encoding="UTF-8"?>
 <dds xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
      xsi:noNamespaceSchemaLocation="http://www.omg.org/spec/DDS-SECURITY/20170901/omg_shared_ca_governance.xsd">
   <domain_access_rules>
@@ -39,7 +39,7 @@ constexpr const char* governance = R"(<?xml version="1.0" encoding="UTF-8"?>
 </dds>
 )";
 
-constexpr const char* permissions = R"(<?xml version="1.0" encoding="UTF-8"?>
+constexpr const char* permissions_format = R"(<?xml version="1.0" encoding="UTF-8"?>
 <dds xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
      xsi:noNamespaceSchemaLocation="http://www.omg.org/spec/DDS-SECURITY/20170901/omg_shared_ca_permissions.xsd">
   <permissions>
@@ -96,10 +96,10 @@ std::string date_text(std::int64_t time_s) {
   return text.data();
 }
 
-std::string governance_xml() { return governance; }
+std::string governance_xml() { return governance_text; }
 
 std::string permissions_xml(const Grant& grant) {
-  return fmt::format(permissions, fmt::arg("name", grant.subject),
+  return fmt::format(permissions_format, fmt::arg("name", grant.subject),
                      fmt::arg("subject", grant.subject), fmt::arg("from", date_text(grant.from_s)),
                      fmt::arg("until", date_text(grant.until_s)),
                      fmt::arg("publish", criteria("publish", grant.permissions.publish)),
