@@ -17,7 +17,7 @@ namespace {
 using tinyxml2::XMLElement;
 
 /// What a file says of one end of one profile.
-struct End {
+struct ImportedEnd {
   Values values;               ///< of all policies that have a place
   std::set<std::string> said;  ///< those that the file names
 };
@@ -28,7 +28,7 @@ class Reading {
   Reading(Vendor vendor, Imported& result) : vendor_(vendor), result_(result) {}
 
   void read(const std::string& name, const XMLElement& element, bool writer) {
-    End& end = (writer ? writers_ : readers_)[name];
+    ImportedEnd& end = (writer ? writers_ : readers_)[name];
     std::set<const XMLElement*> understood;
     for (const Place& place : places(vendor_, writer))
       read_place(name, element, place, end, understood);
@@ -37,24 +37,25 @@ class Reading {
   void finish();
 
  private:
-  void read_place(const std::string& name, const XMLElement& element, const Place& place, End& end,
-                  std::set<const XMLElement*>& understood);
+  void read_place(const std::string& name, const XMLElement& element, const Place& place,
+                  ImportedEnd& end, std::set<const XMLElement*>& understood);
   void note_rest(const std::string& name, const XMLElement& element, bool writer,
                  const std::set<const XMLElement*>& understood);
   [[nodiscard]] bool is_of_other_end(const XMLElement& element, bool writer) const;
-  [[nodiscard]] Values merged(const std::string& name, const End& writer, const End& reader);
+  [[nodiscard]] Values merged(const std::string& name, const ImportedEnd& writer,
+                              const ImportedEnd& reader);
   void lose(const std::string& name, const std::string& what) {
     result_.lost.push_back(name + ": " + what);
   }
 
   Vendor vendor_;
   Imported& result_;
-  std::map<std::string, End> writers_;
-  std::map<std::string, End> readers_;
+  std::map<std::string, ImportedEnd> writers_;
+  std::map<std::string, ImportedEnd> readers_;
 };
 
 void Reading::read_place(const std::string& name, const XMLElement& element, const Place& place,
-                         End& end, std::set<const XMLElement*>& understood) {
+                         ImportedEnd& end, std::set<const XMLElement*>& understood) {
   const std::string policy = place.policy;
   const XMLElement* const leaf = find_at(element, place.path);
   if (leaf == nullptr) {
@@ -118,7 +119,8 @@ bool is_of_readers(const std::string& policy) {
          policy == "minimum_separation_s";
 }
 
-Values Reading::merged(const std::string& name, const End& writer, const End& reader) {
+Values Reading::merged(const std::string& name, const ImportedEnd& writer,
+                       const ImportedEnd& reader) {
   Values values = writer.values;
   for (const auto& [policy, value] : reader.values) {
     const auto offered = values.find(policy);
