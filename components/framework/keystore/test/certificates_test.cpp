@@ -109,8 +109,8 @@ TEST_F(CertificatesTest, MutatedPemIsNothingOrIsNotSigned) {
   std::mt19937 random(5);
   for (int i = 0; i < 2000; ++i) {
     std::string mutated = good;
-    // Between its first and its last line.
-    mutated[28 + random() % (good.size() - 56)] = static_cast<char>('A' + random() % 26);
+    // Not in its last lines, where the last letter has bits that mean nothing.
+    mutated[28 + random() % (good.size() - 126)] = static_cast<char>('A' + random() % 26);
     const Certificate read = certificate_in(mutated);
     if (mutated == good || !read) continue;
     EXPECT_NE(X509_verify(read.get(), X509_get0_pubkey(authority_.certificate.get())), 1);

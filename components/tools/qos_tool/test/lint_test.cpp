@@ -31,6 +31,8 @@ std::vector<std::string> rules_of(const LintInput& input) {
 TEST(Lint, AProfileOfDefaultsIsInNoTrap) {
   EXPECT_THAT(rules_of(one_topic({})), IsEmpty());
   EXPECT_EQ(lint_text({}), "no known trap\n");
+  EXPECT_THAT(lint({}), IsEmpty());
+  EXPECT_THAT(rules_of({}), IsEmpty());
 }
 
 TEST(Lint, AStreamThatIsRepairedOverTheRadio) {
