@@ -74,15 +74,20 @@ std::vector<std::vector<std::uint8_t>> MessagePieces::of(const std::uint8_t* mes
   return pieces;
 }
 
-PieceAssembly::Opens::iterator PieceAssembly::open_of(const Open& wanted) {
-  open_.remove_if([&](const Open& one) { return wanted.begun - one.begun > longest_wait; });
-  const auto found = std::find_if(open_.begin(), open_.end(), [&](const Open& one) {
-    return one.sender == wanted.sender && one.number == wanted.number &&
-           one.header == wanted.header && one.message.size() == wanted.message.size();
-  });
+bool operator==(const PieceAssembly::Key& one, const PieceAssembly::Key& other) {
+  return one.sender == other.sender && one.number == other.number && one.header == other.header &&
+         one.bytes == other.bytes;
+}
+
+PieceAssembly::Opens::iterator PieceAssembly::open_of(const Key& key, Time now) {
+  open_.remove_if([&](const Open& one) { return now - one.begun > longest_wait; });
+  const auto found =
+      std::find_if(open_.begin(), open_.end(), [&](const Open& one) { return one.key == key; });
   if (found != open_.end()) return found;
   if (open_.size() == most_open) open_.pop_front();
-  return open_.insert(open_.end(), wanted);
+  const std::size_t pieces = pieces_of(key.bytes);
+  return open_.insert(open_.end(), {key, now, pieces, std::vector<bool>(pieces),
+                                    std::vector<std::uint8_t>(key.bytes)});
 }
 
 PieceAssembly::Result PieceAssembly::add(const std::uint8_t* bytes, std::size_t size,
@@ -90,11 +95,9 @@ PieceAssembly::Result PieceAssembly::add(const std::uint8_t* bytes, std::size_t 
   const auto piece = piece_in(bytes, size);
   if (!piece) return {};
   if (piece->whole == 0) return {true};
-  Open begun{sender, piece->number, {}, now, pieces_of(piece->whole), {}, {}};
-  std::copy_n(bytes, header_bytes, begun.header.begin());
-  begun.there.resize(begun.missing);
-  begun.message.resize(piece->whole);
-  const auto open = open_of(begun);
+  Key key{sender, piece->number, {}, piece->whole};
+  std::copy_n(bytes, header_bytes, key.header.begin());
+  const auto open = open_of(key, now);
   std::copy_n(piece->bytes, piece->length(),
               open->message.begin() + static_cast<std::ptrdiff_t>(piece->begin));
   std::vector<bool>::reference there = open->there[piece->begin / piece_bytes];

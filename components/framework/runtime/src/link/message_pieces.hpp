@@ -49,18 +49,23 @@ class PieceAssembly {
   [[nodiscard]] std::size_t open() const { return open_.size(); }
 
  private:
-  using Header = std::array<std::uint8_t, 20>;
-  struct Open {
+  /// Which message of whom.
+  struct Key {
     std::uint64_t sender;
     std::uint32_t number;
-    Header header;
+    std::array<std::uint8_t, 20> header;
+    std::size_t bytes;
+  };
+  friend bool operator==(const Key& one, const Key& other);
+  struct Open {
+    Key key;
     Time begun;
     std::size_t missing;  ///< pieces
     std::vector<bool> there;
     std::vector<std::uint8_t> message;
   };
   using Opens = std::list<Open>;
-  Opens::iterator open_of(const Open& wanted);
+  Opens::iterator open_of(const Key& key, Time now);
   Opens open_;  ///< the oldest first
 };
 
