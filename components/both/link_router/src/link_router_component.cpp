@@ -7,12 +7,12 @@
 #include "foundation/error.hpp"
 #include "router_messages.hpp"
 #include "runtime/component_entry.hpp"
+#include "runtime/middleware/link_permissions.hpp"
 
 namespace tocsin {
 namespace {
 
 /// What routers tell each other; on the link only.
-const char* const receipt_topic = "link_receipt";
 using Receipt = tocsin_msgs::msg::LinkReceipt;
 
 /// Lives are compared here, where the wire tells them; the decisions see one life of each side.
@@ -20,7 +20,7 @@ constexpr router::Incarnation this_life = 1;
 
 Flow receipt_flow() {
   Flow flow;
-  flow.topic = receipt_topic;
+  flow.topic = link_receipt_topic;
   flow.type = type_info<Receipt>().name;
   return flow;
 }
@@ -128,7 +128,7 @@ void LinkRouterComponent::on(const link_event::PeerLost& event, Time now) {
 void LinkRouterComponent::on(const link_event::PeerFlow& event, Time) {
   const auto peer = peers_.find(event.peer);
   if (peer == peers_.end()) return;
-  const bool is_receipt = event.what.topic == receipt_topic;
+  const bool is_receipt = event.what.topic == link_receipt_topic;
   incoming_[event.flow] = {event.peer, event.wire_id, is_receipt};
   if (is_receipt) return;
   receiver_.on_stream(peer->second, event.wire_id, stream_rule(event.what, {}));

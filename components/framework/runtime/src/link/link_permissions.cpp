@@ -12,7 +12,7 @@ std::vector<std::string> topics_of(Role role, const LinkSide& side) {
   std::vector<std::string> topics;
   const TrafficRules rules(side.traffic_file, role);
   for (const auto& entry : rules.all()) topics.push_back(names.on_wire(entry.first));
-  topics.push_back(names.on_wire("link_receipt"));  // of the routers themselves
+  topics.push_back(names.on_wire(link_receipt_topic));
   return topics;
 }
 

@@ -8,6 +8,9 @@
 
 namespace tocsin {
 
+/// On which routers tell each other what came.
+inline constexpr const char* link_receipt_topic = "link_receipt";
+
 /// Whose permissions on a secured link are meant.
 struct LinkSide {
   Role role = Role::uxv;
