@@ -11,6 +11,7 @@
 #include <ctime>
 
 #include "bio.hpp"
+#include "files.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin::keystore {
@@ -103,6 +104,12 @@ std::string to_pem(EVP_PKEY& key) {
 
 Certificate certificate_in(const std::string& pem) {
   return Certificate(PEM_read_bio_X509(memory_of(pem).get(), nullptr, nullptr, nullptr));
+}
+
+Certificate certificate_at(const std::string& path) {
+  Certificate found = certificate_in(content_of(path).value_or(""));
+  if (!found) throw ConfigError(path + ": is no certificate in PEM");
+  return found;
 }
 
 Key key_in(const std::string& pem) {

@@ -36,6 +36,8 @@ struct Authority {
 [[nodiscard]] std::string to_pem(EVP_PKEY& key);
 /// Null when the text is none.
 [[nodiscard]] Certificate certificate_in(const std::string& pem);
+/// Of a file. Throws ConfigError when it holds none.
+[[nodiscard]] Certificate certificate_at(const std::string& path);
 [[nodiscard]] Key key_in(const std::string& pem);
 
 /// RFC 2253: `CN=/uxv1`.

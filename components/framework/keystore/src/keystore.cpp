@@ -100,8 +100,7 @@ bool is_revoked(const std::string& folder, const std::string& name) {
 void sign_permissions(const std::string& folder, const std::string& name,
                       const Permissions& allowed, const Authority& authority) {
   const std::string own = folder + enclaves + name + "/";
-  const Certificate identity = certificate_in(content_of(own + certificate).value_or(""));
-  if (!identity) throw ConfigError(own + certificate + ": is no certificate in PEM");
+  const Certificate identity = certificate_at(own + certificate);
   const std::string xml = permissions_xml(
       {subject_of(*identity), valid_from(*identity), valid_until(*identity), allowed});
   write(own + "permissions.xml", xml);
@@ -155,8 +154,7 @@ void add(const std::string& folder, const NewIdentity& identity, std::int64_t no
   sign_permissions(folder, identity.name, identity.permissions, authority);
 }
 
-void permit(const std::string& folder, const std::string& name, const Permissions& allowed,
-            std::int64_t) {
+void permit(const std::string& folder, const std::string& name, const Permissions& allowed) {
   (void)enclave_folder(folder, name);
   sign_permissions(folder, name, allowed, authority_of(folder));
 }
@@ -165,8 +163,7 @@ void revoke(const std::string& folder, const std::string& name, std::int64_t now
   const std::string own = enclave_folder(folder, name);
   const Authority authority = authority_of(folder);
   Revocations list = revocations_of(folder);
-  const Certificate revoked = certificate_in(content_of(own + "/" + certificate).value_or(""));
-  if (!revoked) throw ConfigError(own + "/" + certificate + ": is no certificate in PEM");
+  const Certificate revoked = certificate_at(own + "/" + certificate);
   if (list.have(*revoked)) throw ConfigError("identity '" + name + "' is revoked already");
   list.add(*revoked, now_s);
   write(folder + crl, list.signed_pem(authority, now_s));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "keystore_fixture.hpp"
+#include "signed_text.hpp"
 
 namespace tocsin::keystore {
 namespace {
@@ -30,6 +31,15 @@ TEST_F(KeystoreTest, TellsWhoItIsAndWhatItMayDo) {
   EXPECT_GT(one.valid_until_s, now_s + 9 * year_s);
   ASSERT_TRUE(one.permissions);
   EXPECT_EQ(*one.permissions, (Permissions{{"rt/location"}, {"rt/goal"}}));
+}
+
+TEST_F(KeystoreTest, PermissionsWithoutADeclarationOfXmlAreReadAll) {
+  const Authority authority{certificate_at(store() + "/public/ca.cert.pem"),
+                            key_in(text_of(store() + "/private/ca.key.pem"))};
+  const std::string whole = text_of(enclave("uxv1") + "/permissions.xml");
+  write(enclave("uxv1") + "/permissions.p7s", sign(whole.substr(whole.find("<dds")), authority));
+  EXPECT_THAT(problems("uxv1"), IsEmpty());
+  EXPECT_EQ(read_enclave(enclave("uxv1")).permissions, (Permissions{{"rt/location"}, {"rt/goal"}}));
 }
 
 TEST_F(KeystoreTest, EveryAbsentFileIsNamed) {

@@ -65,7 +65,7 @@ TEST_F(KeystoreTest, ANameThatLeavesItsFolderIsRefused) {
 
 TEST_F(KeystoreTest, PermissionsAreSignedAnewWithTheSameIdentity) {
   const std::string certificate = text_of(enclave("uxv1") + "/cert.pem");
-  permit(store(), "uxv1", {{"rt/odom"}, {}}, now_s);
+  permit(store(), "uxv1", {{"rt/odom"}, {}});
   EXPECT_EQ(read_enclave(enclave("uxv1")).permissions, (Permissions{{"rt/odom"}, {}}));
   EXPECT_EQ(text_of(enclave("uxv1") + "/cert.pem"), certificate);
   EXPECT_THAT(problems("uxv1"), IsEmpty());
@@ -160,7 +160,7 @@ TEST_F(KeystoreTest, TheKeyOfAnotherAuthorityMakesNothing) {
                 add(store(), {"uxv2", {}}, now_s);
               }),
               HasSubstr("is not the key of public/ca.cert.pem"));
-  EXPECT_THAT(error_of([&] { permit(store(), "uxv1", {}, now_s); }),
+  EXPECT_THAT(error_of([&] { permit(store(), "uxv1", {}); }),
               HasSubstr("is not the key of public/ca.cert.pem"));
   EXPECT_THAT(error_of([&] { revoke(store(), "uxv1", now_s); }),
               HasSubstr("is not the key of public/ca.cert.pem"));
@@ -169,7 +169,7 @@ TEST_F(KeystoreTest, TheKeyOfAnotherAuthorityMakesNothing) {
 
 TEST_F(KeystoreTest, AnIdentityThatIsNotThereCannotBePermittedOrRevoked) {
   for (const char* name : {"uxv2", "", "../gcs"}) {
-    EXPECT_THAT(error_of([&] { permit(store(), name, {}, now_s); }), HasSubstr("no identity"));
+    EXPECT_THAT(error_of([&] { permit(store(), name, {}); }), HasSubstr("no identity"));
     EXPECT_THAT(error_of([&] { revoke(store(), name, now_s); }), HasSubstr("no identity"));
   }
 }

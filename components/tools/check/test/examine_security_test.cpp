@@ -84,7 +84,7 @@ TEST_F(ExamineSecurityTest, WhatPeersWouldNotAcceptIsAnError) {
 TEST_F(ExamineSecurityTest, ATopicThatThePermissionsLackIsAnErrorWithItsRemedy) {
   auto less = link_permissions({Role::uxv, traffic, ""});
   less.publish.erase(std::find(less.publish.begin(), less.publish.end(), "rt/location"));
-  keystore::permit(deployment_.security, "uxv", less, now_s);
+  keystore::permit(deployment_.security, "uxv", less);
   const auto found = findings();
   ASSERT_EQ(found.size(), 1U);
   EXPECT_THAT(found[0].text, HasSubstr("its identity 'uxv' may not send rt/location; `tocsin "
@@ -92,7 +92,7 @@ TEST_F(ExamineSecurityTest, ATopicThatThePermissionsLackIsAnErrorWithItsRemedy) 
 }
 
 TEST_F(ExamineSecurityTest, APatternAllowsWhatItFits) {
-  keystore::permit(deployment_.security, "uxv", {{"rt/*"}, {"rt/*"}}, now_s);
+  keystore::permit(deployment_.security, "uxv", {{"rt/*"}, {"rt/*"}});
   EXPECT_TRUE(findings().empty());
 }
 

@@ -43,9 +43,9 @@ Answer add(const Options& options, std::int64_t now_s) {
                       options.folder, options.name)};
 }
 
-Answer permit(const Options& options, std::int64_t now_s) {
+Answer permit(const Options& options) {
   const auto permissions = permissions_of(options);
-  keystore::permit(options.folder, options.name, permissions, now_s);
+  keystore::permit(options.folder, options.name, permissions);
   return {fmt::format("identity {} ({}) {}; it holds when its router starts\n", options.name,
                       to_string(role_of_identity(options)), allowed_text(permissions))};
 }
@@ -135,7 +135,7 @@ void declare(CLI::App& app, Options& options) {
 Answer run_verb(const std::string& verb, const Options& options, std::int64_t now_s) {
   if (verb == "create") return create(options, now_s);
   if (verb == "add") return add(options, now_s);
-  if (verb == "permit") return permit(options, now_s);
+  if (verb == "permit") return permit(options);
   if (verb == "revoke") return revoke(options, now_s);
   if (verb == "list") return list(options, now_s);
   return check(options, now_s);

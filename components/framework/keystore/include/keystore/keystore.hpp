@@ -32,8 +32,7 @@ struct NewIdentity {
 void add(const std::string& folder, const NewIdentity& identity, std::int64_t now_s);
 
 /// Signs new permissions for an identity that is there.
-void permit(const std::string& folder, const std::string& name, const Permissions& permissions,
-            std::int64_t now_s);
+void permit(const std::string& folder, const std::string& name, const Permissions& permissions);
 
 /// From now on nobody who has the new list of revocations (`crl.pem` of its enclave) hears this
 /// identity.
