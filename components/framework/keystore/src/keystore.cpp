@@ -11,6 +11,7 @@
 #include "documents.hpp"
 #include "files.hpp"
 #include "foundation/error.hpp"
+#include "foundation/folder_lock.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/replace_file.hpp"
@@ -48,6 +49,37 @@ void make_folder(const std::string& path) {
   fs::create_directories(path, error);
   if (error) throw EnvironmentError(path + ": cannot be made: " + error.message());
 }
+
+/// A folder that comes to its name whole or not at all, also when its maker is killed.
+class NewFolder {
+ public:
+  /// What a killed maker has left is removed.
+  explicit NewFolder(const std::string& path)
+      : name_(fs::path(path + "/").parent_path()), now_(name_.string() + ".new") {
+    remove(now_);
+    make_folder(now_);
+  }
+  ~NewFolder() { remove(now_); }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+
+  [[nodiscard]] std::string path() const { return now_; }
+  /// Takes the place of what has the name now.
+  void keep() {
+    remove(name_);
+    std::error_code error;
+    fs::rename(now_, name_, error);
+    if (error) throw EnvironmentError(name_.string() + ": cannot be made: " + error.message());
+  }
+
+ private:
+  static void remove(const fs::path& path) {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+  const fs::path name_;
+  const fs::path now_;
+};
 
 void link(const std::string& target, const std::string& path) {
   std::error_code error;
@@ -97,9 +129,8 @@ bool is_revoked(const std::string& folder, const std::string& name) {
   return own && revocations_of(folder).have(*own);
 }
 
-void sign_permissions(const std::string& folder, const std::string& name,
-                      const Permissions& allowed, const Authority& authority) {
-  const std::string own = folder + enclaves + name + "/";
+void sign_permissions(const std::string& own, const Permissions& allowed,
+                      const Authority& authority) {
   const Certificate identity = certificate_at(own + certificate);
   const std::string xml = permissions_xml(
       {subject_of(*identity), valid_from(*identity), valid_until(*identity), allowed});
@@ -122,46 +153,54 @@ void create(const std::string& folder, std::int64_t now_s) {
   if (!fs::is_empty(folder, absent) && !absent) {
     throw ConfigError(printable(folder) + ": is not empty; a keystore is made in a new folder");
   }
-  for (const char* part : {"/public", "/private", "/enclaves"}) make_folder(folder + part);
-  fs::permissions(folder + "/private", fs::perms::owner_all);
+  NewFolder made(folder);
+  for (const char* part : {"/public", "/private", "/enclaves"}) make_folder(made.path() + part);
+  fs::permissions(made.path() + "/private", fs::perms::owner_all);
   const Authority authority = make_authority("tocsin CA", now_s, days);
-  write_secret(folder + ca_key, to_pem(*authority.key));
-  write(folder + ca_certificate, to_pem(*authority.certificate));
+  write_secret(made.path() + ca_key, to_pem(*authority.key));
+  write(made.path() + ca_certificate, to_pem(*authority.certificate));
   for (const char* purpose : {"identity_ca", "permissions_ca"}) {
-    link("ca.cert.pem", folder + "/public/" + purpose + ".cert.pem");
-    link("ca.key.pem", folder + "/private/" + purpose + ".key.pem");
+    link("ca.cert.pem", made.path() + "/public/" + purpose + ".cert.pem");
+    link("ca.key.pem", made.path() + "/private/" + purpose + ".key.pem");
   }
-  write(folder + crl, Revocations().signed_pem(authority, now_s));
-  write(folder + enclaves + "governance.xml", governance_xml());
-  write(folder + enclaves + governance, sign(governance_xml(), authority));
+  write(made.path() + crl, Revocations().signed_pem(authority, now_s));
+  write(made.path() + enclaves + "governance.xml", governance_xml());
+  write(made.path() + enclaves + governance, sign(governance_xml(), authority));
+  made.keep();
 }
 
 void add(const std::string& folder, const NewIdentity& identity, std::int64_t now_s) {
   check_name(identity.name);
   const Authority authority = authority_of(folder);
+  const FolderLock lock(folder + enclaves);
   const std::string own = folder + enclaves + identity.name + "/";
   if (fs::exists(own + certificate) && !is_revoked(folder, identity.name)) {
     throw ConfigError("identity '" + identity.name + "' is there already, in " + printable(own) +
                       "; `permit` gives it other permissions, `revoke` ends it");
   }
-  make_folder(own);
+  NewFolder made(own);
   const Key secret = make_key();
-  const Certificate made =
+  const Certificate issued =
       make_certificate("/" + identity.name, *secret, authority, now_s, identity.days);
-  write_secret(own + key, to_pem(*secret));
-  write(own + certificate, to_pem(*made));
-  link_shared_files(own);
-  sign_permissions(folder, identity.name, identity.permissions, authority);
+  const std::string path = made.path() + "/";
+  write_secret(path + key, to_pem(*secret));
+  write(path + certificate, to_pem(*issued));
+  link_shared_files(path);
+  sign_permissions(path, identity.permissions, authority);
+  made.keep();
 }
 
 void permit(const std::string& folder, const std::string& name, const Permissions& allowed) {
-  (void)enclave_folder(folder, name);
-  sign_permissions(folder, name, allowed, authority_of(folder));
+  const std::string own = enclave_folder(folder, name);
+  const Authority authority = authority_of(folder);
+  const FolderLock lock(folder + enclaves);
+  sign_permissions(own + "/", allowed, authority);
 }
 
 void revoke(const std::string& folder, const std::string& name, std::int64_t now_s) {
   const std::string own = enclave_folder(folder, name);
   const Authority authority = authority_of(folder);
+  const FolderLock lock(folder + enclaves);
   Revocations list = revocations_of(folder);
   const Certificate revoked = certificate_at(own + "/" + certificate);
   if (list.have(*revoked)) throw ConfigError("identity '" + name + "' is revoked already");
@@ -174,7 +213,8 @@ std::vector<std::string> names_in(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code absent;
   for (const auto& entry : fs::directory_iterator(folder + enclaves, absent)) {
-    if (fs::exists(entry.path() / certificate)) names.push_back(entry.path().filename());
+    const bool whole = entry.path().extension() != ".new";
+    if (whole && fs::exists(entry.path() / certificate)) names.push_back(entry.path().filename());
   }
   std::sort(names.begin(), names.end());
   return names;

@@ -3,6 +3,7 @@
 
 #include <sys/stat.h>
 
+#include "foundation/folder_lock.hpp"
 #include "keystore_fixture.hpp"
 
 namespace tocsin::keystore {
@@ -143,6 +144,28 @@ TEST_F(KeystoreTest, AKeystoreMayBeMadeInAnEmptyFolder) {
   fs::create_directory(empty);
   create(empty, now_s);
   EXPECT_THAT(names_in(empty), IsEmpty());
+}
+
+TEST_F(KeystoreTest, WhatAKilledMakerHasLeftIsNoIdentityAndIsInNobodysWay) {
+  fs::copy(enclave("uxv1"), enclave("uxv2") + ".new", fs::copy_options::recursive);
+  fs::remove(enclave("uxv2") + ".new/permissions.p7s");
+  EXPECT_THAT(names_in(store()), ElementsAre("gcs", "uxv1"));
+  add(store(), {"uxv2", {}}, now_s);
+  EXPECT_THAT(problems("uxv2"), IsEmpty());
+  EXPECT_FALSE(fs::exists(enclave("uxv2") + ".new"));
+}
+
+TEST_F(KeystoreTest, AFolderMayBeNamedWithASlashBehind) {
+  create(folder_.path() + "/other/", now_s);
+  EXPECT_THAT(names_in(folder_.path() + "/other"), IsEmpty());
+  EXPECT_FALSE(fs::exists(folder_.path() + "/other/.new"));
+}
+
+TEST_F(KeystoreTest, TwoDoNotChangeItAtOnce) {
+  const FolderLock other(store() + "/enclaves");
+  EXPECT_THAT(error_of([&] { add(store(), {"uxv2", {}}, now_s); }), HasSubstr("enclaves"));
+  EXPECT_THAT(error_of([&] { revoke(store(), "uxv1", now_s); }), HasSubstr("enclaves"));
+  EXPECT_THAT(problems("uxv1"), IsEmpty());
 }
 
 TEST_F(KeystoreTest, AFileInThePlaceOfAFolderIsAnError) {

@@ -14,8 +14,9 @@
 ///     private/     ca.key.pem and its two names: stays on the computer that makes identities
 ///     enclaves/    governance.xml and .p7s; a folder for each identity
 ///
-/// Every function throws ConfigError for what the caller gave, EnvironmentError when a file cannot
-/// be written, and leaves nothing half done but files that are made again.
+/// Every function throws ConfigError for what the caller gave, and while another process changes
+/// the keystore, EnvironmentError when a file cannot be written. A keystore and an identity are
+/// there whole or not at all.
 namespace tocsin::keystore {
 
 /// Makes a keystore with an authority of its own (EC P-256, 10 years) in a folder that is absent or
