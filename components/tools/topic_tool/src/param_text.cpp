@@ -14,7 +14,7 @@
 namespace tocsin::topic_tool {
 namespace {
 
-namespace type = rcl_interfaces::msg::ParameterType_Constants;
+namespace codes = rcl_interfaces::msg::ParameterType_Constants;
 
 std::string python_float(double value) {
   const std::string digits = fmt::format("{}", value);
@@ -31,7 +31,7 @@ std::string list_text(const List& list, const Text& text) {
   return "[" + joined(items) + "]";
 }
 
-bool is_array(const RosValue& value) { return value.type() >= type::PARAMETER_BYTE_ARRAY; }
+bool is_array(const RosValue& value) { return value.type() >= codes::PARAMETER_BYTE_ARRAY; }
 
 /// The narrowest of integer, double, boolean and string that the scalar is.
 ParameterValue scalar_in(const YAML::Node& node) {
@@ -50,16 +50,16 @@ ParameterValue scalar_in(const YAML::Node& node) {
 /// Adds to the array of the type that the first item has.
 void add(RosValue& list, const ParameterValue& item) {
   if (const auto* text = std::get_if<std::string>(&item)) {
-    list.type(type::PARAMETER_STRING_ARRAY);
+    list.type(codes::PARAMETER_STRING_ARRAY);
     list.string_array_value().push_back(*text);
   } else if (const auto* number = std::get_if<double>(&item)) {
-    list.type(type::PARAMETER_DOUBLE_ARRAY);
+    list.type(codes::PARAMETER_DOUBLE_ARRAY);
     list.double_array_value().push_back(*number);
   } else if (const auto* whole = std::get_if<std::int64_t>(&item)) {
-    list.type(type::PARAMETER_INTEGER_ARRAY);
+    list.type(codes::PARAMETER_INTEGER_ARRAY);
     list.integer_array_value().push_back(*whole);
   } else if (const auto* truth = std::get_if<bool>(&item)) {
-    list.type(type::PARAMETER_BOOL_ARRAY);
+    list.type(codes::PARAMETER_BOOL_ARRAY);
     list.bool_array_value().push_back(*truth);
   }
 }
@@ -70,13 +70,13 @@ RosValue list_in(const YAML::Node& node, const std::string& shown) {
   for (const YAML::Node& one : node) {
     if (!one.IsScalar()) throw ConfigError(shown + ": must be a list of numbers, texts or truths");
     const ParameterValue item = scalar_in(one);
-    if (list.type() != type::PARAMETER_NOT_SET && item.index() != kind) {
+    if (list.type() != codes::PARAMETER_NOT_SET && item.index() != kind) {
       throw ConfigError(shown + ": has elements of several types");
     }
     kind = item.index();
     add(list, item);
   }
-  if (list.type() == type::PARAMETER_NOT_SET) list.type(type::PARAMETER_STRING_ARRAY);
+  if (list.type() == codes::PARAMETER_NOT_SET) list.type(codes::PARAMETER_STRING_ARRAY);
   return list;
 }
 
@@ -109,21 +109,21 @@ void collect(const YAML::Node& map, const std::string& prefix, std::vector<Named
 
 std::string value_text(const RosValue& value) {
   switch (value.type()) {
-    case type::PARAMETER_BOOL:
+    case codes::PARAMETER_BOOL:
       return value.bool_value() ? "True" : "False";
-    case type::PARAMETER_INTEGER:
+    case codes::PARAMETER_INTEGER:
       return std::to_string(value.integer_value());
-    case type::PARAMETER_DOUBLE:
+    case codes::PARAMETER_DOUBLE:
       return python_float(value.double_value());
-    case type::PARAMETER_STRING:
+    case codes::PARAMETER_STRING:
       return printable(value.string_value());
-    case type::PARAMETER_BOOL_ARRAY:
+    case codes::PARAMETER_BOOL_ARRAY:
       return list_text(value.bool_array_value(), [](bool one) { return one ? "True" : "False"; });
-    case type::PARAMETER_INTEGER_ARRAY:
+    case codes::PARAMETER_INTEGER_ARRAY:
       return list_text(value.integer_array_value(), [](auto one) { return std::to_string(one); });
-    case type::PARAMETER_DOUBLE_ARRAY:
+    case codes::PARAMETER_DOUBLE_ARRAY:
       return list_text(value.double_array_value(), python_float);
-    case type::PARAMETER_STRING_ARRAY:
+    case codes::PARAMETER_STRING_ARRAY:
       return list_text(value.string_array_value(), python_quoted);
     default:
       return "";
@@ -131,7 +131,7 @@ std::string value_text(const RosValue& value) {
 }
 
 std::string typed_value_text(const RosValue& value) {
-  if (value.type() == type::PARAMETER_NOT_SET) return "Parameter not set.";
+  if (value.type() == codes::PARAMETER_NOT_SET) return "Parameter not set.";
   std::string word = type_word(value.type());
   const std::size_t array = word.find(" array");
   if (array != std::string::npos) word.resize(array);
@@ -170,9 +170,9 @@ std::string dump_text(const std::string& node, const std::vector<NamedValue>& va
     const auto yaml = yaml_of(value);
     if (!yaml) continue;
     out << YAML::Key << name << YAML::Value;
-    if (value.type() == type::PARAMETER_DOUBLE && std::isfinite(value.double_value())) {
+    if (value.type() == codes::PARAMETER_DOUBLE && std::isfinite(value.double_value())) {
       out << python_float(value.double_value());
-    } else if (value.type() == type::PARAMETER_STRING) {
+    } else if (value.type() == codes::PARAMETER_STRING) {
       // What would be read as a number or a truth must not become one.
       const bool plain = std::holds_alternative<std::string>(scalar_in(*yaml));
       if (!plain) out << YAML::SingleQuoted;
