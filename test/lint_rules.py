@@ -145,13 +145,22 @@ def sources_of_targets(cmake):
         yield [cmake.parent / name for name in dict.fromkeys(re.findall(r"\bsrc/\S+\.cpp", part))]
 
 
+def included(texts, headers):
+    """Those of `headers` that the texts include, by one another, too; texts by file, all of them."""
+    names = {pathlib.Path(name).name for text in texts.values() for name in re.findall(r'^#include "(.*)"', text, re.M)}
+    found = {file: text for file, text in headers.items() if file.name in names}
+    return found if found.keys() <= texts.keys() else included({**texts, **found}, headers)
+
+
 def check_unity_names():
     if doctest.testmod(unity_names).failed:
         report("test/unity_names.py", 1, "does not find what its examples say")
     for cmake in tracked("components/*CMakeLists.txt", "test/*CMakeLists.txt"):
+        folder = cmake.parent
+        headers = {file: file.read_text() for file in tracked(f"{folder}/src/*.hpp", f"{folder}/include/*.hpp")}
         for sources in sources_of_targets(cmake):
             texts = {file: file.read_text() for file in sources if file.exists()}
-            for file, line, name, other in unity_names.clashes(texts):
+            for file, line, name, other in unity_names.clashes(texts, included(texts, headers)):
                 report(file, line, f"its own {name} clashes with that of {other.name}: the sanitizer trees compile "
                                    "the sources of a target as one")
 

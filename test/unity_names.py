@@ -25,6 +25,8 @@ Other overloads live together, and so do members, declarations, equal aliases an
 []
 >>> of(x="using Name = int;", y="using Name = long;")
 [('y.cpp', 1, 'Name', 'x.cpp')]
+>>> of(x="namespace type = codes;", y="int type() { return 1; }")
+[('y.cpp', 1, 'type', 'x.cpp')]
 >>> clashes({"x.cpp": "namespace a {namespace {int n = 1;}}", "y.cpp": "namespace b {namespace {int n = 1;}}"})
 []
 >>> clashes({"x.cpp": "namespace a {int n(){}}", "y.cpp": "namespace a {int n(){} /* int m; */}"})
@@ -33,6 +35,16 @@ Other overloads live together, and so do members, declarations, equal aliases an
 [('y.cpp', 1, 'n', 'x.cpp')]
 >>> of(x='const char* a = "}"; int b = 1;', y="int c = 1'000; int b = 2;")
 [('y.cpp', 1, 'b', 'x.cpp')]
+
+A type that a header of the package defines is there for all of them:
+
+>>> def beside(header, text): return clashes({"x.cpp": "namespace a {namespace {" + text + "}}"}, {"h.hpp": "namespace a {" + header + "}"})
+>>> beside("struct Line { int a; };", "struct Line { int b; };")
+[('x.cpp', 1, 'Line', 'h.hpp')]
+>>> beside("enum class Line { in, out };", "const int Line = 1;")
+[('x.cpp', 1, 'Line', 'h.hpp')]
+>>> beside("struct Line; struct Text { struct Word {}; };", "struct Line {}; struct Word {};")
+[]
 """
 import re
 
@@ -76,7 +88,7 @@ def described(head, body):
     together when both are functions of different parameters, or aliases of the same."""
     head = re.sub(r"\s+", " ", head).strip()
     head = re.sub(r"^(?:\[\[\w+\]\] ?)+", "", head)
-    alias = re.match(r"using (\w+) = ", head)
+    alias = re.match(r"(?:using|namespace) (\w+) = ", head)
     if alias:
         return alias.group(1), ("alias", head)
     if not head or re.match(r"(?:using|namespace|friend|extern|typedef|static_assert|template ?<[^{]*> ?;)\b", head):
@@ -95,8 +107,9 @@ def described(head, body):
     return name.group(1), ("variable", object())
 
 
-def own_names(text):
-    """(namespace, name, what it is, line) of all that no other source should see."""
+def names_in(text, is_header=False):
+    """(namespace, name, what it is, line) of all that no other source should see; of a header, of
+    all that it defines."""
     text = blanked(text)
     spaces, head, begin, at = [], "", 0, 0
     while at < len(text):
@@ -117,8 +130,8 @@ def own_names(text):
             is_initializer = "(" not in head.split("=")[0] and not TYPE.match(re.sub(r"\s+", " ", head).strip())
             at = end - 1
         if (letter == "{" and not opened) or letter == ";":
-            own = "" in spaces or re.match(r"\s*static\b", head)
-            found = described(head, letter == "{" and not is_initializer) if own else None
+            counts = is_header or "" in spaces or re.match(r"\s*static\b", head)
+            found = described(head, letter == "{" and not is_initializer) if counts else None
             if found:
                 line = text.count("\n", 0, begin) + 1
                 yield "::".join(space for space in spaces if space), found[0], found[1], line
@@ -141,14 +154,20 @@ def is_passed_on(name, text):
     return re.search(rf"[(,]\s*{name}\s*[,)]", blanked(text)) is not None
 
 
-def clashes(sources):
-    """(file, line, name, other file) of each name that clashes; `sources` are the texts of one target by file."""
+def clashes(sources, headers={}):
+    """(file, line, name, other file) of each name that clashes; `sources` are the texts of one target by file,
+    `headers` those that they include."""
     known, found = {}, []
+    for file, text in headers.items():
+        for space, name, what, _ in names_in(text, is_header=True):
+            if what[0] == "type":
+                known.setdefault((space, name), []).append((file, what))
+    texts = {**headers, **sources}
     for file, text in sources.items():
-        for space, name, what, line in own_names(text):
+        for space, name, what, line in names_in(text):
             for other, its in known.get((space, name), []):
                 overloads = its[0] == what[0] == "function" and its[1] != what[1]
-                if other == file or (overloads and not any(is_passed_on(name, sources[one]) for one in (file, other))):
+                if other == file or (overloads and not any(is_passed_on(name, texts[one]) for one in (file, other))):
                     continue
                 if its[0] == what[0] == "alias" and its[1] == what[1]:
                     continue
