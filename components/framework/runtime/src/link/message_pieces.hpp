@@ -14,7 +14,7 @@
 namespace tocsin {
 
 /// A secured link's way to keep packets below `radio_message_bytes`. What DDS Security has sealed
-/// cannot be divided any more, and Fast DDS 2.9.1 sends messages of authentication, of 2 to 4 kB,
+/// cannot be divided any more, and Fast DDS 2.9.1 sends messages of authentication, of 4 to 5 kB,
 /// whole or not at all. So a longer message goes as pieces: RTPS messages with its header and one
 /// submessage of a kind that RTPS leaves to vendors. In it, little endian: number of the message,
 /// its size, place of the piece (4 bytes each), the bytes, zeros up to a multiple of four.
