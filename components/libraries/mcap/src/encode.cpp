@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "encode.hpp"
 
+#include <endian.h>
 #include <zlib.h>
+
+#include <cstring>
 
 namespace tocsin::mcap {
 namespace {
+
+/// The lowest `bytes` of a number, little-endian.
+void store(std::uint8_t* to, std::uint64_t value, std::size_t bytes) {
+  const std::uint64_t little = htole64(value);
+  std::memcpy(to, &little, bytes);
+}
 
 void put_u16(Bytes& to, std::uint16_t value) { put_number(to, value, 2); }
 void put_u32(Bytes& to, std::uint64_t value) { put_number(to, value, 4); }
@@ -23,7 +32,9 @@ void put_key_values(Bytes& to, const KeyValues& values) {
 }  // namespace
 
 void put_number(Bytes& to, std::uint64_t value, std::size_t bytes) {
-  for (std::size_t i = 0; i < bytes; ++i) to.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+  std::array<std::uint8_t, 8> field{};
+  store(field.data(), value, bytes);
+  to.insert(to.end(), field.data(), field.data() + bytes);
 }
 
 void put_text(Bytes& to, const std::string& text) {
@@ -38,10 +49,7 @@ std::size_t begin_record(Bytes& to, Opcode opcode) {
 }
 
 void end_record(Bytes& to, std::size_t begin, std::uint64_t more) {
-  const std::uint64_t length = to.size() - begin + more;
-  for (std::size_t i = 0; i < 8; ++i) {
-    to[begin - 8 + i] = static_cast<std::uint8_t>(length >> (8 * i));
-  }
+  store(to.data() + begin - 8, to.size() - begin + more, 8);
 }
 
 void put(Bytes& to, const Header& header) {
@@ -75,8 +83,8 @@ void put(Bytes& to, const Message& message) {
   std::array<std::uint8_t, record_head + fields> head{};
   std::size_t at = 0;
   const auto number = [&](std::uint64_t value, std::size_t bytes) {
-    for (std::size_t i = 0; i < bytes; ++i)
-      head[at++] = static_cast<std::uint8_t>(value >> (8 * i));
+    store(head.data() + at, value, bytes);
+    at += bytes;
   };
   number(static_cast<std::uint8_t>(Opcode::message), 1);
   number(fields + message.size, 8);
