@@ -4,29 +4,11 @@
 #include <utility>
 
 #include "decode.hpp"
-#include "encode.hpp"
 #include "message_stream.hpp"
 #include "scan.hpp"
 #include "summary_reading.hpp"
 
 namespace tocsin::mcap {
-namespace {
-
-/// The content of the record at `offset`; empty when it is not there or of another kind.
-std::optional<Bytes> content_at(ByteSource& source, std::uint64_t offset, Opcode wanted) {
-  std::array<std::uint8_t, record_head> head{};
-  if (!source.read(offset, head.data(), head.size())) return std::nullopt;
-  Cursor cursor({head.data(), head.size()});
-  const auto opcode = static_cast<Opcode>(cursor.u8());
-  const std::uint64_t length = cursor.u64();
-  const std::uint64_t at = offset + record_head;
-  if (opcode != wanted || length > source.size() - at) return std::nullopt;
-  Bytes content(static_cast<std::size_t>(length));
-  if (!source.read(at, content.data(), content.size())) return std::nullopt;
-  return content;
-}
-
-}  // namespace
 
 Reader::Reader(const std::string& path) : Reader(std::make_unique<FileSource>(path), path) {}
 

@@ -42,7 +42,7 @@ class Recovery final : public ScanVisitor {
     bool all_known = true;
     for_each_record(chunk.records, [&](Opcode opcode, Span content, std::size_t offset) {
       if (opcode != Opcode::message) {
-        declare(opcode, content);
+        show_declaration(*this, opcode, content);
         return;
       }
       const auto message = decode_message(content);
@@ -63,13 +63,6 @@ class Recovery final : public ScanVisitor {
   }
 
  private:
-  void declare(Opcode opcode, Span content) {
-    if (opcode == Opcode::schema) {
-      if (auto schema = decode_schema(content)) on_schema(std::move(*schema));
-    } else if (opcode == Opcode::channel) {
-      if (auto channel = decode_channel(content)) on_channel(std::move(*channel));
-    }
-  }
   void copy_messages(Span records) {
     for_each_record(records, [this](Opcode opcode, Span content, std::size_t) {
       const auto message = opcode == Opcode::message ? decode_message(content) : std::nullopt;

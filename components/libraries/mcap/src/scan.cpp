@@ -42,17 +42,12 @@ class Walk {
   };
   /// What begins at `place`, whose length it tells: to the end of the record or of the file.
   std::optional<FoundRecord> find_record(Place& place) {
-    std::array<std::uint8_t, record_head> head{};
+    const auto head = read_head(source_, place.offset);
+    if (!head) return std::nullopt;
     const std::uint64_t left = source_.size() - place.offset;
-    if (left < head.size() || !source_.read(place.offset, head.data(), head.size())) {
-      return std::nullopt;
-    }
-    Cursor cursor({head.data(), head.size()});
-    const auto opcode = static_cast<Opcode>(cursor.u8());
-    const std::uint64_t length = cursor.u64();
-    const bool cut = length > left - head.size();
-    place.length = cut ? left : head.size() + length;
-    return FoundRecord{opcode, cut};
+    const bool cut = head->length > left - record_head;
+    place.length = cut ? left : record_head + head->length;
+    return FoundRecord{head->opcode, cut};
   }
 
   void visit(Opcode opcode, const Place& place) {
@@ -71,16 +66,14 @@ class Walk {
 
   void visit_content(Opcode opcode, const Place& place) {
     const Span content{content_.data(), content_.size()};
-    if (opcode == Opcode::schema) {
-      if (auto schema = decode_schema(content)) visitor_.on_schema(std::move(*schema));
-    } else if (opcode == Opcode::channel) {
-      if (auto channel = decode_channel(content)) visitor_.on_channel(std::move(*channel));
-    } else if (opcode == Opcode::message) {
+    if (opcode == Opcode::message) {
       if (const auto message = decode_message(content)) visitor_.on_message(place, *message);
     } else if (opcode == Opcode::attachment) {
       if (auto one = decode_attachment(content)) visitor_.on_attachment(place, std::move(*one));
-    } else {
+    } else if (opcode == Opcode::metadata) {
       if (auto one = decode_metadata(content)) visitor_.on_metadata(place, std::move(*one));
+    } else {
+      show_declaration(visitor_, opcode, content);
     }
   }
 
@@ -137,10 +130,8 @@ class Summarizer final : public ScanVisitor {
     for_each_record(chunk.records, [this](Opcode opcode, Span content, std::size_t) {
       if (opcode == Opcode::message) {
         if (const auto message = decode_message(content)) count(*message);
-      } else if (opcode == Opcode::schema) {
-        if (auto schema = decode_schema(content)) on_schema(std::move(*schema));
-      } else if (opcode == Opcode::channel) {
-        if (auto channel = decode_channel(content)) on_channel(std::move(*channel));
+      } else {
+        show_declaration(*this, opcode, content);
       }
     });
     ++summary_.statistics.chunk_count;
@@ -186,6 +177,32 @@ class Summarizer final : public ScanVisitor {
 
 }  // namespace
 
+void show_declaration(ScanVisitor& visitor, Opcode opcode, Span content) {
+  if (opcode == Opcode::schema) {
+    if (auto schema = decode_schema(content)) visitor.on_schema(std::move(*schema));
+  } else if (opcode == Opcode::channel) {
+    if (auto channel = decode_channel(content)) visitor.on_channel(std::move(*channel));
+  }
+}
+
+std::optional<RecordHead> read_head(ByteSource& source, std::uint64_t offset) {
+  std::array<std::uint8_t, record_head> head{};
+  if (!source.read(offset, head.data(), head.size())) return std::nullopt;
+  Cursor cursor({head.data(), head.size()});
+  const auto opcode = static_cast<Opcode>(cursor.u8());
+  return RecordHead{opcode, cursor.u64()};
+}
+
+std::optional<Bytes> content_at(ByteSource& source, std::uint64_t offset, Opcode wanted) {
+  const auto head = read_head(source, offset);
+  if (!head || head->opcode != wanted) return std::nullopt;
+  const std::uint64_t at = offset + record_head;
+  if (head->length > source.size() - at) return std::nullopt;
+  Bytes content(static_cast<std::size_t>(head->length));
+  if (!source.read(at, content.data(), content.size())) return std::nullopt;
+  return content;
+}
+
 Header read_header(ByteSource& source, const std::string& name) {
   std::array<std::uint8_t, magic.size()> begin{};
   const auto there = static_cast<std::size_t>(std::min<std::uint64_t>(magic.size(), source.size()));
@@ -193,16 +210,9 @@ Header read_header(ByteSource& source, const std::string& name) {
       !std::equal(begin.begin(), begin.begin() + there, magic.begin())) {
     throw ConfigError(name + ": is no MCAP file");
   }
-  std::array<std::uint8_t, record_head> head{};
-  if (!source.read(magic.size(), head.data(), head.size())) return {};
-  Cursor cursor({head.data(), head.size()});
-  const auto opcode = static_cast<Opcode>(cursor.u8());
-  const std::uint64_t length = cursor.u64();
-  const std::uint64_t at = magic.size() + record_head;
-  if (opcode != Opcode::header || length > source.size() - at) return {};
-  Bytes content(static_cast<std::size_t>(length));
-  if (!source.read(at, content.data(), content.size())) return {};
-  return decode_header({content.data(), content.size()}).value_or(Header{});
+  const auto content = content_at(source, magic.size(), Opcode::header);
+  if (!content) return {};
+  return decode_header({content->data(), content->size()}).value_or(Header{});
 }
 
 Damage scan(ByteSource& source, ScanVisitor& visitor) { return Walk(source, visitor).run(); }

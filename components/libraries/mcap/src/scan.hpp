@@ -2,6 +2,7 @@
 // A walk over a file from its beginning to the end of its data.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "chunk.hpp"
@@ -30,6 +31,22 @@ class ScanVisitor {
   virtual void on_attachment(const Place& place, Attachment&& attachment) = 0;
   virtual void on_metadata(const Place& place, Metadata&& metadata) = 0;
 };
+
+/// Shows a schema or a channel; nothing for records of another kind.
+void show_declaration(ScanVisitor& visitor, Opcode opcode, Span content);
+
+/// What stands in front of a record's content.
+struct RecordHead {
+  Opcode opcode;
+  std::uint64_t length;  ///< [byte] of the content, as the file claims
+};
+
+/// Empty when the file ends before or within it.
+[[nodiscard]] std::optional<RecordHead> read_head(ByteSource& source, std::uint64_t offset);
+
+/// The content of the record at `offset`; empty when it is not there or of another kind.
+[[nodiscard]] std::optional<Bytes> content_at(ByteSource& source, std::uint64_t offset,
+                                              Opcode wanted);
 
 /// Throws ConfigError, with `name`, when the file does not begin as MCAP does. Of a file that was
 /// cut within its header the header is empty.
