@@ -5,8 +5,10 @@
 #include <filesystem>
 
 #include "bag_stream.hpp"
+#include "folder.hpp"
 #include "foundation/error.hpp"
 #include "foundation/read_file.hpp"
+#include "totals.hpp"
 
 namespace tocsin::bag {
 namespace {
@@ -20,11 +22,7 @@ std::vector<std::string> files_of_folder(const fs::path& folder) {
   if (fs::exists(metadata)) {
     return files_in_metadata(read_file(metadata, longest_metadata), metadata);
   }
-  std::vector<std::string> names;
-  for (const auto& file : fs::directory_iterator(folder)) {
-    if (file.path().extension() == ".mcap") names.push_back(file.path().filename());
-  }
-  std::sort(names.begin(), names.end());
+  std::vector<std::string> names = mcap_files_in(folder);
   if (names.empty()) {
     throw ConfigError(folder.string() + ": is no bag: it has neither " + metadata_file +
                       " nor an MCAP file");
@@ -32,12 +30,20 @@ std::vector<std::string> files_of_folder(const fs::path& folder) {
   return names;
 }
 
-}  // namespace
-
-std::int64_t time_of(std::uint64_t ns) {
-  constexpr std::uint64_t latest = 9'000'000'000'000'000'000U;  // the year 2255
-  return static_cast<std::int64_t>(std::min(ns, latest));
+/// All that the files have of a kind, apart from what cannot be read.
+template <class One, class Index>
+std::vector<One> all_of(const std::vector<BagReader::File>& files,
+                        std::vector<Index> mcap::Summary::*indexes) {
+  std::vector<One> all;
+  for (const BagReader::File& file : files) {
+    for (const Index& index : file.reader->summary().*indexes) {
+      if (auto one = file.reader->read(index)) all.push_back(std::move(*one));
+    }
+  }
+  return all;
 }
+
+}  // namespace
 
 BagReader::BagReader(const std::string& path) {
   if (fs::is_directory(path)) {
@@ -45,14 +51,7 @@ BagReader::BagReader(const std::string& path) {
   } else {
     add_file(fs::path(path).parent_path(), fs::path(path).filename());
   }
-  for (const Metadata::File& file : about_.files) {
-    if (file.count == 0) continue;
-    const std::int64_t end_ns =
-        std::max(about_.start_ns + about_.duration_ns, file.start_ns + file.duration_ns);
-    about_.start_ns = about_.count == 0 ? file.start_ns : std::min(about_.start_ns, file.start_ns);
-    about_.duration_ns = end_ns - about_.start_ns;
-    about_.count += file.count;
-  }
+  set_totals(about_);
 }
 
 void BagReader::add_file(const std::string& folder, const std::string& name) {
@@ -68,9 +67,7 @@ void BagReader::add_file(const std::string& folder, const std::string& name) {
       about_.topics[number].count += count->second;
     }
   }
-  const std::int64_t start_ns = time_of(summary.statistics.start_ns);
-  const std::int64_t end_ns = time_of(summary.statistics.end_ns);
-  about_.files.push_back({name, start_ns, end_ns - start_ns, summary.statistics.message_count});
+  about_.files.push_back(described(name, summary.statistics));
   size_ += fs::file_size(path);
   files_.push_back(std::move(file));
 }
@@ -116,23 +113,11 @@ std::unique_ptr<BagStream> BagReader::messages(const Selection& selection) {
 }
 
 std::vector<mcap::Attachment> BagReader::attachments() {
-  std::vector<mcap::Attachment> all;
-  for (File& file : files_) {
-    for (const auto& index : file.reader->summary().attachments) {
-      if (auto one = file.reader->read(index)) all.push_back(std::move(*one));
-    }
-  }
-  return all;
+  return all_of<mcap::Attachment>(files_, &mcap::Summary::attachments);
 }
 
 std::vector<mcap::Metadata> BagReader::metadata() {
-  std::vector<mcap::Metadata> all;
-  for (File& file : files_) {
-    for (const auto& index : file.reader->summary().metadata) {
-      if (auto one = file.reader->read(index)) all.push_back(std::move(*one));
-    }
-  }
-  return all;
+  return all_of<mcap::Metadata>(files_, &mcap::Summary::metadata);
 }
 
 }  // namespace tocsin::bag

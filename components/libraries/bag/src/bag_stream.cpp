@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "totals.hpp"
+
 namespace tocsin::bag {
 namespace {
 

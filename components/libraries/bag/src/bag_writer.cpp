@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bag/bag_writer.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "bag_file.hpp"
+#include "folder.hpp"
 #include "foundation/error.hpp"
 #include "foundation/replace_file.hpp"
 #include "foundation/time.hpp"
+#include "totals.hpp"
 
 namespace tocsin::bag {
 namespace {
@@ -15,29 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using mcap::Kept;
 
-void make_folder(const std::string& folder) {
-  std::error_code failed;
-  const fs::path parent = fs::path(folder).parent_path();
-  if (!parent.empty()) fs::create_directories(parent, failed);
-  const bool made = !failed && fs::create_directory(folder, failed);
-  if (failed) throw ConfigError(folder + ": cannot be made: " + failed.message());
-  if (!made) throw ConfigError(folder + ": is there already; a bag needs a new folder");
-}
-
-/// The same folder without a slash behind its name.
-std::string without_slash_behind(std::string folder) {
-  while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
-  return folder;
-}
-
 std::string name_of(const std::string& folder) {
   return fs::absolute(folder).lexically_normal().filename();
-}
-
-Metadata::File described(const std::string& path, const mcap::Statistics& statistics) {
-  return {path, static_cast<std::int64_t>(statistics.start_ns),
-          static_cast<std::int64_t>(statistics.end_ns - statistics.start_ns),
-          statistics.message_count};
 }
 
 }  // namespace
@@ -129,15 +109,7 @@ Kept BagWriter::close() {
 Kept BagWriter::write_metadata() {
   Metadata metadata;
   metadata.files = files_;
-  std::int64_t end_ns = 0;
-  for (const Metadata::File& file : files_) {
-    if (file.count == 0) continue;
-    const bool first = metadata.count == 0;
-    metadata.start_ns = first ? file.start_ns : std::min(metadata.start_ns, file.start_ns);
-    end_ns = std::max(end_ns, file.start_ns + file.duration_ns);
-    metadata.count += file.count;
-  }
-  metadata.duration_ns = metadata.count == 0 ? 0 : end_ns - metadata.start_ns;
+  set_totals(metadata);
   for (std::size_t i = 0; i < topics_.size(); ++i) {
     metadata.topics.push_back({topics_[i], counts_[i]});
   }

@@ -6,6 +6,7 @@
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/yaml_sources.hpp"
+#include "scalar_at.hpp"
 
 namespace tocsin::bag {
 namespace {
@@ -36,12 +37,6 @@ void put_file(YAML::Emitter& out, const Metadata::File& file) {
   put_wrapped(out, "starting_time", "nanoseconds_since_epoch", file.start_ns);
   put_wrapped(out, "duration", "nanoseconds", file.duration_ns);
   out << YAML::Key << "message_count" << YAML::Value << file.count << YAML::EndMap;
-}
-
-/// The text under `key`; empty when there is none.
-std::string text_at(const YAML::Node& map, const char* key) {
-  const YAML::Node node = map[key];
-  return node.IsDefined() && node.IsScalar() ? node.Scalar() : "";
 }
 
 /// A file of the folder itself, by the name that it has there.
@@ -82,12 +77,12 @@ std::vector<std::string> files_in_metadata(const std::string& text, const std::s
   const YAML::Node root = sources.parse(text, name);
   const YAML::Node bag = root.IsMap() ? root[root_key] : YAML::Node();
   if (!bag.IsDefined() || !bag.IsMap()) throw ConfigError(name + ": has no map " + root_key);
-  const std::string storage = text_at(bag, "storage_identifier");
+  const std::string storage = scalar_at(bag, "storage_identifier");
   if (storage != "mcap") {
     throw ConfigError(name + ": storage_identifier: '" + printable(storage) +
                       "' cannot be read, only mcap; ros2 bag convert makes one of the other");
   }
-  if (const std::string packed = text_at(bag, "compression_mode"); !packed.empty()) {
+  if (const std::string packed = scalar_at(bag, "compression_mode"); !packed.empty()) {
     throw ConfigError(name + ": compression_mode: '" + printable(packed) +
                       "' cannot be read, only MCAP's own compression; ros2 bag convert unpacks it");
   }

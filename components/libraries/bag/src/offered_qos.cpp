@@ -9,6 +9,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/yaml_sources.hpp"
+#include "scalar_at.hpp"
 
 namespace tocsin::bag {
 namespace {
@@ -30,12 +31,6 @@ std::string duration_text(const char* name, const std::optional<std::int64_t>& n
                      ns ? *ns % ns_per_s : infinite_ns);
 }
 
-/// The scalar under `key`; empty when there is none.
-std::string scalar(const YAML::Node& map, const char* key) {
-  const YAML::Node node = map[key];
-  return node.IsDefined() && node.IsScalar() ? node.Scalar() : "";
-}
-
 std::optional<std::int64_t> number(const std::string& text) {
   if (text.empty() || text.size() > 19) return std::nullopt;
   const bool digits =
@@ -47,7 +42,7 @@ std::optional<std::int64_t> number(const std::string& text) {
 template <class Enum, std::size_t N>
 void read_enum(const YAML::Node& map, const char* key, const std::array<const char*, N>& words,
                Enum& value) {
-  const std::string text = scalar(map, key);
+  const std::string text = scalar_at(map, key);
   const auto found = std::find(words.begin(), words.end(), text);
   const auto place =
       found != words.end() ? std::optional<std::int64_t>(found - words.begin()) : number(text);
@@ -57,8 +52,8 @@ void read_enum(const YAML::Node& map, const char* key, const std::array<const ch
 std::optional<std::int64_t> read_duration(const YAML::Node& map, const char* key) {
   const YAML::Node node = map[key];
   if (!node.IsDefined() || !node.IsMap()) return std::nullopt;
-  const auto s = number(scalar(node, "sec"));
-  const auto ns = number(scalar(node, "nsec"));
+  const auto s = number(scalar_at(node, "sec"));
+  const auto ns = number(scalar_at(node, "nsec"));
   // A duration of nothing is what some releases write for "not said".
   if (!s || !ns || *s >= infinite_s || *ns >= ns_per_s || (*s == 0 && *ns == 0)) {
     return std::nullopt;
@@ -73,7 +68,7 @@ OfferedQos read_one(const YAML::Node& map) {
   read_enum(map, "durability", durability_words, one.durability);
   read_enum(map, "liveliness", liveliness_words, one.liveliness);
   constexpr std::int64_t most_depth = 1'000'000;
-  one.depth = static_cast<int>(std::min(number(scalar(map, "depth")).value_or(0), most_depth));
+  one.depth = static_cast<int>(std::min(number(scalar_at(map, "depth")).value_or(0), most_depth));
   one.deadline_ns = read_duration(map, "deadline");
   one.lifespan_ns = read_duration(map, "lifespan");
   one.liveliness_lease_ns = read_duration(map, "liveliness_lease_duration");

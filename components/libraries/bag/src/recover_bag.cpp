@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bag/recover_bag.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "bag/bag_reader.hpp"
 #include "bag/metadata.hpp"
+#include "folder.hpp"
 #include "foundation/error.hpp"
 #include "foundation/replace_file.hpp"
 
@@ -17,10 +17,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> mcap_files(const fs::path& from) {
   if (!fs::is_directory(from)) return {from};
   std::vector<fs::path> files;
-  for (const auto& file : fs::directory_iterator(from)) {
-    if (file.path().extension() == ".mcap") files.push_back(file.path());
-  }
-  std::sort(files.begin(), files.end());
+  for (const std::string& name : mcap_files_in(from)) files.push_back(from / name);
   if (files.empty()) throw ConfigError(from.string() + ": has no MCAP file");
   return files;
 }
@@ -42,12 +39,7 @@ mcap::Recovered recover_file(mcap::ByteSource& source, const mcap::Header& heade
 
 std::vector<RecoveredFile> recover_bag(const std::string& from, const std::string& folder) {
   const std::vector<fs::path> files = mcap_files(from);
-  std::error_code failed;
-  if (!fs::create_directories(folder, failed)) {
-    throw ConfigError(folder + ": " +
-                      (failed ? "cannot be made: " + failed.message()
-                              : "is there already; a bag needs a new folder"));
-  }
+  make_folder(folder);
   std::vector<RecoveredFile> recovered;
   for (const fs::path& file : files) {
     mcap::FileSource source(file);
