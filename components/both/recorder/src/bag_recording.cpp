@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recorder/bag_recording.hpp"
 
-#include <cmath>
 #include <filesystem>
-#include <optional>
 #include <utility>
 
 #include "foundation/error.hpp"
@@ -23,11 +21,6 @@ std::string free_folder(const std::string& directory) {
   return folder;
 }
 
-std::optional<std::int64_t> nanoseconds(double s) {
-  if (std::isinf(s)) return std::nullopt;
-  return std::llround(s * 1e9);
-}
-
 /// What writers of the topic offer by the built-in profile of that name; none for another name.
 std::vector<bag::OfferedQos> offered_by_profile(const TopicInfo& topic) {
   static const QosProfiles profiles;
@@ -42,9 +35,9 @@ std::vector<bag::OfferedQos> offered_by_profile(const TopicInfo& topic) {
                                          : bag::OfferedQos::Reliability::best_effort;
   offer.durability = profile.keeps_last() ? bag::OfferedQos::Durability::transient_local
                                           : bag::OfferedQos::Durability::volatile_kind;
-  offer.deadline_ns = nanoseconds(profile.deadline_s);
-  offer.lifespan_ns = nanoseconds(profile.lifespan_s);
-  offer.liveliness_lease_ns = nanoseconds(profile.liveliness_lease_s);
+  offer.deadline_ns = bag::finite_ns(profile.deadline_s);
+  offer.lifespan_ns = bag::finite_ns(profile.lifespan_s);
+  offer.liveliness_lease_ns = bag::finite_ns(profile.liveliness_lease_s);
   return {offer};
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "foundation/error.hpp"
+#include "foundation/time.hpp"
 #include "foundation/yaml_sources.hpp"
 #include "scalar_at.hpp"
 
@@ -76,6 +77,12 @@ OfferedQos read_one(const YAML::Node& map) {
 }
 
 }  // namespace
+
+std::optional<std::int64_t> finite_ns(double s) {
+  constexpr double longest_s = 9e9;
+  if (!(s < longest_s)) return std::nullopt;
+  return seconds(s).count();
+}
 
 std::string to_yaml(const std::vector<OfferedQos>& offered) {
   std::string text;

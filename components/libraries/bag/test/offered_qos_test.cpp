@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace tocsin::bag {
 namespace {
 
@@ -27,6 +29,12 @@ const std::string jazzy =
 TEST(OfferedQos, IsWrittenAsAllReleasesReadIt) {
   EXPECT_EQ(to_yaml({OfferedQos{}}), humble);
   EXPECT_EQ(to_yaml(std::vector<OfferedQos>{}), "");
+}
+
+TEST(OfferedQos, CallsALongDurationInfinite) {
+  EXPECT_EQ(finite_ns(0.5), 500'000'000);
+  EXPECT_EQ(finite_ns(9e9), std::nullopt);
+  EXPECT_EQ(finite_ns(HUGE_VAL), std::nullopt);
 }
 
 TEST(OfferedQos, IsReadWithNumbers) {

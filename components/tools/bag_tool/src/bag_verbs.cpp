@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <thread>
@@ -52,14 +53,10 @@ int info(const Options& options) {
   return 0;
 }
 
-std::string without_slash_behind(std::string path) {
-  while (path.size() > 1 && path.back() == '/') path.pop_back();
-  return path;
-}
-
 int recover(const Options& options) {
-  const std::string output =
-      options.output.empty() ? without_slash_behind(options.bag) + "_recovered" : options.output;
+  // A slash behind the name of a folder is no part of it.
+  const std::string bag = (std::filesystem::path(options.bag) / "").parent_path();
+  const std::string output = options.output.empty() ? bag + "_recovered" : options.output;
   std::uint64_t lost = 0;
   for (const auto& [name, recovered] : bag::recover_bag(options.bag, output)) {
     const std::string damage = damage_text(recovered.damage);

@@ -2,8 +2,14 @@
 #include "pace.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace tocsin::bag_tool {
+
+std::int64_t later(std::int64_t from_ns, double s) {
+  const std::int64_t room = std::numeric_limits<std::int64_t>::max() - from_ns;
+  return from_ns + std::min(seconds(s).count(), room);
+}
 
 Time Pace::due(std::int64_t log_time_ns) const {
   if (log_time_ns <= first_ns_) return begin_;

@@ -7,6 +7,9 @@
 
 namespace tocsin::bag_tool {
 
+/// [ns] The recorded time `s` [s] after another; the last one that there is when that is too far.
+[[nodiscard]] std::int64_t later(std::int64_t from_ns, double s);
+
 /// When a recorded message is due again, and which time of the recording it is.
 ///
 /// Pure: `now` is handed in.

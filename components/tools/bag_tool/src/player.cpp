@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "player.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -23,11 +22,6 @@ std::string type_on_wire(const std::string& ros_type_name) {
   } catch (const ConfigError&) {
     return ros_type_name;
   }
-}
-
-std::int64_t later(std::int64_t from_ns, double s) {
-  const std::int64_t room = std::numeric_limits<std::int64_t>::max() - from_ns;
-  return from_ns + std::min(seconds(s).count(), room);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "bag/bag_reader.hpp"
-#include "foundation/time.hpp"
 #include "info_text.hpp"
+#include "pace.hpp"
 
 namespace tocsin::bag_tool {
 namespace {
@@ -39,10 +39,6 @@ bag::Selection selection_of(const RewriteOrder& order, const std::vector<Input>&
     if (about.count > 0) earliest = std::min(earliest.value_or(about.start_ns), about.start_ns);
   }
   bag::Selection selection;
-  const auto later = [](std::int64_t from, double s) {
-    const std::int64_t room = std::numeric_limits<std::int64_t>::max() - from;
-    return from + std::min(seconds(s).count(), room);
-  };
   selection.from_ns = later(earliest.value_or(0), order.start_offset_s);
   selection.to_ns = later(selection.from_ns, order.duration_s);
   selection.wanted = [&choice](const bag::Topic& topic) { return choice.contains(topic.name); };

@@ -14,12 +14,6 @@ using bag::OfferedQos;
 constexpr int usual_depth = 10;
 constexpr int most_depth = 10'000;
 constexpr double ns_of_second = 1e9;
-constexpr double longest_s = 9e9;
-
-std::optional<std::int64_t> nanoseconds(double s) {
-  if (!(s < longest_s)) return std::nullopt;
-  return std::llround(s * ns_of_second);
-}
 
 /// [s] One that is shorter than a QoS profile allows would keep the middleware busy: it counts as
 /// none.
@@ -39,9 +33,9 @@ OfferedQos offer_of(const GraphEnd& writer) {
   offer.liveliness = writer.qos.liveliness == Liveliness::automatic
                          ? OfferedQos::Liveliness::automatic
                          : OfferedQos::Liveliness::manual_by_topic;
-  offer.deadline_ns = nanoseconds(writer.qos.deadline_s);
-  offer.lifespan_ns = nanoseconds(writer.lifespan_s);
-  offer.liveliness_lease_ns = nanoseconds(writer.qos.liveliness_lease_s);
+  offer.deadline_ns = bag::finite_ns(writer.qos.deadline_s);
+  offer.lifespan_ns = bag::finite_ns(writer.lifespan_s);
+  offer.liveliness_lease_ns = bag::finite_ns(writer.qos.liveliness_lease_s);
   return offer;
 }
 

@@ -40,6 +40,11 @@ TEST(Pace, TakesTimesThatNoClockShows) {
   EXPECT_GE(fast.recorded_time_ns(Time::max()), first);
 }
 
+TEST(Later, EndsWithTheLastTime) {
+  EXPECT_EQ(later(first, 1.5), first + second + second / 2);
+  EXPECT_EQ(later(first, HUGE_VAL), std::numeric_limits<std::int64_t>::max());
+}
+
 TEST(EncodedClock, IsSecondsAndNanosecondsInCdr) {
   EXPECT_EQ(encoded_clock(0x0102'0304LL * second + 5),
             (std::vector<std::uint8_t>{0, 1, 0, 0, 4, 3, 2, 1, 5, 0, 0, 0}));

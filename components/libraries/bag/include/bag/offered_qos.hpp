@@ -25,6 +25,9 @@ struct OfferedQos {
   std::optional<std::int64_t> liveliness_lease_ns;
 };
 
+/// [ns] A duration of a QoS policy; empty when it is infinite, which it is from 9e9 s on.
+[[nodiscard]] std::optional<std::int64_t> finite_ns(double s);
+
 /// The text of `offered_qos_profiles`: a YAML list, with numbers, which all releases of ROS 2 read.
 [[nodiscard]] std::string to_yaml(const std::vector<OfferedQos>& offered);
 
