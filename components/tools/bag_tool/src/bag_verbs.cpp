@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "bag/recover_bag.hpp"
+#include "command_line/stop_signal.hpp"
 #include "foundation/printable.hpp"
 #include "info_text.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
-#include "stop_signal.hpp"
 
 namespace tocsin::bag_tool {
 namespace {

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <utility>
 
+#include "command_line/stop_signal.hpp"
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/ros_names.hpp"
-#include "stop_signal.hpp"
 #include "writer_qos.hpp"
 
 namespace tocsin::bag_tool {

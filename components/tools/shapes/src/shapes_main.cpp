@@ -2,10 +2,10 @@
 // tocsin shapes: the command line, output and exit codes of shape_main (omg-dds/dds-rtps), so that
 // the suite's script can drive it: 1 for a wrong command line, 2 when it could not begin, 3 when it
 // failed.
-#include <csignal>
 #include <cstdio>
 #include <exception>
 
+#include "command_line/stop_signal.hpp"
 #include "foundation/error.hpp"
 #include "shape_bus.hpp"
 #include "shape_publisher.hpp"
@@ -17,16 +17,13 @@ constexpr int wrong_arguments = 1;
 constexpr int could_not_begin = 2;
 constexpr int failed = 3;
 
-volatile std::sig_atomic_t over = 0;
-
 int run(const ShapeOptions& options) {
   if (!options.unsupported.empty()) {
     say("    " + options.unsupported + " = not supported");
     return could_not_begin;
   }
-  for (const int number : {SIGINT, SIGTERM}) std::signal(number, [](int) { over = 1; });
-  const auto is_over = [] { return over != 0; };
-  options.publish ? publish(options, is_over) : subscribe(options, is_over);
+  catch_stop_signals();
+  options.publish ? publish(options, is_stopped) : subscribe(options, is_stopped);
   say("Done.");
   return 0;
 }

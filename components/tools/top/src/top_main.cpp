@@ -3,13 +3,13 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdio>
 #include <functional>
 #include <mutex>
 #include <thread>
 
 #include "command_line/command.hpp"
+#include "command_line/stop_signal.hpp"
 #include "foundation/error.hpp"
 #include "health_table.hpp"
 #include "link_table.hpp"
@@ -18,8 +18,6 @@
 
 namespace tocsin::top {
 namespace {
-
-volatile std::sig_atomic_t ended = 0;
 
 /// What is shown at an instant.
 struct Health {
@@ -130,10 +128,8 @@ int run(const Options& options) {
     show(options, health);
     return 0;
   }
-  for (const int number : {SIGINT, SIGTERM}) {
-    std::signal(number, [](int) { ended = 1; });
-  }
-  while (ended == 0) {
+  catch_stop_signals();
+  while (!is_stopped()) {
     std::this_thread::sleep_for(seconds(options.period_s));
     show(options, tables.health(bus->now()));
   }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "command_line/stop_signal.hpp"
 #include "foundation/error.hpp"
-#include "topic_session.hpp"
 
 namespace tocsin::topic_tool {
 
@@ -24,7 +24,7 @@ template <class Condition>
 bool ServiceCaller::wait(Duration patience, const Condition& done) {
   constexpr Duration look = std::chrono::milliseconds(50);  // a signal wakes nobody
   std::unique_lock<std::mutex> lock(mutex_);
-  for (Duration waited{0}; waited < patience && !TopicSession::is_over(); waited += look) {
+  for (Duration waited{0}; waited < patience && !is_stopped(); waited += look) {
     if (changed_.wait_for(lock, std::min(look, patience - waited), done)) return true;
   }
   return done();

@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "command_line/stop_signal.hpp"
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
 #include "graph_text.hpp"
@@ -16,23 +17,19 @@ namespace {
 
 constexpr Duration look = std::chrono::milliseconds(50);
 
-volatile std::sig_atomic_t over = 0;
-
 }  // namespace
 
 TopicSession::TopicSession(const HostChoice& host, double spin_s)
     : spin_s_(spin_s), graph_(make_host_graph(host_bus_options(host, "tocsin_topic"))) {
-  for (const int number : {SIGINT, SIGTERM}) std::signal(number, [](int) { over = 1; });
+  catch_stop_signals();
 }
 
-bool TopicSession::is_over() { return over != 0; }
-
 std::vector<GraphEnd> TopicSession::ends() const {
-  return settled_ends(*graph_, seconds(spin_s_), is_over);
+  return settled_ends(*graph_, seconds(spin_s_), is_stopped);
 }
 
 RawTopic TopicSession::find(const std::string& ros_topic) const {
-  for (Duration waited{0}; waited < seconds(spin_s_) && !is_over(); waited += look) {
+  for (Duration waited{0}; waited < seconds(spin_s_) && !is_stopped(); waited += look) {
     if (!types_of(graph_->ends(), ros_topic).empty()) return readable(ends(), ros_topic);
     std::this_thread::sleep_for(look);
   }
@@ -64,7 +61,7 @@ SampleQueue::SampleQueue(HostGraph& graph, const RawTopic& topic)
 std::optional<RawSample> SampleQueue::take(Duration patience) {
   std::unique_lock<std::mutex> lock(mutex_);
   // Looks up now and then, as a signal wakes nobody.
-  for (Duration waited{0}; waited < patience && !TopicSession::is_over(); waited += look) {
+  for (Duration waited{0}; waited < patience && !is_stopped(); waited += look) {
     const Duration most = std::min(look, patience - waited);
     if (!came_.wait_for(lock, most, [this] { return !samples_.empty(); })) continue;
     RawSample sample = std::move(samples_.front());

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <condition_variable>
-#include <csignal>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -27,9 +26,6 @@ class TopicSession {
   /// Waits until somebody has announced the topic. Throws EnvironmentError when nobody does.
   [[nodiscard]] RawTopic find(const std::string& ros_topic) const;
   [[nodiscard]] HostGraph& graph() const { return *graph_; }
-
-  /// Ctrl-C was pressed.
-  [[nodiscard]] static bool is_over();
 
  private:
   double spin_s_;

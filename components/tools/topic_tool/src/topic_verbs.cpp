@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topic_verbs.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <functional>
@@ -10,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "command_line/stop_signal.hpp"
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
 #include "header_stamp.hpp"
@@ -93,7 +93,7 @@ int measure(const Options& options, const std::function<void(const RawTopic&)>& 
   begin(topic);
   SampleQueue samples(session.graph(), topic);
   Time next = std::chrono::steady_clock::now() + second;
-  while (!TopicSession::is_over()) {
+  while (!is_stopped()) {
     const Time now = std::chrono::steady_clock::now();
     if (now >= next) {
       std::printf("%s", text(now).c_str());
@@ -147,7 +147,7 @@ void wait_for_readers(const RawWriting& writing, int wanted) {
   if (writing.readers() >= wanted) return;
   std::printf("Waiting for at least %d matching subscription(s)...\n", wanted);
   std::fflush(stdout);
-  while (writing.readers() < wanted && !TopicSession::is_over()) {
+  while (writing.readers() < wanted && !is_stopped()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
 }
@@ -165,16 +165,12 @@ int pub(const Options& options) {
   wait_for_readers(*writing, options.wait_readers.value_or(times > 0 ? 1 : 0));
   const std::string text = to_yaml(known, message.get(), {});
   std::printf("publisher: beginning loop\n");
-  for (int count = 1; !TopicSession::is_over(); ++count) {
+  for (int count = 1; !is_stopped(); ++count) {
     if (!writing->write(bytes)) throw EnvironmentError("the middleware refused the message");
     std::printf("publishing #%d:\n%s\n", count, text.c_str());
     std::fflush(stdout);
     if (count == times) break;
-    const Time due = std::chrono::steady_clock::now() + seconds(1 / options.rate_hz);
-    while (std::chrono::steady_clock::now() < due && !TopicSession::is_over()) {
-      std::this_thread::sleep_for(std::min<Duration>(std::chrono::milliseconds(50),
-                                                     due - std::chrono::steady_clock::now()));
-    }
+    sleep_until_stopped(std::chrono::steady_clock::now() + seconds(1 / options.rate_hz));
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(100));  // the last one has to leave
   return 0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stop_signal.hpp"
+#include "command_line/stop_signal.hpp"
 
 #include <algorithm>
 #include <csignal>
 #include <thread>
 
-namespace tocsin::bag_tool {
+namespace tocsin {
 namespace {
 
 volatile std::sig_atomic_t stopped = 0;
@@ -26,4 +26,4 @@ void sleep_until_stopped(Time due) {
   }
 }
 
-}  // namespace tocsin::bag_tool
+}  // namespace tocsin

@@ -3,9 +3,9 @@
 
 #include "foundation/time.hpp"
 
-namespace tocsin::bag_tool {
+namespace tocsin {
 
-/// Ctrl-C and SIGTERM end a command well from now on.
+/// Ctrl-C and SIGTERM end a command well from now on: it asks is_stopped() now and then.
 void catch_stop_signals();
 
 /// Whether one of them came.
@@ -14,4 +14,4 @@ void catch_stop_signals();
 /// Returns at `due`, or soon after a signal.
 void sleep_until_stopped(Time due);
 
-}  // namespace tocsin::bag_tool
+}  // namespace tocsin
