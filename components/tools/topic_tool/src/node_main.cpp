@@ -13,22 +13,14 @@
 namespace tocsin::topic_tool {
 namespace {
 
-struct NodeOptions {
-  HostChoice host;
-  double spin_s = 2;
+struct NodeOptions : SessionOptions {
   std::string node;
   bool hidden = false;
   NodeListOptions list;
 };
 
-void declare_common(CLI::App& sub, NodeOptions& options) {
-  options.host.declare(sub);
-  sub.add_option("--spin-time", options.spin_s, "[s] waited for what does not appear [2]")
-      ->check(CLI::Range(0.1, 600.0));
-}
-
 int list(const NodeOptions& options) {
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   (void)session.ends();
   const auto nodes = session.graph().nodes();
   if (has_twins(nodes)) {
@@ -42,7 +34,7 @@ int list(const NodeOptions& options) {
 }
 
 int info(const NodeOptions& options) {
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   const auto ends = session.ends();
   const std::string text =
       node_info_text(ends, session.graph().nodes(), options.node, options.hidden);
@@ -58,12 +50,11 @@ int run(int argc, char** argv) {
   CLI::App app("Nodes of a running host, ours and those of other ROS 2 programs there.");
   app.name("tocsin node");
   app.require_subcommand(1);
-  CLI::App* const all = app.add_subcommand("list", "names of all nodes");
-  declare_common(*all, options);
+  CLI::App* const all = options.add_verb(app, "list", "names of all nodes");
   all->add_flag("-a,--all", options.list.hidden, "those that begin with _, too");
   all->add_flag("-c,--count-nodes", options.list.count, "how many there are");
-  CLI::App* const about = app.add_subcommand("info", "what a node reads, writes, serves and calls");
-  declare_common(*about, options);
+  CLI::App* const about =
+      options.add_verb(app, "info", "what a node reads, writes, serves and calls");
   about->add_option("node", options.node, "its name, with its namespace")->required();
   about->add_flag("--include-hidden", options.hidden, "names that begin with _, too");
   return run_command(app, argc, argv,

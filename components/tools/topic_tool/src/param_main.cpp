@@ -21,9 +21,7 @@ namespace {
 
 namespace service = parameter_service;
 
-struct ParamOptions {
-  HostChoice host;
-  double spin_s = 2;
+struct ParamOptions : SessionOptions {
   double timeout_s = 5;
   std::string node;
   std::string parameter;
@@ -89,7 +87,7 @@ void print_names(const std::vector<std::string>& names) {
 /// Every node, when none is named; one that has no parameters, as those of other programs, is left
 /// out.
 int list(const ParamOptions& options) {
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   if (!options.node.empty()) {
     print_names(NodeParameters(options, session, options.node).names());
     return 0;
@@ -111,7 +109,7 @@ int list(const ParamOptions& options) {
 }
 
 int get(const ParamOptions& options) {
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   const auto value =
       NodeParameters(options, session, options.node).values({options.parameter}).front();
   const std::string text = options.hide_type ? value_text(value) : typed_value_text(value);
@@ -121,7 +119,7 @@ int get(const ParamOptions& options) {
 
 int set(const ParamOptions& options) {
   const RosValue value = value_in(options.value);
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   const auto result =
       NodeParameters(options, session, options.node).set({options.parameter, value});
   const std::string reason = result.reason().empty() ? "" : ": " + printable(result.reason());
@@ -131,14 +129,14 @@ int set(const ParamOptions& options) {
 }
 
 int describe(const ParamOptions& options) {
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   const auto all = NodeParameters(options, session, options.node).descriptions(options.parameters);
   for (const auto& one : all) std::printf("%s", description_text(one).c_str());
   return 0;
 }
 
 int dump(const ParamOptions& options) {
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   const NodeParameters parameters(options, session, options.node);
   const auto names = parameters.names();
   const auto values = parameters.values(names);
@@ -150,7 +148,7 @@ int dump(const ParamOptions& options) {
 
 int load(const ParamOptions& options) {
   const auto values = values_in_file(options.file, absolute(options.node));
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   const NodeParameters parameters(options, session, options.node);
   bool all = true;
   for (const NamedValue& one : values) {
@@ -164,10 +162,7 @@ int load(const ParamOptions& options) {
 }
 
 CLI::App* verb(CLI::App& app, const char* name, const char* text, ParamOptions& options) {
-  CLI::App* const sub = app.add_subcommand(name, text);
-  options.host.declare(*sub);
-  sub->add_option("--spin-time", options.spin_s, "[s] waited for what does not appear [2]")
-      ->check(CLI::Range(0.1, 600.0));
+  CLI::App* const sub = options.add_verb(app, name, text);
   sub->add_option("--timeout", options.timeout_s, "[s] for a node, and for its answer [5]")
       ->check(CLI::Range(0.1, 600.0));
   sub->add_option("node", options.node, "its name, with its namespace");

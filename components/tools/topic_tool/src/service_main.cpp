@@ -16,9 +16,7 @@
 namespace tocsin::topic_tool {
 namespace {
 
-struct ServiceOptions {
-  HostChoice host;
-  double spin_s = 2;
+struct ServiceOptions : SessionOptions {
   double timeout_s = 5;
   std::string service;
   std::string type;
@@ -26,22 +24,14 @@ struct ServiceOptions {
   ServiceListOptions list;
 };
 
-CLI::App* verb(CLI::App& app, const char* name, const char* text, ServiceOptions& options) {
-  CLI::App* const sub = app.add_subcommand(name, text);
-  options.host.declare(*sub);
-  sub->add_option("--spin-time", options.spin_s, "[s] waited for what does not appear [2]")
-      ->check(CLI::Range(0.1, 600.0));
-  return sub;
-}
-
 int list(const ServiceOptions& options) {
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   std::fputs(service_list_text(session.ends(), options.list).c_str(), stdout);
   return 0;
 }
 
 int type(const ServiceOptions& options) {
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   const auto services = services_in(session.ends());
   const auto found = services.find(absolute(options.service));
   if (found == services.end()) {
@@ -52,7 +42,7 @@ int type(const ServiceOptions& options) {
 }
 
 int find(const ServiceOptions& options) {
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   for (const auto& [name, types] : services_in(session.ends())) {
     if (types.count(options.type) != 0) std::printf("%s\n", name.c_str());
   }
@@ -63,7 +53,7 @@ int call(const ServiceOptions& options) {
   const TypeInfo& request = known_type(wire_type(options.type + "_Request"));
   const TypeInfo& response = known_type(wire_type(options.type + "_Response"));
   const std::shared_ptr<const void> message = from_yaml(request, options.request);
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   ServiceCaller caller(session.graph(), {absolute(options.service), &request, &response});
   if (!caller.wait_for_server(seconds(0.5))) {
     std::printf("waiting for service to become available...\n");
@@ -78,18 +68,18 @@ int call(const ServiceOptions& options) {
 
 void declare(CLI::App& app, ServiceOptions& options) {
   app.require_subcommand(1);
-  CLI::App* const all = verb(app, "list", "services that somebody serves or calls", options);
+  CLI::App* const all = options.add_verb(app, "list", "services that somebody serves or calls");
   all->add_flag("-t,--show-types", options.list.types, "with their types");
   all->add_flag("-c,--count-services", options.list.count, "how many there are");
   all->add_flag("--include-hidden-services", options.list.hidden, "those that begin with _, too");
   const char* const of = "its name, with or without the slash";
-  verb(app, "type", "the type of a service", options)
+  options.add_verb(app, "type", "the type of a service")
       ->add_option("service", options.service, of)
       ->required();
-  verb(app, "find", "services of a type", options)
+  options.add_verb(app, "find", "services of a type")
       ->add_option("type", options.type, "std_srvs/srv/Trigger")
       ->required();
-  CLI::App* const asked = verb(app, "call", "calls a service and waits for the answer", options);
+  CLI::App* const asked = options.add_verb(app, "call", "calls a service and waits for the answer");
   asked->add_option("service", options.service, of)->required();
   asked->add_option("type", options.type, "std_srvs/srv/SetBool")->required();
   asked->add_option("request", options.request, "in YAML: '{data: true}' [all defaults]");

@@ -12,15 +12,6 @@
 namespace tocsin::topic_tool {
 namespace {
 
-/// One subcommand with what all of them have.
-CLI::App* verb(CLI::App& app, const char* name, const char* text, Options& options) {
-  CLI::App* const sub = app.add_subcommand(name, text);
-  options.host.declare(*sub);
-  sub->add_option("--spin-time", options.spin_s, "[s] waited for what does not appear [2]")
-      ->check(CLI::Range(0.1, 600.0));
-  return sub;
-}
-
 void need_topic(CLI::App& sub, Options& options) {
   sub.add_option("topic", options.topic, "its name, with or without the slash")->required();
 }
@@ -39,7 +30,7 @@ void add_qos_option(CLI::App& app, const char* name, Policy& policy,
 }
 
 void declare_echo(CLI::App& app, Options& options) {
-  CLI::App* const sub = verb(app, "echo", "prints each message", options);
+  CLI::App* const sub = options.add_verb(app, "echo", "prints each message");
   need_topic(*sub, options);
   sub->add_option("--field", options.echo.field, "only this field: pose.pose.position");
   sub->add_option("-l,--truncate-length", options.echo.longest, "of texts and lists [128]");
@@ -50,7 +41,7 @@ void declare_echo(CLI::App& app, Options& options) {
 }
 
 void declare_pub(CLI::App& app, Options& options) {
-  CLI::App* const sub = verb(app, "pub", "writes a message again and again", options);
+  CLI::App* const sub = options.add_verb(app, "pub", "writes a message again and again");
   need_topic(*sub, options);
   sub->add_option("type", options.type, "geometry_msgs/msg/Twist")->required();
   sub->add_option("message", options.message, "in YAML: '{linear: {x: 0.1}}' [all defaults]");
@@ -69,7 +60,7 @@ void declare_pub(CLI::App& app, Options& options) {
 }
 
 void declare_list(CLI::App& app, Options& options) {
-  CLI::App* const sub = verb(app, "list", "topics that somebody writes or reads", options);
+  CLI::App* const sub = options.add_verb(app, "list", "topics that somebody writes or reads");
   sub->add_flag("-t,--show-types", options.list.types, "with their types");
   sub->add_flag("-c,--count-topics", options.list.count, "how many there are");
   sub->add_flag("-v,--verbose", options.list.verbose, "with the number of ends");
@@ -81,18 +72,18 @@ void declare_list(CLI::App& app, Options& options) {
 void declare(CLI::App& app, Options& options) {
   app.require_subcommand(1);
   declare_list(app, options);
-  CLI::App* const about = verb(app, "info", "type and number of ends of a topic", options);
+  CLI::App* const about = options.add_verb(app, "info", "type and number of ends of a topic");
   need_topic(*about, options);
   about->add_flag("-v,--verbose", options.verbose, "each end with its QoS");
-  need_topic(*verb(app, "type", "the type of a topic", options), options);
-  verb(app, "find", "topics of a type", options)
+  need_topic(*options.add_verb(app, "type", "the type of a topic"), options);
+  options.add_verb(app, "find", "topics of a type")
       ->add_option("type", options.type, "nav_msgs/msg/Odometry")
       ->required();
   declare_echo(app, options);
   for (const auto& [name, text] :
        {std::pair{"hz", "rate of a topic, once a second"}, std::pair{"bw", "its bytes a second"},
         std::pair{"delay", "time from header.stamp to the arrival"}}) {
-    CLI::App* const sub = verb(app, name, text, options);
+    CLI::App* const sub = options.add_verb(app, name, text);
     need_topic(*sub, options);
     sub->add_option("-w,--window", options.window, "[1] newest samples that count [10000]")
         ->check(CLI::Range(std::size_t{2}, std::numeric_limits<std::size_t>::max()));

@@ -6,8 +6,8 @@
 
 #include "graph_text.hpp"
 #include "message_yaml.hpp"
-#include "runtime/middleware/host_bus.hpp"
 #include "runtime/middleware/qos_policies.hpp"
+#include "topic_session.hpp"
 
 namespace CLI {
 class App;
@@ -16,9 +16,7 @@ class App;
 namespace tocsin::topic_tool {
 
 /// What a person said after `tocsin topic`.
-struct Options {
-  HostChoice host;
-  double spin_s = 2;
+struct Options : SessionOptions {
   std::string topic;
   std::string type;
   std::string message;

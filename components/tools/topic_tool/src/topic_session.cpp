@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topic_session.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <thread>
 #include <utility>
@@ -19,8 +20,17 @@ constexpr Duration look = std::chrono::milliseconds(50);
 
 }  // namespace
 
-TopicSession::TopicSession(const HostChoice& host, double spin_s)
-    : spin_s_(spin_s), graph_(make_host_graph(host_bus_options(host, "tocsin_topic"))) {
+CLI::App* SessionOptions::add_verb(CLI::App& app, const char* name, const char* text) {
+  CLI::App* const verb = app.add_subcommand(name, text);
+  host.declare(*verb);
+  verb->add_option("--spin-time", spin_s, "[s] waited for what does not appear [2]")
+      ->check(CLI::Range(0.1, 600.0));
+  return verb;
+}
+
+TopicSession::TopicSession(const SessionOptions& options)
+    : spin_s_(options.spin_s),
+      graph_(make_host_graph(host_bus_options(options.host, "tocsin_topic"))) {
   catch_stop_signals();
 }
 

@@ -13,13 +13,25 @@
 #include "runtime/middleware/host_bus.hpp"
 #include "runtime/middleware/host_graph.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace tocsin::topic_tool {
+
+/// Which host a command looks at, and how long.
+struct SessionOptions {
+  HostChoice host;
+  double spin_s = 2;  ///< [s] waited for what does not appear
+
+  /// A subcommand with --domain and the like, and --spin-time.
+  CLI::App* add_verb(CLI::App& app, const char* name, const char* text);
+};
 
 /// A host's domain as a command of a person uses it: waits until those who are there were heard.
 class TopicSession {
  public:
-  /// `spin_s` [s]: how long is waited for what does not appear.
-  TopicSession(const HostChoice& host, double spin_s);
+  explicit TopicSession(const SessionOptions& options);
 
   /// All ends, once nothing new has come for a while; the nodes of `graph` are there then, too.
   [[nodiscard]] std::vector<GraphEnd> ends() const;

@@ -30,13 +30,13 @@ std::shared_ptr<void> decoded(const TypeInfo& type, const RawSample& sample) {
 }
 
 int list(const Options& options) {
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   std::printf("%s", list_text(session.ends(), options.list).c_str());
   return 0;
 }
 
 int info(const Options& options) {
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   (void)session.find(absolute(options.topic));
   const auto ends = session.ends();
   const auto nodes = session.graph().nodes();
@@ -45,7 +45,7 @@ int info(const Options& options) {
 }
 
 int type(const Options& options) {
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   (void)session.find(absolute(options.topic));
   for (const std::string& one : types_of(session.ends(), absolute(options.topic))) {
     std::printf("%s\n", one.c_str());
@@ -55,7 +55,7 @@ int type(const Options& options) {
 
 int find(const Options& options) {
   const std::string wanted = ros_type(wire_type(options.type));
-  const TopicSession session(options.host, options.spin_s);
+  const TopicSession session(options);
   for (const std::string& one : topics_of_type(session.ends(), wanted)) {
     std::printf("%s\n", one.c_str());
   }
@@ -63,7 +63,7 @@ int find(const Options& options) {
 }
 
 int echo(const Options& options) {
-  TopicSession session(options.host, options.spin_s);
+  TopicSession session(options);
   const RawTopic topic = session.find(absolute(options.topic));
   const TypeInfo& known = known_type(topic.type);
   EchoOptions shown = options.echo;
@@ -88,7 +88,7 @@ int echo(const Options& options) {
 int measure(const Options& options, const std::function<void(const RawTopic&)>& begin,
             const std::function<void(const RawSample&)>& add,
             const std::function<std::string(Time)>& text) {
-  TopicSession session(options.host, options.spin_s);
+  TopicSession session(options);
   const RawTopic topic = session.find(absolute(options.topic));
   begin(topic);
   SampleQueue samples(session.graph(), topic);
@@ -156,7 +156,7 @@ int pub(const Options& options) {
   const TypeInfo& known = known_type(wire_type(options.type));
   const auto message = from_yaml(known, options.message);
   const auto bytes = encode(known, message.get());
-  TopicSession session(options.host, options.spin_s);
+  TopicSession session(options);
   const RawTopic topic{wire_topic(options.topic), known.name,
                        options.reliability == Reliability::reliable,
                        options.durability == Durability::transient_local};

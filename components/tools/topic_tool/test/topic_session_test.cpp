@@ -44,7 +44,7 @@ class TopicSessionTest : public ::testing::Test {
 };
 
 TEST_F(TopicSessionTest, FindsATopicThatAppearsWhileItWaits) {
-  TopicSession sut(choice_, 5);
+  TopicSession sut({choice_, 5});
   std::unique_ptr<Publication> writer;
   std::thread late([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
@@ -58,13 +58,13 @@ TEST_F(TopicSessionTest, FindsATopicThatAppearsWhileItWaits) {
 }
 
 TEST_F(TopicSessionTest, GivesUpOnATopicThatNobodyHas) {
-  const TopicSession sut(choice_, 0.2);
+  const TopicSession sut({choice_, 0.2});
   EXPECT_THROW((void)sut.find("/news"), EnvironmentError);
   EXPECT_TRUE(sut.ends().empty());
 }
 
 TEST_F(TopicSessionTest, SamplesWaitForWhoPrintsAndTheOldestMakesRoom) {
-  TopicSession sut(choice_, 5);
+  TopicSession sut({choice_, 5});
   const auto writer = neighbour_->advertise(news);
   SampleQueue samples(sut.graph(), sut.find("/news"));
   std::optional<RawSample> first;
@@ -88,7 +88,7 @@ TEST_F(TopicSessionTest, SamplesWaitForWhoPrintsAndTheOldestMakesRoom) {
 }
 
 TEST_F(TopicSessionTest, TakeEndsWhenNothingComes) {
-  TopicSession sut(choice_, 5);
+  TopicSession sut({choice_, 5});
   const auto writer = neighbour_->advertise(news);
   SampleQueue samples(sut.graph(), sut.find("/news"));
   EXPECT_FALSE(samples.take(std::chrono::milliseconds(60)));
