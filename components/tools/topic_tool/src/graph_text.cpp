@@ -12,6 +12,7 @@
 #include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/ros_names.hpp"
+#include "graph_names.hpp"
 
 namespace tocsin::topic_tool {
 namespace {
@@ -35,13 +36,6 @@ Topics topics_in(const std::vector<GraphEnd>& ends) {
   return topics;
 }
 
-bool is_hidden(const std::string& topic) { return topic.find("/_") != std::string::npos; }
-
-std::string types_text(const Topic& topic) {
-  const std::vector<std::string> types(topic.types.begin(), topic.types.end());
-  return printable(joined(types, ", "));
-}
-
 /// One side of the verbose list.
 std::string counted(const Topics& topics, const char* title, const char* word,
                     std::vector<const GraphEnd*> Topic::*ends) {
@@ -49,8 +43,8 @@ std::string counted(const Topics& topics, const char* title, const char* word,
   for (const auto& [name, topic] : topics) {
     const std::size_t count = (topic.*ends).size();
     if (count == 0) continue;
-    text += fmt::format(" * {} [{}] {} {}{}\n", printable(name), types_text(topic), count, word,
-                        count == 1 ? "" : "s");
+    text += fmt::format(" * {} [{}] {} {}{}\n", printable(name), types_text(topic.types), count,
+                        word, count == 1 ? "" : "s");
   }
   return text;
 }
@@ -69,8 +63,7 @@ std::string upper(std::string text) {
 std::vector<GraphNode> owners_of(const GraphEnd& end, const std::vector<GraphNode>& nodes) {
   std::vector<GraphNode> owners;
   for (const GraphNode& node : nodes) {
-    const auto& own = end.writer ? node.writers : node.readers;
-    if (std::find(own.begin(), own.end(), end.gid) != own.end()) owners.push_back(node);
+    if (has_end(node, end)) owners.push_back(node);
   }
   if (owners.empty()) owners.push_back({"_NODE_NAMESPACE_UNKNOWN_", "_NODE_NAME_UNKNOWN_"});
   return owners;
@@ -134,7 +127,7 @@ std::string list_text(const std::vector<GraphEnd>& ends, const ListOptions& opti
   }
   std::string text;
   for (const auto& [name, topic] : topics) {
-    text += printable(name) + (options.types ? " [" + types_text(topic) + "]" : "") + "\n";
+    text += printable(name) + (options.types ? " [" + types_text(topic.types) + "]" : "") + "\n";
   }
   return text;
 }
@@ -147,7 +140,7 @@ std::string info_text(const std::vector<GraphEnd>& ends, const std::vector<Graph
   const Topic& topic = found->second;
   const char* const gap = verbose ? "\n" : "";
   return fmt::format("Type: {}\n{}Publisher count: {}\n{}{}Subscription count: {}\n{}",
-                     types_text(topic), gap, topic.writers.size(),
+                     types_text(topic.types), gap, topic.writers.size(),
                      ends_text(topic.writers, nodes, verbose), gap, topic.readers.size(),
                      ends_text(topic.readers, nodes, verbose));
 }

@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
-#include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/ros_names.hpp"
+#include "graph_names.hpp"
 
 namespace tocsin::topic_tool {
 namespace {
@@ -60,8 +60,7 @@ void add(Names& names, const GraphEnd& end) {
 Names names_of(const GraphNode& node, const std::vector<GraphEnd>& ends) {
   Names names;
   for (const GraphEnd& end : ends) {
-    const auto& own = end.writer ? node.writers : node.readers;
-    if (std::find(own.begin(), own.end(), end.gid) != own.end()) add(names, end);
+    if (has_end(node, end)) add(names, end);
   }
   return names;
 }
@@ -71,11 +70,8 @@ std::string section(const char* title, const TypesByName& names, bool hidden) {
   std::string text = fmt::format("  {}:\n", title);
   std::string lines;
   for (const auto& [name, types] : names) {
-    const bool is_hidden = name.find("/_") != std::string::npos;
-    if (is_hidden && !hidden) continue;
-    lines +=
-        fmt::format("    {}: {}\n", printable(name),
-                    printable(joined(std::vector<std::string>(types.begin(), types.end()), ", ")));
+    if (is_hidden(name) && !hidden) continue;
+    lines += fmt::format("    {}: {}\n", printable(name), types_text(types));
   }
   return text + (lines.empty() ? "\n" : lines);
 }

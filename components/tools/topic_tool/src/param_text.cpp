@@ -10,17 +10,12 @@
 #include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/yaml_sources.hpp"
+#include "python_float.hpp"
 
 namespace tocsin::topic_tool {
 namespace {
 
 namespace codes = rcl_interfaces::msg::ParameterType_Constants;
-
-std::string python_float(double value) {
-  const std::string digits = fmt::format("{}", value);
-  const bool bare = std::isfinite(value) && digits.find_first_of(".e") == std::string::npos;
-  return digits + (bare ? ".0" : "");
-}
 
 std::string python_quoted(const std::string& text) { return "'" + printable(text) + "'"; }
 
@@ -122,7 +117,7 @@ std::string value_text(const RosValue& value) {
     case codes::PARAMETER_INTEGER_ARRAY:
       return list_text(value.integer_array_value(), [](auto one) { return std::to_string(one); });
     case codes::PARAMETER_DOUBLE_ARRAY:
-      return list_text(value.double_array_value(), python_float);
+      return list_text(value.double_array_value(), python_float<double>);
     case codes::PARAMETER_STRING_ARRAY:
       return list_text(value.string_array_value(), python_quoted);
     default:

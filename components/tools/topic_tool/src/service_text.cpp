@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/ros_names.hpp"
+#include "graph_names.hpp"
+#include "python_float.hpp"
 
 namespace tocsin::topic_tool {
 namespace {
@@ -16,8 +16,8 @@ namespace {
 /// Python's repr of each field, with commas between.
 class PythonWriter final : public FieldVisitor {
  public:
-  void number(const char* name, double value) override { add(name, float_text(value)); }
-  void single(const char* name, float value) override { add(name, float_text(value)); }
+  void number(const char* name, double value) override { add(name, python_float(value)); }
+  void single(const char* name, float value) override { add(name, python_float(value)); }
   void integer(const char* name, std::int64_t value) override { add(name, std::to_string(value)); }
   void boolean(const char* name, bool value) override { add(name, value ? "True" : "False"); }
   void text(const char* name, const std::string& value) override {
@@ -35,12 +35,6 @@ class PythonWriter final : public FieldVisitor {
   [[nodiscard]] const std::string& written() const { return text_; }
 
  private:
-  template <class Number>
-  static std::string float_text(Number value) {
-    const std::string digits = fmt::format("{}", value);
-    const bool bare = std::isfinite(value) && digits.find_first_of(".e") == std::string::npos;
-    return digits + (bare ? ".0" : "");
-  }
   void begin(const char* name, const char* bracket) {
     add(name, bracket);
     first_ = true;
@@ -79,13 +73,9 @@ std::string service_list_text(const std::vector<GraphEnd>& ends,
   std::string text;
   int count = 0;
   for (const auto& [name, types] : services_in(ends)) {
-    if (!options.hidden && name.find("/_") != std::string::npos) continue;
+    if (!options.hidden && is_hidden(name)) continue;
     ++count;
-    text += printable(name);
-    if (options.types) {
-      text += " [" + printable(joined(std::vector<std::string>(types.begin(), types.end()))) + "]";
-    }
-    text += "\n";
+    text += printable(name) + (options.types ? " [" + types_text(types) + "]" : "") + "\n";
   }
   return options.count ? fmt::format("{}\n", count) : text;
 }
