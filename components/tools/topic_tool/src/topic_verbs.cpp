@@ -13,6 +13,7 @@
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
 #include "header_stamp.hpp"
+#include "idl_support/decode.hpp"
 #include "idl_support/encode.hpp"
 #include "meters.hpp"
 #include "topic_session.hpp"
@@ -22,12 +23,6 @@ namespace {
 
 constexpr Duration for_ever = std::chrono::hours(24 * 365);
 constexpr Duration second = std::chrono::seconds(1);
-
-std::shared_ptr<void> decoded(const TypeInfo& type, const RawSample& sample) {
-  auto message = type.create();
-  return type.deserialize(sample.bytes->data(), sample.bytes->size(), message.get()) ? message
-                                                                                     : nullptr;
-}
 
 int list(const Options& options) {
   const TopicSession session(options);
@@ -71,7 +66,7 @@ int echo(const Options& options) {
   (void)to_yaml(known, known.create().get(), shown);  // refuses a field that it has not
   SampleQueue samples(session.graph(), topic);
   while (const auto sample = samples.take(for_ever)) {
-    const auto message = decoded(known, *sample);
+    const auto message = decode(known, *sample->bytes);
     if (!message) {
       std::fprintf(stderr, "a sample of %zu bytes is no %s\n", sample->bytes->size(),
                    ros_type(topic.type).c_str());
@@ -135,7 +130,7 @@ int delay(const Options& options) {
         throw ConfigError(ros_type(topic.type) + " has no header with a stamp");
       },
       [&](const RawSample& one) {
-        const auto message = decoded(*known, one);
+        const auto message = decode(*known, *one.bytes);
         const auto stamp = message ? header_stamp_ns(*known, message.get()) : std::nullopt;
         if (stamp) meter.add(static_cast<double>(one.received_wall_ns - *stamp) * 1e-9);
       },

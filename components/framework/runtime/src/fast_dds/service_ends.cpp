@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "fast_dds/this_host.hpp"
+#include "idl_support/decode.hpp"
 #include "idl_support/encode.hpp"
 
 namespace tocsin {
@@ -50,11 +51,6 @@ std::int64_t number_of(const rtps::SampleIdentity& identity) {
 
 rtps::SequenceNumber_t sequence_of(std::int64_t number) {
   return {static_cast<std::int32_t>(number >> 32), static_cast<std::uint32_t>(number)};
-}
-
-std::shared_ptr<const void> decoded(const TypeInfo& type, const std::vector<std::uint8_t>& bytes) {
-  auto message = type.create();
-  return type.deserialize(bytes.data(), bytes.size(), message.get()) ? message : nullptr;
 }
 
 bool is_known(const rtps::GUID_t& guid) { return guid != rtps::GUID_t::unknown(); }
@@ -108,12 +104,12 @@ void DdsServer::take(const Bytes& bytes, const dds::SampleInfo& info) {
   if (is_known(related) || correlation_of(gid_of(writer), announced) == Correlation::identity) {
     request.id.client = gid_of(is_known(related) ? related : writer);
     request.id.number = number_of(info.sample_identity);
-    request.message = decoded(*endpoint_.request, bytes);
+    request.message = decode(*endpoint_.request, bytes);
   } else if (const auto headed = take_header(bytes)) {
     request.id.correlation = Correlation::header;
     std::memcpy(request.id.client.data(), &headed->header.client, sizeof headed->header.client);
     request.id.number = headed->header.number;
-    request.message = decoded(*endpoint_.request, headed->bytes);
+    request.message = decode(*endpoint_.request, headed->bytes);
   }
   if (request.message) receiver_.receive(std::move(request));
 }
@@ -216,7 +212,7 @@ void DdsClient::take(const Bytes& bytes, const dds::SampleInfo& info) {
 }
 
 void DdsClient::hand_over(const Bytes& bytes, std::int64_t number) {
-  if (auto message = decoded(*endpoint_.response, bytes)) {
+  if (auto message = decode(*endpoint_.response, bytes)) {
     receiver_.receive({std::move(message), number});
   }
 }

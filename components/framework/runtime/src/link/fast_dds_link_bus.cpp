@@ -7,6 +7,7 @@
 #include "fast_dds/this_host.hpp"
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
+#include "idl_support/decode.hpp"
 #include "idl_support/encode.hpp"
 #include "keystore/enclave.hpp"
 #include "link/flow_text.hpp"
@@ -223,9 +224,7 @@ CarriedSample FastDdsLinkBus::pack(const TypeInfo& type,
 
 std::shared_ptr<const void> FastDdsLinkBus::unpack(const TypeInfo& type,
                                                    const CarriedSample& sample) const {
-  const auto& bytes = static_cast<const EncodedMessage*>(sample.content.get())->bytes;
-  auto message = type.create();
-  return type.deserialize(bytes.data(), bytes.size(), message.get()) ? message : nullptr;
+  return decode(type, static_cast<const EncodedMessage*>(sample.content.get())->bytes);
 }
 
 std::unique_ptr<LinkBus> make_fast_dds_link_bus(const BusOptions& options,
