@@ -6,7 +6,6 @@
 #include "fast_dds/cdr_topic_type.hpp"
 #include "fast_dds/instance_key.hpp"
 #include "fast_dds/raw_ends.hpp"
-#include "foundation/error.hpp"
 #include "link/origin.hpp"
 
 namespace tocsin {
@@ -39,9 +38,7 @@ DdsReader::DdsReader(FastDdsParticipant& participant, const std::string& topic,
       skips_own_(!qos.exclusive()),
       own_{topic, type.name, layout_in(qos.user_data), false, qos},
       account_(topic, false),
-      reader_(participant.create_reader(topic, type, qos, *this)) {
-  if (reader_ == nullptr) throw EnvironmentError("DDS reader of " + topic + " cannot be created");
-}
+      reader_(participant.create_reader(topic, type, qos, *this)) {}
 
 DdsReader::~DdsReader() {
   participant_.remove(reader_);  // waits for the listener
@@ -176,9 +173,7 @@ DdsWriter::DdsWriter(FastDdsParticipant& participant, const std::string& topic,
     : participant_(participant),
       own_{topic, type.name, layout_in(qos.user_data), true, qos},
       account_(topic, true),
-      writer_(participant.create_writer(topic, type, qos, *this)) {
-  if (writer_ == nullptr) throw EnvironmentError("DDS writer of " + topic + " cannot be created");
-}
+      writer_(participant.create_writer(topic, type, qos, *this)) {}
 
 DdsWriter::~DdsWriter() { participant_.remove(writer_); }
 

@@ -88,8 +88,9 @@ dds::DataWriter* FastDdsParticipant::create_writer(const std::string& name, cons
       participant_->create_publisher(in_partition(dds::PUBLISHER_QOS_DEFAULT, profile.partition));
   auto* const writer = publisher->create_datawriter(topic(name, type),
                                                     writer_qos(profile, keys_of(type)), &listener);
-  if (writer == nullptr) participant_->delete_publisher(publisher);
-  return writer;
+  if (writer != nullptr) return writer;
+  participant_->delete_publisher(publisher);
+  throw EnvironmentError("DDS writer of " + name + " cannot be created");
 }
 
 dds::DataReader* FastDdsParticipant::create_reader(const std::string& name, const TypeInfo& type,
@@ -100,8 +101,9 @@ dds::DataReader* FastDdsParticipant::create_reader(const std::string& name, cons
       participant_->create_subscriber(in_partition(dds::SUBSCRIBER_QOS_DEFAULT, profile.partition));
   auto* const reader = subscriber->create_datareader(topic(name, type),
                                                      reader_qos(profile, keys_of(type)), &listener);
-  if (reader == nullptr) participant_->delete_subscriber(subscriber);
-  return reader;
+  if (reader != nullptr) return reader;
+  participant_->delete_subscriber(subscriber);
+  throw EnvironmentError("DDS reader of " + name + " cannot be created");
 }
 
 bool FastDdsParticipant::change(dds::DataWriter* writer, const QosProfile& profile) {
@@ -121,14 +123,12 @@ bool FastDdsParticipant::change(dds::DataReader* reader, const QosProfile& profi
 }
 
 void FastDdsParticipant::remove(dds::DataWriter* writer) {
-  if (writer == nullptr) return;
   dds::Publisher* const publisher = publisher_of(writer);
   publisher->delete_datawriter(writer);
   participant_->delete_publisher(publisher);
 }
 
 void FastDdsParticipant::remove(dds::DataReader* reader) {
-  if (reader == nullptr) return;
   dds::Subscriber* const subscriber = subscriber_of(reader);
   subscriber->delete_datareader(reader);
   participant_->delete_subscriber(subscriber);

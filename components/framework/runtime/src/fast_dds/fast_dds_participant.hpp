@@ -26,6 +26,7 @@ class FastDdsParticipant {
   FastDdsParticipant& operator=(const FastDdsParticipant&) = delete;
 
   /// `topic` is the DDS name, with `rt/`. The listener and the profile must outlive the endpoint.
+  /// Throws EnvironmentError when Fast DDS refuses.
   eprosima::fastdds::dds::DataWriter* create_writer(
       const std::string& topic, const TypeInfo& type, const QosProfile& qos,
       eprosima::fastdds::dds::DataWriterListener& listener);

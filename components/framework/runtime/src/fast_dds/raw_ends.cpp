@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "fast_dds/cdr_topic_type.hpp"
-#include "foundation/error.hpp"
 #include "link/raw_type.hpp"
 
 namespace tocsin {
@@ -35,10 +34,7 @@ RawReader::RawReader(FastDdsParticipant& participant, RawEnd end, OnSample on_sa
       end_(std::move(end)),
       on_sample_(std::move(on_sample)),
       on_match_(std::move(on_match)),
-      reader_(participant.create_reader(end_.topic, raw_type(end_.type), end_.qos, *this)) {
-  if (reader_ == nullptr)
-    throw EnvironmentError("DDS reader of " + end_.topic + " cannot be created");
-}
+      reader_(participant.create_reader(end_.topic, raw_type(end_.type), end_.qos, *this)) {}
 
 RawReader::~RawReader() { participant_.remove(reader_); }
 
@@ -66,10 +62,7 @@ RawWriter::RawWriter(FastDdsParticipant& participant, RawEnd end, OnMatch on_mat
     : participant_(participant),
       end_(std::move(end)),
       on_match_(std::move(on_match)),
-      writer_(participant.create_writer(end_.topic, raw_type(end_.type), end_.qos, *this)) {
-  if (writer_ == nullptr)
-    throw EnvironmentError("DDS writer of " + end_.topic + " cannot be created");
-}
+      writer_(participant.create_writer(end_.topic, raw_type(end_.type), end_.qos, *this)) {}
 
 RawWriter::~RawWriter() { participant_.remove(writer_); }
 

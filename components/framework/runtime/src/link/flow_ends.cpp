@@ -4,7 +4,6 @@
 #include <tuple>
 #include <utility>
 
-#include "foundation/error.hpp"
 #include "link/origin.hpp"
 #include "link/raw_type.hpp"
 
@@ -53,11 +52,7 @@ FlowReader::FlowReader(FastDdsParticipant& participant, const ReaderKey& key, On
     : participant_(participant),
       type_(raw_type(key.type)),
       on_sample_(std::move(on_sample)),
-      reader_(participant.create_reader(key.topic, type_, profile_of(key), *this)) {
-  if (reader_ == nullptr) {
-    throw EnvironmentError("DDS reader of " + key.topic + " cannot be created");
-  }
-}
+      reader_(participant.create_reader(key.topic, type_, profile_of(key), *this)) {}
 
 FlowReader::~FlowReader() { participant_.remove(reader_); }
 
@@ -79,9 +74,7 @@ FlowWriter::FlowWriter(FastDdsParticipant& participant, const std::string& topic
                        const std::string& type, const QosProfile& qos, OnReader on_reader)
     : participant_(participant),
       on_reader_(std::move(on_reader)),
-      writer_(participant.create_writer(topic, raw_type(type), qos, *this)) {
-  if (writer_ == nullptr) throw EnvironmentError("DDS writer of " + topic + " cannot be created");
-}
+      writer_(participant.create_writer(topic, raw_type(type), qos, *this)) {}
 
 FlowWriter::~FlowWriter() { participant_.remove(writer_); }
 
