@@ -9,11 +9,6 @@ namespace {
 
 constexpr int depth = 1000;  // as ROS 2's parameter services
 
-template <class Service>
-std::string name_of() {
-  return Service::name;
-}
-
 rcl_interfaces::msg::SetParametersResult result_of(const Outcome& outcome) {
   rcl_interfaces::msg::SetParametersResult result;
   result.successful(outcome.done);
@@ -48,12 +43,12 @@ void reply_all(Port& port, const Make& make) {
 }  // namespace
 
 ParameterServices::ParameterServices(Component& owner, const std::string& node)
-    : describe_(owner, name_of<parameter_service::DescribeParameters>(), node, depth),
-      get_(owner, name_of<parameter_service::GetParameters>(), node, depth),
-      types_(owner, name_of<parameter_service::GetParameterTypes>(), node, depth),
-      list_(owner, name_of<parameter_service::ListParameters>(), node, depth),
-      set_(owner, name_of<parameter_service::SetParameters>(), node, depth),
-      set_atomically_(owner, name_of<parameter_service::SetParametersAtomically>(), node, depth) {}
+    : describe_(owner, parameter_service::DescribeParameters::name, node, depth),
+      get_(owner, parameter_service::GetParameters::name, node, depth),
+      types_(owner, parameter_service::GetParameterTypes::name, node, depth),
+      list_(owner, parameter_service::ListParameters::name, node, depth),
+      set_(owner, parameter_service::SetParameters::name, node, depth),
+      set_atomically_(owner, parameter_service::SetParametersAtomically::name, node, depth) {}
 
 void ParameterServices::answer_readers(const ParameterSource& source) {
   reply_all(describe_, [&](const auto& request, auto& response) {
@@ -92,13 +87,12 @@ void ParameterServices::answer(const ParameterSource& source) {
 }
 
 bool calls_parameters_of(const std::string& node, const std::vector<std::string>& called) {
-  static const std::array<std::string, 6> names{
-      name_of<parameter_service::DescribeParameters>(),
-      name_of<parameter_service::GetParameters>(),
-      name_of<parameter_service::GetParameterTypes>(),
-      name_of<parameter_service::ListParameters>(),
-      name_of<parameter_service::SetParameters>(),
-      name_of<parameter_service::SetParametersAtomically>()};
+  static const std::array<std::string, 6> names{parameter_service::DescribeParameters::name,
+                                                parameter_service::GetParameters::name,
+                                                parameter_service::GetParameterTypes::name,
+                                                parameter_service::ListParameters::name,
+                                                parameter_service::SetParameters::name,
+                                                parameter_service::SetParametersAtomically::name};
   return std::any_of(called.begin(), called.end(), [&](const std::string& service) {
     return std::any_of(names.begin(), names.end(),
                        [&](const std::string& name) { return service == node + name.substr(1); });
