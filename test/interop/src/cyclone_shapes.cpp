@@ -132,10 +132,7 @@ class Reader {
  public:
   Reader(const CycloneParticipant& cyclone, dds_entity_t subscriber, const ShapeOptions& options,
          std::string topic)
-      : topic_(std::move(topic)),
-        filter_(!options.filter.empty() ? shapes::ShapeFilter(options.filter)
-                : options.color.empty() ? shapes::ShapeFilter()
-                                        : shapes::ShapeFilter::of_color(options.color)) {
+      : topic_(std::move(topic)), filter_(shapes::ShapeFilter::of(options)) {
     say("Create topic: " + topic_);
     const dds_entity_t type = cyclone.topic(shapes_msgs_ShapeType_desc, topic_, "ShapeType");
     say("Create reader for topic: " + topic_);

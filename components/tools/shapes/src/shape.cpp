@@ -104,11 +104,13 @@ ShapeFilter::ShapeFilter(const std::string& expression) {
   }
 }
 
-ShapeFilter ShapeFilter::of_color(const std::string& color) {
+ShapeFilter ShapeFilter::of(const ShapeOptions& options) {
+  if (!options.filter.empty()) return ShapeFilter(options.filter);
   ShapeFilter filter;
+  if (options.color.empty()) return filter;
   filter.field_ = "color";
   filter.operator_ = "=";
-  filter.text_ = color;
+  filter.text_ = options.color;
   return filter;
 }
 

@@ -20,9 +20,7 @@ class Reader : private Receiver {
   Reader(Bus& bus, const ShapeOptions& options, std::string topic)
       : options_(options),
         topic_(std::move(topic)),
-        filter_(!options.filter.empty() ? ShapeFilter(options.filter)
-                : options.color.empty() ? ShapeFilter()
-                                        : ShapeFilter::of_color(options.color)),
+        filter_(ShapeFilter::of(options)),
         cache_(options.qos) {
     say("Create topic: " + topic_);
     say("Create reader for topic: " + topic_);

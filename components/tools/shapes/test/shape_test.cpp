@@ -78,8 +78,19 @@ TEST(ShapeFilter, ComparesNumbersAndColours) {
        {"shapesize <= 29", "x <> 10", "y = 21", "y > 20", "x >= 11", "x < 10", "color = 'BLUE'"}) {
     EXPECT_FALSE(ShapeFilter(drops).passes(shape)) << drops;
   }
-  EXPECT_TRUE(ShapeFilter::of_color("RED").passes(shape));
-  EXPECT_FALSE(ShapeFilter::of_color("BLUE").passes(shape));
+}
+
+TEST(ShapeFilter, IsWhatASubscriberAsksFor) {
+  Shape red;
+  red.color = "RED";
+  ShapeOptions options;
+  EXPECT_TRUE(ShapeFilter::of(options).passes(red));
+  options.color = "RED";
+  EXPECT_TRUE(ShapeFilter::of(options).passes(red));
+  options.color = "BLUE";
+  EXPECT_FALSE(ShapeFilter::of(options).passes(red));
+  options.filter = "color <> 'BLUE'";
+  EXPECT_TRUE(ShapeFilter::of(options).passes(red));
 }
 
 TEST(ShapeFilter, RefusesWhatIsNotOfItsForm) {

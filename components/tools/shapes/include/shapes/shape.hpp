@@ -51,8 +51,8 @@ class ShapeFilter {
   ShapeFilter() = default;
   /// Throws ConfigError for what is not of that form.
   explicit ShapeFilter(const std::string& expression);
-  /// The colour that a subscriber asks for by -c.
-  [[nodiscard]] static ShapeFilter of_color(const std::string& color);
+  /// What a subscriber asks for by --cft, else by -c, else everything.
+  [[nodiscard]] static ShapeFilter of(const ShapeOptions& options);
   [[nodiscard]] bool passes(const Shape& shape) const;
 
  private:
