@@ -31,8 +31,11 @@ struct RestartDecision {
 ///
 /// The wait is backoff_s times two to the power of the restarts within the last 60 s, at most
 /// max_backoff_s; a process that was once up for 5 s, and had no restart within the last 60 s, is
-/// not waited for. After `limit` restarts within 60 s the process is given up. A process that exits
-/// with 1, 2 or 127 (not found) before it was once up for 5 s is not started again.
+/// not waited for. After `limit` restarts within 60 s a process that ends itself is given up; one
+/// that was once up for 5 s and is ended from outside, by a signal or by its watchdog (exit code
+/// 75), never is: what else runs on this side, and keeps the vehicle safe, must not end with it.
+/// A limit of 0 forbids every restart. A process that exits with 1, 2 or 127 (not found) before it
+/// was once up for 5 s is not started again.
 class RestartRule {
  public:
   explicit RestartRule(const deployment::RestartPolicy& policy) : policy_(policy) {}

@@ -14,6 +14,8 @@ using Kind = RestartDecision::Kind;
 
 constexpr Ending killed{true, 9};
 constexpr Ending aborted{true, 6};
+constexpr Ending failed{false, 3};
+constexpr Ending ended_by_watchdog{false, 75};
 const Time t0{seconds(1000)};
 
 deployment::RestartPolicy policy(int limit = 20) {
@@ -72,14 +74,33 @@ TEST(RestartRule, ForgetsARestartAfterAMinute) {
   EXPECT_EQ(sut.on_exit(killed, t0 + seconds(120)).delay, milliseconds(200));
 }
 
-TEST(RestartRule, GivesUpAfterTheLimitWithinAMinute) {
+TEST(RestartRule, GivesUpWhatEndsItselfAfterTheLimitWithinAMinute) {
   RestartRule sut(policy(2));
   sut.on_start(t0);
-  EXPECT_EQ(sut.on_exit(killed, t0).kind, Kind::restart);
-  EXPECT_EQ(sut.on_exit(killed, t0 + seconds(1)).kind, Kind::restart);
-  const RestartDecision decision = sut.on_exit(killed, t0 + seconds(59));
+  EXPECT_EQ(sut.on_exit(failed, t0).kind, Kind::restart);
+  EXPECT_EQ(sut.on_exit(failed, t0 + seconds(1)).kind, Kind::restart);
+  const RestartDecision decision = sut.on_exit(failed, t0 + seconds(59));
   EXPECT_EQ(decision.kind, Kind::too_often);
   EXPECT_EQ(decision.exit_code, 1);
+}
+
+TEST(RestartRule, NeverGivesUpWhatWasUpAndIsEndedFromOutside) {
+  for (const Ending& ending : {killed, aborted, ended_by_watchdog}) {
+    RestartRule sut(policy(2));
+    sut.on_start(t0);
+    for (int i = 0; i < 100; ++i) {
+      EXPECT_EQ(sut.on_exit(ending, t0 + seconds(5 + i)).kind, Kind::restart) << i;
+    }
+    EXPECT_EQ(sut.on_exit(ending, t0 + seconds(105)).delay, seconds(5)) << "the longest wait";
+  }
+}
+
+TEST(RestartRule, GivesUpWhatASignalEndsBeforeItWasEverUp) {
+  RestartRule sut(policy(2));
+  sut.on_start(t0);
+  EXPECT_EQ(sut.on_exit(aborted, t0).kind, Kind::restart);
+  EXPECT_EQ(sut.on_exit(aborted, t0).kind, Kind::restart);
+  EXPECT_EQ(sut.on_exit(aborted, t0).kind, Kind::too_often);
 }
 
 TEST(RestartRule, DoesNotGiveUpWhenTheDeathsAreFarApart) {
@@ -93,7 +114,7 @@ TEST(RestartRule, DoesNotGiveUpWhenTheDeathsAreFarApart) {
 TEST(RestartRule, NeverRestartsWithALimitOfZero) {
   RestartRule sut(policy(0));
   sut.on_start(t0);
-  EXPECT_EQ(sut.on_exit(killed, t0).kind, Kind::too_often);
+  EXPECT_EQ(sut.on_exit(killed, t0 + seconds(5)).kind, Kind::too_often);
 }
 
 TEST(RestartRule, StopsWithTheCodeOfAConfigurationError) {

@@ -32,6 +32,8 @@ struct HealthLimits {
   double resident_mib = 512;
   double growth_mib = 64;
   double disk_low_mib = 100;
+  double stuck_s = 5;
+  double memory_mib = 2048;
   template <class Visitor>
   void visit(Visitor& v) {
     v("period_s", period_s, {0.1, 60}, "[s] between reports");
@@ -41,6 +43,9 @@ struct HealthLimits {
     v("resident_mib", resident_mib, {1, 1e6}, "[MiB] more resident memory is a WARN");
     v("growth_mib", growth_mib, {1, 1e6}, "[MiB] memory that grew by more is a WARN");
     v("disk_low_mib", disk_low_mib, {0, 1e9}, "[MiB] less room on the run folder's disk is a WARN");
+    v("stuck_s", stuck_s, {1, 3600},
+      "[s] a thread of DDS that does nothing for longer is an ERROR; twice as long, a restart");
+    v("memory_mib", memory_mib, {16, 1e6}, "[MiB] more resident memory is a restart");
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <cstdio>
 #include <utility>
 
 #include "fast_dds/dropped_packets.hpp"
@@ -10,6 +11,7 @@
 #include "foundation/free_space.hpp"
 #include "runtime/middleware/component_library.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
+#include "watch/resident_memory.hpp"
 
 namespace tocsin {
 namespace {
@@ -31,6 +33,17 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
           enclave_of(deployment, host)};
 }
 
+WatchLimits watch_limits(const deployment::HealthLimits& health) {
+  return {seconds(health.stuck_s), static_cast<std::uint64_t>(health.memory_mib * mib)};
+}
+
+/// Without a lock, an allocator or a destructor that the thread which stands still could hold.
+void tell_and_end(const WatchFinding& finding) {
+  std::fprintf(stderr, "watchdog: %s%s\n", finding.text.c_str(),
+               finding.is_final ? "; ends, to be started again" : "");
+  if (finding.is_final) _exit(start_me_again);
+}
+
 }  // namespace
 
 Container::Container(const deployment::Deployment& deployment, const deployment::Host& host,
@@ -40,7 +53,8 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
                    .with_run_dir(deployment.run_dir)
                    .with_request_exit(std::move(request_exit))
                    .with_seed(process_seed(deployment.seed, host.name, container.name))
-                   .with_node(container.name + "_container")) {
+                   .with_node(container.name + "_container")),
+      watch_(watch_limits(container.health), tell_and_end) {
   const auto notice_failure = [this] { control_->schedule().input_arrived(); };
   threads_ = std::make_unique<RunnerThreads>(*bus_, container.shared_thread, container.name,
                                              notice_failure);
@@ -49,7 +63,9 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
       context_, container.health,
       ProcessName{host.name, container.name, static_cast<int>(getpid()),
                   container.parameter_services},
-      *instances_, ControlComponent::Computer{resident_bytes, free_bytes, dropped_packets});
+      *instances_, ControlComponent::Computer{resident_bytes, free_bytes, dropped_packets, [this] {
+                                                return watch_.finding();
+                                              }});
   for (const deployment::ComponentInstance& one : container.components) {
     instances_->add(one.component, one.name, one.parameters, deployment.sources);
   }

@@ -7,6 +7,7 @@
 #include "container/control_component.hpp"
 #include "deployment/deployment.hpp"
 #include "runner/runner_threads.hpp"
+#include "watch/process_watch.hpp"
 
 namespace tocsin {
 
@@ -30,6 +31,7 @@ class Container {
   std::unique_ptr<ControlComponent> control_;
   TickAccount control_account_;
   std::unique_ptr<Runner> control_runner_;
+  ProcessWatch watch_;  // last: it ends the process when the others cannot go on
 };
 
 }  // namespace tocsin

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "container/control_component.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <fstream>
 
 #include "foundation/error.hpp"
 #include "runtime/middleware/qos_change.hpp"
@@ -21,14 +18,6 @@ constexpr Duration unasked = std::chrono::seconds(10);  // a command of a person
 constexpr Duration between_drop_lines = std::chrono::minutes(1);  // a flood must not fill the log
 
 }  // namespace
-
-std::uint64_t resident_bytes() {
-  std::ifstream file("/proc/self/statm");
-  std::uint64_t total = 0;
-  std::uint64_t resident = 0;
-  file >> total >> resident;
-  return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-}
 
 ControlComponent::ControlComponent(Context& context, const HealthLimits& limits,
                                    ProcessName process, Instances& instances, Computer computer)
@@ -224,8 +213,10 @@ void ControlComponent::add_process(Time now, diagnostic_msgs::msg::DiagnosticArr
   const std::uint64_t bytes = computer_.resident_bytes();
   const std::string& run_dir = context().run_dir;
   if (now - started_ < settling) first_bytes_ = bytes;
-  array.status().push_back(diagnose(
-      process_.container, {bytes, first_bytes_, run_dir, computer_.free_bytes(run_dir)}, limits_));
+  const auto finding = computer_.finding ? computer_.finding() : std::nullopt;
+  array.status().push_back(
+      diagnose(process_.container,
+               {bytes, first_bytes_, run_dir, computer_.free_bytes(run_dir), finding}, limits_));
   for (const auto& [other, heard] : heard_) {
     if (other.first != process_.container) continue;
     auto& status = array.status().back();

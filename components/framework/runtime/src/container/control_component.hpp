@@ -42,6 +42,8 @@ class ControlComponent final : public Component {
     std::function<std::uint64_t()> resident_bytes;
     std::function<std::optional<std::uint64_t>(const std::string& folder)> free_bytes;
     std::function<rtps_filter::DropAccount()> dropped_packets = {};  ///< empty: none are
+    /// What is wrong with the threads of this process; empty: nobody looks.
+    std::function<std::optional<std::string>()> finding = {};
   };
   /// `instances` must outlive it.
   ControlComponent(Context& context, const HealthLimits& limits, ProcessName process,
@@ -100,8 +102,5 @@ class ControlComponent final : public Component {
   Time started_{};
   Time next_report_{};
 };
-
-/// Resident memory of this process [byte]; 0 when /proc does not tell.
-[[nodiscard]] std::uint64_t resident_bytes();
 
 }  // namespace tocsin

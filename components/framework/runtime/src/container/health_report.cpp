@@ -8,13 +8,12 @@
 #include "foundation/free_space.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
+#include "watch/resident_memory.hpp"
 
 namespace tocsin {
 namespace {
 
 using namespace diagnostic_msgs::msg::DiagnosticStatus_Constants;
-
-constexpr double mib = 1024.0 * 1024.0;
 
 /// Keeps the gravest finding as the message.
 class Finding {
@@ -136,6 +135,7 @@ Diagnostic diagnose(const std::string& container, const ProcessFigures& process,
   const double resident = static_cast<double>(process.bytes) / mib;
   const double growth = resident - static_cast<double>(process.first_bytes) / mib;
   Finding finding(container, "running");
+  if (process.finding) finding.grade(ERROR, *process.finding);
   if (process.free_bytes) judge_disk(process, limits, finding);
   if (resident > limits.resident_mib) {
     finding.grade(

@@ -33,12 +33,13 @@ struct InstanceHealth {
   InstanceSums now;
 };
 
-/// Resident memory of the process, and room for its files.
+/// Resident memory of the process, its threads, and room for its files.
 struct ProcessFigures {
   std::uint64_t bytes = 0;
   std::uint64_t first_bytes = 0;  ///< once it had settled
   std::string run_dir;
   std::optional<std::uint64_t> free_bytes;  ///< on its disk; empty: it is not known
+  std::optional<std::string> finding = {};  ///< what is wrong with its threads
 };
 
 using Diagnostic = diagnostic_msgs::msg::DiagnosticStatus;

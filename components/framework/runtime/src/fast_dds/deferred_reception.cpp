@@ -4,9 +4,14 @@
 #include <fastdds/rtps/transport/ChainingTransport.h>
 
 #include <chrono>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "fast_dds/packet_filter.hpp"
+#include "watch/activity.hpp"
 
 namespace tocsin {
 namespace {
@@ -26,6 +31,30 @@ struct HoldingDescriptor : ChainingTransportDescriptor {
   std::shared_ptr<PacketFilter> filter;
 };
 
+/// What the reception threads of a transport are seen to do, one for each port.
+class Receptions {
+ public:
+  void open(std::uint32_t port) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    by_port_[port] = watched_activity(Duty::reception, "reception at UDP " + std::to_string(port),
+                                      static_cast<std::uint16_t>(port));
+  }
+  void close(std::uint32_t port) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    by_port_.erase(port);
+  }
+  /// Empty for a port that is not open.
+  [[nodiscard]] std::shared_ptr<Activity> at(std::uint32_t port) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = by_port_.find(port);
+    return found == by_port_.end() ? nullptr : found->second;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::uint32_t, std::shared_ptr<Activity>> by_port_;
+};
+
 /// Receives through the chain, and sends without it.
 class HoldingTransport : public ChainingTransport {
  public:
@@ -35,11 +64,21 @@ class HoldingTransport : public ChainingTransport {
   [[nodiscard]] TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
   void receive(TransportReceiverInterface* next, const rtps::octet* bytes, std::uint32_t size,
                const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
+    const auto activity = receptions_.at(local.port);
+    std::optional<ActivityTurn> turn;
+    if (activity) turn.emplace(*activity);
     descriptor_.reception->wait();
     descriptor_.filter->pass(
         bytes, size, remote, [&](const rtps::octet* shown, std::size_t length) {
           next->OnDataReceived(shown, static_cast<std::uint32_t>(length), local, remote);
         });
+  }
+  bool OpenInputChannel(const rtps::Locator_t& at, TransportReceiverInterface* receiver,
+                        std::uint32_t largest) override {
+    receptions_.open(at.port);
+    if (ChainingTransport::OpenInputChannel(at, receiver, largest)) return true;
+    receptions_.close(at.port);
+    return false;
   }
   /// Not chained: the lower transport would not know its own channel again, and open another for
   /// each peer.
@@ -54,11 +93,13 @@ class HoldingTransport : public ChainingTransport {
   }
   bool CloseInputChannel(const rtps::Locator_t& at) override {
     descriptor_.reception->release();
+    receptions_.close(at.port);
     return ChainingTransport::CloseInputChannel(at);
   }
 
  private:
   HoldingDescriptor descriptor_;
+  Receptions receptions_;
 };
 
 TransportInterface* HoldingDescriptor::create_transport() const {

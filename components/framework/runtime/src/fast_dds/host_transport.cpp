@@ -15,6 +15,7 @@
 
 #include "fast_dds/acknack_counts.hpp"
 #include "fast_dds/host_multicast.hpp"
+#include "watch/activity.hpp"
 
 namespace tocsin {
 namespace {
@@ -36,6 +37,7 @@ class AnnouncementSender : public rtps::SenderResource {
       for (; *first != *last; ++*first) {
         const rtps::Locator_t& to = **first;
         if (to.kind != LOCATOR_KIND_UDPv4 || !IPLocator::isMulticast(to)) continue;
+        const ActivityTurn turn(*timer_);  // nothing but announcements goes by multicast
         socket_.send(bytes, size, IPLocator::getPhysicalPort(to));
       }
       return true;
@@ -44,6 +46,8 @@ class AnnouncementSender : public rtps::SenderResource {
 
  private:
   HostMulticastSender socket_;
+  const std::shared_ptr<Activity> timer_ =
+      watched_activity(Duty::announcements, "timer of the host's participant");
 };
 
 struct HostDescriptor : ChainingTransportDescriptor {

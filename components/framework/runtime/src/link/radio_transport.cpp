@@ -13,12 +13,14 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
 
 #include "link/discovery_pacer.hpp"
 #include "link/rtps_message.hpp"
+#include "watch/activity.hpp"
 
 namespace tocsin {
 namespace {
@@ -105,6 +107,8 @@ class MarkingSender : public rtps::SenderResource {
                    const rtps::LocatorsIterator& last) {
     const std::size_t size = size_without_statistics(bytes, whole);
     const auto state = discovery_state_in(bytes, size);
+    std::optional<ActivityTurn> turn;
+    if (is_announcement(bytes, size)) turn.emplace(*timer_);
     bool all = true;
     for (; next != last; ++next) {
       const rtps::Locator_t& to = *next;
@@ -161,6 +165,8 @@ class MarkingSender : public rtps::SenderResource {
   DiscoveryPacer pacer_;
   MessagePieces pieces_;
   bool stopping_ = false;
+  const std::shared_ptr<Activity> timer_ =
+      watched_activity(Duty::announcements, "timer of the link's participant");
   std::thread thread_;  // last: it uses all of this
 };
 

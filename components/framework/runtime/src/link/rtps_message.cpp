@@ -88,6 +88,11 @@ std::size_t size_without_statistics(const std::uint8_t* message, std::size_t siz
   return ends_so ? size - statistics_bytes - submessage_header_bytes : size;
 }
 
+bool is_announcement(const std::uint8_t* message, std::size_t size) {
+  const auto sender = sender_in(message, size);
+  return sender && *sender == rtps::c_EntityId_SPDPWriter;
+}
+
 bool is_builtin(const rtps::EntityId_t& endpoint) {
   constexpr rtps::octet builtin = 0xc0;
   return (endpoint.value[3] & builtin) == builtin;

@@ -48,6 +48,9 @@ class Submessages {
 /// Whether it is one of those by which participants discover each other (section 9.3.1.2).
 [[nodiscard]] bool is_builtin(const eprosima::fastrtps::rtps::EntityId_t& endpoint);
 
+/// Whether a message announces its participant (section 8.5.3).
+[[nodiscard]] bool is_announcement(const std::uint8_t* message, std::size_t size);
+
 /// Whose state a message tells: HEARTBEAT or ACKNACK, the participant that it is for, reader and
 /// writer.
 using StateKey = std::array<std::uint8_t, 21>;

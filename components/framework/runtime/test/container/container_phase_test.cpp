@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A container process does its periodic work at the phases that simulation draws, too.
+// A container process does its periodic work at the phases that simulation draws, too, and ends
+// when its watchdog says so.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
@@ -99,6 +100,15 @@ TEST(ContainerPhase, IsWhatTheSeedOfTheRunAndItsNamesSay) {
     Process sut({STAGE "/bin/tocsin-container", deployment.file, "gcs", "drive"});
     EXPECT_LT(meter.least_lateness(4), 0.1) << "seed " << seed;
   }
+}
+
+TEST(ContainerWatch, AContainerThatTakesMoreMemoryThanItMayEndsToBeStartedAgain) {
+  const TemporaryFolder folder;
+  auto deployment = deployment_of(folder.path(), 1);
+  deployment.hosts.front().containers.front().health.memory_mib = 16;  // less than Fast DDS takes
+  write_resolved(deployment, deployment.file);
+  Process sut({STAGE "/bin/tocsin-container", deployment.file, "gcs", "drive"});
+  EXPECT_EQ(sut.wait(), 75);
 }
 
 }  // namespace

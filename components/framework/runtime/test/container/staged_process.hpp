@@ -30,6 +30,10 @@ class Process {
   int end(int signal) {
     if (pid_ == 0) return -1;
     kill(pid_, signal);
+    return wait();
+  }
+  /// The exit code, once it has ended by itself; -1 when a signal killed it.
+  int wait() {
     int status = 0;
     waitpid(std::exchange(pid_, 0), &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;

@@ -11,6 +11,8 @@
 namespace tocsin {
 namespace {
 
+namespace rtps = eprosima::fastrtps::rtps;
+
 std::uint32_t sender(const Bytes& bytes) {
   const auto found = sender_in(bytes.data(), bytes.size());
   return found ? wire_id_of(*found) : 0;
@@ -130,6 +132,19 @@ Bytes lone(std::uint8_t kind, std::uint8_t to = 1) {
   append(bytes, kind, builtin_ends);
   append(bytes, of_vendor, Bytes(8));
   return bytes;
+}
+
+TEST(IsAnnouncement, IsDataOfTheWriterOfAnnouncementsAndNothingElse) {
+  Bytes announcement = message();
+  append(announcement, info_timestamp, Bytes(8));
+  Bytes content = data_of(0);
+  std::copy_n(rtps::c_EntityId_SPDPWriter.value, 4, content.begin() + 8);
+  append(announcement, data, content);
+  EXPECT_TRUE(is_announcement(announcement.data(), announcement.size()));
+  Bytes sample = message();
+  append(sample, data, data_of(7));
+  EXPECT_FALSE(is_announcement(sample.data(), sample.size()));
+  EXPECT_FALSE(is_announcement(sample.data(), 0));
 }
 
 TEST(DiscoveryStateIn, KnowsAHeartbeatOrAnAcknowledgementOfDiscoveryByItsEndsAndItsParticipant) {
