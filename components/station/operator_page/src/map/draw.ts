@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is drawn on the map, layer by layer. Lengths on the screen are pixels of CSS.
+import { ageText } from "../model/freshness.ts";
+import type { Ellipse, Point } from "../model/geometry.ts";
+import type { OccupancyGrid, Waypoint } from "../model/messages.ts";
+import type { RoutePoint } from "../model/route.ts";
+import type { Theme } from "./theme.ts";
+import type { TrailPaths } from "./trail_paths.ts";
+import type { Size, Viewport } from "./viewport.ts";
+
+/** A canvas with the part of the map that it shows. */
+export interface Sheet {
+  readonly context: CanvasRenderingContext2D;
+  readonly view: Viewport;
+  readonly size: Size;
+  readonly theme: Theme;
+}
+
+const tau = 2 * Math.PI;
+
+/** Runs `draw` in map coordinates: metres, y up. */
+function inMap({ context, view, size }: Sheet, draw: () => void): void {
+  context.save();
+  context.translate(size.width / 2, size.height / 2);
+  context.scale(view.scale, -view.scale);
+  context.translate(-view.centre.x, -view.centre.y);
+  draw();
+  context.restore();
+}
+
+/** Runs `draw` at a place of the map, in pixels, with x along `yaw`. */
+function at(sheet: Sheet, place: Point, yaw: number, draw: () => void): void {
+  const { x, y } = sheet.view.toScreen(place, sheet.size);
+  sheet.context.save();
+  sheet.context.translate(x, y);
+  sheet.context.rotate(-yaw);
+  draw();
+  sheet.context.restore();
+}
+
+export function drawGrid(sheet: Sheet, grid: OccupancyGrid, picture: CanvasImageSource): void {
+  const { resolution, width, height, origin } = grid.info;
+  const { context } = sheet;
+  inMap(sheet, () => {
+    context.imageSmoothingEnabled = sheet.view.scale * resolution < 3;
+    context.translate(origin.position.x, origin.position.y + height * resolution);
+    context.scale(resolution, -resolution);
+    context.drawImage(picture, 0, 0, width, height);
+  });
+}
+
+export function drawTrail(sheet: Sheet, trail: TrailPaths<Path2D>): void {
+  const { context, theme, view } = sheet;
+  inMap(sheet, () => {
+    context.lineCap = "round";
+    context.lineJoin = "round";
+    trail.paths.forEach((path, index) => {
+      const paused = index % 2 === 1;
+      context.strokeStyle = theme.quality[Math.floor(index / 2)] ?? theme.muted;
+      context.lineWidth = (paused ? 3 : 5) / view.scale;
+      context.setLineDash(paused ? [2 / view.scale, 6 / view.scale] : []);
+      context.stroke(path);
+    });
+  });
+}
+
+/** The way ahead: dashed from the vehicle to the present waypoint and on. */
+export function drawRoute(sheet: Sheet, route: readonly RoutePoint[], from: Point | undefined): void {
+  const { context, theme } = sheet;
+  const ahead: Point[] = route.filter(({ state }) => state !== "passed");
+  const line = from === undefined || ahead.length === 0 ? ahead : [from, ...ahead];
+  drawLine(sheet, line, theme.goal, 2, [6, 5]);
+  for (const point of route) {
+    at(sheet, point, 0, () => {
+      const isPresent = point.state === "present";
+      context.beginPath();
+      context.arc(0, 0, isPresent ? 11 : 8.5, 0, tau);
+      context.fillStyle = isPresent ? theme.goal : theme.halo;
+      context.fill();
+      context.strokeStyle = point.state === "passed" ? theme.muted : theme.goal;
+      context.lineWidth = 2;
+      context.stroke();
+      const colour = isPresent ? theme.halo : point.state === "passed" ? theme.muted : theme.text;
+      drawLabel(context, String(point.number), isPresent ? 12 : 10, colour);
+    });
+  }
+}
+
+export function drawLine(sheet: Sheet, points: readonly Point[], colour: string, width: number, dash: number[]): void {
+  const { context, view, size } = sheet;
+  if (points.length < 2) return;
+  context.save();
+  context.beginPath();
+  for (const point of points) {
+    const { x, y } = view.toScreen(point, size);
+    context.lineTo(x, y);
+  }
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  context.setLineDash(dash);
+  context.stroke();
+  context.restore();
+}
+
+function drawLabel(context: CanvasRenderingContext2D, text: string, px: number, colour: string): void {
+  context.fillStyle = colour;
+  context.font = `600 ${px}px system-ui, sans-serif`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.fillText(text, 0, 0.5);
+}
+
+/** A place with a heading that is being chosen, or was. */
+export function drawGoal(sheet: Sheet, goal: Waypoint, label: string): void {
+  const { context, theme } = sheet;
+  at(sheet, goal, goal.yaw, () => {
+    context.lineWidth = 3;
+    context.strokeStyle = theme.halo;
+    arrow(context, 34);
+    context.stroke();
+    context.strokeStyle = theme.goal;
+    context.fillStyle = theme.goal;
+    context.lineWidth = 2;
+    arrow(context, 34);
+    context.stroke();
+    context.beginPath();
+    context.arc(0, 0, 10, 0, tau);
+    context.fill();
+  });
+  at(sheet, goal, 0, () => drawLabel(context, label, 11, theme.halo));
+}
+
+function arrow(context: CanvasRenderingContext2D, length: number): void {
+  context.beginPath();
+  context.moveTo(0, 0);
+  context.lineTo(length, 0);
+  context.moveTo(length - 8, -6);
+  context.lineTo(length, 0);
+  context.lineTo(length - 8, 6);
+}
+
+export function drawEllipse(sheet: Sheet, place: Point, ellipse: Ellipse): void {
+  const { context, theme, view } = sheet;
+  at(sheet, place, ellipse.angle, () => {
+    context.beginPath();
+    context.ellipse(0, 0, ellipse.major * view.scale, ellipse.minor * view.scale, 0, 0, tau);
+    context.globalAlpha = 0.18;
+    context.fillStyle = theme.accent;
+    context.fill();
+    context.globalAlpha = 0.6;
+    context.strokeStyle = theme.accent;
+    context.lineWidth = 1;
+    context.stroke();
+  });
+}
+
+/** Radius of the vehicle [m]; on the screen at least so many pixels. */
+const vehicleRadiusM = 0.18;
+const leastRadiusPx = 10;
+
+/** The vehicle; one that was not heard for `ghostAgeMs` as a ghost, with its age. */
+export function drawVehicle(sheet: Sheet, pose: Waypoint, ghostAgeMs: number | undefined): void {
+  const { context, theme, view } = sheet;
+  const radius = Math.max(leastRadiusPx, vehicleRadiusM * view.scale);
+  const isGhost = ghostAgeMs !== undefined;
+  at(sheet, pose, pose.yaw, () => {
+    context.beginPath();
+    context.moveTo(radius * 1.75, 0);
+    context.arc(0, 0, radius, 0.75, tau - 0.75);
+    context.closePath();
+    context.lineWidth = 2;
+    context.setLineDash(isGhost ? [4, 3] : []);
+    context.fillStyle = isGhost ? "transparent" : theme.accent;
+    context.strokeStyle = isGhost ? theme.bad : theme.halo;
+    context.fill();
+    context.stroke();
+  });
+  if (isGhost) drawNote(sheet, pose, radius, `last seen ${ageText(ghostAgeMs)} ago`);
+}
+
+function drawNote(sheet: Sheet, place: Point, radius: number, text: string): void {
+  const { context, theme } = sheet;
+  at(sheet, place, 0, () => {
+    context.font = "600 12px system-ui, sans-serif";
+    context.textAlign = "center";
+    context.textBaseline = "top";
+    const width = context.measureText(text).width + 12;
+    context.fillStyle = theme.halo;
+    context.globalAlpha = 0.85;
+    context.fillRect(-width / 2, radius + 5, width, 19);
+    context.globalAlpha = 1;
+    context.fillStyle = theme.bad;
+    context.fillText(text, 0, radius + 8);
+  });
+}
+
+const niceLengthsM = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
+
+/** The longest nice length that fits in 110 px. */
+export const scaleLengthM = (scale: number): number =>
+  niceLengthsM.filter((metres) => metres * scale <= 110).at(-1) ?? 0.1;
+
+export function drawScale({ context, view, size, theme }: Sheet): void {
+  const metres = scaleLengthM(view.scale);
+  const width = metres * view.scale;
+  const [x, y] = [size.width - width - 14, size.height - 14];
+  context.strokeStyle = theme.text;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.moveTo(x, y - 5);
+  context.lineTo(x, y);
+  context.lineTo(x + width, y);
+  context.lineTo(x + width, y - 5);
+  context.stroke();
+  context.fillStyle = theme.text;
+  context.font = "11px system-ui, sans-serif";
+  context.textAlign = "center";
+  context.textBaseline = "bottom";
+  context.fillText(`${metres} m`, x + width / 2, y - 5);
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { OccupancyGrid } from "../model/messages.ts";
+import type { Bounds } from "./viewport.ts";
+
+export type Rgba = readonly [number, number, number, number];
+
+/** How cells are painted. */
+export interface GridColours {
+  readonly free: Rgba;
+  readonly occupied: Rgba;
+  readonly unknown: Rgba;
+}
+
+/** The walls of a building begin at this occupancy [%]. */
+const occupiedFrom = 65;
+
+/** Pixels of a map, the row with the greatest y first; 4 bytes each. */
+export function gridPixels(grid: OccupancyGrid, colours: GridColours): Uint8ClampedArray<ArrayBuffer> {
+  const { width, height } = grid.info;
+  const pixels = new Uint8ClampedArray(4 * width * height);
+  for (let row = 0; row < height; ++row) {
+    for (let column = 0; column < width; ++column) {
+      const cell = grid.data[row * width + column] ?? -1;
+      const colour = cell < 0 ? colours.unknown : cell >= occupiedFrom ? colours.occupied : colours.free;
+      pixels.set(colour, 4 * ((height - 1 - row) * width + column));
+    }
+  }
+  return pixels;
+}
+
+/** The part of the map that is not unknown; undefined when all of it is. Without rotation of the origin. */
+export function knownBounds(grid: OccupancyGrid): Bounds | undefined {
+  const { width, height, resolution, origin } = grid.info;
+  let [left, right, bottom, top] = [width, -1, height, -1];
+  for (let index = 0; index < width * height; ++index) {
+    if ((grid.data[index] ?? -1) < 0) continue;
+    const [column, row] = [index % width, Math.floor(index / width)];
+    left = Math.min(left, column);
+    right = Math.max(right, column);
+    bottom = Math.min(bottom, row);
+    top = Math.max(top, row);
+  }
+  if (right < left) return undefined;
+  const { x, y } = origin.position;
+  return {
+    min: { x: x + left * resolution, y: y + bottom * resolution },
+    max: { x: x + (right + 1) * resolution, y: y + (top + 1) * resolution },
+  };
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Goal, NavigationStatus, Waypoint } from "./messages.ts";
+
+export type WaypointState = "passed" | "present" | "ahead";
+
+export interface RoutePoint extends Waypoint {
+  /** From 1, as people count. */
+  readonly number: number;
+  readonly state: WaypointState;
+}
+
+/** The waypoints of the mission that is driven, as its goals tell them one after the other. */
+export class Route {
+  #mission: bigint | undefined;
+  #waypoints = new Map<number, Waypoint>();
+  #present = 0;
+  #firstId = 0n;
+
+  onGoal(goal: Goal): void {
+    // The lower half of a mission's identity is a checksum of its waypoints: the same way.
+    if (this.#mission === undefined || low(this.#mission) !== low(goal.mission)) this.#waypoints.clear();
+    this.#mission = goal.mission;
+    this.#firstId = goal.id - BigInt(goal.waypoint);
+    this.#present = goal.waypoint;
+    this.#waypoints.set(goal.waypoint, goal);
+    goal.ahead.forEach((one, index) => this.#waypoints.set(goal.waypoint + 1 + index, one));
+  }
+
+  /** The vehicle may have gone on by itself. */
+  onStatus(status: NavigationStatus): void {
+    if (status.mission !== this.#mission || status.goal_id < this.#firstId) return;
+    const told = Number(status.goal_id - this.#firstId);
+    if (!this.#waypoints.has(told)) return;
+    this.#present = status.state === "reached" && !this.#waypoints.has(told + 1) ? told + 1 : told;
+  }
+
+  points(): RoutePoint[] {
+    return [...this.#waypoints]
+      .sort(([a], [b]) => a - b)
+      .map(([index, { x, y, yaw }]) => ({
+        x,
+        y,
+        yaw,
+        number: index + 1,
+        state: index < this.#present ? "passed" : index === this.#present ? "present" : "ahead",
+      }));
+  }
+}
+
+const low = (mission: bigint): bigint => mission & 0xffffffffn;

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// The thin shell around the model and the orders: what comes in goes to them, what is due goes out.
+import type { IWebSocket } from "@foxglove/ws-protocol";
+
+import type { Point } from "./model/geometry.ts";
+import { type Stamp, type Topic, type Topics, type Waypoint, isTopicRead, topicsRead } from "./model/messages.ts";
+import { Station } from "./model/station.ts";
+import { type DriveConditions, DriverSeat, whyNotDrive } from "./orders/driver_seat.ts";
+import { EmergencyStopOrder, type StopHeard } from "./orders/emergency_stop.ts";
+import { MissionOrder, leads } from "./orders/mission_order.ts";
+import { OperatorGoal } from "./orders/operator_goal.ts";
+import { type Speeds, keysVelocity, padVelocity, speedChoices, stickVelocity } from "./orders/stick.ts";
+import { TeleopSender, type Velocity } from "./orders/teleop_sender.ts";
+import { Connection, type ServerInfo } from "./protocol/connection.ts";
+import { emergencyStopRequest, goal, missionCommand, teleopVelocity } from "./protocol/published.ts";
+
+const random64 = (): bigint => crypto.getRandomValues(new BigUint64Array(1))[0] ?? 1n;
+const stampNow = (): Stamp => {
+  const ms = Date.now();
+  return { sec: Math.floor(ms / 1000), nanosec: (ms % 1000) * 1_000_000 };
+};
+
+/** The time of the page [ms]: never goes back. */
+export const pageNow = (): number => performance.timeOrigin + performance.now();
+
+export class Operator {
+  readonly station = new Station();
+  readonly connection: Connection;
+  readonly stop = new EmergencyStopOrder();
+  readonly goal = new OperatorGoal(random64);
+  readonly missionOrder = new MissionOrder();
+  readonly seat = new DriverSeat(`page_${random64().toString(36).slice(0, 4)}`);
+  server: ServerInfo | undefined;
+  /** Messages that came; whoever draws compares it. */
+  version = 0;
+  /** Places that are being chosen on the map; undefined: none. */
+  draft: Waypoint[] | undefined;
+  bySight = false;
+  speeds: Speeds = speedChoices[1] ?? { linear: 0.2, angular: 0.7 };
+  /** Keys that are held while the seat is taken, and the finger on the touch stick. */
+  readonly heldKeys = new Set<string>();
+  touch: Point | undefined;
+  hands: "keys" | "touch" | "gamepad" = "keys";
+  #sender = new TeleopSender();
+  #waiting: readonly Waypoint[] | undefined;
+
+  constructor(url: string) {
+    this.connection = new Connection({
+      url,
+      topics: topicsRead,
+      onMessage: (topic, message) => this.#onMessage(topic, message),
+      onServer: (server) => (this.server = server),
+      onTrouble: (text) => this.#say("warning", "server", text),
+      now: pageNow,
+      openSocket: (address, subprotocols) => new WebSocket(address, subprotocols) as unknown as IWebSocket,
+    });
+  }
+
+  /** To be called 20 times a second. */
+  tick(now: number): void {
+    this.connection.tick();
+    this.#tickStop(now);
+    this.#tickMission(now);
+    this.#tickDriving(now);
+  }
+
+  stopHeard(): StopHeard {
+    const { station } = this;
+    return {
+      station: station.stop?.value,
+      safety: station.safety,
+      vehicleHeard: station.vehicleHeard,
+      connected: this.connection.state.phase === "open",
+    };
+  }
+
+  driveConditions(now: number): DriveConditions {
+    const { station } = this;
+    const age = (at: number | undefined): number | undefined => (at === undefined ? at : now - at);
+    return {
+      connected: this.connection.state.phase === "open",
+      vehicleAge: age(station.vehicleHeard),
+      cameraAge: age(station.image?.at),
+      bySight: this.bySight,
+      stopped: station.safety?.value.emergency_stop ?? false,
+    };
+  }
+
+  /** Drive there; mission_control pauses first, so that two do not lead. */
+  driveTo(poses: readonly Waypoint[], now: number): void {
+    this.#waiting = poses;
+    this.draft = undefined;
+    if (leads(this.station.mission?.value)) this.missionOrder.pause(now);
+  }
+
+  /** mission_control holds the vehicle where it is. */
+  pauseMission(now: number): void {
+    this.missionOrder.pause(now);
+  }
+
+  /** The mission goes on with the waypoint where it was paused. */
+  resumeMission(now: number): void {
+    this.#waiting = undefined;
+    this.goal.clear();
+    this.missionOrder.resume(now);
+  }
+
+  skipWaypoint(now: number): void {
+    const mission = this.station.mission?.value;
+    if (mission !== undefined) this.missionOrder.skip(mission.waypoint, now);
+  }
+
+  /** What the hands want now. */
+  #handsWant(): Velocity {
+    const pads = navigator.getGamepads?.() ?? [];
+    for (const pad of pads) {
+      const velocity = pad ? padVelocity(pad, this.speeds) : undefined;
+      if (velocity === undefined) continue;
+      this.hands = "gamepad";
+      return velocity;
+    }
+    this.hands = this.touch === undefined ? "keys" : "touch";
+    if (this.touch !== undefined) return stickVelocity(this.touch.x, this.touch.y, this.speeds);
+    return keysVelocity(this.heldKeys, this.speeds);
+  }
+
+  #tickStop(now: number): void {
+    const wanted = this.stop.due(this.stopHeard(), now);
+    if (wanted === undefined) return;
+    if (!this.connection.publish(emergencyStopRequest, { data: wanted })) this.stop.notSent();
+  }
+
+  #tickMission(now: number): void {
+    const words = this.missionOrder.due(this.station.mission?.value, now);
+    if (words !== undefined) this.connection.publish(missionCommand, { data: words });
+    if (this.missionOrder.unheeded) this.#notHeeded();
+    if (this.#waiting !== undefined && !this.missionOrder.pending) {
+      this.goal.set(this.#waiting);
+      this.#waiting = undefined;
+    }
+    const due = this.goal.due(now);
+    if (due === undefined) return;
+    if (!this.connection.publish(goal, { ...due, stamp: stampNow() })) this.goal.notSent();
+  }
+
+  #tickDriving(now: number): void {
+    const refused = whyNotDrive(this.driveConditions(now)) !== undefined;
+    this.#sender.hold(this.seat.heed(this.#handsWant(), refused));
+    const velocity = this.#sender.update(now);
+    if (velocity === undefined) return;
+    this.connection.publish(teleopVelocity, {
+      header: { stamp: stampNow(), frame_id: this.seat.device },
+      twist: {
+        linear: { x: velocity.linear, y: 0, z: 0 },
+        angular: { x: 0, y: 0, z: velocity.angular },
+      },
+    });
+  }
+
+  #onMessage(topic: string, message: unknown): void {
+    if (!isTopicRead(topic)) return;
+    const now = pageNow();
+    this.station.onMessage(topic, message as Topics[Topic], now);
+    ++this.version;
+    if (topic === "navigation_status") this.goal.onStatus(message as Topics["navigation_status"]);
+    const { manual } = this.station;
+    if (topic === "teleop/cmd_vel" && manual) this.seat.onCommand(manual.value.device, manual.value.moves, now);
+  }
+
+  /** A goal beside a mission_control that leads would be taken back at once: it is not sent. */
+  #notHeeded(): void {
+    this.missionOrder.unheeded = false;
+    this.#waiting = undefined;
+    this.#say("error", "mission", "mission_control has not done what was asked");
+  }
+
+  #say(severity: "info" | "warning" | "error", source: string, text: string): void {
+    this.station.journal.add({ at: pageNow(), severity, source, text });
+  }
+}

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// The connection to the station's server: comes back by itself, with all subscriptions, and finds
+// out by silence when the other end is gone without a word (browsers cannot ping).
+import { type Channel, FoxgloveClient, type IWebSocket } from "@foxglove/ws-protocol";
+
+import { type Decode, type Encode, decoderOf, encoderOf } from "./codec.ts";
+import { type Published, allPublished } from "./published.ts";
+import { plainTopic } from "./topic_name.ts";
+
+/** Both names of the protocol; the server chooses. */
+export const subprotocols = ["foxglove.sdk.v1", "foxglove.websocket.v1"];
+/** Containers of the station tell their state each second, so that silence is a dead connection. */
+export const silenceLimitMs = 5000;
+const retryDelaysMs = [300, 600, 1200, 2500];
+
+export type Phase = "connecting" | "open" | "lost";
+
+/** How the connection stands. */
+export interface ConnectionState {
+  readonly phase: Phase;
+  /** Since when, in the time of `now`. */
+  readonly since: number;
+  readonly tries: number;
+  /** Why it was lost, for people. */
+  readonly reason: string;
+}
+
+/** A server with what it said of itself. */
+export interface ServerInfo {
+  readonly name: string;
+  readonly metadata: Readonly<Record<string, string>>;
+}
+
+export interface ConnectionOptions {
+  readonly url: string;
+  /** Topics to subscribe to, without the leading slash. */
+  readonly topics: ReadonlySet<string>;
+  /** A message; `logTimeMs`: when the server got it, by its clock [ms]. */
+  readonly onMessage: (topic: string, message: unknown, logTimeMs: number) => void;
+  readonly onServer: (server: ServerInfo) => void;
+  /** What the server or a broken message has to say. */
+  readonly onTrouble: (text: string) => void;
+  readonly now: () => number;
+  readonly openSocket: (url: string, subprotocols: string[]) => IWebSocket;
+}
+
+interface Subscription {
+  readonly topic: string;
+  readonly channel: number;
+  readonly decode: Decode;
+}
+
+export class Connection {
+  state: ConnectionState;
+  /** Topics that the server offers now. */
+  readonly offered = new Set<string>();
+  #client: FoxgloveClient | undefined;
+  #subscriptions = new Map<number, Subscription>();
+  #channels = new Map<string, number>();
+  #encoders = new Map<string, Encode>();
+  #heard = 0;
+  #retryAt = 0;
+  #paused = new Set<string>();
+  #known = new Map<string, Channel>();
+
+  constructor(private readonly options: ConnectionOptions) {
+    this.state = { phase: "connecting", since: options.now(), tries: 0, reason: "" };
+    this.#open();
+  }
+
+  /** To be called a few times a second: closes what is silent, opens what is due. */
+  tick(): void {
+    const now = this.options.now();
+    const waits = this.state.phase !== "lost";
+    if (waits && now - this.#heard > silenceLimitMs) this.#lose("the server says nothing");
+    if (this.state.phase === "lost" && now >= this.#retryAt) this.#open();
+  }
+
+  /** False when it could not be sent. */
+  publish(what: Published, message: unknown): boolean {
+    const channel = this.#channels.get(what.topic);
+    if (this.#client === undefined || this.state.phase !== "open" || channel === undefined) return false;
+    let encode = this.#encoders.get(what.topic);
+    if (encode === undefined) this.#encoders.set(what.topic, (encode = encoderOf(what.text)));
+    try {
+      this.#client.sendMessage(channel, encode(message));
+      return true;
+    } catch (error) {
+      this.options.onTrouble(`${what.topic} was not sent: ${String(error)}`);
+      return false;
+    }
+  }
+
+  /** A topic that nobody looks at need not come. */
+  want(topic: string, wanted: boolean): void {
+    if (wanted !== this.#paused.has(topic)) return;
+    if (wanted) this.#paused.delete(topic);
+    else this.#paused.add(topic);
+    const known = this.#known.get(topic);
+    if (known === undefined || this.#client === undefined) return;
+    if (wanted) this.#subscribe([known]);
+    else this.#unsubscribe(known.id);
+  }
+
+  #open(): void {
+    const { options } = this;
+    const tries = this.state.tries + 1;
+    this.state = { ...this.state, phase: "connecting", tries };
+    this.#heard = options.now();
+    let socket: IWebSocket;
+    try {
+      socket = options.openSocket(options.url, subprotocols);
+    } catch (error) {
+      this.#lose(String(error));
+      return;
+    }
+    const client = new FoxgloveClient({ ws: socket });
+    this.#client = client;
+    const mine = <Arguments extends unknown[]>(handle: (...args: Arguments) => void) => {
+      return (...args: Arguments): void => {
+        if (this.#client !== client) return; // of a connection that was given up
+        this.#heard = options.now();
+        handle(...args);
+      };
+    };
+    client.on("open", mine(() => this.#opened()));
+    client.on("serverInfo", mine((info) => {
+      options.onServer({ name: info.name, metadata: info.metadata ?? {} });
+    }));
+    client.on("status", mine((status) => options.onTrouble(status.message)));
+    client.on("advertise", mine((channels) => this.#subscribe(channels)));
+    client.on("unadvertise", mine((ids) => ids.forEach((id) => this.#unadvertised(id))));
+    client.on("time", mine(() => undefined));
+    client.on("message", mine(({ subscriptionId, timestamp, data }) => {
+      this.#message(subscriptionId, Number(timestamp / 1000n) / 1000, data);
+    }));
+    client.on("error", mine(() => undefined)); // a close follows
+    client.on("close", mine((event) => this.#lose(closeReason(event))));
+  }
+
+  #opened(): void {
+    this.state = { phase: "open", since: this.options.now(), tries: 0, reason: "" };
+    for (const { topic, schemaName } of allPublished) {
+      const id = this.#client?.advertise({ topic: `/${topic}`, schemaName, encoding: "cdr" });
+      if (id !== undefined) this.#channels.set(topic, id);
+    }
+  }
+
+  #subscribe(channels: Channel[]): void {
+    for (const channel of channels) {
+      const topic = plainTopic(channel.topic);
+      this.offered.add(topic);
+      if (!this.options.topics.has(topic) || channel.encoding !== "cdr") continue;
+      this.#known.set(topic, channel);
+      if (this.#paused.has(topic)) continue;
+      const decode = this.#decoder(channel);
+      if (decode === undefined || this.#client === undefined) continue;
+      const id = this.#client.subscribe(channel.id);
+      this.#subscriptions.set(id, { topic, channel: channel.id, decode });
+    }
+  }
+
+  #decoder(channel: Channel): Decode | undefined {
+    const encoding = channel.schemaEncoding ?? "ros2msg";
+    try {
+      const decode = decoderOf({ name: channel.schemaName, encoding, text: channel.schema });
+      if (!decode) this.options.onTrouble(`${channel.topic}: schemas in ${encoding} are not read here`);
+      return decode;
+    } catch (error) {
+      this.options.onTrouble(`${channel.topic}: its schema cannot be read: ${String(error)}`);
+      return undefined;
+    }
+  }
+
+  #unsubscribe(channel: number): void {
+    for (const [id, subscription] of this.#subscriptions) {
+      if (subscription.channel !== channel) continue;
+      this.#subscriptions.delete(id);
+      this.#client?.unsubscribe(id);
+    }
+  }
+
+  #unadvertised(channel: number): void {
+    for (const [id, subscription] of this.#subscriptions) {
+      if (subscription.channel === channel) this.#subscriptions.delete(id);
+    }
+    for (const [topic, known] of this.#known) {
+      if (known.id !== channel) continue;
+      this.#known.delete(topic);
+      this.offered.delete(topic);
+    }
+  }
+
+  #message(subscription: number, logTimeMs: number, data: ArrayBufferView): void {
+    const found = this.#subscriptions.get(subscription);
+    if (found === undefined) return; // unsubscribed while it was on its way
+    let message: unknown;
+    try {
+      message = found.decode(data);
+    } catch (error) {
+      this.options.onTrouble(`${found.topic}: a message cannot be read: ${String(error)}`);
+      return;
+    }
+    this.options.onMessage(found.topic, message, logTimeMs);
+  }
+
+  #lose(reason: string): void {
+    const now = this.options.now();
+    const { phase, tries } = this.state;
+    const wasOpen = phase === "open";
+    const delay = retryDelaysMs[Math.min(tries, retryDelaysMs.length) - 1] ?? retryDelaysMs[0] ?? 0;
+    this.#retryAt = now + delay;
+    this.state = { phase: "lost", since: wasOpen ? now : this.state.since, tries, reason };
+    const client = this.#client;
+    this.#client = undefined;
+    this.#subscriptions.clear();
+    this.#channels.clear();
+    this.#known.clear();
+    this.offered.clear();
+    client?.close();
+  }
+}
+
+function closeReason(event: unknown): string {
+  const { code, reason } = event as { code?: number; reason?: string };
+  if (reason) return reason;
+  if (code === 1006) return "no server answers";
+  return `closed with code ${String(code)}`;
+}

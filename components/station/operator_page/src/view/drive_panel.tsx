@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { TargetedPointerEvent } from "preact";
+import { useState } from "preact/hooks";
+
+import { type Operator, pageNow } from "../operator.ts";
+import { whyNotDrive } from "../orders/driver_seat.ts";
+import { speedChoices } from "../orders/stick.ts";
+import { Panel } from "./parts.tsx";
+
+/** Driving by hand: who drives, why not, how fast, and the stick for a finger. */
+export function DrivePanel({ operator, now }: { operator: Operator; now: number }) {
+  const { seat } = operator;
+  const [, redraw] = useState(0);
+  const change = (act: () => void) => (): void => {
+    act();
+    redraw((count) => count + 1);
+  };
+  const other = seat.other(now);
+  const take = change(() => (seat.taken ? seat.leave() : seat.take(pageNow())));
+  return (
+    <Panel name="drive" title="Drive by hand">
+      <div class="drive-body">
+        <div class="drive-words">
+          <p class={`seat ${seatState(operator, now).kind}`} role="status">{seatState(operator, now).text}</p>
+          <button type="button" class={seat.taken ? "" : "go"} aria-pressed={seat.taken} disabled={other !== undefined}
+            title="Manual driving (M)" onClick={take}>
+            {seat.taken ? "Let go" : "Take the stick"} <kbd>M</kbd>
+          </button>
+          <label>
+            <input
+              type="checkbox"
+              checked={operator.bySight}
+              onChange={change(() => (operator.bySight = !operator.bySight))}
+            />
+            I see the vehicle myself
+          </label>
+          <div class="speeds" role="group" aria-label="Top speed">
+            {speedChoices.map((speeds) => (
+              <button
+                type="button"
+                key={speeds.linear}
+                aria-pressed={speeds === operator.speeds}
+                onClick={change(() => (operator.speeds = speeds))}
+              >
+                {speeds.linear.toFixed(1)}
+              </button>
+            ))}
+            <span class="muted">m/s</span>
+          </div>
+        </div>
+        <Stick operator={operator} />
+      </div>
+    </Panel>
+  );
+}
+
+function seatState(operator: Operator, now: number): { kind: "idle" | "ready" | "refused"; text: string } {
+  const { seat } = operator;
+  const refusal = whyNotDrive(operator.driveConditions(now));
+  const other = seat.other(now);
+  if (!seat.taken && other) return { kind: "refused", text: `${other} drives; the stick is free 1 s after that ends.` };
+  if (!seat.taken && seat.lostTo) return { kind: "refused", text: `Taken over by ${seat.lostTo}.` };
+  if (refusal) return { kind: "refused", text: `Not by hand now: ${refusal}.` };
+  if (!seat.taken) return { kind: "idle", text: "Take the stick, then hold keys, stick or a pad's shoulder button." };
+  if (seat.waitsForRest) return { kind: "refused", text: "Let go of keys and stick first." };
+  return { kind: "ready", text: "You drive: W A S D, arrows, stick or gamepad. Letting go stops." };
+}
+
+/** A stick for a finger or a mouse: touching it is the dead-man switch. */
+function Stick({ operator }: { operator: Operator }) {
+  const [knob, setKnob] = useState({ x: 0, y: 0 });
+  const hold = (event: TargetedPointerEvent<HTMLDivElement>): void => {
+    if (event.type === "pointerdown") event.currentTarget.setPointerCapture(event.pointerId);
+    else if (!event.currentTarget.hasPointerCapture(event.pointerId)) return;
+    const box = event.currentTarget.getBoundingClientRect();
+    const x = (2 * (event.clientX - box.left)) / box.width - 1;
+    const y = 1 - (2 * (event.clientY - box.top)) / box.height;
+    const length = Math.max(1, Math.hypot(x, y));
+    operator.touch = { x: x / length, y: y / length };
+    setKnob(operator.touch);
+  };
+  const letGo = (): void => {
+    operator.touch = undefined;
+    setKnob({ x: 0, y: 0 });
+  };
+  return (
+    <div
+      class={`stick${operator.seat.taken ? " taken" : ""}`}
+      aria-label="Stick: forward and back, left and right"
+      onPointerDown={hold}
+      onPointerMove={hold}
+      onPointerUp={letGo}
+      onPointerCancel={letGo}
+      onLostPointerCapture={letGo}
+      onContextMenu={(event) => event.preventDefault()}
+    >
+      <i style={`left: ${50 + 34 * knob.x}%; top: ${50 - 34 * knob.y}%`} />
+    </div>
+  );
+}

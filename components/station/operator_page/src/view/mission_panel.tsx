@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { MissionStatus } from "../model/messages.ts";
+import { type Operator, pageNow } from "../operator.ts";
+import { leads } from "../orders/mission_order.ts";
+import { Panel, Value, number } from "./parts.tsx";
+
+/** How far the mission is, and who leads it: mission_control, or the operator's own goal. */
+export function MissionPanel({ operator, now }: { operator: Operator; now: number }) {
+  const { station, goal } = operator;
+  const state = station.mission?.value.state;
+  const runs = leads(station.mission?.value);
+  return (
+    <Panel name="mission" title="Mission">
+      <dl class="values">
+        <Value label="Mission" heard={station.mission} now={now} bad={({ state }) => state === "aborted"}
+          show={({ mission, state }) => `${mission}: ${state}`} />
+        <Value label="Waypoint" heard={station.mission} now={now} show={waypointText} />
+        <Value label="Time" heard={station.mission} now={now} show={({ elapsed_s }) => minutes(elapsed_s)} />
+        <Value label="Vehicle" heard={station.navigation} now={now} bad={({ state }) => state === "blocked"}
+          show={({ state }) => state} />
+        <Value label="To go" heard={station.navigation} now={now} show={({ distance_m }) => number(distance_m, 1, "m")} />
+        <Value label="At" heard={station.location} now={now}
+          show={({ x, y }) => `${x.toFixed(2)}, ${y.toFixed(2)}\u202fm`} />
+      </dl>
+      {station.mission && <Progress mission={station.mission.value} />}
+      {goal.phase !== "none" && <p class="operator-goal">Your goal: {goal.phase}</p>}
+      <div class="buttons">
+        <button type="button" disabled={!runs} onClick={() => operator.pauseMission(pageNow())}>Pause</button>
+        <button type="button" class={state === "paused" ? "go" : ""} disabled={state !== "paused"}
+          onClick={() => operator.resumeMission(pageNow())}>
+          Resume
+        </button>
+        <button type="button" disabled={!runs} title="Leave out the present waypoint"
+          onClick={() => operator.skipWaypoint(pageNow())}>
+          Skip waypoint
+        </button>
+      </div>
+    </Panel>
+  );
+}
+
+function Progress({ mission }: { mission: MissionStatus }) {
+  const done = mission.state === "done" ? mission.waypoints : mission.waypoint;
+  return <progress value={done} max={Math.max(1, mission.waypoints)} aria-label="Waypoints passed" />;
+}
+
+const waypointText = ({ waypoint, waypoints }: MissionStatus): string =>
+  `${Math.min(waypoint + 1, waypoints)} of ${waypoints}`;
+
+function minutes(seconds: number): string {
+  if (!(seconds >= 0)) return "–";
+  return `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}\u202fmin`;
+}

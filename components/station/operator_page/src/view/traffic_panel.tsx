@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+import { ageText, freshness } from "../model/freshness.ts";
+import type { ClassRow } from "../model/link_classes.ts";
+import type { Side } from "../model/station.ts";
+import type { TrafficRow } from "../model/traffic.ts";
+import type { Operator } from "../operator.ts";
+import { Age, Panel, count, number } from "./parts.tsx";
+
+/** What crosses the link: by class as the routers count it, by topic as it comes here. */
+export function TrafficPanel({ operator, now }: { operator: Operator; now: number }) {
+  const { uxv, gcs, traffic } = operator.station;
+  return (
+    <Panel name="traffic" title="Classes and topics">
+      <div class="scroll">
+        <ClassTable name="Uplink, by class" side={uxv} now={now} />
+        <ClassTable name="Downlink, by class" side={gcs} now={now} />
+        <TopicTable rows={traffic.rows(now)} />
+      </div>
+    </Panel>
+  );
+}
+
+function ClassTable({ name, side, now }: { name: string; side: Side; now: number }) {
+  return (
+    <table class={freshness(side.link?.at, now)}>
+      <thead>
+        <tr>
+          <th scope="col">{name}<Age at={side.link?.at} now={now} /></th>
+          <th scope="col">a second</th>
+          <th scope="col">kB/s</th>
+          <th scope="col">delivered</th>
+          <th scope="col">late</th>
+          <th scope="col">lost</th>
+          <th scope="col">repaired</th>
+          <th scope="col">paused</th>
+          <th scope="col" title="thinned, superseded, expired, overflow">not sent</th>
+        </tr>
+      </thead>
+      <tbody>
+        {side.classes.rows().map((row) => <ClassLine key={row.name} row={row} />)}
+        {side.classes.rows().length === 0 && <tr><td colSpan={9} class="muted">no router heard yet</td></tr>}
+      </tbody>
+    </table>
+  );
+}
+
+function ClassLine({ row }: { row: ClassRow }) {
+  return (
+    <tr>
+      <th scope="row">{row.name}</th>
+      <td>{number(row.deliveredHz, 1)}</td>
+      <td>{number(row.bytesPerS === undefined ? undefined : row.bytesPerS / 1000, 1)}</td>
+      <td>{count(row.delivered)}</td>
+      <td>{count(row.late)}</td>
+      <td class={row.lost > 0 ? "notable" : ""}>{count(row.lost)}</td>
+      <td>{count(row.repaired)}</td>
+      <td class={row.paused > 0 ? "notable" : ""}>{count(row.paused)}</td>
+      <td>{count(row.otherDropped)}</td>
+    </tr>
+  );
+}
+
+function TopicTable({ rows }: { rows: readonly TrafficRow[] }) {
+  return (
+    <table>
+      <thead>
+        <tr>
+          <th scope="col">From the vehicle, by topic</th>
+          <th scope="col">class</th>
+          <th scope="col">a second</th>
+          <th scope="col">age</th>
+          <th scope="col">here of sent</th>
+          <th scope="col">gate</th>
+          <th scope="col">dropped</th>
+        </tr>
+      </thead>
+      <tbody>
+        {rows.map((row) => <TopicLine key={row.topic} row={row} />)}
+        {rows.length === 0 && <tr><td colSpan={7} class="muted">no report yet</td></tr>}
+      </tbody>
+    </table>
+  );
+}
+
+function TopicLine({ row }: { row: TrafficRow }) {
+  const isOld = row.ageMs === undefined || freshness(-row.ageMs, 0) !== "fresh";
+  return (
+    <tr class={isOld ? "stale" : ""}>
+      <th scope="row">{row.topic}</th>
+      <td>{row.trafficClass}</td>
+      <td>{number(row.rateHz, 1)}</td>
+      <td>{row.ageMs === undefined ? "–" : ageText(row.ageMs)}</td>
+      <td>{count(row.received)} of {count(row.sent)}</td>
+      <td>{row.paused ? <b class="passive">PAUSED</b> : "open"}</td>
+      <td>{count(row.dropped)}</td>
+    </tr>
+  );
+}

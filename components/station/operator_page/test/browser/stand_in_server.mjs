@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+// In place of operator_server, for tests and for work on the page: serves the page's files and plays
+// a bag as if it happened now. Obeys the emergency stop and mission/command.
+// usage: node stand_in_server.mjs --page FOLDER --bag FILE.mcap [--port 8765] [--from SECONDS] [--map FILE.yaml FILE.pgm]
+import fs from "node:fs";
+import http from "node:http";
+import path from "node:path";
+
+import { parse } from "@foxglove/rosmsg";
+import { MessageReader, MessageWriter } from "@foxglove/rosmsg2-serialization";
+import protocol from "@foxglove/ws-protocol";
+import { McapIndexedReader } from "@mcap/core";
+import { loadDecompressHandlers } from "@mcap/support";
+import { WebSocketServer } from "ws";
+
+const { FoxgloveServer, ServerCapability } = protocol;
+const separator = `\n${"=".repeat(80)}\n`;
+const gridText = [
+  "std_msgs/Header header\nnav_msgs/MapMetaData info\nint8[] data",
+  "MSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id",
+  "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec",
+  "MSG: nav_msgs/MapMetaData\nbuiltin_interfaces/Time map_load_time\nfloat32 resolution\nuint32 width\n" +
+    "uint32 height\ngeometry_msgs/Pose origin",
+  "MSG: geometry_msgs/Pose\ngeometry_msgs/Point position\ngeometry_msgs/Quaternion orientation",
+  "MSG: geometry_msgs/Point\nfloat64 x\nfloat64 y\nfloat64 z",
+  "MSG: geometry_msgs/Quaternion\nfloat64 x\nfloat64 y\nfloat64 z\nfloat64 w",
+].join(separator);
+const stopStateText =
+  "builtin_interfaces/Time stamp\nstring asked\nstring vehicle\nstring[] stopped_by" +
+  `${separator}MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec`;
+const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".css": "text/css" };
+
+/** All messages of a bag in order, and its channels by topic. */
+async function readBag(file) {
+  const bytes = fs.readFileSync(file);
+  const reader = await McapIndexedReader.Initialize({
+    readable: {
+      size: async () => BigInt(bytes.length),
+      read: async (offset, size) => bytes.subarray(Number(offset), Number(offset + size)),
+    },
+    decompressHandlers: await loadDecompressHandlers(),
+  });
+  const channels = new Map();
+  for (const channel of reader.channelsById.values()) {
+    const schema = reader.schemasById.get(channel.schemaId);
+    channels.set(channel.topic, {
+      topic: channel.topic,
+      encoding: "cdr",
+      schemaName: schema.name,
+      schemaEncoding: schema.encoding,
+      schema: new TextDecoder().decode(schema.data),
+    });
+  }
+  const messages = [];
+  for await (const message of reader.readMessages()) {
+    const { topic } = reader.channelsById.get(message.channelId);
+    messages.push({ topic, at: Number(message.logTime / 1000n) / 1000, data: message.data });
+  }
+  return { channels, messages };
+}
+
+/** A map of map_server: the image's rows from above are the grid's from below. */
+function readMap(image) {
+  const bytes = fs.readFileSync(image);
+  const head = /^P5\s+(?:#.*\n)*(\d+)\s+(\d+)\s+(\d+)\s/.exec(bytes.subarray(0, 200).toString("latin1"));
+  const [width, height] = [Number(head[1]), Number(head[2])];
+  const pixels = bytes.subarray(head[0].length);
+  const data = new Int8Array(width * height);
+  for (let row = 0; row < height; ++row) {
+    for (let column = 0; column < width; ++column) {
+      const grey = pixels[(height - 1 - row) * width + column];
+      data[row * width + column] = grey > 250 ? 0 : grey < 50 ? 100 : -1;
+    }
+  }
+  return { width, height, data };
+}
+
+const stamp = () => ({ sec: Math.floor(Date.now() / 1000), nanosec: 0 });
+const nowNs = () => BigInt(Date.now()) * 1_000_000n;
+
+/** Starts it. `commands`: what clients have published, as { topic, at, message }. */
+export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
+  const { channels, messages } = await readBag(bag);
+  const files = http.createServer((request, response) => {
+    const name = new URL(request.url, "http://x").pathname.replace(/^\/$/, "/index.html");
+    const file = path.join(page, path.normalize(name));
+    if (!fs.existsSync(file)) return response.writeHead(404).end();
+    response.writeHead(200, {
+      "content-type": types[path.extname(file)] ?? "application/octet-stream",
+      "content-security-policy":
+        "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; connect-src 'self' ws: wss:; frame-ancestors 'none'",
+    });
+    fs.createReadStream(file).pipe(response);
+    return undefined;
+  });
+  const server = new FoxgloveServer({
+    name: "stand-in",
+    capabilities: [ServerCapability.clientPublish, ServerCapability.time],
+    supportedEncodings: ["cdr"],
+    metadata: { tocsin: "0.1.0", host: "gcs" },
+  });
+  const ids = new Map();
+  for (const channel of channels.values()) ids.set(channel.topic, server.addChannel(channel));
+  const writers = new Map();
+  const addOwn = (topic, schemaName, schema) => {
+    ids.set(topic, server.addChannel({ topic, encoding: "cdr", schemaName, schemaEncoding: "ros2msg", schema }));
+    writers.set(topic, new MessageWriter(parse(schema, { ros2: true })));
+  };
+  addOwn("/map", "nav_msgs/msg/OccupancyGrid", gridText);
+  addOwn("/emergency_stop/state", "tocsin_msgs/msg/EmergencyStopState", stopStateText);
+  const ownLast = new Map();
+  const sendOwn = (topic, message) => {
+    const data = writers.get(topic).writeMessage(message);
+    ownLast.set(topic, data);
+    server.sendMessage(ids.get(topic), nowNs(), data);
+  };
+  const state = { stopped: false, silent: false, paused: false, commands: [], position: 0 };
+  const rewritten = (topic, data) => rewrite(topic, data, channels.get(topic), state);
+
+  if (map) {
+    const { width, height, data } = readMap(map.image);
+    const origin = { position: { x: map.x, y: map.y, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } };
+    const info = { map_load_time: stamp(), resolution: map.resolution, width, height, origin };
+    sendOwn("/map", { header: { stamp: stamp(), frame_id: "map" }, info, data });
+  }
+  sendOwn("/emergency_stop/state", { stamp: stamp(), asked: "never", vehicle: "may_drive", stopped_by: [] });
+
+  const begin = messages[0].at + from * 1000;
+  const started = Date.now();
+  const bagNow = () => begin + Date.now() - started;
+  state.position = messages.findIndex(({ at }) => at >= begin);
+
+  server.on("subscribe", (id) => {
+    const topic = [...ids].find(([, one]) => one === id)[0];
+    const own = ownLast.get(topic);
+    if (own) server.sendMessage(id, nowNs(), own);
+    asked.add(topic);
+    clearTimeout(history);
+    history = setTimeout(tellHistory, 200);
+  });
+  // What happened before is told at once and in order, so that pictures of a later time can be made.
+  const asked = new Set();
+  let history;
+  const tellHistory = () => {
+    for (const { topic, data } of messages.slice(0, state.position)) {
+      if (!asked.has(topic) || topic.includes("image")) continue;
+      server.sendMessage(ids.get(topic), nowNs(), rewritten(topic, data));
+    }
+    asked.clear();
+  };
+  server.on("message", ({ channel, data }) => {
+    const schema = publishedText[channel.schemaName];
+    const message = schema ? new MessageReader(parse(schema, { ros2: true })).readMessage(data) : undefined;
+    state.commands.push({ topic: channel.topic, at: Date.now(), message });
+    if (channel.topic === "/emergency_stop/request" && !state.silent) {
+      state.stopped = message.data;
+      setTimeout(() => {
+        const vehicle = state.stopped ? "stands" : "may_drive";
+        sendOwn("/emergency_stop/state", {
+          ...{ stamp: stamp(), asked: state.stopped ? "on" : "off", vehicle },
+          stopped_by: state.stopped ? ["station"] : [],
+        });
+        for (const one of messages.filter(({ topic }) => topic === "/safety_status").slice(0, 1)) {
+          server.sendMessage(ids.get(one.topic), nowNs(), rewritten(one.topic, one.data));
+        }
+      }, 120);
+    }
+    if (channel.topic === "/mission/command") state.paused = message.data === "pause";
+  });
+
+  const sockets = new WebSocketServer({ server: files, handleProtocols: (names) => server.handleProtocols(names) });
+  sockets.on("connection", (socket, request) => server.handleConnection(socket, request.socket.remoteAddress));
+  await new Promise((resolve) => files.listen(port, "127.0.0.1", resolve));
+
+  const timer = setInterval(() => {
+    if (state.silent) return;
+    server.broadcastTime(nowNs());
+    while (state.position < messages.length && messages[state.position].at <= bagNow()) {
+      const { topic, data } = messages[state.position++];
+      server.sendMessage(ids.get(topic), nowNs(), rewritten(topic, data));
+    }
+  }, 20);
+  const close = () => {
+    clearInterval(timer);
+    for (const socket of sockets.clients) socket.terminate();
+    files.close();
+  };
+  return { port: files.address().port, state, close };
+}
+
+const publishedText = {
+  "std_msgs/msg/Bool": "bool data",
+  "std_msgs/msg/String": "string data",
+  "geometry_msgs/msg/TwistStamped": [
+    "std_msgs/Header header\ngeometry_msgs/Twist twist",
+    "MSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id",
+    "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec",
+    "MSG: geometry_msgs/Twist\ngeometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular",
+    "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z",
+  ].join(separator),
+  "tocsin_msgs/msg/Goal": [
+    "builtin_interfaces/Time stamp\nuint64 id\nuint32 waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw\n" +
+      "float64 tolerance_m\nfloat64 lifetime_s\ntocsin_msgs/Waypoint[] ahead\nuint64 mission",
+    "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec",
+    "MSG: tocsin_msgs/Waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw",
+  ].join(separator),
+};
+
+/** What the vehicle and mission_control would say differently of what was ordered here. */
+function rewrite(topic, data, channel, state) {
+  const changes = {
+    "/safety_status": (message) => ({
+      ...message,
+      emergency_stop: state.stopped,
+      stopped_by: state.stopped ? ["station"] : [],
+    }),
+    "/mission_status": (message) => (state.paused ? { ...message, state: "paused" } : message),
+  };
+  const change = changes[topic];
+  if (!change) return data;
+  const definition = parse(channel.schema, { ros2: true });
+  return new MessageWriter(definition).writeMessage(change(new MessageReader(definition).readMessage(data)));
+}
+
+if (process.argv[1] === import.meta.filename) {
+  const value = (name, otherwise) => {
+    const at = process.argv.indexOf(`--${name}`);
+    return at < 0 ? otherwise : process.argv[at + 1];
+  };
+  const image = value("map");
+  const { port } = await startStandIn({
+    page: value("page"),
+    bag: value("bag"),
+    port: Number(value("port", "8765")),
+    from: Number(value("from", "0")),
+    map: image && { image, resolution: 0.05, x: -19, y: -8 },
+  });
+  console.log(`http://127.0.0.1:${port}/`);
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+import assert from "node:assert/strict";
+import { describe, it } from "node:test";
+
+import { scaleLengthM } from "../src/map/draw.ts";
+import { gridPixels, knownBounds } from "../src/map/grid.ts";
+import { TrailPaths, pathIndex } from "../src/map/trail_paths.ts";
+import { Viewport, greatestScale } from "../src/map/viewport.ts";
+import { Trail } from "../src/model/trail.ts";
+
+const size = { width: 400, height: 200 };
+const near = (a: { x: number; y: number }, b: { x: number; y: number }): void =>
+  assert.ok(Math.hypot(a.x - b.x, a.y - b.y) < 1e-9, `${JSON.stringify(a)} is not ${JSON.stringify(b)}`);
+
+describe("Viewport", () => {
+  it("draws y upwards, and finds back what it has drawn", () => {
+    const sut = new Viewport({ x: 1, y: 2 }, 10);
+    near(sut.toScreen({ x: 2, y: 3 }, size), { x: 210, y: 90 });
+    near(sut.toMap(sut.toScreen({ x: -7, y: 5 }, size), size), { x: -7, y: 5 });
+  });
+  it("keeps under the pointer what lies there when it zooms", () => {
+    const sut = new Viewport({ x: 1, y: 2 }, 10);
+    const pixel = { x: 30, y: 150 };
+    near(sut.zoomed(3, pixel, size).toMap(pixel, size), sut.toMap(pixel, size));
+    assert.equal(sut.zoomed(1e9, pixel, size).scale, greatestScale);
+  });
+  it("moves with the hand", () => {
+    const sut = new Viewport({ x: 0, y: 0 }, 10).panned(20, 30);
+    near(sut.toScreen({ x: 0, y: 0 }, size), { x: 220, y: 130 });
+  });
+  it("shows all of a part of the map", () => {
+    const sut = Viewport.fitting({ min: { x: -10, y: 0 }, max: { x: 10, y: 20 } }, size);
+    for (const corner of [{ x: -10, y: 0 }, { x: 10, y: 20 }]) {
+      const { x, y } = sut.toScreen(corner, size);
+      assert.ok(x >= 0 && x <= size.width && y >= 0 && y <= size.height);
+    }
+  });
+});
+
+describe("Grid", () => {
+  const origin = { position: { x: 5, y: 6, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } };
+  const grid = { info: { resolution: 0.5, width: 3, height: 2, origin }, data: [-1, 0, 100, -1, -1, -1] };
+  it("paints the row with the greatest y first", () => {
+    const colours = { free: [1, 1, 1, 255], occupied: [2, 2, 2, 255], unknown: [3, 3, 3, 255] } as const;
+    const pixels = gridPixels(grid, colours);
+    assert.deepEqual([...pixels].filter((_, index) => index % 4 === 0), [3, 3, 3, 3, 1, 2]);
+  });
+  it("knows which part of it is known", () => {
+    assert.deepEqual(knownBounds(grid), { min: { x: 5.5, y: 6 }, max: { x: 6.5, y: 6.5 } });
+    assert.equal(knownBounds({ ...grid, data: [-1, -1, -1, -1, -1, -1] }), undefined);
+  });
+});
+
+class RecordedPath {
+  calls: string[] = [];
+  moveTo(x: number, y: number): void {
+    this.calls.push(`M${x},${y}`);
+  }
+  lineTo(x: number, y: number): void {
+    this.calls.push(`L${x},${y}`);
+  }
+}
+
+describe("TrailPaths", () => {
+  it("goes on where another quality ended, without a gap", () => {
+    const trail = new Trail();
+    const sut = new TrailPaths(() => new RecordedPath());
+    trail.add({ x: 0, y: 0 }, 80, false);
+    trail.add({ x: 1, y: 0 }, 80, false);
+    sut.update(trail);
+    trail.add({ x: 2, y: 0 }, 10, true);
+    sut.update(trail);
+    assert.deepEqual(sut.paths[pathIndex(4, false)]?.calls, ["M0,0", "L1,0"]);
+    assert.deepEqual(sut.paths[pathIndex(0, true)]?.calls, ["M1,0", "L2,0"]);
+  });
+  it("begins anew after a gap and after the trail was shortened", () => {
+    const trail = new Trail();
+    const sut = new TrailPaths(() => new RecordedPath());
+    trail.add({ x: 0, y: 0 }, 80, false);
+    trail.add({ x: 9, y: 0 }, 80, false);
+    sut.update(trail);
+    assert.deepEqual(sut.paths[pathIndex(4, false)]?.calls, ["M0,0", "M9,0"]);
+    trail.clear();
+    trail.add({ x: 1, y: 1 }, undefined, false);
+    sut.update(trail);
+    assert.deepEqual(sut.paths[pathIndex(4, false)]?.calls, []);
+    assert.deepEqual(sut.paths[pathIndex(undefined, false)]?.calls, ["M1,1"]);
+  });
+});
+
+describe("Scale", () => {
+  it("is a nice length that fits", () => {
+    assert.equal(scaleLengthM(30), 2);
+    assert.equal(scaleLengthM(400), 0.2);
+  });
+});

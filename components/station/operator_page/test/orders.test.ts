@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+import assert from "node:assert/strict";
+import { describe, it } from "node:test";
+
+import { type DriveConditions, DriverSeat, cameraLimitMs, vehicleLimitMs, whyNotDrive } from "../src/orders/driver_seat.ts";
+import { EmergencyStopOrder, type StopHeard } from "../src/orders/emergency_stop.ts";
+import { MissionOrder, leads } from "../src/orders/mission_order.ts";
+import { OperatorGoal, longestRoute } from "../src/orders/operator_goal.ts";
+import { isDrivingKey, keysVelocity, padVelocity, stickVelocity } from "../src/orders/stick.ts";
+import { TeleopSender, standing } from "../src/orders/teleop_sender.ts";
+import * as make from "./messages.ts";
+
+const station = (asked: string, vehicle: string) => ({ asked, vehicle, stopped_by: [] });
+
+describe("EmergencyStopOrder", () => {
+  const heard = (changes: Partial<StopHeard>): StopHeard => ({
+    station: undefined, safety: undefined, vehicleHeard: 1000, connected: true, ...changes,
+  });
+  const stands = { value: make.safety({ emergency_stop: true }), at: 0 };
+  const free = { value: make.safety(), at: 0 };
+
+  it("says nothing before it is pressed", () => {
+    assert.equal(new EmergencyStopOrder().due(heard({}), 1000), undefined);
+  });
+  it("says a stop at once and again until the vehicle confirms, however long that takes", () => {
+    const sut = new EmergencyStopOrder();
+    sut.press(1000);
+    assert.equal(sut.due(heard({ safety: free }), 1000), true);
+    assert.equal(sut.due(heard({ safety: free }), 1299), undefined);
+    assert.equal(sut.due(heard({ safety: free }), 1300), true);
+    assert.equal(sut.due(heard({ safety: free }), 600_000), true);
+    assert.equal(sut.due(heard({ safety: stands, station: station("on", "stands") }), 600_300), undefined);
+    assert.equal(sut.due(heard({ safety: free, station: station("off", "may_drive") }), 700_000), undefined);
+  });
+  it("is not content with the stop of somebody else before the station has its own", () => {
+    const sut = new EmergencyStopOrder();
+    sut.press(1000);
+    sut.due(heard({}), 1000);
+    assert.equal(sut.due(heard({ safety: stands, station: station("off", "stands") }), 1300), true);
+  });
+  it("lets a release lapse after 5 s", () => {
+    const sut = new EmergencyStopOrder();
+    sut.release(1000);
+    assert.equal(sut.due(heard({ safety: stands }), 1000), false);
+    assert.equal(sut.due(heard({ safety: stands }), 6000), false);
+    assert.equal(sut.due(heard({ safety: stands }), 6001), undefined);
+    assert.equal(sut.due(heard({ safety: stands }), 7000), undefined);
+  });
+  it("a stop takes the place of a release", () => {
+    const sut = new EmergencyStopOrder();
+    sut.release(1000);
+    sut.press(1001);
+    assert.equal(sut.due(heard({ safety: free }), 1001), true);
+  });
+  it("says again at once what could not be sent", () => {
+    const sut = new EmergencyStopOrder();
+    sut.press(1000);
+    sut.due(heard({ safety: free }), 1000);
+    sut.notSent();
+    assert.equal(sut.due(heard({ safety: free }), 1001), true);
+  });
+  it("tells which of the three has not answered", () => {
+    const sut = new EmergencyStopOrder();
+    sut.press(1000);
+    const shown = (changes: Partial<StopHeard>) => sut.shown(heard({ safety: free, ...changes }), 3000);
+    assert.match(shown({ connected: false }).text, /^NOT SENT for 2.0 s/);
+    assert.match(shown({ station: station("never", "may_drive") }).text, /the station has not answered/);
+    assert.match(shown({ station: station("on", "may_drive") }).text, /the vehicle has not confirmed/);
+    assert.equal(shown({}).kind, "asking");
+  });
+  it("shows the vehicle's word, with its age when it is not heard any more", () => {
+    const sut = new EmergencyStopOrder();
+    const by = { value: make.safety({ emergency_stop: true, stopped_by: ["station"] }), at: 1000 };
+    assert.equal(sut.shown(heard({ safety: by }), 2000).text, "Vehicle confirms: stopped by station");
+    assert.match(sut.shown(heard({ safety: by }), 13_000).text, /as it said 12 s ago/);
+    assert.equal(sut.shown(heard({ safety: free }), 13_000).kind, "unheard");
+    assert.equal(sut.shown(heard({ safety: free }), 2000).kind, "clear");
+  });
+});
+
+describe("TeleopSender", () => {
+  const ahead = { linear: 0.3, angular: 0 };
+  it("sends a change at once and repeats it ten times a second", () => {
+    const sut = new TeleopSender();
+    sut.hold(ahead);
+    assert.deepEqual(sut.update(0), ahead);
+    assert.equal(sut.update(99), undefined);
+    assert.deepEqual(sut.update(100), ahead);
+    sut.hold({ linear: 0.1, angular: 0 });
+    assert.deepEqual(sut.update(101), { linear: 0.1, angular: 0 });
+  });
+  it("sends zero three times at release, and then nothing", () => {
+    const sut = new TeleopSender();
+    sut.hold(ahead);
+    sut.update(0);
+    sut.hold(standing);
+    for (const at of [10, 110, 210]) assert.deepEqual(sut.update(at), standing);
+    assert.equal(sut.update(310), undefined);
+    assert.equal(sut.driving, false);
+  });
+  it("says nothing while nothing was ever held", () => {
+    const sut = new TeleopSender();
+    sut.hold(standing);
+    assert.equal(sut.update(0), undefined);
+  });
+});
+
+describe("Driving by hand", () => {
+  const good: DriveConditions = { connected: true, vehicleAge: 100, cameraAge: 100, bySight: false, stopped: false };
+  it("is allowed by a fresh picture of a vehicle that is heard", () => {
+    assert.equal(whyNotDrive(good), undefined);
+    assert.equal(whyNotDrive({ ...good, vehicleAge: vehicleLimitMs, cameraAge: cameraLimitMs }), undefined);
+  });
+  it("is refused with the reason", () => {
+    const reasons = [
+      [{ connected: false }, /connection/],
+      [{ vehicleAge: undefined }, /never heard/],
+      [{ vehicleAge: vehicleLimitMs + 1 }, /last heard 1.5 s ago/],
+      [{ stopped: true }, /emergency stop/],
+      [{ cameraAge: undefined }, /no picture/],
+      [{ cameraAge: cameraLimitMs + 1 }, /picture is 1.0 s old/],
+    ] as const;
+    for (const [change, reason] of reasons) assert.match(whyNotDrive({ ...good, ...change }) ?? "", reason);
+  });
+  it("needs no picture when the operator sees the vehicle", () => {
+    assert.equal(whyNotDrive({ ...good, cameraAge: undefined, bySight: true }), undefined);
+    assert.notEqual(whyNotDrive({ ...good, vehicleAge: 9999, bySight: true }), undefined);
+  });
+});
+
+describe("DriverSeat", () => {
+  const ahead = { linear: 0.3, angular: 0 };
+  it("heeds nobody who has not taken it", () => {
+    const sut = new DriverSeat("me");
+    sut.heed(standing, false);
+    assert.deepEqual(sut.heed(ahead, false), standing);
+  });
+  it("wants the hands to rest first, after it was taken and after a refusal", () => {
+    const sut = new DriverSeat("me");
+    sut.take(0);
+    assert.deepEqual(sut.heed(ahead, false), standing);
+    sut.heed(standing, false);
+    assert.deepEqual(sut.heed(ahead, false), ahead);
+    assert.deepEqual(sut.heed(ahead, true), standing);
+    assert.deepEqual(sut.heed(ahead, false), standing);
+    sut.heed(standing, false);
+    assert.deepEqual(sut.heed(ahead, false), ahead);
+  });
+  it("is not free while another drives, and is a second later", () => {
+    const sut = new DriverSeat("me");
+    sut.onCommand("gamepad", true, 1000);
+    sut.take(1500);
+    assert.equal(sut.taken, false);
+    assert.equal(sut.other(1999), "gamepad");
+    sut.take(2000);
+    assert.equal(sut.taken, true);
+  });
+  it("is lost to a device that drives all the same", () => {
+    const sut = new DriverSeat("me");
+    sut.take(0);
+    sut.onCommand("gamepad", true, 699);
+    assert.equal(sut.taken, true);
+    sut.onCommand("gamepad", true, 700);
+    assert.equal(sut.taken, false);
+    assert.equal(sut.lostTo, "gamepad");
+  });
+  it("does not mind its own commands, nor a zero of others", () => {
+    const sut = new DriverSeat("me");
+    sut.take(0);
+    sut.onCommand("me", true, 5000);
+    sut.onCommand("gamepad", false, 5000);
+    assert.equal(sut.taken, true);
+  });
+});
+
+describe("Stick", () => {
+  const speeds = { linear: 0.4, angular: 1 };
+  it("adds up the keys that are held", () => {
+    assert.deepEqual(keysVelocity(new Set(["KeyW", "ArrowLeft"]), speeds), { linear: 0.4, angular: 1 });
+    assert.deepEqual(keysVelocity(new Set(["KeyW", "ArrowUp"]), speeds), { linear: 0.4, angular: 0 });
+    assert.deepEqual(keysVelocity(new Set(["KeyW", "KeyS"]), speeds), standing);
+    assert.deepEqual(keysVelocity(new Set(["KeyX"]), speeds), standing);
+    assert.ok(isDrivingKey("KeyD") && !isDrivingKey("Space"));
+  });
+  it("has a dead zone, and reaches the top speed at its end", () => {
+    assert.deepEqual(stickVelocity(0.05, 0.1, speeds), standing);
+    assert.deepEqual(stickVelocity(0, 1, speeds), { linear: 0.4, angular: 0 });
+    assert.deepEqual(stickVelocity(1, 0, speeds), { linear: 0, angular: -1 });
+    assert.deepEqual(stickVelocity(NaN, NaN, speeds), standing);
+  });
+  it("reads a pad only while a shoulder button is held", () => {
+    const pad = (held: number | undefined) => ({
+      connected: true,
+      axes: [0, -1],
+      buttons: Array.from({ length: 8 }, (_, index) => ({ pressed: index === held })),
+    });
+    assert.equal(padVelocity(pad(undefined), speeds), undefined);
+    assert.equal(padVelocity(pad(0), speeds), undefined);
+    assert.deepEqual(padVelocity(pad(5), speeds), { linear: 0.4, angular: 0 });
+    assert.equal(padVelocity({ ...pad(5), connected: false }, speeds), undefined);
+  });
+});
+
+describe("OperatorGoal", () => {
+  const [a, b] = [{ x: 1, y: 2, yaw: 0 }, { x: 3, y: 4, yaw: 1 }];
+  const drawn = () => {
+    let last = 40n;
+    return new OperatorGoal(() => ++last);
+  };
+  it("is sent at once, under an identity of its own, with the places that follow", () => {
+    const sut = drawn();
+    sut.set([a, b]);
+    const goal = sut.due(0);
+    assert.deepEqual([goal?.x, goal?.id, goal?.mission, goal?.ahead], [1, 1n, 41n, [b]]);
+  });
+  it("is repeated every 3 s until the vehicle names it, then renewed after 30 s", () => {
+    const sut = drawn();
+    sut.set([a]);
+    sut.due(0);
+    assert.equal(sut.due(2999), undefined);
+    assert.ok(sut.due(3000));
+    sut.onStatus(make.navigation({ mission: 41n, goal_id: 1n, state: "driving" }));
+    assert.equal(sut.due(32_999), undefined);
+    assert.ok(sut.due(33_000));
+    assert.equal(sut.phase, "driving");
+  });
+  it("is repeated when the vehicle only holds it", () => {
+    const sut = drawn();
+    sut.set([a]);
+    sut.due(0);
+    sut.onStatus(make.navigation({ mission: 41n, goal_id: 1n, state: "held" }));
+    assert.ok(sut.due(3000));
+    assert.equal(sut.phase, "held");
+  });
+  it("is over when the last place is reached, not the first", () => {
+    const sut = drawn();
+    sut.set([a, b]);
+    sut.onStatus(make.navigation({ mission: 41n, goal_id: 1n, state: "reached" }));
+    assert.equal(sut.phase, "driving");
+    sut.onStatus(make.navigation({ mission: 41n, goal_id: 2n, state: "reached" }));
+    assert.equal(sut.phase, "reached");
+    assert.equal(sut.due(1e9), undefined);
+  });
+  it("does not fight somebody who took over", () => {
+    const sut = drawn();
+    sut.set([a]);
+    sut.onStatus(make.navigation({ mission: 5n, goal_id: 1n, state: "driving" }));
+    assert.ok(sut.due(0), "the vehicle had not heard of it yet");
+    sut.onStatus(make.navigation({ mission: 41n, goal_id: 1n, state: "driving" }));
+    sut.onStatus(make.navigation({ mission: 6n, goal_id: 1n, state: "driving" }));
+    assert.equal(sut.phase, "taken over");
+    assert.equal(sut.due(1e9), undefined);
+  });
+  it("holds no more places than a goal may", () => {
+    const sut = drawn();
+    sut.set(Array.from({ length: 50 }, () => a));
+    assert.equal(sut.poses.length, longestRoute);
+  });
+});
+
+describe("MissionOrder", () => {
+  it("asks for a pause until the status shows it", () => {
+    const sut = new MissionOrder();
+    sut.pause(0);
+    const running = make.mission({ state: "running" });
+    assert.equal(sut.due(running, 0), "pause");
+    assert.equal(sut.due(running, 499), undefined);
+    assert.equal(sut.due(running, 500), "pause");
+    assert.equal(sut.due(make.mission({ state: "paused" }), 1000), undefined);
+    assert.equal(sut.pending, false);
+    assert.equal(sut.unheeded, false);
+  });
+  it("gives up after 5 s and says so", () => {
+    const sut = new MissionOrder();
+    sut.pause(0);
+    sut.due(make.mission({}), 5001);
+    assert.equal(sut.unheeded, true);
+    assert.equal(sut.pending, false);
+  });
+  it("skips the waypoint that was seen, and no other", () => {
+    const sut = new MissionOrder();
+    sut.skip(3, 0);
+    assert.equal(sut.due(make.mission({ waypoint: 3 }), 0), "skip 4");
+    assert.equal(sut.due(make.mission({ waypoint: 4 }), 500), undefined);
+    assert.equal(sut.unheeded, false);
+  });
+  it("resumes", () => {
+    const sut = new MissionOrder();
+    sut.resume(0);
+    assert.equal(sut.due(make.mission({ state: "paused" }), 0), "resume");
+    assert.equal(sut.due(make.mission({ state: "running" }), 500), undefined);
+  });
+  it("has nobody to ask where no mission is led", () => {
+    assert.equal(leads(undefined), false);
+    assert.equal(leads(make.mission({ state: "done" })), false);
+    assert.equal(leads(make.mission({ state: "waiting" })), true);
+  });
+});
