@@ -36,6 +36,8 @@ void GamepadTeleop::on_event(const PadEvent& event) {
     buttons_.clear();  // a release may be among the events that were lost
   } else if (event.type == EV_ABS) {
     positions_[event.code] = event.value;
+  } else if (event.type == EV_KEY && event.code == BTN_START) {
+    start_ = start_ || event.value == 1;
   } else if (event.type == EV_KEY && is_dead_man(event.code)) {
     if (event.value != 2) buttons_[event.code] = event.value == 1;  // 2: the kernel repeats it
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "foundation/printable.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -18,7 +19,8 @@ TeleopGamepadComponent::TeleopGamepadComponent(Context& context, const Params& p
       params_(params),
       devices_(context.devices),
       teleop_(params.pad),
-      sender_(params.sender) {}
+      sender_(params.sender),
+      name_(operator_name(params.name, "gamepad")) {}
 
 TeleopGamepadComponent::~TeleopGamepadComponent() {
   if (sender_.driving()) send({}, bus().now());
@@ -27,6 +29,8 @@ TeleopGamepadComponent::~TeleopGamepadComponent() {
 void TeleopGamepadComponent::tick(Time now) {
   if (!pad_) look_for_pad(now);
   if (pad_) read_events();
+  watch_wheel();
+  if (teleop_.take_start()) hand_over(now);
   sender_.hold(teleop_.velocity());
   if (const auto command = sender_.update(now)) send(*command, now);
   wake_at(std::min(sender_.next_deadline(), pad_ ? never : next_look_));
@@ -68,10 +72,29 @@ void TeleopGamepadComponent::lose_pad() {
   pad_.reset();
 }
 
+void TeleopGamepadComponent::watch_wheel() {
+  const auto driver = driver_.take_latest();
+  if (!driver) return;
+  wheel_ = {printable(driver->driver(), 60), printable(driver->asked_by(), 60)};
+  const std::string text = wheel_text(wheel_, name_);
+  if (!text.empty() && text != said_) log().info("{} (h: the start button)", text);
+  said_ = text;
+}
+
+void TeleopGamepadComponent::hand_over(Time now) {
+  const auto verb = handover_verb(wheel_, name_);
+  if (!verb) return;
+  topic::DriverRequest::Message message;
+  message.stamp(wall(now));
+  message.name(name_);
+  message.verb(*verb);
+  if (request_.write(std::move(message)) == Status::failed) log().warn("a request was not sent");
+}
+
 void TeleopGamepadComponent::send(const geometry::Twist& velocity, Time now) {
   topic::TeleopCmdVel::Message message;
   message.header().stamp(wall(now));
-  message.header().frame_id("gamepad");
+  message.header().frame_id(name_);
   message.twist().linear().x(velocity.linear_mps);
   message.twist().angular().z(velocity.angular_rad_s);
   if (command_.write(std::move(message)) == Status::failed) log().warn("a velocity was not sent");

@@ -106,6 +106,22 @@ TEST_F(TeleopGamepadComponentTest, SendsZeroWhenThePadIsPulledAndTakesItBack) {
   EXPECT_EQ(drive(0), (Speeds{0.5}));
 }
 
+TEST_F(TeleopGamepadComponentTest, TheStartButtonAsksForTheWheelOfWhoDrives) {
+  SimReader<topic::DriverRequest> requests(bus_);
+  pad_.events = {{EV_KEY, BTN_START, 1}, {EV_KEY, BTN_START, 0}};
+  run(0);
+  EXPECT_TRUE(requests.take().empty()) << "nobody drives";
+  topic::DriverState::Message state;
+  state.driver("anna");
+  bus_.publish<topic::DriverState>(state);
+  pad_.events = {{EV_KEY, BTN_START, 1}, {EV_KEY, BTN_START, 2}, {EV_KEY, BTN_START, 0}};
+  run(0);
+  const auto sent = requests.take();
+  ASSERT_EQ(sent.size(), 1U);
+  EXPECT_EQ(sent[0].verb(), "ask");
+  EXPECT_EQ(sent[0].name(), operator_name("", "gamepad"));
+}
+
 TEST_F(TeleopGamepadComponentTest, LooksForAnAbsentPadOnceASecond) {
   pad_.plugged = false;
   run(0);

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "foundation/printable.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -24,7 +25,8 @@ TeleopKeyboardComponent::TeleopKeyboardComponent(Context& context, const Params&
     : Component(context),
       terminal_(context.devices.get().open_terminal()),
       teleop_(params.keys),
-      sender_(params.sender) {
+      sender_(params.sender),
+      name_(operator_name(params.name, "keyboard")) {
   if (!terminal_) return;
   wake_on(terminal_->descriptor());
   terminal_->print(teleop_.help());
@@ -37,6 +39,9 @@ TeleopKeyboardComponent::~TeleopKeyboardComponent() {
 void TeleopKeyboardComponent::tick(Time now) {
   if (terminal_) read_keys(now);
   if (auto safety = safety_.take_latest()) safety_seen_ = std::move(safety);
+  if (const auto driver = driver_.take_latest()) {
+    wheel_ = {printable(driver->driver(), 60), printable(driver->asked_by(), 60)};
+  }
   if (auto location = location_.take_latest()) location_seen_ = std::move(location);
   const geometry::Twist velocity = teleop_.velocity(now);
   sender_.hold(velocity);
@@ -47,17 +52,32 @@ void TeleopKeyboardComponent::tick(Time now) {
 
 void TeleopKeyboardComponent::read_keys(Time now) {
   const auto bytes = terminal_->read();
-  if (bytes) return teleop_.on_bytes(*bytes, now);
+  if (bytes) {
+    teleop_.on_bytes(*bytes, now);
+    const auto key = teleop_.take_wheel_key();
+    if (key == 'n') return request("keep", now);
+    const auto verb = key ? handover_verb(wheel_, name_) : std::nullopt;
+    if (verb) request(*verb, now);
+    return;
+  }
   log().warn("no keys come any more");
   teleop_.on_end();
   forget(terminal_->descriptor());
   terminal_.reset();
 }
 
+void TeleopKeyboardComponent::request(const std::string& verb, Time now) {
+  topic::DriverRequest::Message message;
+  message.stamp(wall(now));
+  message.name(name_);
+  message.verb(verb);
+  if (request_.write(std::move(message)) == Status::failed) log().warn("a request was not sent");
+}
+
 void TeleopKeyboardComponent::send(const geometry::Twist& velocity, Time now) {
   topic::TeleopCmdVel::Message message;
   message.header().stamp(wall(now));
-  message.header().frame_id("keyboard");
+  message.header().frame_id(name_);
   message.twist().linear().x(velocity.linear_mps);
   message.twist().angular().z(velocity.angular_rad_s);
   if (command_.write(std::move(message)) == Status::failed) log().warn("a velocity was not sent");
@@ -72,6 +92,8 @@ void TeleopKeyboardComponent::show(const geometry::Twist& velocity) {
     line += fmt::format("   at ({:.2f}, {:.2f}) m", at.x(), at.y());
   }
   line += safety_seen_ ? hindrance(*safety_seen_) : "  vehicle not heard";
+  const std::string of_wheel = wheel_text(wheel_, name_);
+  if (!of_wheel.empty()) line += "  " + of_wheel;
   if (line == shown_) return;
   terminal_->show(line);
   shown_ = line;

@@ -72,6 +72,13 @@ class TeleopKeyboardComponentTest : public ::testing::Test {
     return run(s);
   }
 
+  void tell_driver(const std::string& name, const std::string& asked_by) {
+    topic::DriverState::Message state;
+    state.driver(name);
+    state.asked_by(asked_by);
+    bus_.publish<topic::DriverState>(state);
+  }
+
   SimBus bus_;
   Typed typed_;
   TypedDevices devices_{typed_};
@@ -117,7 +124,7 @@ TEST_F(TeleopKeyboardComponentTest, StampsEveryCommand) {
   sut_->tick(bus_.now());
   const auto all = commands_.take();
   ASSERT_EQ(all.size(), 1U);
-  EXPECT_EQ(all[0].header().frame_id(), "keyboard");
+  EXPECT_EQ(all[0].header().frame_id(), operator_name("", "keyboard"));
   EXPECT_EQ(all[0].header().stamp().sec(), bus_.wall_ns(bus_.now()) / 1'000'000'000);
 }
 
@@ -130,6 +137,30 @@ TEST_F(TeleopKeyboardComponentTest, ShowsSpeedsAndWhatHindersTheVehicle) {
   bus_.publish<topic::SafetyStatus>(status);
   run(0);
   EXPECT_THAT(typed_.line, HasSubstr("EMERGENCY STOP"));
+}
+
+TEST_F(TeleopKeyboardComponentTest, AsksForTheWheelAndGivesIt) {
+  SimReader<topic::DriverRequest> requests(bus_);
+  const std::string me = operator_name("", "keyboard");
+  EXPECT_TRUE(type("h").empty());
+  EXPECT_TRUE(requests.take().empty()) << "nobody drives";
+  tell_driver("anna", "");
+  run(0);
+  EXPECT_THAT(typed_.line, HasSubstr("anna drives: h asks for the wheel"));
+  type("h");
+  auto sent = requests.take();
+  ASSERT_EQ(sent.size(), 1U);
+  EXPECT_EQ(sent[0].verb(), "ask");
+  EXPECT_EQ(sent[0].name(), me);
+  tell_driver(me, "anna");
+  run(0);
+  EXPECT_THAT(typed_.line, HasSubstr("anna asks for the wheel"));
+  type("n");
+  type("h");
+  sent = requests.take();
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_EQ(sent[0].verb(), "keep");
+  EXPECT_EQ(sent[1].verb(), "give");
 }
 
 TEST_F(TeleopKeyboardComponentTest, LivesWithoutATerminal) {

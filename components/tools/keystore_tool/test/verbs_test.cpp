@@ -39,8 +39,8 @@ class VerbsTest : public ::testing::Test {
 
 TEST_F(VerbsTest, FourCommandsMakeASecuredLink) {
   EXPECT_THAT(run({"create"}).text, HasSubstr("keep it here"));
-  EXPECT_THAT(run({"add", "uxv1"}).text, HasSubstr("made identity uxv1 (uxv: publishes 16 topics"));
-  EXPECT_THAT(run({"add", "gcs"}).text, HasSubstr("made identity gcs (gcs: publishes 10 topics"));
+  EXPECT_THAT(run({"add", "uxv1"}).text, HasSubstr("made identity uxv1 (uxv: publishes 17 topics"));
+  EXPECT_THAT(run({"add", "gcs"}).text, HasSubstr("made identity gcs (gcs: publishes 11 topics"));
   const Answer checked = run({"check"});
   EXPECT_EQ(checked.code, 0);
   EXPECT_EQ(checked.text, "2 identities looked at, all sound\n");

@@ -169,11 +169,20 @@ struct EmergencyStopState {
   using Message = tocsin_msgs::msg::EmergencyStopState;
   static constexpr TopicInfo info{"emergency_stop/state", "state", Scope::host};
 };
-/// Manual driving, from any computer. The stamp is when the operator wanted it, frame_id the
-/// device.
+/// Manual driving, from any computer. The stamp is when the operator wanted it, frame_id
+/// who he is: of several, one is followed.
 struct TeleopCmdVel {
   using Message = geometry_msgs::msg::TwistStamped;
   static constexpr TopicInfo info{"teleop/cmd_vel", "command", Scope::link};
+};
+/// Who drives by hand, and who asks for the wheel.
+struct DriverState {
+  using Message = tocsin_msgs::msg::DriverState;
+  static constexpr TopicInfo info{"teleop/driver", "state", Scope::link};
+};
+struct DriverRequest {
+  using Message = tocsin_msgs::msg::DriverRequest;
+  static constexpr TopicInfo info{"teleop/request", "command", Scope::link};
 };
 /// "start" or "cancel".
 struct DockingCommand {
@@ -220,8 +229,8 @@ struct ContainerState {
 
 using AllLinkTopics = List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage,
                            CpuLoad, CpuTemperature, CameraImage, Goal, MissionStatus, EmergencyStop,
-                           SafetyStatus, DockingStatus, TeleopCmdVel, DockingCommand, Heartbeat,
-                           TransmissionState, TrafficReport, LinkState>;
+                           SafetyStatus, DockingStatus, TeleopCmdVel, DriverState, DriverRequest,
+                           DockingCommand, Heartbeat, TransmissionState, TrafficReport, LinkState>;
 
 using AllHostTopics = List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation,
                            CmdVelDocking, CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive,

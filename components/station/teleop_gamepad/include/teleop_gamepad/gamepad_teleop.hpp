@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "devices/gamepad_device.hpp"
 #include "geometry/twist.hpp"
@@ -36,6 +37,8 @@ class GamepadTeleop {
   void on_disconnect();
   void on_event(const PadEvent& event);
   [[nodiscard]] geometry::Twist velocity() const;
+  /// Whether the start button, which hands the wheel over, was pressed since this was asked.
+  [[nodiscard]] bool take_start() { return std::exchange(start_, false); }
 
  private:
   [[nodiscard]] bool is_dead_man(std::uint16_t code) const;
@@ -46,7 +49,8 @@ class GamepadTeleop {
   Params params_;
   PadAxes axes_;
   std::map<std::uint16_t, std::int32_t> positions_;  ///< of axes that have moved
-  std::map<std::uint16_t, bool> buttons_;            ///< dead-man buttons since the connection
+  bool start_ = false;
+  std::map<std::uint16_t, bool> buttons_;  ///< dead-man buttons since the connection
 };
 
 }  // namespace tocsin

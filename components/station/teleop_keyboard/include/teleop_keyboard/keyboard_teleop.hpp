@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "foundation/time.hpp"
 #include "geometry/twist.hpp"
@@ -44,6 +45,8 @@ class KeyboardTeleop {
   /// Throws ConfigError when a speed is above its greatest.
   explicit KeyboardTeleop(const Params& params);
   void on_bytes(std::string_view bytes, Time now);
+  /// What was last typed of the wheel, once: 'h' (hand over) or 'n' (no).
+  [[nodiscard]] std::optional<char> take_wheel_key() { return std::exchange(wheel_key_, {}); }
   /// Nobody can press a key any more: stand.
   void on_end() { held_.reset(); }
 
@@ -77,6 +80,7 @@ class KeyboardTeleop {
   Params params_;
   KeyReader reader_;
   std::optional<Held> held_;
+  std::optional<char> wheel_key_;
 };
 
 }  // namespace tocsin

@@ -9,6 +9,7 @@
 #include "runtime/port.hpp"
 #include "teleop_keyboard/keyboard_teleop.hpp"
 #include "teleop_sender/teleop_sender.hpp"
+#include "teleop_sender/wheel.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -19,8 +20,10 @@ class TeleopKeyboardComponent final : public Component {
   struct Params {
     KeyboardTeleop::Params keys;
     TeleopSender::Params sender;
+    std::string name;
     template <class Visitor>
     void visit(Visitor& v) {
+      v("name", name, "who drives, as others are told; empty: keyboard@computer:process");
       keys.visit(v);
       sender.visit(v);
     }
@@ -33,16 +36,21 @@ class TeleopKeyboardComponent final : public Component {
 
  private:
   void read_keys(Time now);
+  void request(const std::string& verb, Time now);
   void send(const geometry::Twist& velocity, Time now);
   void show(const geometry::Twist& velocity);
 
   Input<topic::SafetyStatus> safety_{*this};
   Input<topic::Location> location_{*this};
+  OptionalInput<topic::DriverState> driver_{*this};
   Output<topic::TeleopCmdVel> command_{*this};
+  Output<topic::DriverRequest> request_{*this};
 
   std::unique_ptr<TerminalDevice> terminal_;  ///< null: nobody can type
   KeyboardTeleop teleop_;
   TeleopSender sender_;
+  const std::string name_;
+  Wheel wheel_;
   std::shared_ptr<const topic::SafetyStatus::Message> safety_seen_;
   std::shared_ptr<const topic::Location::Message> location_seen_;
   std::string shown_;
