@@ -9,6 +9,8 @@
 #include <regex>
 #include <sstream>
 
+#include "idl_support/decode.hpp"
+#include "idl_support/encode.hpp"
 #include "idl_support/topic_registry.hpp"
 
 namespace tocsin {
@@ -100,6 +102,23 @@ TEST(Topics, HaveNamesOfTheirOwnAlsoAsFilesOfARecording) {
       EXPECT_EQ(std::string(one.info.name).find('.'), std::string::npos) << one.info.name;
     }
   }
+}
+
+TEST(Topics, WhoDrivesIsToldByTheVehicleAndTheWheelIsAskedForOverTheLink) {
+  EXPECT_EQ(topic::DriverState::info.scope, Scope::link);
+  EXPECT_STREQ(topic::DriverState::info.qos, "state") << "who comes late must know it, too";
+  EXPECT_EQ(topic::DriverRequest::info.scope, Scope::link);
+  EXPECT_STREQ(topic::DriverRequest::info.qos, "command") << "an old request is worth nothing";
+}
+
+TEST(Messages, ARequestForTheWheelComesBackFromItsBytes) {
+  tocsin_msgs::msg::DriverRequest request;
+  request.name("anna");
+  request.verb("ask");
+  const TypeInfo& type = type_info<tocsin_msgs::msg::DriverRequest>();
+  const auto back = decode(type, encode(type, &request));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(*std::static_pointer_cast<const tocsin_msgs::msg::DriverRequest>(back), request);
 }
 
 }  // namespace

@@ -51,7 +51,8 @@ void TeleopReceiverComponent::obey(const topic::DriverRequest::Message& request,
 /// Leaves the vehicle standing when another takes the wheel, whatever the one before wanted last.
 void TeleopReceiverComponent::tell(Time now) {
   if (driver_ && authority_.driver() && authority_.driver() != driver_) {
-    if (cmd_vel_.write(topic::CmdVelTeleop::Message{}) == Status::failed) log().warn("a velocity was not sent");
+    if (cmd_vel_.write(topic::CmdVelTeleop::Message{}) == Status::failed)
+      log().warn("a velocity was not sent");
   }
   if (authority_.driver() != driver_) {
     log().info("{}", authority_.driver() ? *authority_.driver() + " drives" : "nobody drives");
