@@ -8,15 +8,16 @@
 namespace tocsin {
 
 TransmissionController::TransmissionController(const Params& params)
-    : qni_(params.qni),
+    : index_(params.quality),
       policy_(decision::make_policy(params.policy)),
       timeout_(seconds(params.quality_timeout_s)),
       silence_is_poor_(params.silence_is_poor) {}
 
-TransmissionDecision TransmissionController::on_quality(const decision::QniInput& input, Time now) {
+TransmissionDecision TransmissionController::on_quality(
+    const decision::QualityMeasurement& measured, Time now) {
   heard_ = now;
   silent_at_ = now + timeout_;
-  const auto published = static_cast<float>(qni_.evaluate(input).value);
+  const auto published = static_cast<float>(index_.evaluate(measured));
   return conclude(policy_->on_sample({now, published}, now), now);
 }
 

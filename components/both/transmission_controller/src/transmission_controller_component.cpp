@@ -13,15 +13,10 @@ std::optional<double> measured(float value) {
   return std::isnan(value) ? std::nullopt : std::optional<double>(value);
 }
 
-decision::QniInput to_input(const tocsin_msgs::msg::NetworkQuality& quality) {
-  constexpr double link_quality_max = 70;  // the scale of /proc/net/wireless
-  decision::QniInput input;
-  input.per_percent = measured(quality.per_percent());
-  input.signal_dbm = measured(quality.signal_dbm());
-  if (const auto percent = measured(quality.quality_percent())) {
-    input.quality = *percent / 100 * link_quality_max;
-  }
-  return input;
+decision::QualityMeasurement to_measurement(const tocsin_msgs::msg::NetworkQuality& quality) {
+  return {measured(quality.per_percent()), measured(quality.signal_dbm()),
+          measured(quality.quality_percent()), measured(quality.retry_percent()),
+          measured(quality.busy_percent())};
 }
 
 float remaining_s(const std::optional<Time>& deadline, Time now) {
@@ -39,7 +34,7 @@ TransmissionControllerComponent::TransmissionControllerComponent(Context& contex
 
 void TransmissionControllerComponent::tick(Time now) {
   while (const auto quality = quality_.take()) {
-    publish(controller_.on_quality(to_input(*quality), now), now);
+    publish(controller_.on_quality(to_measurement(*quality), now), now);
   }
   if (const auto decision = controller_.on_time(now)) publish(*decision, now);
   if (now >= next_beat_) beat(now);

@@ -60,6 +60,32 @@ TEST_F(TransmissionControllerComponentTest, HardwareThatTellsNothingLeavesPerAlo
   EXPECT_FLOAT_EQ(states_.take().at(0).qni(), 75.0F);
 }
 
+TEST_F(TransmissionControllerComponentTest, WeighsTheChannelWhenThatIndexIsChosen) {
+  TransmissionControllerComponent::Params params;
+  params.controller.quality.quality_index = "channel";
+  params.controller.policy.detector = "focus";
+  SimBus bus;
+  Context context{bus, "transmission_controller", Role::uxv};
+  TransmissionControllerComponent sut{context, params};
+  bus.add(sut);
+  SimReader<topic::TransmissionState> states{bus};
+  auto message = quality(0, -45, 10);
+  message.busy_percent(60);
+  message.retry_percent(50);  // one retry for each frame, a third of retries_worst
+  bus.publish<topic::NetworkQuality>(message);
+  bus.run_for(Duration::zero());
+  EXPECT_FLOAT_EQ(states.take().at(0).qni(), 40 + 30 + 0.3F * 40);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  message.busy_percent(nan);
+  message.retry_percent(nan);
+  bus.publish<topic::NetworkQuality>(message);
+  bus.run_for(Duration::zero());
+  EXPECT_FLOAT_EQ(states.take().at(0).qni(), 100);
+  bus.publish<topic::NetworkQuality>(quality(100, -99, nan));
+  bus.run_for(Duration::zero());
+  EXPECT_EQ(states.take().at(0).reason(), "focus_alarm");
+}
+
 TEST_F(TransmissionControllerComponentTest, BeatsOnceASecondEvenWithoutMeasurements) {
   beats_.take();
   bus_.run_for(seconds(10.5));  // the first comes at its phase

@@ -14,8 +14,8 @@ using decision::Reason;
 using decision::State;
 
 const Time t0{std::chrono::hours(1)};
-const decision::QniInput good{0.0, -45.0, 70.0};
-const decision::QniInput dead{100.0, -99.0, 0.0};
+const decision::QualityMeasurement good{0.0, -45.0, 100.0, {}, {}};
+const decision::QualityMeasurement dead{100.0, -99.0, 0.0, {}, {}};
 
 TransmissionController make(bool silence_is_poor = false) {
   TransmissionController::Params params;
@@ -43,8 +43,8 @@ TEST(TransmissionController, DecidesByTheIndexAsItIsPublished) {
   TransmissionController::Params params;
   params.policy.policy = "threshold";
   params.policy.pause_below_qni = 40;
-  params.qni.weight_per = 1;
-  params.qni.weight_signal = params.qni.weight_quality = 0;
+  params.quality.thesis.weight_per = 1;
+  params.quality.thesis.weight_signal = params.quality.thesis.weight_quality = 0;
   TransmissionController sut(params);
   const auto decision = sut.on_quality({60.0000001, std::nullopt, std::nullopt}, t0);
   EXPECT_EQ(decision.evidence.sample, 40.0);  // as a float; a recording has no more digits
@@ -104,7 +104,7 @@ TEST(TransmissionController, SilenceIsRepeatedOnceEachTimeout) {
 
 TEST(TransmissionController, RefusesWeightsThatDoNotSumToOne) {
   TransmissionController::Params params;
-  params.qni.weight_per = 0.5;
+  params.quality.thesis.weight_per = 0.5;
   EXPECT_THROW(TransmissionController{params}, ConfigError);
 }
 

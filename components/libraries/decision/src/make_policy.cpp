@@ -16,9 +16,16 @@ int r_star(const PolicyParams& p) {
   return discounted_secretary(n, factor).r_star;
 }
 
+Reason alarm_of(const PolicyParams& p) {
+  if (p.detector == "focus") return Reason::focus_alarm;
+  return p.detector == "shiryaev_roberts" ? Reason::roberts_alarm : Reason::cusum_alarm;
+}
+
 Forward forward(const PolicyParams& p) {
   const Llr main = llr_of(p);
-  return {main, alpha_of(p), p.mild_alpha > 0 ? mild_llr_of(p) : main, p.mild_alpha};
+  const double mild = mild_alpha_of(p);
+  return {detector_of(p), detector_threshold_of(p),         alarm_of(p),
+          main,           mild > 0 ? mild_llr_of(p) : main, mild};
 }
 
 std::unique_ptr<Rule> belief_rule(const PolicyParams& p) {

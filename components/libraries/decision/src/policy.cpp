@@ -51,6 +51,10 @@ const char* to_string(Reason reason) {
       return "cusum_alarm";
     case Reason::mild_alarm:
       return "mild_alarm";
+    case Reason::focus_alarm:
+      return "focus_alarm";
+    case Reason::roberts_alarm:
+      return "roberts_alarm";
     case Reason::belief_bad:
       return "belief_bad";
     case Reason::belief_good:

@@ -46,7 +46,7 @@ void check_belief(const PolicyParams& p) {
 
 void check(const PolicyParams& params) {
   (void)llr_of(params);
-  if (params.mild_alpha > 0) (void)mild_llr_of(params);
+  if (params.mild_alpha > 0 || params.mild_share > 0) (void)mild_llr_of(params);
   check_threshold(params);
   check_pause(params);
   check_belief(params);

@@ -28,19 +28,19 @@ Decision ThresholdRule::while_passive(double qni, int) {
 }
 
 Decision TocpRule::while_active(double qni) {
-  const double w = cusum_.add(forward_.llr(qni));
-  if (cusum_.alarm(forward_.alpha)) return {true, Reason::cusum_alarm, w, forward_.alpha};
+  const double w = forward_.detector.add(qni);
+  if (w >= forward_.threshold) return {true, forward_.alarm, w, forward_.threshold};
   if (forward_.mild_alpha > 0) {
     const double mild = mild_cusum_.add(forward_.mild_llr(qni));
     if (mild_cusum_.alarm(forward_.mild_alpha)) {
       return {true, Reason::mild_alarm, mild, forward_.mild_alpha};
     }
   }
-  return {false, Reason::steady, w, forward_.alpha};
+  return {false, Reason::steady, w, forward_.threshold};
 }
 
 void TocpRule::forget() {
-  cusum_.reset();
+  forward_.detector.reset();
   mild_cusum_.reset();
 }
 

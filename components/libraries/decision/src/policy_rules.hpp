@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "decision/cusum.hpp"
+#include "decision/detector.hpp"
 #include "decision/llr.hpp"
 #include "decision/policy.hpp"
 
@@ -40,13 +41,16 @@ class ThresholdRule final : public Rule {
 
 /// What the detector of a turn to bad needs.
 struct Forward {
+  Detector detector;
+  double threshold;
+  Reason alarm;  ///< what the detector's alarm is called
   Llr llr;
-  double alpha;
   Llr mild_llr;
   double mild_alpha;  ///< 0 is off
 };
 
-/// TOCP: pauses at the alarm of the log-likelihood CUSUM. Derived rules say when to resume.
+/// TOCP: pauses at the alarm of its detector, the log-likelihood CUSUM or another. Derived rules
+/// say when to resume.
 class TocpRule : public Rule {
  public:
   explicit TocpRule(const Forward& forward) : forward_(forward) {}
@@ -59,7 +63,6 @@ class TocpRule : public Rule {
 
  private:
   Forward forward_;
-  Cusum cusum_;
   Cusum mild_cusum_;
 };
 

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "special_functions.hpp"
 
+#include <algorithm>
 #include <boost/math/special_functions/bessel.hpp>
+#include <boost/math/special_functions/erf.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 
 namespace tocsin::decision {
+
+double normal_quantile(double p) {
+  constexpr double limit = 8;
+  constexpr double least = 1e-15;
+  if (p <= least) return -limit;
+  if (p >= 1 - least) return limit;
+  return std::clamp(-M_SQRT2 * boost::math::erfc_inv(2 * p), -limit, limit);
+}
 
 double log_normal_cdf(double z) {
   if (z > -35) return std::log(normal_cdf(z));

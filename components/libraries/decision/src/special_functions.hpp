@@ -16,6 +16,8 @@ inline double normal_interval(double a, double b) {
 /// The standard normal density.
 inline double normal_density(double z) { return std::exp(-z * z / 2) / std::sqrt(2 * M_PI); }
 
+/// z with P(Z <= z) = p, held within +-8.
+double normal_quantile(double p);
 /// ln P(Z <= z), without underflow.
 double log_normal_cdf(double z);
 /// ln(Gamma(x + 1/2) / Gamma(x)), without the cancellation of two large logarithms.

@@ -5,10 +5,12 @@
 #include <cstdlib>
 #include <new>
 
+#include "decision/channel_qni.hpp"
+#include "decision/detectors.hpp"
 #include "decision/llr.hpp"
 #include "decision/policy.hpp"
-#include "decision/research/channel_qni.hpp"
-#include "decision/research/detectors.hpp"
+#include "decision/quality_index.hpp"
+#include "decision/research/mean_cusum.hpp"
 
 namespace {
 long allocations = 0;
@@ -54,6 +56,26 @@ TEST(Allocation, DoesNotHappenInAnyPolicy) {
   }
 }
 
+TEST(Allocation, DoesNotHappenInAPolicyWithAnyDetector) {
+  for (const char* detector : {"cusum", "focus", "shiryaev_roberts"}) {
+    for (const char* good : {"normal", "beta"}) {
+      PolicyParams params;
+      params.policy = "tocp_reverse";
+      params.detector = detector;
+      params.detector_threshold = 8;
+      params.good_family = good;
+      if (params.good_family == "beta") params.good_parameters = {10.68, 2.41};
+      const auto sut = make_policy(params);
+      const long before = allocations;
+      for (int n = 0; n < 5000; ++n) {
+        const Time now{std::chrono::seconds(n)};
+        (void)sut->on_sample({now, quality(n)}, now);
+      }
+      EXPECT_EQ(allocations - before, 0) << detector << ' ' << good;
+    }
+  }
+}
+
 TEST(Allocation, DoesNotHappenInAnyDetector) {
   const Llr llr{DensityLlr({Family::rician, {80, 9, 0}}, {Family::beta, {6, 10, 0}}, 4)};
   Focus focus;
@@ -74,11 +96,13 @@ TEST(Allocation, DoesNotHappenInAnyDetector) {
 TEST(Allocation, DoesNotHappenInEitherQualityIndex) {
   const QniModel first{QniParams{}};
   const ChannelQniModel second{ChannelQniParams{}};
+  const QualityIndex index{QualityIndexParams{}};
   const long before = allocations;
   double sum = 0;
   for (int n = 0; n < 1000; ++n) {
     sum += first.evaluate({n % 100 * 1.0, -60, {}}).value;
     sum += second.evaluate({n % 100 * 1.0, -60, 0.5, {}}).value;
+    sum += index.evaluate({n % 100 * 1.0, -60, 80, 10, 20});
   }
   EXPECT_GT(sum, 0);
   EXPECT_EQ(allocations - before, 0);

@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include "decision/research/detectors.hpp"
+#include "decision/detectors.hpp"
 
 namespace tocsin::decision {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "decision/research/detectors.hpp"
+#include "decision/detectors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <random>
 
 #include "decision/llr.hpp"
+#include "decision/research/mean_cusum.hpp"
 #include "foundation/error.hpp"
 #include "golden.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "decision/research/channel_qni.hpp"
+#include "decision/channel_qni.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin::decision {

@@ -108,49 +108,6 @@ TEST(AlphaForRunLength, RejectsWhatNoThresholdGives) {
   EXPECT_EQ(error_of(155), "no error");
 }
 
-std::vector<double> ratios(double phi, int n) {
-  std::mt19937_64 random(9);  // NOLINT: a fixed seed is the point
-  std::normal_distribution<double> law(0, 1);
-  std::vector<double> values;
-  double z = 0;
-  for (int i = 0; i < n; ++i) {
-    z = phi * z + std::sqrt(1 - phi * phi) * law(random);
-    values.push_back(thesis(thesis_good.mean + thesis_good.sd * z));
-  }
-  return values;
-}
-
-TEST(CalibrateAlpha, AgreesWithTheExactThresholdOnIndependentData) {
-  const Calibration sut = calibrate_alpha(ratios(0, 200000), 1, 1000, 1);
-  EXPECT_NEAR(sut.alpha, 3.563, 0.6);
-  EXPECT_NEAR(sut.run_length, 1000, 10);
-  EXPECT_LT(sut.relative_error, 0.1);
-}
-
-TEST(CalibrateAlpha, AsksForMoreOnCorrelatedData) {
-  const auto data = ratios(0.9, 200000);
-  EXPECT_GT(calibrate_alpha(data, 50, 10000, 1).alpha,
-            1.3 * calibrate_alpha(ratios(0, 200000), 50, 10000, 1).alpha);
-}
-
-TEST(CalibrateAlpha, IsTheSameForTheSameSeed) {
-  const auto data = ratios(0.5, 5000);
-  EXPECT_EQ(calibrate_alpha(data, 20, 500, 4).alpha, calibrate_alpha(data, 20, 500, 4).alpha);
-}
-
-TEST(CalibrateAlpha, RejectsRecordsThatAreNone) {
-  EXPECT_THROW((void)calibrate_alpha({1, -1, 1}, 2, 100, 1), ConfigError);
-  EXPECT_THROW((void)calibrate_alpha({1, NAN, 1, 1}, 1, 100, 1), ConfigError);
-}
-
-TEST(CalibrateAlpha, SaysWhenTheRecordBoundsNoThreshold) {
-  const Calibration never = calibrate_alpha(std::vector<double>(1000, -5), 10, 100, 1);
-  EXPECT_TRUE(never.any_threshold);
-  EXPECT_GE(never.run_length, 100 * 4 * 200);
-  EXPECT_TRUE(calibrate_alpha(ratios(0, 5000), 1, 20, 1).any_threshold);
-  EXPECT_FALSE(calibrate_alpha(ratios(0, 5000), 1, 400, 1).any_threshold);
-}
-
 TEST(GaussianRunLength, AgreesWithTheGoldenTable) {
   const auto path = golden_file("cusum_arl_gauss.csv");
   if (path.empty()) GTEST_SKIP() << "no golden numbers on this machine";

@@ -55,42 +55,6 @@ std::vector<ShiftDelay> shifts_of(const DesignRequest& request, double alpha) {
   return shifts;
 }
 
-/// The recording's own period: the median step of its time.
-double period_of(const QualityTrace& trace) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < trace.time_s.size(); ++i) {
-    steps.push_back(trace.time_s[i] - trace.time_s[i - 1]);
-  }
-  if (steps.empty()) return 0;
-  std::nth_element(steps.begin(), steps.begin() + static_cast<long>(steps.size() / 2), steps.end());
-  return steps[steps.size() / 2];
-}
-
-decision::Calibration calibrate(const DesignRequest& request) {
-  const QualityTrace& trace = *request.recording;
-  const double period_s = period_of(trace);
-  if (!(period_s > 0)) throw ConfigError(trace.path + ": its time does not advance");
-  const auto llr = llr_of(request.params);
-  std::vector<double> ratios;
-  for (const double x : trace.measured()) ratios.push_back(llr(x));
-  const int block = std::max(1, static_cast<int>(std::lround(request.block_s / period_s)));
-  return decision::calibrate_alpha(ratios, block, request.false_alarm_s / period_s, request.seed);
-}
-
-std::string duration_text(double s) {
-  std::ostringstream text;
-  text << std::setprecision(4);
-  if (s < 120)
-    text << s << " s";
-  else if (s < 7200)
-    text << s / 60 << " min";
-  else if (s < 172800)
-    text << s / 3600 << " h";
-  else
-    text << s / 86400 << " d";
-  return text.str();
-}
-
 nlohmann::json to_json(const TradeOff& one) {
   return {{"false_alarm_s", one.false_alarm_s},
           {"alpha", one.alpha},
@@ -99,26 +63,16 @@ nlohmann::json to_json(const TradeOff& one) {
           {"reverse_delay_s", one.reverse_delay_s}};
 }
 
-std::string calibration_text(const Design& design) {
-  const decision::Calibration& c = *design.calibration;
-  std::ostringstream text;
-  text << "calibrated on " << design.request.recording->path << " (blocks of "
-       << design.request.block_s << " s): ";
-  if (c.any_threshold) {
-    text << "it holds too little that looks bad; any alpha has fewer false alarms than wanted\n";
-  } else {
-    text << "alpha " << c.alpha << ", +-" << 100 * c.relative_error
-         << " % in the false-alarm time\n";
-  }
-  return text.str();
-}
-
 }  // namespace
 
 Design design(const DesignRequest& request) {
   Design result{request, trade_off(request, request.false_alarm_s), table_of(request), {}, {}};
   result.shifts = shifts_of(request, result.wanted.alpha);
-  if (request.recording) result.calibration = calibrate(request);
+  if (request.recording) {
+    result.calibration =
+        calibrate_on(*request.recording, {request.params, request.false_alarm_s, request.block_s,
+                                          request.seed, request.replicates, request.paths});
+  }
   return result;
 }
 
@@ -131,7 +85,7 @@ std::string to_text(const Design& design) {
        << " when the network turns bad\n"
        << "  reverse_alpha " << w.reverse_alpha << ", mean delay "
        << duration_text(w.reverse_delay_s) << " when it turns good\n";
-  if (design.calibration) text << calibration_text(design);
+  if (design.calibration) text << to_text(*design.calibration);
   text << "\n  false alarm      alpha      delay  reverse_alpha      delay\n";
   for (const TradeOff& one : design.table) {
     text << std::setw(13) << duration_text(one.false_alarm_s) << std::setw(11) << one.alpha
@@ -154,13 +108,7 @@ nlohmann::json to_json(const Design& design) {
   for (const ShiftDelay& one : design.shifts) {
     out["shifts"].push_back({{"mean", one.mean}, {"delay_s", one.delay_s}});
   }
-  if (design.calibration) {
-    out["calibration"] = {{"alpha", design.calibration->alpha},
-                          {"file", design.request.recording->path},
-                          {"block_s", design.request.block_s},
-                          {"relative_error", design.calibration->relative_error},
-                          {"any_threshold", design.calibration->any_threshold}};
-  }
+  if (design.calibration) out["calibration"] = to_json(*design.calibration);
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "decision/policy_params.hpp"
 #include "decision/run_length.hpp"
 #include "quality_trace.hpp"
+#include "recording_calibration.hpp"
 
 namespace tocsin::tools {
 
@@ -18,8 +19,10 @@ struct DesignRequest {
   double false_alarm_s = 3600;            ///< wanted mean time between false alarms
   double period_s = 6;                    ///< between samples
   std::optional<QualityTrace> recording;  ///< of a good network, to calibrate on
-  double block_s = 30;                    ///< length of the resampled blocks of the recording
+  double block_s = 0;                     ///< of resampled blocks; 0: as long as correlation lasts
   unsigned seed = 1;
+  int replicates = 100;  ///< recordings that are simulated for the interval
+  int paths = 3200;      ///< simulated for the threshold
 };
 
 /// One line of the trade-off: a false-alarm time and what it costs in delay.
@@ -42,7 +45,7 @@ struct Design {
   TradeOff wanted;
   std::vector<TradeOff> table;  ///< shorter and longer times; those that cannot be had are left out
   std::vector<ShiftDelay> shifts;
-  std::optional<decision::Calibration> calibration;  ///< with a recording
+  std::optional<RecordingCalibration> calibration;  ///< with a recording
 };
 
 /// Throws ConfigError when no threshold gives the wanted time.

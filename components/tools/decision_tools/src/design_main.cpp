@@ -34,7 +34,7 @@ void declare(CLI::App& app, Request& request) {
   app.add_option("--column", request.trace.column,
                  "column of the recording [qni or what it rests on]");
   app.add_option("--block", request.design.block_s,
-                 "seconds per resampled block of the recording [30]")
+                 "seconds per resampled block of the recording [as long as its correlation lasts]")
       ->check(CLI::PositiveNumber);
   app.add_option("--seed", request.design.seed, "of the resampling [1]");
   app.add_flag("--json", request.json, "print JSON");

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "decision/qni.hpp"
+#include "decision/quality_index.hpp"
 #include "foundation/csv_table.hpp"
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
@@ -73,15 +73,17 @@ std::vector<double> times(const CsvTable& table, double period_s) {
 }
 
 /// Recorded network_quality: the index as the run weighed it, by default as the thesis.
-std::vector<double> from_network_quality(const CsvTable& table, const decision::QniParams& params) {
-  const decision::QniModel model(params);
+std::vector<double> from_network_quality(const CsvTable& table,
+                                         const decision::QualityIndexParams& params) {
+  const decision::QualityIndex index(params);
   const auto per = table.numbers("per_percent");
   const auto signal = numbers_or_nan(table, "signal_dbm");
   const auto quality = numbers_or_nan(table, "quality_percent");
+  const auto retry = numbers_or_nan(table, "retry_percent");
+  const auto busy = numbers_or_nan(table, "busy_percent");
   std::vector<double> qni;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    const double full_scale = quality[i] / 100 * params.quality_best;
-    qni.push_back(model.evaluate({per[i], signal[i], full_scale}).value);
+    qni.push_back(index.evaluate({per[i], signal[i], quality[i], retry[i], busy[i]}));
   }
   return qni;
 }
@@ -132,7 +134,7 @@ void read_network_quality(const CsvTable& table, const TraceOptions& options, Qu
   trace.kind = "network quality";
   trace.controller = controller_of_run(table.path(), options.role);
   trace.qni = from_network_quality(
-      table, trace.controller ? trace.controller->qni() : decision::QniParams{});
+      table, trace.controller ? trace.controller->quality() : decision::QualityIndexParams{});
   trace.time_s = times(table, options.period_s);
 }
 

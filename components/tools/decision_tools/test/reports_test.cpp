@@ -5,6 +5,7 @@
 #include <random>
 
 #include "decide_report.hpp"
+#include "decision/link_model.hpp"
 #include "design.hpp"
 #include "fit_report.hpp"
 #include "foundation/error.hpp"
@@ -130,6 +131,8 @@ DesignRequest request(double false_alarm_s) {
   DesignRequest r;
   r.false_alarm_s = false_alarm_s;
   r.period_s = 1;
+  r.replicates = 10;
+  r.paths = 300;
   return r;
 }
 
@@ -155,14 +158,74 @@ TEST(Design, RejectsATimeThatNoThresholdGives) {
   EXPECT_THROW((void)design(request(100)), ConfigError);
 }
 
+QualityTrace ar1_trace(double correlation, int n) {
+  QualityTrace trace;
+  trace.path = "walk.csv";
+  const auto source = decision::source_of(decision::Ar1Link{decision::thesis_good, correlation}, 3);
+  for (int i = 0; i < n; ++i) {
+    trace.time_s.push_back(i);
+    trace.qni.push_back(source->next());
+  }
+  return trace;
+}
+
 TEST(Design, CalibratesOnARecording) {
   DesignRequest wanted = request(1000);
-  wanted.recording = normal_trace(81.5669, 10.3309, 20000);
-  wanted.block_s = 1;
+  wanted.recording = ar1_trace(0, 20000);
   const Design sut = design(wanted);
   ASSERT_TRUE(sut.calibration);
-  EXPECT_NEAR(sut.calibration->alpha, sut.wanted.alpha, 1);
-  EXPECT_TRUE(to_json(sut).contains("calibration"));
+  EXPECT_EQ(sut.calibration->parameter, "alpha");
+  EXPECT_NEAR(sut.calibration->found.threshold, sut.wanted.alpha, 0.5);
+  EXPECT_LT(sut.calibration->found.true_samples.low, 1000);
+  EXPECT_GT(sut.calibration->found.true_samples.high, 1000);
+  const auto json = to_json(sut)["calibration"];
+  EXPECT_EQ(json["model"], "ar1");
+  EXPECT_FALSE(json["extrapolated"].get<bool>());
+  EXPECT_THAT(to_text(sut), ::testing::Not(HasSubstr("extrapolated")));
+}
+
+TEST(Design, SaysHowFarAShortCorrelatedRecordingBearsItOut) {
+  DesignRequest wanted = request(3600);
+  wanted.recording = ar1_trace(0.9, 7200);
+  const Design sut = design(wanted);
+  const decision::Calibration& found = sut.calibration->found;
+  EXPECT_GT(found.true_samples.high / found.true_samples.low, 2);
+  EXPECT_GT(found.needed_samples, 5 * 7200);
+  EXPECT_THAT(to_text(sut), HasSubstr("with correlation 0.89"));
+  EXPECT_THAT(to_text(sut), HasSubstr("extrapolated: the recording is shorter than ten"));
+  EXPECT_THAT(to_text(sut), HasSubstr("+-20 % needs a recording of about"));
+  EXPECT_THAT(to_text(sut), HasSubstr("alarms at it, of 2 to be expected"));
+}
+
+TEST(Design, CalibratesTheDetectorThatIsChosen) {
+  DesignRequest wanted = request(300);
+  wanted.params.detector = "focus";
+  wanted.recording = ar1_trace(0.5, 3000);
+  const Design sut = design(wanted);
+  EXPECT_EQ(sut.calibration->parameter, "detector_threshold");
+  EXPECT_GT(sut.calibration->found.threshold, 6);  // of independent samples: 5
+  EXPECT_THAT(to_text(sut), HasSubstr("detector_threshold "));
+}
+
+TEST(Design, TakesAStepInTimeForAGapInTheRecording) {
+  DesignRequest wanted = request(1000);
+  wanted.recording = ar1_trace(0.9, 3000);
+  for (std::size_t i = 1500; i < 3000; ++i) wanted.recording->time_s[i] += 500;
+  EXPECT_EQ(design(wanted).calibration->found.held_samples, 3000);
+  wanted.recording->time_s.assign(3000, 0);
+  EXPECT_THROW((void)design(wanted), ConfigError);
+}
+
+TEST(Design, NamesTheRecordingThatIsTooShort) {
+  DesignRequest wanted = request(1000);
+  wanted.recording = ar1_trace(0.5, 40);
+  try {
+    (void)design(wanted);
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("walk.csv: recording: "));
+    EXPECT_THAT(error.what(), HasSubstr("at least 50 are needed"));
+  }
 }
 
 }  // namespace

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "decision/belief.hpp"
+#include "decision/detectors.hpp"
 #include "decision/llr.hpp"
-#include "decision/research/detectors.hpp"
+#include "decision/research/mean_cusum.hpp"
 #include "decision/research/scenario.hpp"
 
 namespace tocsin::decision {

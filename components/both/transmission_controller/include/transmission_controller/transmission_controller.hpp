@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "decision/policy.hpp"
-#include "decision/qni.hpp"
+#include "decision/quality_index.hpp"
 #include "foundation/time.hpp"
 
 namespace tocsin {
@@ -28,14 +28,14 @@ class TransmissionController {
  public:
   struct Params {
     decision::PolicyParams policy;
-    decision::QniParams qni;
+    decision::QualityIndexParams quality;
     double quality_timeout_s = 3.0;
     bool silence_is_poor = false;
 
     template <class Visitor>
     void visit(Visitor& v) {
       policy.visit(v);
-      qni.visit(v);
+      quality.visit(v);
       v("quality_timeout_s", quality_timeout_s, {0.1, 600},
         "[s] network quality that is older counts as absent");
       v("silence_is_poor", silence_is_poor,
@@ -47,7 +47,7 @@ class TransmissionController {
   explicit TransmissionController(const Params& params);
 
   /// A measurement that was received at `now`.
-  TransmissionDecision on_quality(const decision::QniInput& input, Time now);
+  TransmissionDecision on_quality(const decision::QualityMeasurement& measured, Time now);
   /// To be called at deadline(): a decision when silence or the end of a pause asks for one.
   std::optional<TransmissionDecision> on_time(Time now);
   [[nodiscard]] Time deadline() const;
@@ -56,7 +56,7 @@ class TransmissionController {
  private:
   TransmissionDecision conclude(const decision::Evidence& evidence, Time now);
 
-  decision::QniModel qni_;
+  decision::QualityIndex index_;
   std::unique_ptr<decision::Policy> policy_;
   Duration timeout_;
   bool silence_is_poor_;

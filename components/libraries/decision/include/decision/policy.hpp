@@ -25,6 +25,8 @@ enum class Reason {
   threshold_high,         ///< quality rose to the upper bound
   mild_alarm,             ///< the CUSUM for a mild degradation reached its threshold
   cusum_alarm,            ///< the CUSUM for "turned bad" reached its threshold
+  focus_alarm,            ///< FOCuS reached its threshold
+  roberts_alarm,          ///< Shiryaev-Roberts reached its threshold
   reverse_alarm,          ///< the CUSUM for "turned good" reached its threshold
   best_so_far,            ///< the best sample of the pause came at or after candidate r*
   belief_bad,             ///< the network is probably bad: silence pays

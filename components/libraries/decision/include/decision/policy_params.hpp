@@ -20,6 +20,9 @@ struct PolicyLimits {
 inline constexpr Choices policy_names{"none",         "threshold", "tocp",  "tocp_dsp",
                                       "tocp_reverse", "belief",    "legacy"};
 
+/// The detectors of "turned bad" that tocp, tocp_dsp and tocp_reverse may have.
+inline constexpr Choices detector_names{"cusum", "focus", "shiryaev_roberts"};
+
 /// Which policy decides, and its settings. Defaults: the thesis's laws at one sample per 6 s
 /// (20 echoes, 0.3 s apart), a false alarm per 3600 good samples, silence of at most 3 minutes.
 struct PolicyParams {
@@ -36,12 +39,15 @@ struct PolicyParams {
   std::string bad_family = "normal";
   std::vector<double> bad_parameters;
   double llr_clip = 0;
+  std::string detector = "cusum";
+  double detector_threshold = 0;
   double alpha = 5.53;
   double reverse_alpha = 3.86;
   double false_alarm_samples = 0;
   double false_resume_samples = 0;
   double mild_mean = 65;
   double mild_alpha = 0;
+  double mild_share = 0;
   std::string discount = "geometric";
   double discount_value = 0.95;
   int fixed_pause_samples = 30;
@@ -95,6 +101,13 @@ struct PolicyParams {
   }
   template <class Visitor>
   void visit_detector(Visitor& v) {
+    v("detector", detector, detector_names,
+      "tocp, tocp_dsp, tocp_reverse: cusum for a change to the bad law, focus for a fall of "
+      "unknown "
+      "size, shiryaev_roberts");
+    v("detector_threshold", detector_threshold, {0, 10000},
+      "[nat] focus and shiryaev_roberts alarm here; 0: as rarely as alpha or false_alarm_samples "
+      "say, on independent samples");
     v("alpha", alpha, {0.001, 1000}, "[nat] the CUSUM alarms at this sum");
     v("reverse_alpha", reverse_alpha, {0.001, 1000},
       "[nat] tocp_reverse: resumes at this sum of evidence for good");
@@ -105,6 +118,9 @@ struct PolicyParams {
     v("mild_mean", mild_mean, {0, 100}, "[QNI] mean of a mild degradation, with good_sd");
     v("mild_alpha", mild_alpha, {0, 1000},
       "[nat] a second CUSUM for mild degradation alarms at this sum; 0 is off");
+    v("mild_share", mild_share, {0, 0.99},
+      "[1] replaces mild_alpha: share of the false alarms that the second CUSUM has, so that both "
+      "detectors together have as many as one alone; 0 is as mild_alpha says");
   }
   template <class Visitor>
   void visit_resume(Visitor& v) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "decision/llr.hpp"
 
@@ -41,24 +40,5 @@ struct StepLaw {
 [[nodiscard]] double gaussian_run_length(double k, double h, double mu);
 /// The same for the two-sided test: 1/two = 1/up + 1/down.
 [[nodiscard]] double gaussian_run_length_two_sided(double k, double h, double mu);
-
-/// A threshold calibrated on recorded data.
-struct Calibration {
-  double alpha;
-  double run_length;      ///< mean samples between false alarms at alpha, as resampled
-  double relative_error;  ///< standard error of run_length over run_length
-  /// True when even the smallest threshold has fewer false alarms than wanted: the record holds too
-  /// little that looks bad to bound alpha. alpha is then that smallest threshold, run_length at
-  /// least what it says.
-  bool any_threshold;
-};
-
-/// Chooses alpha on the ratios of a recorded good network, because real QNI is autocorrelated and
-/// the table for independent samples promises too much. Blocks of `block` consecutive ratios are
-/// drawn with replacement and strung together (circular block bootstrap), so that correlation up
-/// to the block length survives. Deterministic for a seed.
-/// Throws ConfigError when there are fewer than 2 blocks or a ratio is NaN.
-[[nodiscard]] Calibration calibrate_alpha(const std::vector<double>& ratios, int block,
-                                          double samples, unsigned seed);
 
 }  // namespace tocsin::decision

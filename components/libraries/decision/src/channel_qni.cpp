@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "decision/research/channel_qni.hpp"
+#include "decision/channel_qni.hpp"
 
 #include "weighted_terms.hpp"
 
