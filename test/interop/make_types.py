@@ -75,7 +75,8 @@ def structs_of(text):
                 if declaration:
                     first, *others = declaration.split(",")
                     fields += [first.split()[-1], *(other.strip() for other in others)]
-            yield tuple(path), found["struct"], fields
+            # A leading underscore says that the name is none of IDL's own words.
+            yield tuple(path), found["struct"], [field.lstrip("_") for field in fields]
 
 
 def main():

@@ -8,7 +8,7 @@
 #include <deque>
 #include <mutex>
 
-#include "cyclone.hpp"
+#include "cyclone_service.hpp"
 #include "fast_dds_service.hpp"
 #include "headed_services.h"
 #include "ros_idl/std_srvs.hpp"
@@ -94,47 +94,6 @@ class Asker : public ClientReceiver {
   std::mutex mutex_;
   std::vector<ServiceReply> replies_;
   std::unique_ptr<ClientEnd> end_;
-};
-
-/// As rmw_cyclonedds has it: headers in the messages.
-template <class Read, class Written>
-class CycloneService {
- public:
-  CycloneService(int domain, const dds_topic_descriptor_t& written,
-                 const std::string& written_topic, const char* written_type,
-                 const dds_topic_descriptor_t& read, const std::string& read_topic,
-                 const char* read_type)
-      : participant_(domain) {
-    const auto qos = CycloneParticipant::qos();
-    dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
-    dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, 10);
-    reader_ = participant_.reader(participant_.topic(read, read_topic, read_type), qos);
-    writer_ = participant_.writer(participant_.topic(written, written_topic, written_type), qos);
-  }
-  [[nodiscard]] bool is_connected() const {
-    dds_publication_matched_status_t readers{};
-    dds_subscription_matched_status_t writers{};
-    (void)dds_get_publication_matched_status(writer_, &readers);
-    (void)dds_get_subscription_matched_status(reader_, &writers);
-    return readers.current_count > 0 && writers.current_count > 0;
-  }
-  void write(const Written& message) { (void)dds_write(writer_, &message); }
-  /// Calls `use` with each message.
-  template <class Use>
-  void take(const Use& use) {
-    void* sample = nullptr;
-    dds_sample_info_t info{};
-    while (dds_take(reader_, &sample, &info, 1, 1) == 1) {
-      if (info.valid_data) use(*static_cast<const Read*>(sample));
-      (void)dds_return_loan(reader_, &sample, 1);
-      sample = nullptr;
-    }
-  }
-
- private:
-  CycloneParticipant participant_;
-  dds_entity_t reader_ = 0;
-  dds_entity_t writer_ = 0;
 };
 
 class CycloneClient : public CycloneService<headed_SetBoolResponse, headed_SetBoolRequest> {

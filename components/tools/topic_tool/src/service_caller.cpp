@@ -24,7 +24,8 @@ template <class Condition>
 bool ServiceCaller::wait(Duration patience, const Condition& done) {
   constexpr Duration look = std::chrono::milliseconds(50);  // a signal wakes nobody
   std::unique_lock<std::mutex> lock(mutex_);
-  for (Duration waited{0}; waited < patience && !is_stopped(); waited += look) {
+  for (Duration waited{0}; waited < patience; waited += look) {
+    if (is_stopped() && !outlasts_signals_) break;
     if (changed_.wait_for(lock, std::min(look, patience - waited), done)) return true;
   }
   return done();
@@ -34,14 +35,23 @@ bool ServiceCaller::wait_for_server(Duration patience) {
   return wait(patience, [this] { return end_->available(); });
 }
 
+void ServiceCaller::require(Duration patience) {
+  if (!wait_for_server(patience)) throw EnvironmentError("service " + name_ + ": nobody serves it");
+}
+
+std::shared_ptr<const void> ServiceCaller::reply(std::int64_t number) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = replies_.find(number);
+  return found != replies_.end() ? found->second : nullptr;
+}
+
 std::shared_ptr<const void> ServiceCaller::call(const std::shared_ptr<const void>& request,
                                                 Duration patience) {
-  if (!wait_for_server(patience)) throw EnvironmentError("service " + name_ + ": nobody serves it");
+  require(patience);
   const auto number = end_->send(request);
   const bool answered = number && wait(patience, [&] { return replies_.count(*number) != 0; });
   if (!answered) throw EnvironmentError("service " + name_ + ": no answer");
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return replies_.at(*number);
+  return reply(*number);
 }
 
 }  // namespace tocsin::topic_tool

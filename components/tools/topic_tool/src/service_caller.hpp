@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,9 +22,18 @@ class ServiceCaller : private ClientReceiver {
 
   /// Whether somebody serves it, at once or within `patience`.
   [[nodiscard]] bool wait_for_server(Duration patience);
+  /// Throws EnvironmentError when nobody does.
+  void require(Duration patience);
   /// Throws EnvironmentError when nobody serves it, or nobody answers, within `patience` each.
   [[nodiscard]] std::shared_ptr<const void> call(const std::shared_ptr<const void>& request,
                                                  Duration patience);
+  /// Asks without waiting; nothing when nobody serves it. `reply` has the answer once it is there.
+  [[nodiscard]] std::optional<std::int64_t> send(const std::shared_ptr<const void>& request) {
+    return end_->send(request);
+  }
+  [[nodiscard]] std::shared_ptr<const void> reply(std::int64_t number);
+  /// From now on it waits although Ctrl-C was pressed: for what ends well what is under way.
+  void outlast_signals() { outlasts_signals_ = true; }
 
  private:
   void receive(ServiceReply&& reply) override;
@@ -32,6 +42,7 @@ class ServiceCaller : private ClientReceiver {
   template <class Condition>
   bool wait(Duration patience, const Condition& done);
   const std::string name_;
+  bool outlasts_signals_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::map<std::int64_t, std::shared_ptr<const void>> replies_;  ///< by the number of the call

@@ -21,11 +21,13 @@ double heading_of(const geometry_msgs::msg::Quaternion& q) {
 
 void AutoDockingComponent::tick(Time now) {
   take_commands(now);
+  take_goals(now);
   if (sensors_) take_sensors(now);
   const bool ended = sensors_ && (docking_.watch(now) || !docking_.running());
   if (ended) {
     sensors_.reset();
     send({});
+    finish_goal(now);
   }
   report(now);
   if (sensors_) wake_at(now + silence_ + std::chrono::milliseconds(1));
@@ -40,6 +42,31 @@ void AutoDockingComponent::take_commands(Time now) {
     } else {
       log().warn("'{}' is not a command; they are: start, cancel", command->data());
     }
+  }
+}
+
+/// A goal while docking runs is rejected, whoever has started it.
+void AutoDockingComponent::take_goals(Time now) {
+  while (const auto asked = action_.take(now)) {
+    if (docking_.running()) continue;
+    start(now);
+    action_.accept(now);
+    goal_ = asked->id;
+  }
+  if (goal_ && action_.is_canceling(*goal_)) docking_.cancel();
+}
+
+void AutoDockingComponent::finish_goal(Time now) {
+  if (!goal_) return;
+  const GoalId id = *std::exchange(goal_, std::nullopt);
+  action::AutoDocking::Result result;
+  result.text(to_string(docking_.result()));
+  if (docking_.result() == DockingResult::docked) {
+    action_.succeed(id, result, now);
+  } else if (action_.is_canceling(id)) {
+    action_.canceled(id, result, now);
+  } else {
+    action_.abort(id, result, now);
   }
 }
 
@@ -89,6 +116,11 @@ void AutoDockingComponent::report(Time now) {
   message.elapsed_s(run_ == 0 ? 0.0F : static_cast<float>(to_seconds(now - started_)));
   if (status_.write(std::move(message)) == Status::failed) return;
   if (docking_.state() == DockingState::done) log().info("{}", to_string(docking_.result()));
+  if (goal_) {
+    action::AutoDocking::Feedback feedback;
+    feedback.state(to_string(docking_.state()));
+    action_.feedback(*goal_, std::move(feedback));
+  }
   reported_ = docking_.state();
   next_report_ = next_instant(report_period, now);
 }

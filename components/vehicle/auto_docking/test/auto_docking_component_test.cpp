@@ -152,6 +152,78 @@ TEST_F(AutoDockingComponentTest, ReportsOnceASecondWhileItRuns) {
   EXPECT_NEAR(static_cast<double>(statuses_.take().size()), 3, 1);
 }
 
+/// A client of the action.
+class Docker : public Component {
+ public:
+  using Client = ActionClient<action::AutoDocking>;
+  explicit Docker(Context& context) : Component(context) {}
+  void tick(Time now) override {
+    while (auto one = client.take(now)) {
+      if (one->what == Client::What::feedback) states.push_back(one->feedback->state());
+      last = *one;
+    }
+  }
+  GoalId send() { return client.send({}, bus().now() + seconds(1), bus().now() + seconds(300)); }
+  void cancel(const GoalId& id) { client.cancel(id, bus().now() + seconds(1)); }
+  Client client{*this};
+  Client::News last{};
+  std::vector<std::string> states;
+};
+
+class AutoDockingActionTest : public AutoDockingComponentTest {
+ protected:
+  AutoDockingActionTest() { bus_.add(docker_); }
+  Context docker_context_{bus_, "docker", Role::uxv};
+  Docker docker_{docker_context_};
+  using What = Docker::Client::What;
+};
+
+TEST_F(AutoDockingActionTest, DocksTellsItsStatesAndSucceeds) {
+  docker_.send();
+  frames(0.1);
+  EXPECT_EQ(status().state(), "scan");
+  drive_in(8);
+  frames(1, 2, 6);
+  EXPECT_EQ(docker_.last.what, What::result);
+  EXPECT_EQ(docker_.last.state, GoalState::succeeded);
+  EXPECT_EQ(docker_.last.result->text(), "docked");
+  ASSERT_GE(docker_.states.size(), 3U);
+  EXPECT_EQ(docker_.states.front(), "scan");
+}
+
+TEST_F(AutoDockingActionTest, StopsWithAZeroWhenItsGoalIsCanceled) {
+  const GoalId id = docker_.send();
+  drive_in(8);
+  EXPECT_GT(commands_.take().back().linear().x(), 0);
+  docker_.cancel(id);
+  bus_.run_for(seconds(0.001));
+  EXPECT_EQ(commands_.take().back().linear().x(), 0);
+  EXPECT_EQ(docker_.last.what, What::result);
+  EXPECT_EQ(docker_.last.state, GoalState::canceled);
+  EXPECT_EQ(docker_.last.result->text(), "cancelled");
+}
+
+TEST_F(AutoDockingActionTest, AnEndThatNobodyAskedForIsAnAbort) {
+  docker_.send();
+  frames(0.5, 8);
+  bus_.run_for(seconds(0.6));
+  EXPECT_EQ(docker_.last.state, GoalState::aborted);
+  EXPECT_EQ(docker_.last.result->text(), "sensors_lost");
+  docker_.send();
+  frames(0.1);
+  command("cancel");
+  EXPECT_EQ(docker_.last.state, GoalState::aborted);
+  EXPECT_EQ(docker_.last.result->text(), "cancelled");
+}
+
+TEST_F(AutoDockingActionTest, AGoalWhileItDocksIsRejected) {
+  command("start");
+  docker_.send();
+  frames(0.1);
+  EXPECT_EQ(docker_.last.what, What::rejected);
+  EXPECT_EQ(status().run(), 1U);
+}
+
 TEST_F(AutoDockingComponentTest, LivesWithAnInfraredMessageThatIsTooShort) {
   command("start");
   bus_.publish<topic::DockInfrared>({});

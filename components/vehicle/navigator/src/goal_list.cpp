@@ -57,6 +57,12 @@ bool GoalList::advance() {
   return true;
 }
 
+void GoalList::expire(Time now) {
+  if (!goal_) return;
+  goal_->expires = std::min(goal_->expires, now);
+  goal_->ahead.clear();
+}
+
 const char* to_string(GoalAnswer answer) {
   switch (answer) {
     case GoalAnswer::accepted:

@@ -65,6 +65,12 @@ Navigator::Output Navigator::update(Time now) {
   return drive({goals_.present_number(), goal.pose, goal.tolerance_m}, now, dt);
 }
 
+bool Navigator::is_busy(Time now) const {
+  const auto& goal = goals_.present();
+  if (!goal || now >= goal->expires) return false;
+  return !stands_at_goal() || !goal->ahead.empty();
+}
+
 bool Navigator::stands_at_goal() const {
   return reached_ && target_key_ == goals_.present_number();
 }

@@ -7,6 +7,7 @@
 #include "foundation/error.hpp"
 #include "foundation/role.hpp"
 #include "navigation/map_loader.hpp"
+#include "navigator/pose_message.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -17,22 +18,6 @@ Navigator make_navigator(const std::string& name, const NavigatorComponent::Para
   if (params.map_file.empty()) throw ConfigError(name + ".map_file: is required");
   return {params.navigator, navigation::load_map(params.map_file),
           navigation::load_costs(params.map_file, params.navigator.inflation)};
-}
-
-geometry::Pose pose_of(const geometry_msgs::msg::Pose& message) {
-  const auto& q = message.orientation();
-  return {message.position().x(), message.position().y(),
-          geometry::heading_of({q.x(), q.y(), q.z(), q.w()})};
-}
-
-geometry_msgs::msg::Pose to_msg(const geometry::Pose& pose) {
-  geometry_msgs::msg::Pose message;
-  message.position().x(pose.x_m);
-  message.position().y(pose.y_m);
-  const auto q = geometry::quaternion_of(pose.heading_rad);
-  message.orientation().z(q.z);
-  message.orientation().w(q.w);
-  return message;
 }
 
 OdometryLocaliser make_localiser(const LocaliserFile& file, const geometry::Pose& start) {
@@ -46,6 +31,7 @@ NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
     : Component(context),
       params_(params),
       navigator_(make_navigator(context.name, params)),
+      action_(*this, params.pose_goal_timeout_s, params.navigator.follower.speed_mps),
       file_(context.state_path(".pose")),
       localiser_(
           make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})) {}
@@ -57,6 +43,8 @@ void NavigatorComponent::tick(Time now) {
   if (is_turn(now) || is_ordered) {
     const Navigator::Output output = navigator_.update(now);
     drive(output.velocity);
+    action_.follow(output, now);
+    latest_ = output.status;
     report_status(output.status, now);
   }
   remember(now);
@@ -91,7 +79,7 @@ bool NavigatorComponent::take_orders(Time now) {
     take_goal(*goal, now);
     any = true;
   }
-  return any;
+  return action_.take(navigator_, now) || any;
 }
 
 void NavigatorComponent::take_goal(const topic::Goal::Message& message, Time now) {
@@ -123,6 +111,10 @@ void NavigatorComponent::report_location(Time now) {
   message.header().stamp(wall(now));
   message.header().frame_id("map");
   message.pose().pose(to_msg(*pose_));
+  geometry_msgs::msg::PoseStamped at;
+  at.header(message.header());
+  at.pose(message.pose().pose());
+  action_.tell(latest_, at, now);
   if (location_.write(std::move(message)) == Status::failed) log().warn("a location was not sent");
 }
 

@@ -136,6 +136,17 @@ TEST(Missions, ARefusedGoalOfANewMissionDoesNotEndTheOneBefore) {
   EXPECT_EQ(sut.on_goal(of_mission(7, 4), t0), GoalAnswer::accepted);
 }
 
+TEST(GoalList, OneThatIsExpiredIsDrivenToNoMoreUntilItIsRenewed) {
+  GoalList sut;
+  sut.expire(t0);
+  ASSERT_EQ(sut.on_goal(of_mission(7, 3, 2), t0), GoalAnswer::accepted);
+  sut.expire(t0);
+  EXPECT_EQ(sut.present()->expires, t0);
+  EXPECT_TRUE(sut.present()->ahead.empty());
+  EXPECT_EQ(sut.on_goal(of_mission(7, 3, 2), t0), GoalAnswer::renewed);
+  EXPECT_GT(sut.present()->expires, t0);
+}
+
 TEST(Missions, EachPresentGoalHasANumberOfItsOwn) {
   GoalList sut;
   EXPECT_EQ(sut.present_number(), 0U);

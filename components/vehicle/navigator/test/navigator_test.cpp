@@ -30,6 +30,19 @@ TEST(Navigator, ReachesAGoalWithinItsTolerance) {
   EXPECT_EQ(output.velocity.linear_mps, 0);
 }
 
+TEST(Navigator, IsBusyFromAGoalToItsEnd) {
+  Vehicle vehicle;
+  EXPECT_FALSE(vehicle.sut.is_busy(vehicle.now));
+  ASSERT_EQ(vehicle.send(7, {3, 3, 0}), Answer::accepted);
+  EXPECT_TRUE(vehicle.sut.is_busy(vehicle.now));
+  (void)vehicle.run(15);
+  EXPECT_FALSE(vehicle.sut.is_busy(vehicle.now));
+  ASSERT_EQ(vehicle.send(8, {1, 1, 0}), Answer::accepted);
+  vehicle.sut.drop_goal(vehicle.now);
+  EXPECT_FALSE(vehicle.sut.is_busy(vehicle.now));
+  EXPECT_EQ(vehicle.run(3).velocity.linear_mps, 0);
+}
+
 TEST(Navigator, StopsWithinTheToleranceEvenWhenTheBaseLags) {
   for (double direction = -3; direction < 3; direction += 0.5) {
     Vehicle vehicle;

@@ -6,32 +6,44 @@
 #include <string>
 #include <utility>
 
+#include "runtime/middleware/log_lines.hpp"
+
 namespace tocsin {
 
-/// Writes lines "time level [name] text" to standard error. Thread-safe. A line that repeats
-/// within a second is counted instead of printed, so that a fault cannot flood the log. Cold: the
-/// compiler puts what makes a line out of the way of the code beside it.
+/// Writes lines "time level [name] text" to standard error, and to /rosout where a container tells
+/// it, from the level on that its node has (log_levels). Thread-safe. A line that repeats within a
+/// second is counted instead of written, so that a fault cannot flood the log. Cold: the compiler
+/// puts what makes a line out of the way of the code beside it.
 class Logger {
  public:
-  explicit Logger(std::string name) : name_(std::move(name)) {}
+  explicit Logger(const std::string& name) : Logger(name, name) {}
+  /// `node`: what ROS 2 calls who logs.
+  Logger(std::string name, std::string node) : name_(std::move(name)), node_(std::move(node)) {}
+
+  /// For who looks for a fault: not written unless somebody has asked for it.
+  template <class... Args>
+  [[gnu::cold]] void debug(fmt::format_string<Args...> text, Args&&... args) {
+    if (!log_levels::admit(node_, LogLevel::debug)) return;
+    write(LogLevel::debug, fmt::format(text, std::forward<Args>(args)...));
+  }
 
   template <class... Args>
   [[gnu::cold]] void info(fmt::format_string<Args...> text, Args&&... args) {
-    write(Level::info, fmt::format(text, std::forward<Args>(args)...));
+    write(LogLevel::info, fmt::format(text, std::forward<Args>(args)...));
   }
   template <class... Args>
   [[gnu::cold]] void warn(fmt::format_string<Args...> text, Args&&... args) {
-    write(Level::warn, fmt::format(text, std::forward<Args>(args)...));
+    write(LogLevel::warn, fmt::format(text, std::forward<Args>(args)...));
   }
   template <class... Args>
   [[gnu::cold]] void error(fmt::format_string<Args...> text, Args&&... args) {
-    write(Level::error, fmt::format(text, std::forward<Args>(args)...));
+    write(LogLevel::error, fmt::format(text, std::forward<Args>(args)...));
   }
 
  private:
-  enum class Level { info, warn, error };
-  void write(Level level, const std::string& line);
+  void write(LogLevel level, const std::string& line);
   std::string name_;
+  std::string node_;
 };
 
 }  // namespace tocsin

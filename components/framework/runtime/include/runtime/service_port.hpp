@@ -57,9 +57,10 @@ class Client : public ClientPort {
     CallNumber call;
     std::shared_ptr<const Response> response;  ///< null: nobody answered before the deadline
   };
-  explicit Client(Component& owner)
-      : ClientPort(owner,
-                   {Service::name, &type_info<Request>(), &type_info<Response>(), owner.node()}) {}
+  explicit Client(Component& owner) : Client(owner, Service::name, owner.node()) {}
+  /// Of another node than its owner's, or under a name that is made at run time.
+  Client(Component& owner, const std::string& name, const std::string& node)
+      : ClientPort(owner, {name, &type_info<Request>(), &type_info<Response>(), node}) {}
 
   /// Asks as soon as a server is there. The component is ticked at `deadline` at the latest, and
   /// each call has one outcome. A reply that comes after the deadline is dropped.

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "runtime/middleware/ros_stamp.hpp"
 #include "runtime/port.hpp"
 
 namespace tocsin {
@@ -43,7 +44,7 @@ std::string Context::state_path(const std::string& extension) const {
 }
 
 Component::Component(Context& context)
-    : context_(context), phase_(phase_of(context.seed, context.name)), log_(context.name) {}
+    : context_(context), phase_(phase_of(context.seed, context.name)), log_(context.name, node()) {}
 
 Time Component::next_instant(Duration period, Time now) const {
   return PeriodicInstants{period, phase_}.after(now);
@@ -108,12 +109,7 @@ void Component::do_changes() {
 }
 
 builtin_interfaces::msg::Time Component::wall(Time now) const {
-  constexpr std::int64_t second = 1'000'000'000;
-  const std::int64_t ns = context_.bus.wall_ns(now);
-  builtin_interfaces::msg::Time stamp;
-  stamp.sec(static_cast<std::int32_t>(ns / second));
-  stamp.nanosec(static_cast<std::uint32_t>(ns % second));
-  return stamp;
+  return ros_stamp(context_.bus.wall_ns(now));
 }
 
 }  // namespace tocsin

@@ -48,6 +48,7 @@ class RepetitionLimit {
 std::shared_ptr<spdlog::logger> make_sink(const char* name, spdlog::pattern_time_type time) {
   auto made = spdlog::stderr_color_mt(name);
   made->set_pattern("%H:%M:%S.%e %^%l%$ %v", time);
+  made->set_level(spdlog::level::debug);  // what is written at all is decided before
   return made;
 }
 
@@ -59,6 +60,12 @@ spdlog::logger& real_sink() {
 spdlog::logger& virtual_sink() {
   static const auto sink = make_sink("tocsin_simulated", spdlog::pattern_time_type::utc);
   return *sink;
+}
+
+spdlog::level::level_enum severity_of(LogLevel level) {
+  if (level <= LogLevel::debug) return spdlog::level::debug;
+  if (level == LogLevel::info) return spdlog::level::info;
+  return level == LogLevel::warn ? spdlog::level::warn : spdlog::level::err;
 }
 
 thread_local LogClock* clock_in_use = nullptr;
@@ -78,8 +85,9 @@ LogClock::Use::Use(LogClock& clock) : before_(std::exchange(clock_in_use, &clock
 
 LogClock::Use::~Use() { clock_in_use = before_; }
 
-void Logger::write(Level level, const std::string& line) {
+void Logger::write(LogLevel level, const std::string& line) {
   static RepetitionLimit real_limit;
+  if (!log_levels::admit(node_, level)) return;
   const LogClock* clock = clock_in_use;
   const auto now = clock == nullptr ? std::chrono::system_clock::now() : clock->state_->now();
   const std::string named = "[" + name_ + "] " + error_line(line);
@@ -88,12 +96,10 @@ void Logger::write(Level level, const std::string& line) {
           ? real_limit.admit(named, std::chrono::steady_clock::now().time_since_epoch())
           : clock->state_->limit.admit(named, now.time_since_epoch());
   if (!suppressed) return;
-  const auto severity = level == Level::info   ? spdlog::level::info
-                        : level == Level::warn ? spdlog::level::warn
-                                               : spdlog::level::err;
-  const std::string text =
-      *suppressed == 0 ? named : fmt::format("{} ({} more since)", named, *suppressed);
-  (clock == nullptr ? real_sink() : virtual_sink()).log(now, spdlog::source_loc{}, severity, text);
+  const std::string more = *suppressed == 0 ? "" : fmt::format(" ({} more since)", *suppressed);
+  (clock == nullptr ? real_sink() : virtual_sink())
+      .log(now, spdlog::source_loc{}, severity_of(level), named + more);
+  if (clock == nullptr) LogLines::push({level, node_, error_line(line) + more, now});
 }
 
 }  // namespace tocsin

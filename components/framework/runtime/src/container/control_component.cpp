@@ -45,7 +45,8 @@ void ControlComponent::tick(Time now) {
     publish_health(now);
     changed = true;
   }
-  serve_parameters(now);
+  serve_nodes(now);
+  tell_log();
   if (changed) {
     publish_state(now);
     bus().update_graph();
@@ -102,10 +103,10 @@ bool ControlComponent::is_asked(const Instance& instance, const Callers& callers
   using Mode = deployment::ParameterServices;
   const Mode mode = process_.parameter_services;
   if (mode != Mode::on_demand) return mode == Mode::always;
-  return callers.ros2 || calls_parameters_of(instance.name, callers.services);
+  return callers.ros2 || calls_services_of(instance.name, callers.services);
 }
 
-/// Twelve ends of DDS for each node: made for who asks, and taken away a while after he has gone.
+/// Sixteen ends of DDS for each node: made for who asks, and taken away a while after he has gone.
 void ControlComponent::note_callers(Time now) {
   const Callers callers = bus().callers();
   for (const Instance& instance : instances_.all()) {
@@ -114,7 +115,7 @@ void ControlComponent::note_callers(Time now) {
     Served& served = served_[instance.id];
     served.asked = now;
     if (!served.services) {
-      served.services = std::make_unique<ParameterServices>(*this, instance.name);
+      served.services = std::make_unique<NodeServices>(*this, instance.name);
     }
   }
   for (auto it = served_.begin(); it != served_.end();) {
@@ -123,14 +124,25 @@ void ControlComponent::note_callers(Time now) {
   }
 }
 
-void ControlComponent::serve_parameters(Time now) {
+void ControlComponent::serve_nodes(Time now) {
   const std::size_t before = served_.size();
   note_callers(now);
   for (const Instance& instance : instances_.all()) {
     const auto served = served_.find(instance.id);
-    if (served != served_.end()) served->second.services->answer(source_of(instance, now));
+    if (served == served_.end()) continue;
+    served->second.services->parameters.answer(source_of(instance, now));
+    served->second.services->loggers.answer(
+        [this](const std::string& name) { return nodes_.count(name) != 0 || name == node(); });
   }
   if (served_.size() != before) bus().update_graph();
+}
+
+void ControlComponent::tell_log() {
+  std::set<std::string> nodes;
+  for (const Instance& instance : instances_.all()) nodes.insert(instance.name);
+  if (nodes != nodes_) rosout_.serve(nodes);
+  nodes_ = std::move(nodes);
+  rosout_.tell();
 }
 
 ParameterSource ControlComponent::source_of(const Instance& instance, Time now) {

@@ -5,13 +5,15 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "container/health_report.hpp"
 #include "container/instances.hpp"
-#include "container/parameter_services.hpp"
+#include "container/node_services.hpp"
+#include "container/rosout.hpp"
 #include "deployment/deployment.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -34,7 +36,8 @@ struct ParameterEvents {
 };
 
 /// Runs in every container, on a thread of its own: carries out commands on the instances, and
-/// tells their states and health. A command that waits for a blocked component delays only this.
+/// tells their states, health and log. A command that waits for a blocked component delays only
+/// this.
 class ControlComponent final : public Component {
  public:
   /// What it asks its computer, once per report.
@@ -57,7 +60,8 @@ class ControlComponent final : public Component {
     Time at;
     std::vector<std::string> names;
   };
-  void serve_parameters(Time now);
+  void serve_nodes(Time now);
+  void tell_log();
   void note_callers(Time now);
   [[nodiscard]] bool is_asked(const Instance& instance, const Callers& callers) const;
   [[nodiscard]] ParameterSource source_of(const Instance& instance, Time now);
@@ -93,10 +97,12 @@ class ControlComponent final : public Component {
   /// Of a node that somebody asks, or has asked not long ago.
   struct Served {
     Time asked;
-    std::unique_ptr<ParameterServices> services;
+    std::unique_ptr<NodeServices> services;
   };
   std::map<std::uint32_t, Served> served_;
   std::optional<Output<ParameterEvents>> events_;
+  std::set<std::string> nodes_;  ///< that have /rosout
+  Rosout rosout_{*this};
   Time next_drop_line_{};
   std::uint64_t first_bytes_ = 0;
   Time started_{};

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "container/parameter_services.hpp"
 
-#include <algorithm>
-#include <array>
-
 namespace tocsin {
 namespace {
 
@@ -84,19 +81,6 @@ void ParameterServices::answer(const ParameterSource& source) {
     response.result(result_of(source.set(request.parameters())));
   });
   answer_readers(source);
-}
-
-bool calls_parameters_of(const std::string& node, const std::vector<std::string>& called) {
-  static const std::array<std::string, 6> names{parameter_service::DescribeParameters::name,
-                                                parameter_service::GetParameters::name,
-                                                parameter_service::GetParameterTypes::name,
-                                                parameter_service::ListParameters::name,
-                                                parameter_service::SetParameters::name,
-                                                parameter_service::SetParametersAtomically::name};
-  return std::any_of(called.begin(), called.end(), [&](const std::string& service) {
-    return std::any_of(names.begin(), names.end(),
-                       [&](const std::string& name) { return service == node + name.substr(1); });
-  });
 }
 
 }  // namespace tocsin

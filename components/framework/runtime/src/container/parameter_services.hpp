@@ -37,8 +37,4 @@ class ParameterServices {
   Server<parameter_service::SetParametersAtomically> set_atomically_;
 };
 
-/// Whether a client calls one of them: `called` are names of services, without slash in front.
-[[nodiscard]] bool calls_parameters_of(const std::string& node,
-                                       const std::vector<std::string>& called);
-
 }  // namespace tocsin

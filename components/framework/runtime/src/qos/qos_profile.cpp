@@ -77,7 +77,7 @@ QosProfiles::QosProfiles() : path_("the built-in profiles") {
   add("event", 100, 0.1, inf);
   add("telemetry", 1, plain.heartbeat_period_s, inf);
   add("stream", 1, plain.heartbeat_period_s, 1);
-  add("log", 100, plain.heartbeat_period_s, 10);
+  add("log", 1000, plain.heartbeat_period_s, 10);
   for (const char* name : {"sensor", "telemetry", "stream"}) {
     profiles_[name].requested_reliability = RequestedReliability::best_effort;
   }

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "container/control_component.hpp"
-#include "runtime/sim_bus.hpp"
+#include "container/node_asker.hpp"
 
 namespace tocsin {
 namespace {
@@ -64,47 +64,6 @@ const ComponentEntry& entry_of(const std::string& library) {
   static const ComponentEntry plain = make_component_entry<Plain>();
   return library == "driver" ? driver : plain;
 }
-
-/// Ticks on the bus of the test.
-class SimTicker : public Ticker {
- public:
-  explicit SimTicker(SimBus& bus) : bus_(bus) {}
-  void add(Component& component, TickAccount&) override { bus_.add(component); }
-  bool remove(Component&) override { return true; }
-
- private:
-  SimBus& bus_;
-};
-
-/// A person who asks the services of one node.
-template <class Service>
-class Asker : private ClientReceiver {
- public:
-  Asker(SimBus& bus, const std::string& node) : bus_(bus) {
-    const std::string name = Service::name;
-    end_ = bus.call({node + name.substr(1), &type_info<typename Service::Request>(),
-                     &type_info<typename Service::Response>()},
-                    *this);
-    bus_.run_for(seconds(2));  // a container looks at its callers once a second at least
-  }
-  /// Null: nobody serves it, or nobody answers.
-  std::shared_ptr<const typename Service::Response> ask(typename Service::Request request) {
-    reply_ = nullptr;
-    if (!end_->send(std::make_shared<const typename Service::Request>(std::move(request)))) {
-      return nullptr;
-    }
-    bus_.run_for(seconds(0.1));
-    return std::static_pointer_cast<const typename Service::Response>(reply_);
-  }
-  [[nodiscard]] bool available() const { return end_->available(); }
-
- private:
-  void receive(ServiceReply&& reply) override { reply_ = reply.message; }
-  void wake() override {}
-  SimBus& bus_;
-  std::shared_ptr<const void> reply_;
-  std::unique_ptr<ClientEnd> end_;
-};
 
 struct Unheard : ClientReceiver {
   void receive(ServiceReply&&) override {}
@@ -284,9 +243,9 @@ TEST_F(ParameterServicesTest, AreThereFromTheStartWhenTheyShallAlwaysBe) {
 }
 
 TEST_F(ParameterServicesTest, AreKnownByTheirNames) {
-  EXPECT_TRUE(calls_parameters_of("driver", {"x", "driver/get_parameter_types"}));
-  EXPECT_FALSE(calls_parameters_of("driver", {"driver/reset", "other/get_parameters"}));
-  EXPECT_FALSE(calls_parameters_of("driver", {}));
+  EXPECT_TRUE(calls_services_of("driver", {"x", "driver/get_parameter_types"}));
+  EXPECT_FALSE(calls_services_of("driver", {"driver/reset", "other/get_parameters"}));
+  EXPECT_FALSE(calls_services_of("driver", {}));
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(Readme, ItsComponentRefusesAWrongParameter) {
                ConfigError);
 }
 
-TEST(Readme, WhatAComponentAuthorReadsIsUnderSevenHundredLines) {
+TEST(Readme, WhatAComponentAuthorReadsIsUnderNineHundredLines) {
   const std::filesystem::path folder =
       std::filesystem::path(TOCSIN_SOURCE_DIR) / "include" / "runtime";
   int lines = 0;
@@ -68,7 +68,7 @@ TEST(Readme, WhatAComponentAuthorReadsIsUnderSevenHundredLines) {
   }
   RecordProperty("lines", lines);
   EXPECT_GT(lines, 300);
-  EXPECT_LT(lines, 700);
+  EXPECT_LT(lines, 900);
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 
 #include "auto_docking/auto_docking.hpp"
 #include "geometry/twist.hpp"
+#include "kobuki_idl/actions.hpp"
 #include "kobuki_idl/topics.hpp"
+#include "runtime/action_port.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -31,6 +33,8 @@ class AutoDockingComponent final : public Component {
     Input<topic::Odom> odom;
   };
   void take_commands(Time now);
+  void take_goals(Time now);
+  void finish_goal(Time now);
   void start(Time now);
   void take_sensors(Time now);
   void send(const geometry::Twist& velocity);
@@ -39,6 +43,7 @@ class AutoDockingComponent final : public Component {
   OptionalInput<topic::DockingCommand> command_{*this};
   Output<topic::CmdVelDocking> cmd_vel_{*this};
   Output<topic::DockingStatus> status_{*this};
+  ActionServer<action::AutoDocking> action_{*this};
 
   AutoDocking docking_;
   Duration silence_;
@@ -46,6 +51,7 @@ class AutoDockingComponent final : public Component {
   DockingInput seen_;
   std::uint32_t run_ = 0;
   Time started_{};
+  std::optional<GoalId> goal_;  ///< of the action, while it docks for it
   std::optional<DockingState> reported_;
   Time next_report_{};
 };

@@ -49,6 +49,8 @@ class GoalList {
   [[nodiscard]] GoalAnswer on_goal(Goal goal, Time now);
   /// Makes the next goal the present one. False when there is none.
   bool advance();
+  /// The present goal and those ahead are driven to no more; those that come are.
+  void expire(Time now);
   /// What to drive to now; empty before the first goal.
   [[nodiscard]] const std::optional<Goal>& present() const { return goal_; }
   /// Differs from that of every present goal before; 0 when there is none.

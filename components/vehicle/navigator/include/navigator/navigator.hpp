@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "foundation/time.hpp"
 #include "geometry/pose.hpp"
@@ -72,6 +73,14 @@ class Navigator {
             std::shared_ptr<const navigation::CostMap> costs);
 
   [[nodiscard]] GoalAnswer on_goal(Goal goal, Time now);
+  /// The same of somebody on the vehicle, by which the ground station is not heard.
+  [[nodiscard]] GoalAnswer on_local_goal(Goal goal, Time now) {
+    return goals_.on_goal(std::move(goal), now);
+  }
+  /// Brakes, and drives to the present goal no more.
+  void drop_goal(Time now) { goals_.expire(now); }
+  /// Whether it has a goal that it has not reached and may still drive to.
+  [[nodiscard]] bool is_busy(Time now) const;
   /// Pose of the vehicle in the map frame; one that is not finite is ignored.
   void on_pose(const geometry::Pose& pose, Time now);
   /// Stops the vehicle at once, until it is called with false.

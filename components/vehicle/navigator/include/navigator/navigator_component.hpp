@@ -7,6 +7,7 @@
 #include "geometry/pose.hpp"
 #include "geometry/twist.hpp"
 #include "navigator/localiser_file.hpp"
+#include "navigator/navigate_action.hpp"
 #include "navigator/navigator.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
@@ -25,6 +26,7 @@ class NavigatorComponent final : public Component {
     double rate_hz = 20;
     double location_hz = 5;
     double status_period_s = 1;
+    double pose_goal_timeout_s = 600;
     Navigator::Params navigator;
     template <class Visitor>
     void visit(Visitor& v) {
@@ -35,6 +37,8 @@ class NavigatorComponent final : public Component {
       v("rate_hz", rate_hz, {5, 50}, "[Hz] of velocity commands");
       v("location_hz", location_hz, {0.2, 20}, "[Hz] of the location, over the radio");
       v("status_period_s", status_period_s, {0.1, 60}, "[s] between reports without a change");
+      v("pose_goal_timeout_s", pose_goal_timeout_s, {1, 86400},
+        "[s] a goal of navigate_to_pose is driven to at most");
       navigator.visit(v);
     }
   };
@@ -64,6 +68,7 @@ class NavigatorComponent final : public Component {
 
   Params params_;
   Navigator navigator_;
+  NavigateAction action_;
   LocaliserFile file_;
   OdometryLocaliser localiser_;
   std::optional<geometry::Pose> pose_;
@@ -72,6 +77,7 @@ class NavigatorComponent final : public Component {
   Time next_status_{};
   Time next_save_{};
   bool is_saved_ = true;
+  Navigator::Status latest_;
   Navigator::Status reported_;
   bool is_standing_ = false;  // the last command was to stand, and has been sent
 };
