@@ -71,6 +71,19 @@ TEST(Messages, AStateOfTheLinkComesBackFromItsBytes) {
   EXPECT_EQ(back.classes().at(1).dropped_expired(), 7U);
 }
 
+TEST(Topics, OfTheMapKeepsItsUnknownCells) {
+  topic::Map::Message map;
+  map.info().width(3);
+  map.data({0, 100, -1});
+  const TypeInfo& type = type_info<topic::Map::Message>();
+  std::vector<std::uint8_t> bytes(type.serialized_size(&map));
+  ASSERT_EQ(type.serialize(&map, bytes.data(), bytes.size()), bytes.size());
+  topic::Map::Message back;
+  ASSERT_TRUE(type.deserialize(bytes.data(), bytes.size(), &back));
+  EXPECT_EQ(back.info().width(), 3U);
+  EXPECT_EQ(back.data(), (std::vector<std::int8_t>{0, 100, -1}));
+}
+
 std::string text_of(const std::string& file) {
   std::ostringstream text;
   text << std::ifstream(TOCSIN_REPOSITORY "/config/" + file).rdbuf();

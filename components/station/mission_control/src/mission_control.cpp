@@ -77,6 +77,7 @@ void MissionControl::on_status(const GoalName& goal, const std::string& state, T
 
 std::optional<MissionControl::Goal> MissionControl::update(Time now) {
   if (state_ == State::waiting) start_when_ready(now);
+  if (state_ == State::paused) return hold(now);
   if (state_ == State::running && has_begun_) check_arrival(now);
   if (state_ == State::running && has_begun_) check_limits(now);
   if (state_ != State::running || !is_due(now)) return std::nullopt;
@@ -90,15 +91,19 @@ void MissionControl::start_when_ready(Time now) {
   state_ = State::running;
   started_ = now;
   waypoint_since_ = now;
-  if (knows_goal && params_.resume) resume();
+  if (knows_goal && params_.resume) resume_earlier();
 }
 
 /// Goes on where an earlier mission control was with this mission, if the vehicle tells of one.
-void MissionControl::resume() {
-  if (static_cast<std::uint32_t>(told_.mission) != checksum_ || !is_told_waypoint()) return;
+void MissionControl::resume_earlier() {
+  if (static_cast<std::uint32_t>(told_.mission) != checksum_) return;
+  const bool was_paused = told_.id > hold_base;
+  const std::uint64_t id = was_paused ? told_.id - hold_base : told_.id;
+  if (id == 0 || id > mission_.waypoints.size()) return;
   identity_ = told_.mission;
-  waypoint_ = static_cast<std::uint32_t>(told_.id - 1);
+  waypoint_ = static_cast<std::uint32_t>(id - 1);
   has_begun_ = true;
+  if (was_paused) pause(*started_);
 }
 
 bool MissionControl::is_told_waypoint() const {
@@ -210,6 +215,8 @@ const char* to_string(MissionControl::State state) {
       return "waiting";
     case MissionControl::State::running:
       return "running";
+    case MissionControl::State::paused:
+      return "paused";
     case MissionControl::State::done:
       return "done";
     case MissionControl::State::aborted:

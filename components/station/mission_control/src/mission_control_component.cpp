@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/printable.hpp"
 #include "navigation/map_loader.hpp"
 #include "runtime/component_entry.hpp"
 
@@ -45,6 +46,7 @@ MissionControlComponent::MissionControlComponent(Context& context, const Params&
 
 void MissionControlComponent::tick(Time now) {
   take_inputs(now);
+  take_orders(now);
   if (const auto goal = control_.update(now)) send(*goal, now);
   log_arrivals();
   report(now);
@@ -54,6 +56,18 @@ void MissionControlComponent::take_inputs(Time now) {
   if (const auto location = location_.take_latest()) control_.on_location(pose_of(*location), now);
   while (const auto status = navigation_.take()) {
     control_.on_status({status->mission(), status->goal_id()}, status->state(), now);
+  }
+}
+
+void MissionControlComponent::take_orders(Time now) {
+  while (const auto words = orders_.take()) {
+    const auto order = mission_order_of(words->data());
+    if (!order) {
+      log().warn("{}: '{}' is not one of: pause, resume, skip N", topic::MissionCommand::info.name,
+                 printable(words->data()));
+    } else {
+      control_.obey(*order, now);
+    }
   }
 }
 

@@ -62,6 +62,12 @@ class MissionControlComponentTest : public ::testing::Test {
     message.state(state);
     bus_.publish<topic::NavigationStatus>(message);
   }
+  void say(const char* words) {
+    topic::MissionCommand::Message message;
+    message.data(words);
+    bus_.publish<topic::MissionCommand>(message);
+    run(0.05);  // the next words would take their place
+  }
   void run(double s) { bus_.run_for(seconds(s)); }
   topic::Goal::Message first_goal() {
     start();
@@ -123,6 +129,31 @@ TEST_F(MissionControlComponentTest, RepeatsAGoalWithoutAnswer) {
   const auto again = goals_.take().at(0);
   EXPECT_EQ(again.id(), goal.id());
   EXPECT_EQ(again.mission(), goal.mission());
+}
+
+TEST_F(MissionControlComponentTest, PausesAndResumesWhenPeopleSaySo) {
+  const auto goal = first_goal();
+  say("pause");
+  run(0.3);
+  EXPECT_EQ(state(), "paused");
+  const auto hold = goals_.take().at(0);
+  EXPECT_EQ(hold.x(), 0);
+  EXPECT_GT(hold.id(), goal.id());
+  say("resume");
+  run(0.3);
+  EXPECT_EQ(state(), "running");
+  EXPECT_EQ(goals_.take().at(0).x(), goal.x());
+}
+
+TEST_F(MissionControlComponentTest, SkipsAWaypointAndIgnoresOtherWords) {
+  (void)first_goal();
+  for (const char* words : {"skip", "skip 0", "skip 1x", "Pause", ""}) say(words);
+  run(0.3);
+  EXPECT_EQ(state(), "running");
+  EXPECT_TRUE(goals_.take().empty());
+  say("skip 1");
+  run(0.3);
+  EXPECT_EQ(goals_.take().at(0).waypoint(), 1U);
 }
 
 TEST_F(MissionControlComponentTest, ReportsOnceASecond) {

@@ -146,6 +146,17 @@ struct MissionStatus {
   using Message = tocsin_msgs::msg::MissionStatus;
   static constexpr TopicInfo info{"mission_status", "state", Scope::link};
 };
+/// What people ask of mission_control: "pause", "resume", or "skip N", N the present waypoint
+/// from 1.
+struct MissionCommand {
+  using Message = std_msgs::msg::String;
+  static constexpr TopicInfo info{"mission/command", "command", Scope::host};
+};
+/// The floor, frame map, as ROS's map_server tells it.
+struct Map {
+  using Message = nav_msgs::msg::OccupancyGrid;
+  static constexpr TopicInfo info{"map", "state", Scope::host};
+};
 /// True stops the vehicle; it stands until everybody who said true has said false, see
 /// EmergencyStopLatch. Anybody may stop it, so every writer is heard. Who says true goes on
 /// saying it: readers that come late get no older sample.
@@ -232,9 +243,10 @@ using AllLinkTopics = List<Location, NetworkQuality, NavigationStatus, BatterySt
                            SafetyStatus, DockingStatus, TeleopCmdVel, DriverState, DriverRequest,
                            DockingCommand, Heartbeat, TransmissionState, TrafficReport, LinkState>;
 
-using AllHostTopics = List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation,
-                           CmdVelDocking, CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive,
-                           MuxInputs, MuxSetInputs, SafetyEnable, EmergencyStopRequest,
-                           EmergencyStopState, LinkBudget, ContainerCommand, ContainerState>;
+using AllHostTopics =
+    List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation, CmdVelDocking,
+         CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs, MuxSetInputs,
+         SafetyEnable, EmergencyStopRequest, EmergencyStopState, MissionCommand, Map, LinkBudget,
+         ContainerCommand, ContainerState>;
 
 }  // namespace tocsin::topic

@@ -9,6 +9,7 @@
 
 #include "foundation/time.hpp"
 #include "geometry/pose.hpp"
+#include "mission_control/mission_order.hpp"
 #include "navigation/mission.hpp"
 
 namespace tocsin {
@@ -32,7 +33,9 @@ struct GoalName {
 /// checksum of the waypoints (32 bits), so that one that was started anew learns from the vehicle's
 /// status alone whether it drives this mission, and where it is. It is drawn again when the vehicle
 /// drives to a goal that was not sent by this mission control: the vehicle lets a mission that it
-/// has not seen take over, whatever numbers the goal before had.
+/// has not seen take over, whatever numbers the goal before had. The goal that holds the vehicle in
+/// a pause has an id far above, so that a mission control that was started anew learns of the
+/// pause.
 class MissionControl {
  public:
   struct Params {
@@ -60,7 +63,7 @@ class MissionControl {
     }
   };
 
-  enum class State { waiting, running, done, aborted };
+  enum class State { waiting, running, paused, done, aborted };
 
   struct Goal {
     GoalName name;
@@ -98,6 +101,12 @@ class MissionControl {
   /// The vehicle's navigator says what it does: `state` as in NavigationStatus.
   void on_status(const GoalName& goal, const std::string& state, Time now);
 
+  /// A pause holds the vehicle where it was last seen, by one goal, and leaves it to others when it
+  /// has named that; the mission goes on with the same waypoint. A skip is for the present waypoint
+  /// only, and not for the last one. Time of a pause does not count for `waypoint_limit_s`. What
+  /// does not fit to the state is ignored.
+  void obey(const MissionOrder& order, Time now);
+
   /// The goal to send now, if any. To be called a few times a second.
   [[nodiscard]] std::optional<Goal> update(Time now);
 
@@ -108,21 +117,29 @@ class MissionControl {
 
  private:
   void start_when_ready(Time now);
-  void resume();
+  void resume_earlier();
+  void pause(Time now);
+  void go_on(Time now);
+  void skip(std::uint32_t waypoint, Time now);
   void check_arrival(Time now);
   [[nodiscard]] bool has_gone_on() const;
   void arrive(bool by_location, Time now);
   void check_limits(Time now);
   void finish(State state, std::string reason, Time now);
   [[nodiscard]] bool is_due(Time now) const;
+  [[nodiscard]] std::optional<Goal> hold(Time now);
   Goal issue(Time now);
   [[nodiscard]] GoalName present() const { return {identity_, waypoint_ + std::uint64_t{1}}; }
+  [[nodiscard]] GoalName held() const { return {identity_, hold_base + present().id}; }
   [[nodiscard]] bool is_told_present() const;
   [[nodiscard]] bool is_told_waypoint() const;
   [[nodiscard]] bool was_taken_over() const;
   void draw_identity();
   [[nodiscard]] std::vector<geometry::Pose> waypoints_ahead() const;
   [[nodiscard]] double distance_m() const;
+
+  /// Ids of goals that hold the vehicle during a pause: this and the waypoint's own.
+  static constexpr std::uint64_t hold_base = std::uint64_t{1} << 32U;
 
   Params params_;
   navigation::Mission mission_;
@@ -140,6 +157,9 @@ class MissionControl {
   std::optional<Time> started_;
   Time ended_{};
   Time waypoint_since_{};
+  State state_before_pause_ = State::running;
+  Time paused_since_{};
+  bool is_held_ = false;  // the vehicle has named the goal of the pause
 
   std::optional<Time> first_heard_;
   std::optional<geometry::Pose> location_;

@@ -39,6 +39,7 @@ class MissionControlComponent final : public Component {
 
  private:
   void take_inputs(Time now);
+  void take_orders(Time now);
   void send(const MissionControl::Goal& goal, Time now);
   void log_arrivals();
   void report(Time now);
@@ -46,6 +47,7 @@ class MissionControlComponent final : public Component {
 
   Input<topic::Location> location_{*this, WakeMode::time_triggered};
   Input<topic::NavigationStatus> navigation_{*this};
+  OptionalInput<topic::MissionCommand> orders_{*this};
   Output<topic::Goal> goal_{*this};
   Output<topic::MissionStatus> status_{*this};
 

@@ -28,6 +28,23 @@ const gridText = [
 const stopStateText =
   "builtin_interfaces/Time stamp\nstring asked\nstring vehicle\nstring[] stopped_by" +
   `${separator}MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec`;
+const publishedText = {
+  "std_msgs/msg/Bool": "bool data",
+  "std_msgs/msg/String": "string data",
+  "geometry_msgs/msg/TwistStamped": [
+    "std_msgs/Header header\ngeometry_msgs/Twist twist",
+    "MSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id",
+    "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec",
+    "MSG: geometry_msgs/Twist\ngeometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular",
+    "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z",
+  ].join(separator),
+  "tocsin_msgs/msg/Goal": [
+    "builtin_interfaces/Time stamp\nuint64 id\nuint32 waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw\n" +
+      "float64 tolerance_m\nfloat64 lifetime_s\ntocsin_msgs/Waypoint[] ahead\nuint64 mission",
+    "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec",
+    "MSG: tocsin_msgs/Waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw",
+  ].join(separator),
+};
 const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".css": "text/css" };
 
 /** All messages of a bag in order, and its channels by topic. */
@@ -100,13 +117,16 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
     metadata: { tocsin: "0.1.0", host: "gcs" },
   });
   const ids = new Map();
-  for (const channel of channels.values()) ids.set(channel.topic, server.addChannel(channel));
+  for (const channel of channels.values()) {
+    if (channel.topic !== "/teleop/cmd_vel") ids.set(channel.topic, server.addChannel(channel));
+  }
   const writers = new Map();
   const addOwn = (topic, schemaName, schema) => {
     ids.set(topic, server.addChannel({ topic, encoding: "cdr", schemaName, schemaEncoding: "ros2msg", schema }));
     writers.set(topic, new MessageWriter(parse(schema, { ros2: true })));
   };
   addOwn("/map", "nav_msgs/msg/OccupancyGrid", gridText);
+  addOwn("/teleop/cmd_vel", "geometry_msgs/msg/TwistStamped", publishedText["geometry_msgs/msg/TwistStamped"]);
   addOwn("/emergency_stop/state", "tocsin_msgs/msg/EmergencyStopState", stopStateText);
   const ownLast = new Map();
   const sendOwn = (topic, message) => {
@@ -114,7 +134,10 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
     ownLast.set(topic, data);
     server.sendMessage(ids.get(topic), nowNs(), data);
   };
-  const state = { stopped: false, silent: false, paused: false, commands: [], position: 0 };
+  const state = {
+    ...{ stopped: false, paused: false, commands: [], position: 0 },
+    ...{ silent: false, withoutImages: false, withoutVehicle: false },
+  };
   const rewritten = (topic, data) => rewrite(topic, data, channels.get(topic), state);
 
   if (map) {
@@ -177,6 +200,8 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
     server.broadcastTime(nowNs());
     while (state.position < messages.length && messages[state.position].at <= bagNow()) {
       const { topic, data } = messages[state.position++];
+      if (state.withoutImages && topic.includes("image")) continue;
+      if (state.withoutVehicle && topic !== "/mission_status") continue;
       server.sendMessage(ids.get(topic), nowNs(), rewritten(topic, data));
     }
   }, 20);
@@ -185,26 +210,13 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
     for (const socket of sockets.clients) socket.terminate();
     files.close();
   };
-  return { port: files.address().port, state, close };
+  const sayTeleop = (device, speed) => {
+    const vector = (x) => ({ x, y: 0, z: 0 });
+    const header = { stamp: stamp(), frame_id: device };
+    sendOwn("/teleop/cmd_vel", { header, twist: { linear: vector(speed), angular: vector(0) } });
+  };
+  return { port: files.address().port, state, close, sayTeleop };
 }
-
-const publishedText = {
-  "std_msgs/msg/Bool": "bool data",
-  "std_msgs/msg/String": "string data",
-  "geometry_msgs/msg/TwistStamped": [
-    "std_msgs/Header header\ngeometry_msgs/Twist twist",
-    "MSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id",
-    "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec",
-    "MSG: geometry_msgs/Twist\ngeometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular",
-    "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z",
-  ].join(separator),
-  "tocsin_msgs/msg/Goal": [
-    "builtin_interfaces/Time stamp\nuint64 id\nuint32 waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw\n" +
-      "float64 tolerance_m\nfloat64 lifetime_s\ntocsin_msgs/Waypoint[] ahead\nuint64 mission",
-    "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec",
-    "MSG: tocsin_msgs/Waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw",
-  ].join(separator),
-};
 
 /** What the vehicle and mission_control would say differently of what was ordered here. */
 function rewrite(topic, data, channel, state) {

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "map_server/map_server_component.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
+#include "runtime/sim_bus.hpp"
+
+namespace tocsin {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class MapServerComponentTest : public ::testing::Test {
+ protected:
+  MapServerComponentTest() {
+    std::filesystem::create_directories(folder_);
+    // A wall, unknown and free above; free, free and wall below.
+    write("m.pgm", "P2 3 2 255\n0 128 255\n255 255 0\n");
+    params_.map_file =
+        write("m.yaml", "image: m.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\nfree_thresh: 0.1\n");
+  }
+  ~MapServerComponentTest() override { std::filesystem::remove_all(folder_); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+  void start() {
+    sut_ = std::make_unique<MapServerComponent>(context_, params_);
+    bus_.add(*sut_);
+    bus_.run_for(seconds(0.1));
+  }
+  std::string error_of_start() {
+    try {
+      start();
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("tocsin_map_server_" + std::to_string(::getpid()));
+  SimBus bus_;
+  Context context_{bus_, "map_server", Role::gcs};
+  MapServerComponent::Params params_;
+  std::unique_ptr<MapServerComponent> sut_;
+  SimReader<topic::Map> maps_{bus_};
+};
+
+TEST_F(MapServerComponentTest, TellsTheMapRowByRowFromTheOriginUp) {
+  start();
+  const auto maps = maps_.take();
+  ASSERT_EQ(maps.size(), 1U);
+  const auto& info = maps[0].info();
+  EXPECT_EQ(maps[0].header().frame_id(), "map");
+  EXPECT_EQ(info.width(), 3U);
+  EXPECT_EQ(info.height(), 2U);
+  EXPECT_EQ(info.resolution(), 0.5F);
+  EXPECT_EQ(info.origin().position().x(), -1);
+  EXPECT_EQ(info.origin().position().y(), 2);
+  EXPECT_EQ(info.origin().orientation().w(), 1);
+  EXPECT_THAT(maps[0].data(), ElementsAre(0, 0, 100, 100, -1, 0));
+}
+
+TEST_F(MapServerComponentTest, TellsItOnce) {
+  start();
+  bus_.run_for(seconds(60));
+  EXPECT_EQ(maps_.take().size(), 1U);
+}
+
+TEST_F(MapServerComponentTest, RefusesToStartWithoutAMap) {
+  params_.map_file = "";
+  EXPECT_EQ(error_of_start(), "map_server.map_file: is required");
+  params_.map_file = "/nowhere/m.yaml";
+  EXPECT_THAT(error_of_start(), HasSubstr("/nowhere/m.yaml"));
+}
+
+TEST_F(MapServerComponentTest, ParametersPrintAsYaml) {
+  EXPECT_THAT(default_yaml<MapServerComponent::Params>(), HasSubstr("map_file: \"\""));
+}
+
+}  // namespace
+}  // namespace tocsin

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drives the page in Chromium, as an operator does, against the stand-in server. run.mjs starts it.
+import assert from "node:assert/strict";
+import path from "node:path";
+import { after, before, describe, it } from "node:test";
+
+import puppeteer from "puppeteer-core";
+
+import { startStandIn } from "./stand_in_server.mjs";
+
+/** Paths of chromium, page, bag and map, and of a folder for pictures, which may be undefined. */
+const options = JSON.parse(process.env.PAGE_TEST);
+const sizes = [[1280, 900], [820, 1180], [390, 844]];
+const tabs = ["Map", "Drive", "Link", "Topics", "Vehicle"];
+const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+let standIn;
+let browser;
+let page;
+const complaints = [];
+
+async function startServer(port = 0) {
+  const map = { image: options.map, resolution: 0.05, x: -19, y: -8 };
+  standIn = await startStandIn({ page: options.page, bag: options.bag, from: 44, port, map });
+}
+
+/** Waits until `look`, evaluated in the page, is true; says what it waited for. */
+async function until(what, look, ...args) {
+  await page.waitForFunction(look, { timeout: 10_000, polling: 50 }, ...args).catch(() => assert.fail(`never: ${what}`));
+}
+const text = (selector) => page.$eval(selector, (element) => element.textContent);
+const reads = (selector, words) =>
+  until(`"${words}" in ${selector}`, (where, what) => document.querySelector(where)?.textContent.includes(what), selector, words);
+const press = (label) =>
+  page.evaluate((what) => [...document.querySelectorAll("button")].find((one) => one.textContent.startsWith(what)).click(), label);
+const commands = (topic) => standIn.state.commands.filter((one) => one.topic === topic);
+
+async function eventually(what, look) {
+  for (let tries = 0; tries < 200; ++tries) {
+    if (look()) return;
+    await wait(50);
+  }
+  assert.fail(`never: ${what}`);
+}
+
+/** Panels and controls that lie over each other or beyond the edge. */
+const misplaced = () => {
+  const found = [];
+  const seen = (selector) => [...document.querySelectorAll(selector)].filter((one) => one.offsetParent || one.getClientRects().length);
+  const name = (one) => one.className || one.textContent.slice(0, 20);
+  const box = (one) => one.getBoundingClientRect();
+  const over = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1;
+  for (const group of [".panel", ".buttons > *", ".drive-body > *", ".value", ".side"]) {
+    const all = seen(group);
+    all.forEach((a, index) => {
+      for (const b of all.slice(index + 1)) if (over(box(a), box(b))) found.push(`${name(a)} over ${name(b)}`);
+    });
+  }
+  for (const one of seen("button, .panel, .stop, .value")) {
+    const { left, right } = box(one);
+    if (left < -1 || right > innerWidth + 1) found.push(`${name(one)} beyond the edge`);
+  }
+  if (document.documentElement.scrollWidth > innerWidth) found.push("the page is wider than the window");
+  return found;
+};
+
+describe("Page in Chromium", { concurrency: false }, () => {
+  before(async () => {
+    await startServer();
+    browser = await puppeteer.launch({ executablePath: options.chromium, args: ["--no-sandbox"] });
+    page = await browser.newPage();
+    await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
+    page.on("console", (message) => {
+      if (message.type() === "error") complaints.push(message.text());
+    });
+    page.on("pageerror", (error) => complaints.push(error.message));
+    await page.setViewport({ width: 1280, height: 900 });
+    await page.goto(`http://127.0.0.1:${standIn.port}/`);
+  });
+  after(async () => {
+    await browser?.close();
+    standIn?.close();
+  });
+
+  it("shows the mission that it hears", async () => {
+    await reads(".connection", "connected");
+    await reads(".mission", "mission_a");
+    await reads(".link", "tocp_dsp");
+    await reads(".traffic", "location");
+    await reads(".vehicle", "nothing hinders");
+    const painted = await page.$eval(".map canvas", (canvas) => {
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      return new Set(new Uint32Array(data.buffer)).size;
+    });
+    assert.ok(painted > 20, `the map has ${painted} colours`);
+  });
+
+  it("stops by the space bar, wherever the focus is, and shows the vehicle's confirmation", async () => {
+    await page.focus(".tools button");
+    await page.keyboard.press("Space");
+    await reads(".stop", "Vehicle confirms: stopped by station");
+    const [first] = commands("/emergency_stop/request");
+    assert.equal(first.message.data, true);
+    await reads(".alert", "The vehicle stands: emergency stop of station");
+  });
+
+  it("releases only when it is asked twice", async () => {
+    await press("Release");
+    await reads(".stop", "Really release?");
+    assert.ok(commands("/emergency_stop/request").every(({ message }) => message.data));
+    await press("Really release?");
+    await eventually("a release", () => commands("/emergency_stop/request").at(-1).message.data === false);
+    await reads(".stop", "No stop stands");
+  });
+
+  it("says what has not answered when nothing confirms a stop", async () => {
+    standIn.state.silent = true;
+    await page.keyboard.press("Space");
+    await reads(".stop", "the station has not answered");
+    standIn.state.silent = false;
+    await reads(".stop", "Vehicle confirms");
+    await press("Release");
+    await press("Really release?");
+    await reads(".stop", "No stop stands");
+  });
+
+  it("drives by held keys after the stick was taken, and stops at release", async () => {
+    await page.click(".drive input[type=checkbox]"); // sees the vehicle itself: the camera is paused
+    await page.keyboard.down("w");
+    await wait(200);
+    await page.keyboard.up("w");
+    assert.equal(commands("/teleop/cmd_vel").length, 0, "nobody had taken the stick");
+    await page.keyboard.press("m");
+    await reads(".seat", "You drive");
+    await page.keyboard.down("w");
+    await eventually("three commands", () => commands("/teleop/cmd_vel").length >= 3);
+    await page.keyboard.up("w");
+    await eventually("three zeros", () => commands("/teleop/cmd_vel").slice(-3).every(({ message }) => message.twist.linear.x === 0));
+    assert.equal(commands("/teleop/cmd_vel")[0].message.twist.linear.x, 0.2);
+    const count = commands("/teleop/cmd_vel").length;
+    await wait(400);
+    assert.equal(commands("/teleop/cmd_vel").length, count, "silent afterwards");
+    await page.keyboard.press("m");
+  });
+
+  it("does not drive by an old picture", async () => {
+    await page.click(".drive input[type=checkbox]");
+    standIn.state.withoutImages = true;
+    await page.keyboard.press("m");
+    await reads(".seat", "Not by hand now: the picture is");
+    const count = commands("/teleop/cmd_vel").length;
+    await page.keyboard.down("w");
+    await wait(300);
+    await page.keyboard.up("w");
+    assert.equal(commands("/teleop/cmd_vel").length, count);
+    await page.keyboard.press("m");
+    standIn.state.withoutImages = false;
+  });
+
+  it("sends a goal by click and drag, after mission_control has paused", async () => {
+    await press("Goal");
+    const box = await (await page.$(".map canvas")).boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x, y - 60);
+    await page.mouse.up();
+    if (options.pictures) await page.screenshot({ path: path.join(options.pictures, "goal.png") });
+    await press("Drive there");
+    await eventually("a goal", () => commands("/goal").length > 0);
+    const { message: goal, at } = commands("/goal")[0];
+    const pause = commands("/mission/command")[0];
+    assert.equal(pause.message.data, "pause");
+    assert.ok(pause.at <= at, "the pause comes first");
+    assert.ok(Math.abs(goal.yaw - Math.PI / 2) < 0.05, `heading ${goal.yaw}`);
+    assert.ok(goal.id === 1n && goal.mission !== 0n && goal.lifetime_s === 60);
+    await reads(".mission", "Your goal: asked");
+    await press("Resume");
+    await eventually("resume", () => commands("/mission/command").at(-1).message.data === "resume");
+    await reads(".mission", "running");
+  });
+
+  for (const [width, height] of sizes) {
+    it(`fits a window of ${width} px`, async () => {
+      await page.setViewport({ width, height });
+      await wait(300);
+      for (const tab of width < 700 ? tabs : [""]) {
+        if (tab) await press(tab);
+        await wait(150);
+        assert.deepEqual(await page.evaluate(misplaced), [], tab);
+        const stop = await (await page.$(".stop .press")).boundingBox();
+        assert.ok(stop.y >= 0 && stop.y + stop.height <= height, "the stop is in reach");
+        if (options.pictures) {
+          await page.screenshot({ path: path.join(options.pictures, `page_${width}${tab && "_"}${tab.toLowerCase()}.png`), fullPage: !tab });
+        }
+      }
+      if (width < 700) await press("Map");
+    });
+  }
+
+  it("keeps the last position as a ghost and says once that the vehicle is not heard", async () => {
+    await page.setViewport({ width: 1280, height: 900 });
+    standIn.state.withoutVehicle = true;
+    await reads(".alert", "The vehicle was last heard");
+    assert.equal((await page.$$(".alert")).length, 1);
+    await until("a stale value", () => document.querySelector(".mission .stale .age") !== null);
+    if (options.pictures) await page.screenshot({ path: path.join(options.pictures, "lost.png") });
+    standIn.state.withoutVehicle = false;
+    await until("no alert of silence", () => !document.querySelector(".alert").textContent.includes("last heard"));
+  });
+
+  it("comes back by itself after the server was gone", async () => {
+    const { port } = standIn;
+    standIn.close();
+    await reads(".alert", "No connection to the station");
+    await reads(".connection", "not connected");
+    await startServer(port);
+    await reads(".connection", "connected");
+    await until("fresh values", () => document.querySelector(".mission .fresh") !== null);
+    complaints.splice(0, complaints.length, ...complaints.filter((one) => !/WebSocket connection|ERR_CONNECTION/.test(one)));
+  });
+
+  it("has two pages tell who drives", async () => {
+    const second = await browser.newPage();
+    await second.goto(`http://127.0.0.1:${standIn.port}/`);
+    await second.waitForSelector(".drive");
+    standIn.sayTeleop("page_other", 0.2);
+    await second.waitForFunction(() => document.querySelector(".seat").textContent.includes("page_other drives"), { timeout: 5000 });
+    await second.close();
+  });
+
+  it("complains of nothing in the console", () => {
+    assert.deepEqual(complaints, []);
+  });
+});
