@@ -124,12 +124,12 @@ describe("Page in Chromium", { concurrency: false }, () => {
     await reads(".stop", "No stop stands");
   });
 
-  it("drives by held keys after the stick was taken, and stops at release", async () => {
+  it("drives by held keys after the wheel was taken, and stops at release", async () => {
     await page.click(".drive input[type=checkbox]"); // sees the vehicle itself: the camera is paused
     await page.keyboard.down("w");
     await wait(200);
     await page.keyboard.up("w");
-    assert.equal(commands("/teleop/cmd_vel").length, 0, "nobody had taken the stick");
+    assert.equal(commands("/teleop/cmd_vel").length, 0, "nobody had taken the wheel");
     await page.keyboard.press("m");
     await reads(".seat", "You drive");
     await page.keyboard.down("w");
@@ -160,7 +160,9 @@ describe("Page in Chromium", { concurrency: false }, () => {
   it("sends a goal by click and drag, after mission_control has paused", async () => {
     await press("Goal");
     const box = await (await page.$(".map canvas")).boundingBox();
-    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.click(box.x + 20, box.y + box.height - 20);
+    await reads(".goal-bar", "in a wall or beyond the map");
+    const [x, y] = [box.x + 0.62 * box.width, box.y + 0.68 * box.height]; // in the classroom
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x, y - 60);
@@ -220,13 +222,22 @@ describe("Page in Chromium", { concurrency: false }, () => {
     complaints.splice(0, complaints.length, ...complaints.filter((one) => !/WebSocket connection|ERR_CONNECTION/.test(one)));
   });
 
-  it("has two pages tell who drives", async () => {
-    const second = await browser.newPage();
-    await second.goto(`http://127.0.0.1:${standIn.port}/`);
-    await second.waitForSelector(".drive");
-    standIn.sayTeleop("page_other", 0.2);
-    await second.waitForFunction(() => document.querySelector(".seat").textContent.includes("page_other drives"), { timeout: 5000 });
-    await second.close();
+  it("asks for the wheel while another drives, gets it, and is asked for it", async () => {
+    standIn.sayDriver("page_other");
+    await reads(".seat", "page_other drives");
+    await press("Ask for the wheel");
+    await eventually("a request", () => commands("/teleop/request").at(-1)?.message.verb === "ask");
+    const me = commands("/teleop/request").at(-1).message.name;
+    standIn.sayDriver("page_other", me);
+    await reads(".seat", "page_other was asked for the wheel");
+    standIn.sayDriver(me);
+    await reads(".drive button", "Let go");
+    standIn.sayDriver(me, "page_other");
+    await reads(".seat", "page_other asks for the wheel");
+    await press("Keep it");
+    await eventually("keep", () => commands("/teleop/request").at(-1).message.verb === "keep");
+    standIn.sayDriver("page_other");
+    await reads(".seat", "page_other has taken over");
   });
 
   it("complains of nothing in the console", () => {

@@ -25,9 +25,9 @@ const gridText = [
   "MSG: geometry_msgs/Point\nfloat64 x\nfloat64 y\nfloat64 z",
   "MSG: geometry_msgs/Quaternion\nfloat64 x\nfloat64 y\nfloat64 z\nfloat64 w",
 ].join(separator);
-const stopStateText =
-  "builtin_interfaces/Time stamp\nstring asked\nstring vehicle\nstring[] stopped_by" +
-  `${separator}MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec`;
+const stampText = `${separator}MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec`;
+const driverStateText = `builtin_interfaces/Time stamp\nstring driver\nstring asked_by\nuint32 refused${stampText}`;
+const stopStateText = `builtin_interfaces/Time stamp\nstring asked\nstring vehicle\nstring[] stopped_by${stampText}`;
 const publishedText = {
   "std_msgs/msg/Bool": "bool data",
   "std_msgs/msg/String": "string data",
@@ -38,6 +38,7 @@ const publishedText = {
     "MSG: geometry_msgs/Twist\ngeometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular",
     "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z",
   ].join(separator),
+  "tocsin_msgs/msg/DriverRequest": `builtin_interfaces/Time stamp\nstring name\nstring verb${stampText}`,
   "tocsin_msgs/msg/Goal": [
     "builtin_interfaces/Time stamp\nuint64 id\nuint32 waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw\n" +
       "float64 tolerance_m\nfloat64 lifetime_s\ntocsin_msgs/Waypoint[] ahead\nuint64 mission",
@@ -118,7 +119,7 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
   });
   const ids = new Map();
   for (const channel of channels.values()) {
-    if (channel.topic !== "/teleop/cmd_vel") ids.set(channel.topic, server.addChannel(channel));
+    if (channel.topic !== "/teleop/driver") ids.set(channel.topic, server.addChannel(channel));
   }
   const writers = new Map();
   const addOwn = (topic, schemaName, schema) => {
@@ -126,7 +127,7 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
     writers.set(topic, new MessageWriter(parse(schema, { ros2: true })));
   };
   addOwn("/map", "nav_msgs/msg/OccupancyGrid", gridText);
-  addOwn("/teleop/cmd_vel", "geometry_msgs/msg/TwistStamped", publishedText["geometry_msgs/msg/TwistStamped"]);
+  addOwn("/teleop/driver", "tocsin_msgs/msg/DriverState", driverStateText);
   addOwn("/emergency_stop/state", "tocsin_msgs/msg/EmergencyStopState", stopStateText);
   const ownLast = new Map();
   const sendOwn = (topic, message) => {
@@ -210,12 +211,9 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
     for (const socket of sockets.clients) socket.terminate();
     files.close();
   };
-  const sayTeleop = (device, speed) => {
-    const vector = (x) => ({ x, y: 0, z: 0 });
-    const header = { stamp: stamp(), frame_id: device };
-    sendOwn("/teleop/cmd_vel", { header, twist: { linear: vector(speed), angular: vector(0) } });
-  };
-  return { port: files.address().port, state, close, sayTeleop };
+  const sayDriver = (driver, askedBy = "") =>
+    sendOwn("/teleop/driver", { stamp: stamp(), driver, asked_by: askedBy, refused: 0 });
+  return { port: files.address().port, state, close, sayDriver };
 }
 
 /** What the vehicle and mission_control would say differently of what was ordered here. */

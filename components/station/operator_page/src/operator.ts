@@ -12,7 +12,7 @@ import { OperatorGoal } from "./orders/operator_goal.ts";
 import { type Speeds, keysVelocity, padVelocity, speedChoices, stickVelocity } from "./orders/stick.ts";
 import { TeleopSender, type Velocity } from "./orders/teleop_sender.ts";
 import { Connection, type ServerInfo } from "./protocol/connection.ts";
-import { emergencyStopRequest, goal, missionCommand, teleopVelocity } from "./protocol/published.ts";
+import { driverRequest, emergencyStopRequest, goal, missionCommand, teleopVelocity } from "./protocol/published.ts";
 
 const random64 = (): bigint => crypto.getRandomValues(new BigUint64Array(1))[0] ?? 1n;
 const stampNow = (): Stamp => {
@@ -144,12 +144,14 @@ export class Operator {
   }
 
   #tickDriving(now: number): void {
+    const verb = this.seat.takeRequest();
+    if (verb) this.connection.publish(driverRequest, { stamp: stampNow(), name: this.seat.name, verb });
     const refused = whyNotDrive(this.driveConditions(now)) !== undefined;
     this.#sender.hold(this.seat.heed(this.#handsWant(), refused));
     const velocity = this.#sender.update(now);
     if (velocity === undefined) return;
     this.connection.publish(teleopVelocity, {
-      header: { stamp: stampNow(), frame_id: this.seat.device },
+      header: { stamp: stampNow(), frame_id: this.seat.name },
       twist: {
         linear: { x: velocity.linear, y: 0, z: 0 },
         angular: { x: 0, y: 0, z: velocity.angular },
@@ -159,12 +161,13 @@ export class Operator {
 
   #onMessage(topic: string, message: unknown): void {
     if (!isTopicRead(topic)) return;
-    const now = pageNow();
-    this.station.onMessage(topic, message as Topics[Topic], now);
+    this.station.onMessage(topic, message as Topics[Topic], pageNow());
     ++this.version;
     if (topic === "navigation_status") this.goal.onStatus(message as Topics["navigation_status"]);
-    const { manual } = this.station;
-    if (topic === "teleop/cmd_vel" && manual) this.seat.onCommand(manual.value.device, manual.value.moves, now);
+    if (topic === "teleop/driver") {
+      const { driver, asked_by } = message as Topics["teleop/driver"];
+      this.seat.onWheel({ driver, askedBy: asked_by });
+    }
   }
 
   /** A goal beside a mission_control that leads would be taken back at once: it is not sent. */

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 
 import { scaleLengthM } from "../src/map/draw.ts";
-import { gridPixels, knownBounds } from "../src/map/grid.ts";
+import { gridPixels, isFree, knownBounds } from "../src/map/grid.ts";
 import { TrailPaths, pathIndex } from "../src/map/trail_paths.ts";
 import { Viewport, greatestScale } from "../src/map/viewport.ts";
 import { Trail } from "../src/model/trail.ts";
@@ -44,6 +44,12 @@ describe("Grid", () => {
     const colours = { free: [1, 1, 1, 255], occupied: [2, 2, 2, 255], unknown: [3, 3, 3, 255] } as const;
     const pixels = gridPixels(grid, colours);
     assert.deepEqual([...pixels].filter((_, index) => index % 4 === 0), [3, 3, 3, 3, 1, 2]);
+  });
+  it("knows where a vehicle may be sent", () => {
+    assert.equal(isFree(grid, { x: 5.6, y: 6.4 }), true);
+    for (const [x, y] of [[6.1, 6.2], [5.2, 6.2], [5.6, 6.6], [4.9, 6.2], [6.6, 6.2], [NaN, 6.2]] as const) {
+      assert.equal(isFree(grid, { x, y }), false, `${x}, ${y}`);
+    }
   });
   it("knows which part of it is known", () => {
     assert.deepEqual(knownBounds(grid), { min: { x: 5.5, y: 6 }, max: { x: 6.5, y: 6.5 } });

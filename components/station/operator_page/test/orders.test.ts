@@ -137,7 +137,7 @@ describe("DriverSeat", () => {
   });
   it("wants the hands to rest first, after it was taken and after a refusal", () => {
     const sut = new DriverSeat("me");
-    sut.take(0);
+    sut.take();
     assert.deepEqual(sut.heed(ahead, false), standing);
     sut.heed(standing, false);
     assert.deepEqual(sut.heed(ahead, false), ahead);
@@ -146,30 +146,49 @@ describe("DriverSeat", () => {
     sut.heed(standing, false);
     assert.deepEqual(sut.heed(ahead, false), ahead);
   });
-  it("is not free while another drives, and is a second later", () => {
+  const wheel = (driver: string, askedBy = "") => ({ driver, askedBy });
+  it("is taken at once while nobody drives", () => {
     const sut = new DriverSeat("me");
-    sut.onCommand("gamepad", true, 1000);
-    sut.take(1500);
+    sut.take();
+    assert.equal(sut.taken, true);
+    assert.equal(sut.takeRequest(), undefined);
+  });
+  it("is asked for while another drives, and taken when the vehicle follows us", () => {
+    const sut = new DriverSeat("me");
+    sut.onWheel(wheel("other"));
+    sut.take();
+    assert.deepEqual([sut.taken, sut.asks, sut.takeRequest(), sut.takeRequest()], [false, true, "ask", undefined]);
+    sut.onWheel(wheel("other", "me"));
     assert.equal(sut.taken, false);
-    assert.equal(sut.other(1999), "gamepad");
-    sut.take(2000);
+    sut.onWheel(wheel("me"));
+    assert.deepEqual([sut.taken, sut.asks, sut.waitsForRest], [true, false, true]);
+  });
+  it("is taken when the wheel that was asked for becomes free", () => {
+    const sut = new DriverSeat("me");
+    sut.onWheel(wheel("other"));
+    sut.take();
+    sut.onWheel(wheel(""));
     assert.equal(sut.taken, true);
   });
-  it("is lost to a device that drives all the same", () => {
+  it("is lost when the vehicle follows another", () => {
     const sut = new DriverSeat("me");
-    sut.take(0);
-    sut.onCommand("gamepad", true, 699);
-    assert.equal(sut.taken, true);
-    sut.onCommand("gamepad", true, 700);
-    assert.equal(sut.taken, false);
-    assert.equal(sut.lostTo, "gamepad");
+    sut.take();
+    sut.onWheel(wheel("me"));
+    sut.onWheel(wheel("other"));
+    assert.deepEqual([sut.taken, sut.lostTo], [false, "other"]);
+    sut.onWheel(wheel(""));
+    assert.deepEqual([sut.taken, sut.lostTo], [false, ""]);
   });
-  it("does not mind its own commands, nor a zero of others", () => {
+  it("tells who asks for it, and gives or keeps it", () => {
     const sut = new DriverSeat("me");
-    sut.take(0);
-    sut.onCommand("me", true, 5000);
-    sut.onCommand("gamepad", false, 5000);
-    assert.equal(sut.taken, true);
+    sut.take();
+    sut.onWheel(wheel("me", "other"));
+    assert.equal(sut.askedBy, "other");
+    sut.keep();
+    assert.equal(sut.takeRequest(), "keep");
+    sut.leave();
+    assert.equal(sut.takeRequest(), "give");
+    assert.equal(sut.taken, false);
   });
 });
 

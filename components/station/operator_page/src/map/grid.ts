@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { Point } from "../model/geometry.ts";
 import type { OccupancyGrid } from "../model/messages.ts";
 import type { Bounds } from "./viewport.ts";
 
@@ -13,6 +14,15 @@ export interface GridColours {
 
 /** The walls of a building begin at this occupancy [%]. */
 const occupiedFrom = 65;
+
+/** Whether a vehicle may be sent there, as far as the map knows: the cell is free. */
+export function isFree({ info, data }: OccupancyGrid, place: Point): boolean {
+  const column = Math.floor((place.x - info.origin.position.x) / info.resolution);
+  const row = Math.floor((place.y - info.origin.position.y) / info.resolution);
+  if (column < 0 || row < 0 || column >= info.width || row >= info.height) return false;
+  const cell = data[row * info.width + column] ?? -1;
+  return cell >= 0 && cell < occupiedFrom;
+}
 
 /** Pixels of a map, the row with the greatest y first; 4 bytes each. */
 export function gridPixels(grid: OccupancyGrid, colours: GridColours): Uint8ClampedArray<ArrayBuffer> {

@@ -5,7 +5,7 @@ import { type Point, distance } from "../model/geometry.ts";
 import type { OccupancyGrid, Waypoint } from "../model/messages.ts";
 import { type Operator, pageNow } from "../operator.ts";
 import { drawEllipse, drawGoal, drawGrid, drawLine, drawRoute, drawScale, drawTrail, drawVehicle } from "./draw.ts";
-import { gridPixels, knownBounds } from "./grid.ts";
+import { gridPixels, isFree, knownBounds } from "./grid.ts";
 import { type Theme, readTheme } from "./theme.ts";
 import { TrailPaths } from "./trail_paths.ts";
 import { type Size, Viewport } from "./viewport.ts";
@@ -284,7 +284,9 @@ export class MapCanvas {
       "]": move(0, 0, -Math.PI / 12),
       Escape: () => (this.operator.draft = undefined),
       Enter: () => {
-        if (draft.length > 0) this.operator.driveTo(draft, pageNow());
+        const { map } = this.operator.station;
+        const isGood = draft.length > 0 && draft.every((place) => map === undefined || isFree(map, place));
+        if (isGood) this.operator.driveTo(draft, pageNow());
       },
     };
     const isTaken = this.operator.seat.taken && key.startsWith("Arrow");

@@ -192,9 +192,9 @@ export interface DockingStatus {
   readonly result: string;
 }
 
-export interface TwistStamped {
-  readonly header: Header;
-  readonly twist: { readonly linear: Vector3; readonly angular: Vector3 };
+export interface DriverState {
+  readonly driver: string;
+  readonly asked_by: string;
 }
 
 export interface ContainerState {
@@ -261,7 +261,7 @@ export interface Topics {
   safety_status: SafetyStatus;
   "emergency_stop/state": EmergencyStopState;
   "docking/status": DockingStatus;
-  "teleop/cmd_vel": TwistStamped;
+  "teleop/driver": DriverState;
   container_state: ContainerState;
   diagnostics: DiagnosticArray;
   rosout: Log;
@@ -289,7 +289,7 @@ const everyTopic: Record<Topic, true> = {
   safety_status: true,
   "emergency_stop/state": true,
   "docking/status": true,
-  "teleop/cmd_vel": true,
+  "teleop/driver": true,
   container_state: true,
   diagnostics: true,
   rosout: true,

@@ -27,7 +27,6 @@ import {
   type Topics,
   type TrafficReport,
   type TransmissionState,
-  type TwistStamped,
   type Waypoint,
   roleOf,
 } from "./messages.ts";
@@ -53,16 +52,10 @@ export class Side {
   readonly classes = new LinkClasses();
 }
 
-/** Who else drives the vehicle by hand. */
-export interface ManualDrive {
-  readonly device: string;
-  readonly moves: boolean;
-}
-
 /** Topics that only the vehicle writes, so that each says that it is alive. */
 const ofVehicle: ReadonlySet<Topic> = new Set<Topic>([
   "location", "network_quality", "navigation_status", "battery_state", "memory_usage", "cpu_load",
-  "cpu_temperature", "camera/image_raw/compressed", "safety_status", "docking/status",
+  "cpu_temperature", "camera/image_raw/compressed", "safety_status", "docking/status", "teleop/driver",
 ]);
 
 /**
@@ -90,7 +83,6 @@ export class Station {
   safety: Heard<SafetyStatus> | undefined;
   stop: Heard<EmergencyStopState> | undefined;
   docking: Heard<DockingStatus> | undefined;
-  manual: Heard<ManualDrive> | undefined;
   map: OccupancyGrid | undefined;
   plan: Heard<Path> | undefined;
   /** When anything of the vehicle was last heard. */
@@ -158,7 +150,10 @@ export class Station {
     safety_status: (value, at) => this.#onSafety(value, at),
     "emergency_stop/state": (value, at) => (this.stop = { value, at }),
     "docking/status": (value, at) => (this.docking = { value, at }),
-    "teleop/cmd_vel": (message, at) => this.#onTeleop(message, at),
+    "teleop/driver": (message, at) => {
+      const text = message.driver === "" ? "" : `${message.driver} drives by hand`;
+      this.journal.onChange("driver", { at, severity: "info", source: "vehicle", text });
+    },
     container_state: (value, at) => this.#onContainer(value, at),
     diagnostics: (message, at) => this.#onDiagnostics(message, at),
     rosout: (message, at) => this.#onLog(message, at),
@@ -221,11 +216,6 @@ export class Station {
     const hindered = hindrances(value).join(", ");
     const entry = { at, severity: "error", source: "safety", text: hindered } as const;
     this.journal.onChange("safety", entry);
-  }
-
-  #onTeleop({ header, twist }: TwistStamped, at: number): void {
-    const moves = twist.linear.x !== 0 || twist.angular.z !== 0;
-    this.manual = { value: { device: header.frame_id, moves }, at };
   }
 
   #onContainer(value: ContainerState, at: number): void {

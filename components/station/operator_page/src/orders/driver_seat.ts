@@ -6,11 +6,6 @@ import { type Velocity, isStanding, standing } from "./teleop_sender.ts";
 export const cameraLimitMs = 1000;
 /** A vehicle that was not heard for so long is not driven by hand. */
 export const vehicleLimitMs = 1500;
-/** Who has not driven for so long has let go of the stick. */
-const otherLimitMs = 1000;
-/** What the former driver sent before may still come. */
-const handOverMs = 700;
-
 /** What must be right for driving by hand. Ages [ms]; undefined: never heard. */
 export interface DriveConditions {
   readonly connected: boolean;
@@ -34,33 +29,84 @@ export function whyNotDrive(conditions: DriveConditions): string | undefined {
   return undefined;
 }
 
+export type WheelVerb = "ask" | "give" | "keep";
+
+/** What a seat's text and buttons depend on. */
+export interface Wheel {
+  /** Whom the vehicle follows; empty: nobody, the next to drive is. */
+  readonly driver: string;
+  /** Who waits for the wheel; empty: nobody. */
+  readonly askedBy: string;
+}
+
 /**
- * Who drives: one at a time. A seat is taken by a person's act, while nobody else drives, and given
- * up by it, or when another device drives all the same: that has taken over. Between pages the
- * server keeps the same rule. Pure.
+ * The operator's part of who drives: the vehicle follows one, and tells whom (teleop/driver). The
+ * seat is taken by a person's act: at once while nobody drives, else by asking who does, whose it
+ * stays until the vehicle says otherwise. It is lost when the vehicle follows another. Pure.
  */
 export class DriverSeat {
-  #takenAt: number | undefined;
-  #other: { device: string; at: number } | undefined;
+  #taken = false;
+  #asks = false;
   #mustRest = true;
-  /** Who took over from here last; empty: nobody. */
+  #requests: WheelVerb[] = [];
+  wheel: Wheel = { driver: "", askedBy: "" };
+  /** Who drives in our place since; empty: nobody. */
   lostTo = "";
 
-  constructor(readonly device: string) {}
+  constructor(readonly name: string) {}
 
   get taken(): boolean {
-    return this.#takenAt !== undefined;
+    return this.#taken;
   }
 
-  take(now: number): void {
-    if (this.other(now) !== undefined) return;
-    this.#takenAt = now;
-    this.#mustRest = true;
+  /** Whether the wheel was asked for, and is still another's. */
+  get asks(): boolean {
+    return this.#asks;
+  }
+
+  /** Who else drives; empty: nobody. */
+  get other(): string {
+    return this.wheel.driver === this.name ? "" : this.wheel.driver;
+  }
+
+  /** Who else asks us for the wheel; empty: nobody. */
+  get askedBy(): string {
+    return this.#taken && this.wheel.driver === this.name ? this.wheel.askedBy : "";
+  }
+
+  take(): void {
     this.lostTo = "";
+    if (this.other === "") return this.#sit();
+    this.#asks = true;
+    this.#requests.push("ask");
   }
 
   leave(): void {
-    this.#takenAt = undefined;
+    if (this.wheel.driver === this.name) this.#requests.push("give");
+    this.#taken = false;
+    this.#asks = false;
+  }
+
+  keep(): void {
+    this.#requests.push("keep");
+  }
+
+  /** The vehicle told who drives. */
+  onWheel(wheel: Wheel): void {
+    this.wheel = wheel;
+    if (wheel.driver === this.name && this.#asks) this.#sit();
+    if (this.other === "") {
+      this.lostTo = "";
+      if (this.#asks) this.#sit(); // it has become free
+    } else if (this.#taken) {
+      this.#taken = false;
+      this.lostTo = this.other;
+    }
+  }
+
+  /** The request to send now, if any. */
+  takeRequest(): WheelVerb | undefined {
+    return this.#requests.shift();
   }
 
   /**
@@ -78,18 +124,9 @@ export class DriverSeat {
     return this.#mustRest;
   }
 
-  /** A command of whatever device was heard. */
-  onCommand(device: string, moves: boolean, now: number): void {
-    if (device === this.device || !moves) return;
-    this.#other = { device, at: now };
-    if (this.#takenAt === undefined || now - this.#takenAt < handOverMs) return;
-    this.leave();
-    this.lostTo = device;
-  }
-
-  /** Who else drives now. */
-  other(now: number): string | undefined {
-    const { device, at } = this.#other ?? { device: "", at: -Infinity };
-    return now - at < otherLimitMs ? device : undefined;
+  #sit(): void {
+    this.#taken = true;
+    this.#asks = false;
+    this.#mustRest = true;
   }
 }

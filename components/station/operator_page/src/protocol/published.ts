@@ -49,9 +49,17 @@ export const missionCommand: Published = {
   text: "string data",
 };
 
+/** Asks for the wheel, gives it, keeps it. */
+export const driverRequest: Published = {
+  topic: "teleop/request",
+  schemaName: "tocsin_msgs/msg/DriverRequest",
+  text: parts("builtin_interfaces/Time stamp\nstring name\nstring verb", time),
+};
+
 export const allPublished: readonly Published[] = [
   emergencyStopRequest,
   teleopVelocity,
   goal,
   missionCommand,
+  driverRequest,
 ];

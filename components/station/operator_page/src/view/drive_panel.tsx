@@ -2,7 +2,7 @@
 import type { TargetedPointerEvent } from "preact";
 import { useState } from "preact/hooks";
 
-import { type Operator, pageNow } from "../operator.ts";
+import type { Operator } from "../operator.ts";
 import { whyNotDrive } from "../orders/driver_seat.ts";
 import { speedChoices } from "../orders/stick.ts";
 import { Panel } from "./parts.tsx";
@@ -15,17 +15,20 @@ export function DrivePanel({ operator, now }: { operator: Operator; now: number 
     act();
     redraw((count) => count + 1);
   };
-  const other = seat.other(now);
-  const take = change(() => (seat.taken ? seat.leave() : seat.take(pageNow())));
+  const take = change(() => (seat.taken ? seat.leave() : seat.take()));
+  const label = seat.taken ? "Let go" : seat.other ? "Ask for the wheel" : "Take the wheel";
   return (
     <Panel name="drive" title="Drive by hand">
       <div class="drive-body">
         <div class="drive-words">
           <p class={`seat ${seatState(operator, now).kind}`} role="status">{seatState(operator, now).text}</p>
-          <button type="button" class={seat.taken ? "" : "go"} aria-pressed={seat.taken} disabled={other !== undefined}
-            title="Manual driving (M)" onClick={take}>
-            {seat.taken ? "Let go" : "Take the stick"} <kbd>M</kbd>
-          </button>
+          <span class="buttons">
+            <button type="button" class={seat.taken ? "" : "go"} aria-pressed={seat.taken} disabled={seat.asks}
+              title="Driving by hand (M)" onClick={take}>
+              {label} <kbd>M</kbd>
+            </button>
+            {seat.askedBy && <button type="button" onClick={change(() => seat.keep())}>Keep it</button>}
+          </span>
           <label>
             <input
               type="checkbox"
@@ -57,11 +60,12 @@ export function DrivePanel({ operator, now }: { operator: Operator; now: number 
 function seatState(operator: Operator, now: number): { kind: "idle" | "ready" | "refused"; text: string } {
   const { seat } = operator;
   const refusal = whyNotDrive(operator.driveConditions(now));
-  const other = seat.other(now);
-  if (!seat.taken && other) return { kind: "refused", text: `${other} drives; the stick is free 1 s after that ends.` };
-  if (!seat.taken && seat.lostTo) return { kind: "refused", text: `Taken over by ${seat.lostTo}.` };
+  if (seat.askedBy) return { kind: "refused", text: `${seat.askedBy} asks for the wheel. Let go, or keep it.` };
+  if (seat.asks) return { kind: "refused", text: `${seat.other} was asked for the wheel.` };
+  if (!seat.taken && seat.lostTo) return { kind: "refused", text: `${seat.lostTo} has taken over.` };
+  if (!seat.taken && seat.other) return { kind: "refused", text: `${seat.other} drives.` };
   if (refusal) return { kind: "refused", text: `Not by hand now: ${refusal}.` };
-  if (!seat.taken) return { kind: "idle", text: "Take the stick, then hold keys, stick or a pad's shoulder button." };
+  if (!seat.taken) return { kind: "idle", text: "Take the wheel, then hold keys, stick or a pad's shoulder button." };
   if (seat.waitsForRest) return { kind: "refused", text: "Let go of keys and stick first." };
   return { kind: "ready", text: "You drive: W A S D, arrows, stick or gamepad. Letting go stops." };
 }

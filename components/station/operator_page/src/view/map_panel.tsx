@@ -2,6 +2,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { MapCanvas } from "../map/map_canvas.ts";
+import { isFree } from "../map/grid.ts";
 import { qualityWords } from "../model/quality.ts";
 import { type Operator, pageNow } from "../operator.ts";
 import { Panel } from "./parts.tsx";
@@ -54,9 +55,13 @@ export function MapPanel({ operator }: { operator: Operator }) {
 
 function GoalBar({ operator, setDraft }: { operator: Operator; setDraft: (poses: Operator["draft"]) => void }) {
   const draft = operator.draft ?? [];
+  const { map } = operator.station;
+  const blocked = draft.findIndex((place) => map !== undefined && !isFree(map, place));
   return (
     <div class="goal-bar">
-      {draft.length === 0
+      {blocked >= 0
+        ? <span class="refused">Place {blocked + 1} is in a wall or beyond the map.</span>
+        : draft.length === 0
         ? <span>Press on the map, drag for the heading. Arrow keys move, [ ] turn.</span>
         : <span>{draft.length === 1 ? "Goal" : `Route of ${draft.length}`}. Shift adds a place.</span>}
       <span class="buttons">
@@ -64,7 +69,7 @@ function GoalBar({ operator, setDraft }: { operator: Operator; setDraft: (poses:
         <button
           type="button"
           class="go"
-          disabled={draft.length === 0}
+          disabled={draft.length === 0 || blocked >= 0}
           onClick={() => operator.driveTo(draft, pageNow())}
         >
           Drive there <kbd>Enter</kbd>

@@ -50,7 +50,7 @@ export function Page({ operator }: { operator: Operator }) {
   );
 }
 
-/** Space stops, wherever the focus is; M takes the stick; keys that are held drive. */
+/** Space stops, wherever the focus is; M takes the wheel; keys that are held drive. */
 function listenToKeys(operator: Operator): () => void {
   const down = (event: KeyboardEvent): void => {
     if (event.code === "Space") {
@@ -59,7 +59,7 @@ function listenToKeys(operator: Operator): () => void {
       if (!event.repeat) operator.stop.press(pageNow());
     } else if (event.code === "KeyM" && !event.repeat && !event.ctrlKey && !event.metaKey) {
       if (operator.seat.taken) operator.seat.leave();
-      else operator.seat.take(pageNow());
+      else operator.seat.take();
     } else if (operator.seat.taken && isDrivingKey(event.code)) {
       event.preventDefault();
       operator.heldKeys.add(event.code);

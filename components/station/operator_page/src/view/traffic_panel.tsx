@@ -26,14 +26,14 @@ function ClassTable({ name, side, now }: { name: string; side: Side; now: number
       <thead>
         <tr>
           <th scope="col">{name}<Age at={side.link?.at} now={now} /></th>
-          <th scope="col">a second</th>
+          <th scope="col" class="minor">a second</th>
           <th scope="col">kB/s</th>
           <th scope="col">delivered</th>
           <th scope="col">late</th>
           <th scope="col">lost</th>
           <th scope="col">repaired</th>
           <th scope="col">paused</th>
-          <th scope="col" title="thinned, superseded, expired, overflow">not sent</th>
+          <th scope="col" class="minor" title="thinned, superseded, expired, overflow">not sent</th>
         </tr>
       </thead>
       <tbody>
@@ -48,14 +48,14 @@ function ClassLine({ row }: { row: ClassRow }) {
   return (
     <tr>
       <th scope="row">{row.name}</th>
-      <td>{number(row.deliveredHz, 1)}</td>
+      <td class="minor">{number(row.deliveredHz, 1)}</td>
       <td>{number(row.bytesPerS === undefined ? undefined : row.bytesPerS / 1000, 1)}</td>
       <td>{count(row.delivered)}</td>
       <td>{count(row.late)}</td>
       <td class={row.lost > 0 ? "notable" : ""}>{count(row.lost)}</td>
       <td>{count(row.repaired)}</td>
       <td class={row.paused > 0 ? "notable" : ""}>{count(row.paused)}</td>
-      <td>{count(row.otherDropped)}</td>
+      <td class="minor">{count(row.otherDropped)}</td>
     </tr>
   );
 }
@@ -66,12 +66,12 @@ function TopicTable({ rows }: { rows: readonly TrafficRow[] }) {
       <thead>
         <tr>
           <th scope="col">From the vehicle, by topic</th>
-          <th scope="col">class</th>
-          <th scope="col">a second</th>
+          <th scope="col" class="minor">class</th>
+          <th scope="col" class="minor">a second</th>
           <th scope="col">age</th>
           <th scope="col">here of sent</th>
           <th scope="col">gate</th>
-          <th scope="col">dropped</th>
+          <th scope="col" class="minor">dropped</th>
         </tr>
       </thead>
       <tbody>
@@ -87,12 +87,12 @@ function TopicLine({ row }: { row: TrafficRow }) {
   return (
     <tr class={isOld ? "stale" : ""}>
       <th scope="row">{row.topic}</th>
-      <td>{row.trafficClass}</td>
-      <td>{number(row.rateHz, 1)}</td>
+      <td class="minor">{row.trafficClass}</td>
+      <td class="minor">{number(row.rateHz, 1)}</td>
       <td>{row.ageMs === undefined ? "–" : ageText(row.ageMs)}</td>
       <td>{count(row.received)} of {count(row.sent)}</td>
       <td>{row.paused ? <b class="passive">PAUSED</b> : "open"}</td>
-      <td>{count(row.dropped)}</td>
+      <td class="minor">{count(row.dropped)}</td>
     </tr>
   );
 }
