@@ -21,7 +21,7 @@ const complaints = [];
 
 async function startServer(port = 0) {
   const map = { image: options.map, resolution: 0.05, x: -19, y: -8 };
-  standIn = await startStandIn({ page: options.page, bag: options.bag, from: 44, port, map });
+  standIn = await startStandIn({ page: options.page, bag: options.bag, from: 36, port, map });
 }
 
 /** Waits until `look`, evaluated in the page, is true; says what it waited for. */
@@ -145,9 +145,10 @@ describe("Page in Chromium", { concurrency: false }, () => {
 
   it("does not drive by an old picture", async () => {
     await page.click(".drive input[type=checkbox]");
+    await until("a picture", () => document.querySelector(".picture img") !== null);
     standIn.state.withoutImages = true;
     await page.keyboard.press("m");
-    await reads(".seat", "Not by hand now: the picture is");
+    await reads(".seat", "Not by hand now: the picture is ");
     const count = commands("/teleop/cmd_vel").length;
     await page.keyboard.down("w");
     await wait(300);
@@ -238,6 +239,27 @@ describe("Page in Chromium", { concurrency: false }, () => {
     await eventually("keep", () => commands("/teleop/request").at(-1).message.verb === "keep");
     standIn.sayDriver("page_other");
     await reads(".seat", "page_other has taken over");
+    standIn.sayDriver("");
+    await reads(".drive button", "Take the wheel");
+  });
+
+  it("plays a recording in place of the vehicle, and stops the vehicle all the same", async () => {
+    const input = await page.$(".open-bag input");
+    await input.uploadFile(options.bag);
+    await reads(".alert", "This is the recording");
+    await page.$eval(".replay input", (slider) => {
+      slider.value = "30";
+      slider.dispatchEvent(new Event("input", { bubbles: true }));
+    });
+    await reads(".replay .position", "0:30 of");
+    await reads(".mission", "4 of 9");
+    await reads(".seat", "a recording is shown");
+    if (options.pictures) await page.screenshot({ path: path.join(options.pictures, "replay.png") });
+    standIn.state.commands.length = 0;
+    await page.keyboard.press("Space");
+    await reads(".stop", "Vehicle confirms");
+    await press("Back to the vehicle");
+    await until("no recording", () => document.querySelector(".replay") === null);
   });
 
   it("complains of nothing in the console", () => {

@@ -11,6 +11,8 @@ import { MissionOrder, leads } from "./orders/mission_order.ts";
 import { OperatorGoal } from "./orders/operator_goal.ts";
 import { type Speeds, keysVelocity, padVelocity, speedChoices, stickVelocity } from "./orders/stick.ts";
 import { TeleopSender, type Velocity } from "./orders/teleop_sender.ts";
+import { BagFile } from "./replay/bag_file.ts";
+import { BagPlayer } from "./replay/bag_player.ts";
 import { Connection, type ServerInfo } from "./protocol/connection.ts";
 import { driverRequest, emergencyStopRequest, goal, missionCommand, teleopVelocity } from "./protocol/published.ts";
 
@@ -24,7 +26,10 @@ const stampNow = (): Stamp => {
 export const pageNow = (): number => performance.timeOrigin + performance.now();
 
 export class Operator {
-  readonly station = new Station();
+  /** The vehicle and the link as they are now. */
+  readonly live = new Station();
+  /** A bag that is shown in their place. */
+  player: BagPlayer | undefined;
   readonly connection: Connection;
   readonly stop = new EmergencyStopOrder();
   readonly goal = new OperatorGoal(random64);
@@ -56,8 +61,37 @@ export class Operator {
     });
   }
 
+  /** What is shown: the bag, or what is. */
+  get station(): Station {
+    return this.player?.station ?? this.live;
+  }
+
+  /** The time of what is shown. */
+  now(): number {
+    return this.player?.position ?? pageNow();
+  }
+
+  /** Shows a bag in place of what is; the emergency stop stays what it is. */
+  async openBag(file: File): Promise<void> {
+    try {
+      this.player = new BagPlayer(await BagFile.open(file), file.name);
+      this.draft = undefined;
+    } catch (error) {
+      this.#say("error", "recording", `${file.name} cannot be shown: ${String(error)}`);
+    }
+  }
+
+  closeBag(): void {
+    if (this.player?.trouble) this.#say("error", "recording", this.player.trouble);
+    this.player = undefined;
+  }
+
   /** To be called 20 times a second. */
   tick(now: number): void {
+    if (this.player) {
+      this.player.tick(now);
+      ++this.version;
+    }
     this.connection.tick();
     this.#tickStop(now);
     this.#tickMission(now);
@@ -65,24 +99,25 @@ export class Operator {
   }
 
   stopHeard(): StopHeard {
-    const { station } = this;
+    const { live } = this;
     return {
-      station: station.stop?.value,
-      safety: station.safety,
-      vehicleHeard: station.vehicleHeard,
+      station: live.stop?.value,
+      safety: live.safety,
+      vehicleHeard: live.vehicleHeard,
       connected: this.connection.state.phase === "open",
     };
   }
 
   driveConditions(now: number): DriveConditions {
-    const { station } = this;
+    const { live } = this;
     const age = (at: number | undefined): number | undefined => (at === undefined ? at : now - at);
     return {
       connected: this.connection.state.phase === "open",
-      vehicleAge: age(station.vehicleHeard),
-      cameraAge: age(station.image?.at),
+      vehicleAge: age(live.vehicleHeard),
+      cameraAge: age(live.image?.at),
       bySight: this.bySight,
-      stopped: station.safety?.value.emergency_stop ?? false,
+      replaying: this.player !== undefined,
+      stopped: live.safety?.value.emergency_stop ?? false,
     };
   }
 
@@ -90,7 +125,7 @@ export class Operator {
   driveTo(poses: readonly Waypoint[], now: number): void {
     this.#waiting = poses;
     this.draft = undefined;
-    if (leads(this.station.mission?.value)) this.missionOrder.pause(now);
+    if (leads(this.live.mission?.value)) this.missionOrder.pause(now);
   }
 
   /** mission_control holds the vehicle where it is. */
@@ -106,7 +141,7 @@ export class Operator {
   }
 
   skipWaypoint(now: number): void {
-    const mission = this.station.mission?.value;
+    const mission = this.live.mission?.value;
     if (mission !== undefined) this.missionOrder.skip(mission.waypoint, now);
   }
 
@@ -131,7 +166,7 @@ export class Operator {
   }
 
   #tickMission(now: number): void {
-    const words = this.missionOrder.due(this.station.mission?.value, now);
+    const words = this.missionOrder.due(this.live.mission?.value, now);
     if (words !== undefined) this.connection.publish(missionCommand, { data: words });
     if (this.missionOrder.unheeded) this.#notHeeded();
     if (this.#waiting !== undefined && !this.missionOrder.pending) {
@@ -161,7 +196,7 @@ export class Operator {
 
   #onMessage(topic: string, message: unknown): void {
     if (!isTopicRead(topic)) return;
-    this.station.onMessage(topic, message as Topics[Topic], pageNow());
+    this.live.onMessage(topic, message as Topics[Topic], pageNow());
     ++this.version;
     if (topic === "navigation_status") this.goal.onStatus(message as Topics["navigation_status"]);
     if (topic === "teleop/driver") {
@@ -178,6 +213,6 @@ export class Operator {
   }
 
   #say(severity: "info" | "warning" | "error", source: string, text: string): void {
-    this.station.journal.add({ at: pageNow(), severity, source, text });
+    this.live.journal.add({ at: pageNow(), severity, source, text });
   }
 }

@@ -106,7 +106,7 @@ describe("TeleopSender", () => {
 });
 
 describe("Driving by hand", () => {
-  const good: DriveConditions = { connected: true, vehicleAge: 100, cameraAge: 100, bySight: false, stopped: false };
+  const good: DriveConditions = { connected: true, vehicleAge: 100, cameraAge: 100, bySight: false, stopped: false, replaying: false };
   it("is allowed by a fresh picture of a vehicle that is heard", () => {
     assert.equal(whyNotDrive(good), undefined);
     assert.equal(whyNotDrive({ ...good, vehicleAge: vehicleLimitMs, cameraAge: cameraLimitMs }), undefined);
@@ -114,6 +114,7 @@ describe("Driving by hand", () => {
   it("is refused with the reason", () => {
     const reasons = [
       [{ connected: false }, /connection/],
+      [{ replaying: true }, /recording/],
       [{ vehicleAge: undefined }, /never heard/],
       [{ vehicleAge: vehicleLimitMs + 1 }, /last heard 1.5 s ago/],
       [{ stopped: true }, /emergency stop/],

@@ -111,9 +111,9 @@ export class MapCanvas {
 
   #animate = (): void => {
     this.#frame = requestAnimationFrame(this.#animate);
-    const now = pageNow();
+    const now = this.operator.now();
     const { version } = this.operator;
-    if (version === this.#drawn.version && now - this.#drawn.at < redrawMs) return;
+    if (version === this.#drawn.version && Math.abs(now - this.#drawn.at) < redrawMs) return;
     this.#drawn = { version, at: now };
     this.#draw(now);
   };
@@ -285,7 +285,7 @@ export class MapCanvas {
       Escape: () => (this.operator.draft = undefined),
       Enter: () => {
         const { map } = this.operator.station;
-        const isGood = draft.length > 0 && draft.every((place) => map === undefined || isFree(map, place));
+        const isGood = draft.length > 0 && !this.operator.player && draft.every((place) => map === undefined || isFree(map, place));
         if (isGood) this.operator.driveTo(draft, pageNow());
       },
     };

@@ -21,6 +21,7 @@ export class TrailPaths<Path extends PathSink> {
   paths: Path[] = [];
   #drawn = 0;
   #version = -1;
+  #of: Trail | undefined;
   #last: { point: TrailPoint; path: number } | undefined;
 
   constructor(private readonly make: () => Path) {
@@ -28,9 +29,10 @@ export class TrailPaths<Path extends PathSink> {
   }
 
   update(trail: Trail): void {
-    if (trail.version === this.#version) return;
+    if (trail === this.#of && trail.version === this.#version) return;
+    if (trail !== this.#of || trail.points.length < this.#drawn) this.#reset();
+    this.#of = trail;
     this.#version = trail.version;
-    if (trail.points.length < this.#drawn) this.#reset();
     for (; this.#drawn < trail.points.length; ++this.#drawn) {
       const point = trail.points[this.#drawn];
       if (point === "gap" || point === undefined) this.#last = undefined;

@@ -14,11 +14,14 @@ export interface DriveConditions {
   /** The operator sees the vehicle itself: the camera does not matter. */
   readonly bySight: boolean;
   readonly stopped: boolean;
+  /** A recording is on the screen, not the vehicle. */
+  readonly replaying: boolean;
 }
 
 /** Why the vehicle may not be driven by hand; undefined: it may. */
 export function whyNotDrive(conditions: DriveConditions): string | undefined {
-  const { connected, vehicleAge, cameraAge, bySight, stopped } = conditions;
+  const { connected, vehicleAge, cameraAge, bySight, stopped, replaying } = conditions;
+  if (replaying) return "a recording is shown";
   if (!connected) return "no connection to the station";
   if (vehicleAge === undefined) return "the vehicle was never heard";
   if (vehicleAge > vehicleLimitMs) return `the vehicle was last heard ${ageText(vehicleAge)} ago`;

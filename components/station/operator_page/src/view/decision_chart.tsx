@@ -5,22 +5,21 @@ import uPlot from "uplot";
 import { readTheme } from "../map/theme.ts";
 import { type Decision, pauses } from "../model/series.ts";
 import type { Side } from "../model/station.ts";
-import { pageNow } from "../operator.ts";
 
 const shownS = 300;
 const heightPx = 150;
 
 /** QNI of both sides and the vehicle's statistic against its threshold; grey: the gate was closed. */
-export function DecisionChart({ uxv, gcs }: { uxv: Side; gcs: Side }) {
+export function DecisionChart({ uxv, gcs, now }: { uxv: Side; gcs: Side; now: () => number }) {
   const element = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const frame = element.current;
     if (frame === null) return;
     const plot = new uPlot(options(frame.clientWidth, () => uxv.decisions.decisions), [[], [], [], [], []], frame);
     const renew = (): void => {
-      const now = pageNow() / 1000;
+      const right = now() / 1000;
       plot.setData(aligned(uxv.decisions.decisions, gcs.decisions.decisions), false);
-      plot.setScale("x", { min: now - shownS, max: now });
+      plot.setScale("x", { min: right - shownS, max: right });
       plot.setScale("y", { min: 0, max: 100 });
       plot.setScale("statistic", { min: 0, max: topStatistic(uxv.decisions.decisions) });
     };
@@ -33,7 +32,7 @@ export function DecisionChart({ uxv, gcs }: { uxv: Side; gcs: Side }) {
       resize.disconnect();
       plot.destroy();
     };
-  }, [uxv, gcs]);
+  }, [uxv, gcs, now]);
   return <div ref={element} class="chart" aria-label="QNI and statistic of the last five minutes" />;
 }
 

@@ -2,13 +2,13 @@
 import type { TargetedPointerEvent } from "preact";
 import { useState } from "preact/hooks";
 
-import type { Operator } from "../operator.ts";
+import { type Operator, pageNow } from "../operator.ts";
 import { whyNotDrive } from "../orders/driver_seat.ts";
 import { speedChoices } from "../orders/stick.ts";
 import { Panel } from "./parts.tsx";
 
 /** Driving by hand: who drives, why not, how fast, and the stick for a finger. */
-export function DrivePanel({ operator, now }: { operator: Operator; now: number }) {
+export function DrivePanel({ operator }: { operator: Operator; now: number }) {
   const { seat } = operator;
   const [, redraw] = useState(0);
   const change = (act: () => void) => (): void => {
@@ -21,7 +21,7 @@ export function DrivePanel({ operator, now }: { operator: Operator; now: number 
     <Panel name="drive" title="Drive by hand">
       <div class="drive-body">
         <div class="drive-words">
-          <p class={`seat ${seatState(operator, now).kind}`} role="status">{seatState(operator, now).text}</p>
+          <p class={`seat ${seatState(operator).kind}`} role="status">{seatState(operator).text}</p>
           <span class="buttons">
             <button type="button" class={seat.taken ? "" : "go"} aria-pressed={seat.taken} disabled={seat.asks}
               title="Driving by hand (M)" onClick={take}>
@@ -57,9 +57,9 @@ export function DrivePanel({ operator, now }: { operator: Operator; now: number 
   );
 }
 
-function seatState(operator: Operator, now: number): { kind: "idle" | "ready" | "refused"; text: string } {
+function seatState(operator: Operator): { kind: "idle" | "ready" | "refused"; text: string } {
   const { seat } = operator;
-  const refusal = whyNotDrive(operator.driveConditions(now));
+  const refusal = whyNotDrive(operator.driveConditions(pageNow()));
   if (seat.askedBy) return { kind: "refused", text: `${seat.askedBy} asks for the wheel. Let go, or keep it.` };
   if (seat.asks) return { kind: "refused", text: `${seat.other} was asked for the wheel.` };
   if (!seat.taken && seat.lostTo) return { kind: "refused", text: `${seat.lostTo} has taken over.` };

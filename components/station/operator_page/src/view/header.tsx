@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-import { alertOf } from "../model/alerts.ts";
-import type { Operator } from "../operator.ts";
+import { type Alert, alertOf } from "../model/alerts.ts";
+import { type Operator, pageNow } from "../operator.ts";
+import { OpenBag } from "./replay_bar.tsx";
 import { StopButton } from "./stop_button.tsx";
 
-export function PageHeader({ operator, now }: { operator: Operator; now: number }) {
+export function PageHeader({ operator }: { operator: Operator }) {
   const { phase } = operator.connection.state;
   const words = { open: "connected", connecting: "connecting", lost: "not connected" }[phase];
   const name = operator.server?.metadata.vehicle ?? operator.server?.metadata.host ?? "";
@@ -13,14 +14,22 @@ export function PageHeader({ operator, now }: { operator: Operator; now: number 
         <strong>Tocsin</strong>
         <span class={`connection ${phase}`}>{name ? `${name}, ` : ""}{words}</span>
       </div>
-      <StopButton operator={operator} now={now} />
+      <OpenBag operator={operator} />
+      <StopButton operator={operator} now={pageNow()} />
     </header>
   );
 }
 
+const recordingAlert = (name: string): Alert => ({
+  severity: "warning",
+  text: `This is the recording ${name}, not the vehicle now. The emergency stop acts on the vehicle.`,
+});
+
 /** The one line that tells the worst. It takes its room always, so that nothing jumps. */
 export function AlertLine({ operator, now }: { operator: Operator; now: number }) {
-  const alert = alertOf(operator.connection.state, operator.station, now);
+  const alert = operator.player
+    ? recordingAlert(operator.player.name)
+    : alertOf(operator.connection.state, operator.station, now);
   return (
     <p class={`alert ${alert?.severity ?? "none"}`} role="status">
       {alert?.text ?? "All is well: vehicle and link are heard."}

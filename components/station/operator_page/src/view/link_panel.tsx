@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+import { useCallback } from "preact/hooks";
+
 import { resumesInS } from "../model/alerts.ts";
 import type { Heard } from "../model/freshness.ts";
 import { freshness } from "../model/freshness.ts";
@@ -12,6 +14,7 @@ import { Age, Panel, Value, number } from "./parts.tsx";
 /** The radio as it was measured, and what both sides decide by it. */
 export function LinkPanel({ operator, now }: { operator: Operator; now: number }) {
   const { quality, uxv, gcs } = operator.station;
+  const time = useCallback(() => operator.now(), [operator]);
   return (
     <Panel name="link" title="Link">
       <dl class="values">
@@ -25,7 +28,7 @@ export function LinkPanel({ operator, now }: { operator: Operator; now: number }
         <SideView name="Vehicle" way="Uplink" side={uxv} now={now} />
         <SideView name="Station" way="Downlink" side={gcs} now={now} />
       </div>
-      <DecisionChart uxv={uxv} gcs={gcs} />
+      <DecisionChart uxv={uxv} gcs={gcs} now={time} />
     </Panel>
   );
 }

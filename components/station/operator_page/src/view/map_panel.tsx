@@ -69,7 +69,7 @@ function GoalBar({ operator, setDraft }: { operator: Operator; setDraft: (poses:
         <button
           type="button"
           class="go"
-          disabled={draft.length === 0 || blocked >= 0}
+          disabled={draft.length === 0 || blocked >= 0 || operator.player !== undefined}
           onClick={() => operator.driveTo(draft, pageNow())}
         >
           Drive there <kbd>Enter</kbd>

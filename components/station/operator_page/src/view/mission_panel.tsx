@@ -8,7 +8,8 @@ import { Panel, Value, number } from "./parts.tsx";
 export function MissionPanel({ operator, now }: { operator: Operator; now: number }) {
   const { station, goal } = operator;
   const state = station.mission?.value.state;
-  const runs = leads(station.mission?.value);
+  const isLive = operator.player === undefined;
+  const runs = isLive && leads(station.mission?.value);
   return (
     <Panel name="mission" title="Mission">
       <dl class="values">
@@ -26,7 +27,7 @@ export function MissionPanel({ operator, now }: { operator: Operator; now: numbe
       {goal.phase !== "none" && <p class="operator-goal">Your goal: {goal.phase}</p>}
       <div class="buttons">
         <button type="button" disabled={!runs} onClick={() => operator.pauseMission(pageNow())}>Pause</button>
-        <button type="button" class={state === "paused" ? "go" : ""} disabled={state !== "paused"}
+        <button type="button" class={state === "paused" ? "go" : ""} disabled={!isLive || state !== "paused"}
           onClick={() => operator.resumeMission(pageNow())}>
           Resume
         </button>

@@ -10,6 +10,7 @@ import { LinkPanel } from "./link_panel.tsx";
 import { LogPanel } from "./log_panel.tsx";
 import { MapPanel } from "./map_panel.tsx";
 import { MissionPanel } from "./mission_panel.tsx";
+import { ReplayBar } from "./replay_bar.tsx";
 import { TrafficPanel } from "./traffic_panel.tsx";
 import { VehiclePanel } from "./vehicle_panel.tsx";
 
@@ -19,18 +20,20 @@ type Tab = (typeof tabs)[number];
 
 /** The whole page. On a phone the tabs choose what is seen; wider ones show everything. */
 export function Page({ operator }: { operator: Operator }) {
-  const [now, setNow] = useState(pageNow());
+  const [, draw] = useState(0);
+  const now = operator.now();
   const [tab, setTab] = useState<Tab>("Map");
   useEffect(() => {
-    const timer = setInterval(() => setNow(pageNow()), drawnEveryMs);
+    const timer = setInterval(() => draw((count) => count + 1), drawnEveryMs);
     return () => clearInterval(timer);
   }, []);
   useEffect(() => listenToKeys(operator), [operator]);
   const looks = { operator, now };
   return (
     <>
-      <PageHeader {...looks} />
+      <PageHeader operator={operator} />
       <AlertLine {...looks} />
+      {operator.player && <ReplayBar operator={operator} player={operator.player} />}
       <main class={`board tab-${tab.toLowerCase()}`}>
         <MapPanel operator={operator} />
         <CameraPanel {...looks} />
