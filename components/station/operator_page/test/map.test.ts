@@ -68,29 +68,35 @@ class RecordedPath {
 }
 
 describe("TrailPaths", () => {
-  it("goes on where another quality ended, without a gap", () => {
+  const look = pathIndex(4, false);
+  it("goes on where another quality ended, without a gap, up to the vehicle", () => {
     const trail = new Trail();
     const sut = new TrailPaths(() => new RecordedPath());
     trail.add({ x: 0, y: 0 }, 80, false);
     trail.add({ x: 1, y: 0 }, 80, false);
     sut.update(trail);
+    assert.deepEqual([sut.paths[look]?.calls, sut.tail?.path.calls], [["M0,0"], ["M0,0", "L1,0"]]);
     trail.add({ x: 2, y: 0 }, 10, true);
+    trail.add({ x: 2, y: 1 }, 10, true);
     sut.update(trail);
-    assert.deepEqual(sut.paths[pathIndex(4, false)]?.calls, ["M0,0", "L1,0"]);
+    assert.deepEqual(sut.paths[look]?.calls, ["M0,0", "L1,0"]);
     assert.deepEqual(sut.paths[pathIndex(0, true)]?.calls, ["M1,0", "L2,0"]);
+    assert.deepEqual([sut.tail?.path.calls, sut.tail?.index], [["M2,0", "L2,1"], pathIndex(0, true)]);
   });
-  it("begins anew after a gap and after the trail was shortened", () => {
+  it("begins anew after a gap, and with another trail", () => {
     const trail = new Trail();
     const sut = new TrailPaths(() => new RecordedPath());
     trail.add({ x: 0, y: 0 }, 80, false);
     trail.add({ x: 9, y: 0 }, 80, false);
     sut.update(trail);
-    assert.deepEqual(sut.paths[pathIndex(4, false)]?.calls, ["M0,0", "M9,0"]);
+    assert.deepEqual(sut.paths[look]?.calls, ["M0,0", "M9,0"]);
     trail.clear();
     trail.add({ x: 1, y: 1 }, undefined, false);
     sut.update(trail);
-    assert.deepEqual(sut.paths[pathIndex(4, false)]?.calls, []);
+    assert.deepEqual(sut.paths[look]?.calls, []);
     assert.deepEqual(sut.paths[pathIndex(undefined, false)]?.calls, ["M1,1"]);
+    sut.update(new Trail());
+    assert.deepEqual(sut.paths.flatMap(({ calls }) => calls), []);
   });
 });
 

@@ -4,7 +4,7 @@ import { describe, it } from "node:test";
 
 import { alertOf, resumesInS } from "../src/model/alerts.ts";
 import { ageText, freshness } from "../src/model/freshness.ts";
-import { ellipse95, yawOf } from "../src/model/geometry.ts";
+import { type Point, distance, ellipse95, yawOf } from "../src/model/geometry.ts";
 import { Journal } from "../src/model/journal.ts";
 import { LinkClasses } from "../src/model/link_classes.ts";
 import { qualityStep } from "../src/model/quality.ts";
@@ -85,12 +85,39 @@ describe("Quality", () => {
 });
 
 describe("Trail", () => {
-  it("takes a point every 5 cm, and where the quality changes", () => {
+  const drive = (sut: Trail, way: (s: number) => { x: number; y: number }, steps: number) => {
+    for (let i = 0; i <= steps; ++i) sut.add(way(i / steps), 80, false);
+  };
+  it("needs two places for a straight line, however long", () => {
     const sut = new Trail();
-    for (let x = 0; x < 0.1; x += 0.01) sut.add({ x, y: 0 }, 80, false);
+    drive(sut, (s) => ({ x: 30 * s, y: 10 * s }), 1000);
+    assert.equal(sut.points.length, 1);
+    assert.deepEqual([sut.tail?.x, sut.tail?.y], [30, 10]);
+  });
+  it("is nowhere farther than 2 cm from the way, in curves either", () => {
+    const sut = new Trail();
+    const way = (s: number) => ({ x: 3 * Math.cos(6 * s), y: 3 * Math.sin(6 * s) });
+    drive(sut, way, 300);
+    const line = [...sut.points, sut.tail].filter((one) => one !== undefined && one !== "gap");
+    assert.ok(line.length < 60, `${line.length} points`);
+    for (let i = 0; i <= 300; ++i) {
+      const place = way(i / 300);
+      const off = line.slice(1).map((to, index) => distanceToStretch(place, line[index] ?? to, to));
+      assert.ok(Math.min(...off) < 0.021, `${Math.min(...off)} m at ${i}`);
+    }
+  });
+  it("has a corner where the vehicle turns back", () => {
+    const sut = new Trail();
+    drive(sut, (s) => ({ x: s < 0.5 ? 4 * s : 4 - 4 * s, y: 0 }), 40);
+    assert.deepEqual(sut.points.map((one) => one !== "gap" && one.x), [0, 2]);
+    assert.equal(sut.tail?.x, 0);
+  });
+  it("has a point where the quality changes", () => {
+    const sut = new Trail();
+    drive(sut, (s) => ({ x: s, y: 0 }), 10);
+    sut.add({ x: 1.1, y: 0 }, 20, true);
     assert.equal(sut.points.length, 2);
-    sut.add({ x: 0.12, y: 0 }, 20, false);
-    assert.equal(sut.points.length, 3);
+    assert.deepEqual(sut.tail, { x: 1.1, y: 0, step: 0, paused: true });
   });
   it("draws no line over a stretch that was not heard", () => {
     const sut = new Trail();
@@ -98,13 +125,24 @@ describe("Trail", () => {
     sut.add({ x: 2.5, y: 0 }, 80, false);
     assert.equal(sut.points[1], "gap");
   });
+  it("does not grow while the vehicle stands", () => {
+    const sut = new Trail();
+    for (let i = 0; i < 1000; ++i) sut.add({ x: 0.01 * Math.sin(i), y: 0 }, 80, false);
+    assert.equal(sut.version, 1);
+  });
   it("forgets its beginning when it is long", () => {
     const sut = new Trail();
-    for (let i = 0; i < longestTrail + 10; ++i) sut.add({ x: 0.1 * i, y: 0 }, 80, false);
+    for (let i = 0; i < longestTrail + 10; ++i) sut.add({ x: 0.1 * i, y: i % 2 }, 80, false);
     assert.ok(sut.points.length <= longestTrail);
     assert.notDeepEqual(sut.points[0], { x: 0, y: 0, step: 4, paused: false });
   });
 });
+
+function distanceToStretch(p: Point, a: Point, b: Point): number {
+  const [dx, dy] = [b.x - a.x, b.y - a.y];
+  const share = Math.max(0, Math.min(1, ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy || 1)));
+  return distance(p, { x: a.x + share * dx, y: a.y + share * dy });
+}
 
 describe("TrafficTable", () => {
   it("counts what came against what was sent in the same time", () => {

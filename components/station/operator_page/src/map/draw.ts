@@ -51,16 +51,18 @@ export function drawGrid(sheet: Sheet, grid: OccupancyGrid, picture: CanvasImage
 
 export function drawTrail(sheet: Sheet, trail: TrailPaths<Path2D>): void {
   const { context, theme, view } = sheet;
+  const stroke = (path: Path2D, index: number): void => {
+    const paused = index % 2 === 1;
+    context.strokeStyle = theme.quality[Math.floor(index / 2)] ?? theme.muted;
+    context.lineWidth = (paused ? 3 : 5) / view.scale;
+    context.setLineDash(paused ? [2 / view.scale, 6 / view.scale] : []);
+    context.stroke(path);
+  };
   inMap(sheet, () => {
     context.lineCap = "round";
     context.lineJoin = "round";
-    trail.paths.forEach((path, index) => {
-      const paused = index % 2 === 1;
-      context.strokeStyle = theme.quality[Math.floor(index / 2)] ?? theme.muted;
-      context.lineWidth = (paused ? 3 : 5) / view.scale;
-      context.setLineDash(paused ? [2 / view.scale, 6 / view.scale] : []);
-      context.stroke(path);
-    });
+    trail.paths.forEach(stroke);
+    if (trail.tail !== undefined) stroke(trail.tail.path, trail.tail.index);
   });
 }
 

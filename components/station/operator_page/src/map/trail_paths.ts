@@ -19,6 +19,8 @@ export interface PathSink {
  */
 export class TrailPaths<Path extends PathSink> {
   paths: Path[] = [];
+  /** From the last point to where the vehicle is. */
+  tail: { readonly path: Path; readonly index: number } | undefined;
   #drawn = 0;
   #version = -1;
   #of: Trail | undefined;
@@ -38,6 +40,7 @@ export class TrailPaths<Path extends PathSink> {
       if (point === "gap" || point === undefined) this.#last = undefined;
       else this.#add(point);
     }
+    this.tail = this.#tailOf(trail.tail);
   }
 
   #add(point: TrailPoint): void {
@@ -51,6 +54,14 @@ export class TrailPaths<Path extends PathSink> {
       path.moveTo(point.x, point.y);
     }
     this.#last = { point, path: index };
+  }
+
+  #tailOf(point: TrailPoint | undefined): { path: Path; index: number } | undefined {
+    if (point === undefined || this.#last === undefined) return undefined;
+    const path = this.make();
+    path.moveTo(this.#last.point.x, this.#last.point.y);
+    path.lineTo(point.x, point.y);
+    return { path, index: pathIndex(point.step, point.paused) };
   }
 
   #reset(): void {

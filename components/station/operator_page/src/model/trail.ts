@@ -2,7 +2,7 @@
 import { type Point, distance } from "./geometry.ts";
 import { qualityStep } from "./quality.ts";
 
-/** A step of the way, with how the link was there. */
+/** A step of the way, with how the link was on the way there. */
 export interface TrailPoint extends Point {
   /** Step of quality, see quality.ts; undefined: not known. */
   readonly step: number | undefined;
@@ -13,30 +13,90 @@ export interface TrailPoint extends Point {
 const spacingM = 0.05;
 /** Farther apart are two points only when nothing was heard between them. */
 const gapM = 2;
-/** 20,000 points are a kilometre. */
+/** The line that is drawn is nowhere farther from where the vehicle was. */
+const toleranceM = 0.02;
 export const longestTrail = 20_000;
 
-/** Where the vehicle has been. Points are never changed, only added; `version` counts upwards. */
+/** Directions [rad, relative to the first] in which a straight line passes all points left out. */
+interface Cone {
+  readonly first: number;
+  readonly least: number;
+  readonly greatest: number;
+}
+
+/**
+ * Where the vehicle has been: corners and changes of the link only, as straight stretches need no
+ * points between. Points are never changed, only added; behind them comes the tail, the last place.
+ */
 export class Trail {
   readonly points: (TrailPoint | "gap")[] = [];
+  tail: TrailPoint | undefined;
+  /** Counts changes upwards. */
   version = 0;
+  #cone: Cone = { first: 0, least: -Infinity, greatest: Infinity };
 
   add(place: Point, qni: number | undefined, paused: boolean): void {
     const point = { x: place.x, y: place.y, step: qualityStep(qni), paused };
-    const last = this.points.at(-1);
-    if (last !== undefined && last !== "gap") {
-      const way = distance(last, place);
-      const same = last.step === point.step && last.paused === point.paused;
-      if (way < (same ? spacingM : spacingM / 5)) return;
-      if (way > gapM) this.points.push("gap");
-    }
-    this.points.push(point);
-    if (this.points.length > longestTrail) this.points.splice(0, longestTrail / 10);
+    const before = this.tail ?? this.#corner;
+    const isSame = before !== undefined && before.step === point.step && before.paused === paused;
+    if (before !== undefined && distance(before, point) < (isSame ? spacingM : spacingM / 5)) return;
     ++this.version;
+    if (before === undefined || distance(before, point) > gapM) this.#begin(point);
+    else if (isSame && this.#continues(point)) this.#narrow(point);
+    else this.#turn(point);
   }
 
   clear(): void {
     this.points.length = 0;
+    this.tail = undefined;
     ++this.version;
+  }
+
+  get #corner(): TrailPoint | undefined {
+    const last = this.points.at(-1);
+    return last === "gap" ? undefined : last;
+  }
+
+  #begin(point: TrailPoint): void {
+    if (this.tail !== undefined) this.#push(this.tail);
+    if (this.points.length > 0) this.points.push("gap");
+    this.tail = undefined;
+    this.#push(point);
+  }
+
+  /** The tail becomes a corner. */
+  #turn(point: TrailPoint): void {
+    if (this.tail !== undefined) this.#push(this.tail);
+    const corner = this.#corner ?? point;
+    const first = Math.atan2(point.y - corner.y, point.x - corner.x);
+    this.#cone = { first, least: -Infinity, greatest: Infinity };
+    this.#narrow(point);
+  }
+
+  #continues(point: TrailPoint): boolean {
+    const corner = this.#corner;
+    if (corner === undefined || this.tail === undefined) return false;
+    const angle = this.#angle(corner, point);
+    const isFarther = distance(corner, point) > distance(corner, this.tail);
+    return isFarther && angle >= this.#cone.least && angle <= this.#cone.greatest;
+  }
+
+  #narrow(point: TrailPoint): void {
+    const corner = this.#corner ?? point;
+    const angle = this.#angle(corner, point);
+    const play = Math.asin(Math.min(1, toleranceM / distance(corner, point)));
+    const { first, least, greatest } = this.#cone;
+    this.#cone = { first, least: Math.max(least, angle - play), greatest: Math.min(greatest, angle + play) };
+    this.tail = point;
+  }
+
+  #angle(from: Point, to: Point): number {
+    const turned = Math.atan2(to.y - from.y, to.x - from.x) - this.#cone.first;
+    return Math.atan2(Math.sin(turned), Math.cos(turned));
+  }
+
+  #push(point: TrailPoint): void {
+    this.points.push(point);
+    if (this.points.length > longestTrail) this.points.splice(0, longestTrail / 10);
   }
 }

@@ -14,6 +14,7 @@ export interface BagMessage {
   readonly message: unknown;
 }
 
+const mostHeldBytes = 256e6;
 const toMs = (ns: bigint): number => Number(ns / 1000n) / 1000;
 const toNs = (ms: number): bigint => BigInt(Math.round(ms * 1000)) * 1000n;
 
@@ -42,10 +43,14 @@ export class BagFile {
 
   /** Throws with a text for people when it is no bag, or holds nothing that the page shows. */
   static async open(file: Blob): Promise<BagFile> {
+    // Each read of a browser's file goes through another process: what fits is read once.
+    const held = file.size <= mostHeldBytes ? new Uint8Array(await file.arrayBuffer()) : undefined;
     const readable: IReadable = {
       size: async () => BigInt(file.size),
-      read: async (offset, length) =>
-        new Uint8Array(await file.slice(Number(offset), Number(offset + length)).arrayBuffer()),
+      read: async (offset, length) => {
+        const [begin, end] = [Number(offset), Number(offset + length)];
+        return held?.subarray(begin, end) ?? new Uint8Array(await file.slice(begin, end).arrayBuffer());
+      },
     };
     const decompressHandlers = { zstd: (bytes: Uint8Array, size: bigint) => inflated(bytes, size) };
     const bag = new BagFile(await McapIndexedReader.Initialize({ readable, decompressHandlers }));

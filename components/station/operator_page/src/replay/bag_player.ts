@@ -12,6 +12,8 @@ export class BagPlayer {
   speed = 1;
   /** What is wrong with the bag; empty: nothing. */
   trouble = "";
+  /** A seek is under way: the station is still that of before. */
+  seeking = false;
   #lastTick: number | undefined;
   #coming: AsyncGenerator<BagMessage> | undefined;
   #next: BagMessage | undefined;
@@ -31,7 +33,7 @@ export class BagPlayer {
   tick(now: number): void {
     const step = now - (this.#lastTick ?? now);
     this.#lastTick = now;
-    if (this.playing) this.position = Math.min(this.bag.end, this.position + step * this.speed);
+    if (this.playing && !this.seeking) this.position = Math.min(this.bag.end, this.position + step * this.speed);
     void this.#feed();
   }
 
@@ -40,6 +42,7 @@ export class BagPlayer {
     const turn = ++this.#turn;
     const station = new Station();
     this.position = to;
+    this.seeking = true;
     this.#coming = undefined;
     this.#next = undefined;
     try {
@@ -55,6 +58,7 @@ export class BagPlayer {
     } catch (error) {
       this.trouble = String(error);
     }
+    this.seeking = false;
   }
 
   /** Gives the station what is due. */

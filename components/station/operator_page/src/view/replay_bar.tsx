@@ -50,6 +50,7 @@ export function ReplayBar({ operator, player }: { operator: Operator; player: Ba
         ))}
       </span>
       <button type="button" class="go" onClick={() => operator.closeBag()}>Back to the vehicle</button>
+      {player.seeking && <span class="muted">seeking</span>}
       {player.trouble && <span class="refused">{player.trouble}</span>}
     </div>
   );
