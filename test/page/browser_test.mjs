@@ -247,6 +247,8 @@ describe("Page in Chromium", { concurrency: false }, () => {
     const input = await page.$(".open-bag input");
     await input.uploadFile(options.bag);
     await reads(".alert", "This is the recording");
+    await page.click(".replay button"); // pause
+    await reads(".replay button", "Play");
     await page.$eval(".replay input", (slider) => {
       slider.value = "30";
       slider.dispatchEvent(new Event("input", { bubbles: true }));

@@ -3,7 +3,7 @@
 import type { IWebSocket } from "@foxglove/ws-protocol";
 
 import type { Point } from "./model/geometry.ts";
-import { type Stamp, type Topic, type Topics, type Waypoint, isTopicRead, topicsRead } from "./model/messages.ts";
+import { type OccupancyGrid, type Stamp, type Topic, type Topics, type Waypoint, isTopicRead, topicsRead } from "./model/messages.ts";
 import { Station } from "./model/station.ts";
 import { type DriveConditions, DriverSeat, whyNotDrive } from "./orders/driver_seat.ts";
 import { EmergencyStopOrder, type StopHeard } from "./orders/emergency_stop.ts";
@@ -64,6 +64,11 @@ export class Operator {
   /** What is shown: the bag, or what is. */
   get station(): Station {
     return this.player?.station ?? this.live;
+  }
+
+  /** The floor; of a bag without one it is the one that is known now. */
+  get map(): OccupancyGrid | undefined {
+    return this.station.map ?? this.live.map;
   }
 
   /** The time of what is shown. */

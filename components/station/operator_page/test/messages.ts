@@ -24,9 +24,7 @@ export const transmission = (changes: Partial<m.TransmissionState>): m.Transmiss
   qni: 80,
   statistic: 0,
   threshold: 5.5,
-  pause_samples: 0,
   deadline_s: NaN,
-  quality_age_s: 0,
   ...changes,
 });
 
@@ -56,7 +54,6 @@ export const mission = (changes: Partial<m.MissionStatus>): m.MissionStatus => (
   state: "running",
   waypoint: 0,
   waypoints: 9,
-  goals_sent: 1,
   elapsed_s: 0,
   ...changes,
 });

@@ -321,7 +321,7 @@ describe("Station", () => {
   });
   it("writes a finding of diagnostics down once, not with each report", () => {
     const sut = new Station();
-    const status = [{ level: 2, name: "drive", message: "no frames", hardware_id: "" }];
+    const status = [{ level: 2, name: "drive", message: "no frames" }];
     const report = { header: { stamp: make.stampOf(0), frame_id: "" }, status };
     for (const at of [1000, 2000]) sut.onMessage("diagnostics", report, at);
     assert.equal(sut.journal.entries.length, 1);

@@ -36,12 +36,8 @@ export interface NetworkQuality {
   readonly stamp: Stamp;
   readonly per_percent: number;
   readonly rtt_mean_ms: number;
-  readonly rtt_max_ms: number;
   readonly signal_dbm: number;
-  readonly noise_dbm: number;
   readonly quality_percent: number;
-  readonly wireless_source: string;
-  readonly interface_name: string;
 }
 
 export interface TransmissionState {
@@ -53,9 +49,7 @@ export interface TransmissionState {
   readonly qni: number;
   readonly statistic: number;
   readonly threshold: number;
-  readonly pause_samples: number;
   readonly deadline_s: number;
-  readonly quality_age_s: number;
 }
 
 export interface Heartbeat {
@@ -93,7 +87,6 @@ export interface MissionStatus {
   readonly state: string;
   readonly waypoint: number;
   readonly waypoints: number;
-  readonly goals_sent: number;
   readonly elapsed_s: number;
 }
 
@@ -216,8 +209,7 @@ export interface DiagnosticArray {
     readonly level: number;
     readonly name: string;
     readonly message: string;
-    readonly hardware_id: string;
-  }[];
+    }[];
 }
 
 /** A line of a log, as rcl_interfaces/msg/Log on `rosout`. */

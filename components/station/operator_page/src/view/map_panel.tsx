@@ -55,7 +55,7 @@ export function MapPanel({ operator }: { operator: Operator }) {
 
 function GoalBar({ operator, setDraft }: { operator: Operator; setDraft: (poses: Operator["draft"]) => void }) {
   const draft = operator.draft ?? [];
-  const { map } = operator.station;
+  const { map } = operator;
   const blocked = draft.findIndex((place) => map !== undefined && !isFree(map, place));
   return (
     <div class="goal-bar">
