@@ -11,7 +11,7 @@
 namespace tocsin::experiment {
 namespace {
 
-/// The runs of kind fit by mission; failed ones are left out.
+/// The runs of kind fit by mission and number of the fit; failed ones are left out.
 std::map<std::string, std::vector<Trace>> read_traces(const Experiment& experiment,
                                                       const std::string& folder) {
   const ResultStore store(folder, "fit");
@@ -23,7 +23,8 @@ std::map<std::string, std::vector<Trace>> read_traces(const Experiment& experime
       throw ConfigError("sets." + run.set + ".policies: '" + run.policy.name +
                         "': parameters are fitted to runs without a policy, must be none");
     }
-    traces[run.mission.name].push_back(trace_of(result->measures.series));
+    const int fit = fit_of(run.index, experiment.timing.fits);
+    traces[fitted_key(run.mission.name, fit)].push_back(trace_of(result->measures.series));
   }
   return traces;
 }

@@ -4,6 +4,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
+#include <map>
 
 namespace tocsin::experiment {
 
@@ -30,6 +31,15 @@ Estimate estimate(const std::vector<double>& values) {
   }
   const double half = t_quantile_975(runs - 1) * std::sqrt(squares / (runs - 1) / runs);
   return {mean, mean - half, mean + half, runs};
+}
+
+Estimate estimate_over_groups(const std::vector<double>& values, const std::vector<int>& group) {
+  assert(values.size() == group.size());
+  std::map<int, std::vector<double>> members;
+  for (std::size_t i = 0; i < values.size(); ++i) members[group[i]].push_back(values[i]);
+  std::vector<double> means;
+  for (const auto& [number, all] : members) means.push_back(estimate(all).mean);
+  return estimate(means);
 }
 
 Estimate paired_difference(const std::vector<double>& a, const std::vector<double>& b) {

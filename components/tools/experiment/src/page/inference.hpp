@@ -22,6 +22,13 @@ struct Estimate {
 [[nodiscard]] Estimate paired_difference(const std::vector<double>& a,
                                          const std::vector<double>& b);
 
+/// The mean over groups of the groups' means, with the interval over groups: where runs of a group
+/// have something random in common (the fit of their parameters), it holds the chance of that, too.
+/// `group` has a number for each value. Groups without an answer are left out; `runs` counts
+/// groups.
+[[nodiscard]] Estimate estimate_over_groups(const std::vector<double>& values,
+                                            const std::vector<int>& group);
+
 /// 97.5 % quantile of Student's t with `degrees` of freedom, at least 1.
 [[nodiscard]] double t_quantile_975(int degrees);
 

@@ -15,6 +15,7 @@ int write_page(const std::string& folder) {
   Document document;
   add_overview(results, document);
   add_verdicts(results, document);
+  add_recommendation(results, document);
   add_costs(results, document);
   add_fit(results, document);
   add_regimes(results, document);

@@ -23,6 +23,8 @@ void add_distributions(const Results& results, Document& document);
 void add_comparisons(const Results& results, Document& document);
 /// All policies by the one cost of what users feel, and which is best at what.
 void add_costs(const Results& results, Document& document);
+/// Which policy to use, with the chance of the fit in the interval; only of several fits.
+void add_recommendation(const Results& results, Document& document);
 /// By which rule the policies got their parameters.
 void add_fit(const Results& results, Document& document);
 /// In which regime TOCP-DSP helps: payload by payload and channel by channel.

@@ -164,6 +164,21 @@ Experiment read(const Reader& reader, const std::string& path) {
   return experiment;
 }
 
+/// Each mission that is fitted at all needs as many fits as the runs take in turn.
+void require_all_fits(const Experiment& experiment) {
+  const int fits = experiment.timing.fits;
+  for (const Mission& mission : experiment.missions) {
+    if (experiment.fitted.count(mission.name) == 0) continue;
+    for (int fit = 2; fit <= fits; ++fit) {
+      if (experiment.fitted.count(fitted_key(mission.name, fit)) > 0) continue;
+      throw ConfigError("experiment.fits: " + std::to_string(fits) + ", but " +
+                        experiment.timing.fitted + " has fits of mission " + mission.name +
+                        " up to " + std::to_string(fit - 1) +
+                        "; `tocsin experiment fit` writes it");
+    }
+  }
+}
+
 }  // namespace
 
 Experiment load_unfitted(const std::string& path) {
@@ -184,6 +199,7 @@ Experiment load_experiment(const std::string& path) {
                       path + "` writes it");
   }
   experiment.fitted = load_fitted(fitted);
+  require_all_fits(experiment);
   return experiment;
 }
 

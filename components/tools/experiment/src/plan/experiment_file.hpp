@@ -120,6 +120,7 @@ struct Timing {
   double poor_below_snr_db = 10;
   int vehicles = 1;
   std::string fitted;
+  int fits = 1;
   CostWeights cost;  ///< the file's map `cost`
   template <class Visitor>
   void visit(Visitor& v) {
@@ -132,6 +133,8 @@ struct Timing {
       "[dB] the link is truly poor while its mean SNR is below");
     v("vehicles", vehicles, {1, 1000}, "[1] vehicles of a run; must be 1, as of a bringup file");
     v("fitted", fitted, "file of tocsin experiment fit, relative to this one; empty: none");
+    v("fits", fits, {1, 20},
+      "[1] fits of the parameters, each to seeds of its own; runs take them in turn");
   }
 };
 

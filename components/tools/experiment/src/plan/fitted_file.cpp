@@ -44,6 +44,12 @@ Fitted read(const YAML::Node& root, const std::string& path) {
 
 }  // namespace
 
+std::string fitted_key(const std::string& mission, int fit) {
+  return fit == 1 ? mission : mission + "/" + std::to_string(fit);
+}
+
+int fit_of(int index, int fits) { return (index - 1) % fits + 1; }
+
 std::vector<std::string> settings_for(const Fitted& fitted, const std::string& mission,
                                       const std::string& policy) {
   const auto found = fitted.find(mission);

@@ -13,6 +13,11 @@ using Fitted = std::map<std::string, std::map<std::string, std::vector<std::stri
 
 inline constexpr const char* every_policy = "every_policy";
 
+/// The mission's key of fit number 1, 2, ...: "a", "a/2", ... The first is that of files with one.
+[[nodiscard]] std::string fitted_key(const std::string& mission, int fit);
+/// The fit that run `index` (1, 2, ...) belongs to: runs take `fits` in turn.
+[[nodiscard]] int fit_of(int index, int fits);
+
 /// What holds for a policy in a mission: of every policy first, then its own.
 [[nodiscard]] std::vector<std::string> settings_for(const Fitted& fitted,
                                                     const std::string& mission,

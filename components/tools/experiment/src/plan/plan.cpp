@@ -104,10 +104,11 @@ std::vector<Run> make_plan(const Experiment& experiment) {
       run.channel = channel_for(named(experiment.channels, channel), mission);
       run.payload = named(experiment.payloads, payload);
       run.policy = named(experiment.policies, policy);
-      run.fitted = settings_for(experiment.fitted, mission, run.policy.policy);
       for (int i = 0; i < set.seeds; ++i) {
         run.number = plan.size();
         run.index = set.first_seed + i;
+        const int fit = fit_of(run.index, experiment.timing.fits);
+        run.fitted = settings_for(experiment.fitted, fitted_key(mission, fit), run.policy.policy);
         const std::string& seeds_of = run.channel.seeds_of;
         run.seed = seed_of(mission, seeds_of.empty() ? channel : seeds_of, run.index);
         plan.push_back(run);

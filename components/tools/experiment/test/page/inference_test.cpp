@@ -101,5 +101,22 @@ TEST(PairedDifference, IsTheFirstMinusTheSecond) {
   EXPECT_EQ(paired_difference({5, 6}, {1, 2}).mean, 4);
 }
 
+TEST(EstimateOverGroups, TakesEachGroupForOneValue) {
+  // means 2 and 5; over single values the interval would be narrower
+  const std::vector<double> values{1, 3, 2, 5, 5, 5};
+  const std::vector<int> group{1, 1, 1, 2, 2, 2};
+  const Estimate sut = estimate_over_groups(values, group);
+  EXPECT_DOUBLE_EQ(sut.mean, 3.5);
+  EXPECT_EQ(sut.runs, 2);
+  EXPECT_NEAR(sut.high - sut.mean, 12.706 * 1.5, 1e-2);  // t of one degree, 3 / 2
+  EXPECT_LT(estimate(values).high, sut.high);
+}
+
+TEST(EstimateOverGroups, WeighsGroupsAlikeAndLeavesOutThoseWithoutAnswer) {
+  const Estimate sut = estimate_over_groups({1, 1, 1, 1, 3, NAN}, {1, 1, 1, 1, 2, 3});
+  EXPECT_DOUBLE_EQ(sut.mean, 2);
+  EXPECT_EQ(sut.runs, 2);
+}
+
 }  // namespace
 }  // namespace tocsin::experiment

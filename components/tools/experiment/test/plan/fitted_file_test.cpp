@@ -73,5 +73,41 @@ TEST(FittedFile, StandsBelowWhatThePolicyItselfSets) {
   EXPECT_LT(place("alpha=3"), static_cast<long>(sut.size()));
 }
 
+TEST(FittedFile, HasAKeyForEachFitOfAMission) {
+  EXPECT_EQ(fitted_key("a", 1), "a");
+  EXPECT_EQ(fitted_key("a", 3), "a/3");
+  const Fitted sut = parse_fitted("a: {tocp: [alpha=2]}\na/2: {tocp: [alpha=3]}\n", "f.yaml");
+  EXPECT_EQ(settings_for(sut, fitted_key("a", 2), "tocp"), std::vector<std::string>{"alpha=3"});
+  EXPECT_EQ(parse_fitted(fitted_text(sut, "again"), "f.yaml"), sut);
+}
+
+TEST(FittedFile, IsTakenInTurnByTheRuns) {
+  EXPECT_EQ(fit_of(1, 5), 1);
+  EXPECT_EQ(fit_of(5, 5), 5);
+  EXPECT_EQ(fit_of(6, 5), 1);
+  EXPECT_EQ(fit_of(1001, 5), 1);
+  EXPECT_EQ(fit_of(7, 1), 1);
+}
+
+const char* const two_fits = "fits: 2\nfitted: f.yaml\n";
+
+TEST(FittedFile, GivesEachRunTheParametersOfItsFit) {
+  const ToyExperiment toy(two_fits + std::string(toy_text));
+  toy.write("f.yaml", "a: {tocp_dsp: [alpha=2]}\na/2: {tocp_dsp: [alpha=3]}\n");
+  const auto plan = make_plan(toy.load());
+  EXPECT_EQ(plan[3].id(), "main.a.near.camera.tocp_dsp.1");
+  EXPECT_EQ(plan[3].fitted, std::vector<std::string>{"alpha=2"});
+  EXPECT_EQ(plan[4].fitted, std::vector<std::string>{"alpha=3"});
+  EXPECT_EQ(plan[5].fitted, std::vector<std::string>{"alpha=2"});
+}
+
+TEST(FittedFile, SaysWhenItHasFewerFitsThanTheExperiment) {
+  const ToyExperiment toy(two_fits + std::string(toy_text));
+  toy.write("f.yaml", "a: {tocp_dsp: [alpha=2]}\n");
+  EXPECT_THAT(error_of([&] { (void)toy.load(); }),
+              ::testing::AllOf(::testing::HasSubstr("experiment.fits: 2, but "),
+                               ::testing::HasSubstr("has fits of mission a up to 1")));
+}
+
 }  // namespace
 }  // namespace tocsin::experiment
