@@ -1,47 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the page in Chromium, as an operator does, against the stand-in server. run.mjs starts it.
 import assert from "node:assert/strict";
-import path from "node:path";
 import { after, before, describe, it } from "node:test";
 
-import puppeteer from "puppeteer-core";
-
+import { Operator, eventually, wait } from "./operator.mjs";
 import { startStandIn } from "./stand_in_server.mjs";
 
 /** Paths of chromium, page, bag and map, and of a folder for pictures, which may be undefined. */
 const options = JSON.parse(process.env.PAGE_TEST);
 const sizes = [[1280, 900], [820, 1180], [390, 844]];
 const tabs = ["Map", "Drive", "Link", "Topics", "Vehicle"];
-const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 let standIn;
-let browser;
+let operator;
 let page;
-const complaints = [];
 
 async function startServer(port = 0) {
   const map = { image: options.map, resolution: 0.05, x: -19, y: -8 };
   standIn = await startStandIn({ page: options.page, bag: options.bag, from: 36, port, map });
 }
 
-/** Waits until `look`, evaluated in the page, is true; says what it waited for. */
-async function until(what, look, ...args) {
-  await page.waitForFunction(look, { timeout: 10_000, polling: 50 }, ...args).catch(() => assert.fail(`never: ${what}`));
-}
-const text = (selector) => page.$eval(selector, (element) => element.textContent);
-const reads = (selector, words) =>
-  until(`"${words}" in ${selector}`, (where, what) => document.querySelector(where)?.textContent.includes(what), selector, words);
-const press = (label) =>
-  page.evaluate((what) => [...document.querySelectorAll("button")].find((one) => one.textContent.startsWith(what)).click(), label);
+const reads = (selector, words) => operator.reads(selector, words);
+const until = (what, look) => operator.until(what, look);
+const press = (label) => operator.press(label);
 const commands = (topic) => standIn.state.commands.filter((one) => one.topic === topic);
-
-async function eventually(what, look) {
-  for (let tries = 0; tries < 200; ++tries) {
-    if (look()) return;
-    await wait(50);
-  }
-  assert.fail(`never: ${what}`);
-}
 
 /** Panels and controls that lie over each other or beyond the edge. */
 const misplaced = () => {
@@ -67,18 +49,11 @@ const misplaced = () => {
 describe("Page in Chromium", { concurrency: false }, () => {
   before(async () => {
     await startServer();
-    browser = await puppeteer.launch({ executablePath: options.chromium, args: ["--no-sandbox"] });
-    page = await browser.newPage();
-    await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
-    page.on("console", (message) => {
-      if (message.type() === "error") complaints.push(message.text());
-    });
-    page.on("pageerror", (error) => complaints.push(error.message));
-    await page.setViewport({ width: 1280, height: 900 });
-    await page.goto(`http://127.0.0.1:${standIn.port}/`);
+    operator = await Operator.open(`http://127.0.0.1:${standIn.port}/`, options);
+    page = operator.page;
   });
   after(async () => {
-    await browser?.close();
+    await operator?.close();
     standIn?.close();
   });
 
@@ -159,16 +134,11 @@ describe("Page in Chromium", { concurrency: false }, () => {
   });
 
   it("sends a goal by click and drag, after mission_control has paused", async () => {
-    await press("Goal");
-    const box = await (await page.$(".map canvas")).boundingBox();
-    await page.mouse.click(box.x + 20, box.y + box.height - 20);
+    await operator.chooseGoal(0.02, 0.95);
     await reads(".goal-bar", "in a wall or beyond the map");
-    const [x, y] = [box.x + 0.62 * box.width, box.y + 0.68 * box.height]; // in the classroom
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    await page.mouse.move(x, y - 60);
-    await page.mouse.up();
-    if (options.pictures) await page.screenshot({ path: path.join(options.pictures, "goal.png") });
+    await press("Cancel");
+    await operator.chooseGoal(0.62, 0.68); // in the classroom
+    await operator.picture("goal");
     await press("Drive there");
     await eventually("a goal", () => commands("/goal").length > 0);
     const { message: goal, at } = commands("/goal")[0];
@@ -193,9 +163,7 @@ describe("Page in Chromium", { concurrency: false }, () => {
         assert.deepEqual(await page.evaluate(misplaced), [], tab);
         const stop = await (await page.$(".stop .press")).boundingBox();
         assert.ok(stop.y >= 0 && stop.y + stop.height <= height, "the stop is in reach");
-        if (options.pictures) {
-          await page.screenshot({ path: path.join(options.pictures, `page_${width}${tab && "_"}${tab.toLowerCase()}.png`), fullPage: !tab });
-        }
+        await operator.picture(`page_${width}${tab && "_"}${tab.toLowerCase()}`, { fullPage: !tab });
       }
       if (width < 700) await press("Map");
     });
@@ -207,7 +175,7 @@ describe("Page in Chromium", { concurrency: false }, () => {
     await reads(".alert", "The vehicle was last heard");
     assert.equal((await page.$$(".alert")).length, 1);
     await until("a stale value", () => document.querySelector(".mission .stale .age") !== null);
-    if (options.pictures) await page.screenshot({ path: path.join(options.pictures, "lost.png") });
+    await operator.picture("lost");
     standIn.state.withoutVehicle = false;
     await until("no alert of silence", () => !document.querySelector(".alert").textContent.includes("last heard"));
   });
@@ -220,7 +188,7 @@ describe("Page in Chromium", { concurrency: false }, () => {
     await startServer(port);
     await reads(".connection", "connected");
     await until("fresh values", () => document.querySelector(".mission .fresh") !== null);
-    complaints.splice(0, complaints.length, ...complaints.filter((one) => !/WebSocket connection|ERR_CONNECTION/.test(one)));
+    operator.complaints = operator.complaints.filter((one) => !/WebSocket connection|ERR_CONNECTION/.test(one));
   });
 
   it("asks for the wheel while another drives, gets it, and is asked for it", async () => {
@@ -256,7 +224,7 @@ describe("Page in Chromium", { concurrency: false }, () => {
     await reads(".replay .position", "0:30 of");
     await reads(".mission", "4 of 9");
     await reads(".seat", "a recording is shown");
-    if (options.pictures) await page.screenshot({ path: path.join(options.pictures, "replay.png") });
+    await operator.picture("replay");
     standIn.state.commands.length = 0;
     await page.keyboard.press("Space");
     await reads(".stop", "Vehicle confirms");
@@ -265,6 +233,6 @@ describe("Page in Chromium", { concurrency: false }, () => {
   });
 
   it("complains of nothing in the console", () => {
-    assert.deepEqual(complaints, []);
+    assert.deepEqual(operator.complaints, []);
   });
 });

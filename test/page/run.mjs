@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes a bag of a simulated mission and drives the installed page in Chromium over it.
-// usage: node run.mjs --install=PREFIX [--pictures=FOLDER] [--gtest_output=xml:FILE]
+// Drives the installed page in Chromium: over a bag of a simulated mission (browser), or over a whole
+// mission with the real server (mission).
+// usage: node run.mjs browser|mission --install=PREFIX [--pictures=FOLDER] [--gtest_output=xml:FILE]
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -14,6 +15,7 @@ import { collectCases, skip } from "../../components/station/operator_page/test/
 const here = path.dirname(fileURLToPath(import.meta.url));
 const option = (name) => process.argv.find((word) => word.startsWith(`--${name}=`))?.slice(name.length + 3);
 const prefix = option("install");
+const which = process.argv[2];
 
 /** The install folder is either one for all packages or has a folder for each. */
 function installed(name, file) {
@@ -23,27 +25,31 @@ function installed(name, file) {
 
 const chromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(fs.existsSync);
 const index = installed("operator_page", "share/operator_page/index.html");
-if (!chromium) skip("page_test", "chromium is not installed: bringup/install_packages --tests");
+if (!chromium) skip(`page_${which}_test`, "chromium is not installed: bringup/install_packages --tests");
 if (!fs.existsSync(path.join(here, "node_modules/puppeteer-core"))) {
-  skip("page_test", "npm packages are not installed: bringup/install_packages --tests");
+  skip(`page_${which}_test`, "npm packages are not installed: bringup/install_packages --tests");
 }
-if (!index) skip("page_test", "the page is not built: bringup/install_packages, then bringup/build");
+if (!index) skip(`page_${which}_test`, "the page is not built: bringup/install_packages, then bringup/build");
 
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "page_test_"));
-const mission = "sim mission.yaml --seed 1 --duration 80 --set camera.in_simulated_time=drawn --run-dir";
-const made = spawnSync(installed("tocsin_cli", "bin/tocsin"), [...mission.split(" "), path.join(folder, "run")], {
-  encoding: "utf8",
-});
-if (made.status !== 0) throw new Error(`tocsin ${mission}: ${made.stderr} ${made.error ?? ""}`);
+const tocsin = installed("tocsin_cli", "bin/tocsin");
+
+/** The station's bag of a simulated mission. */
+function makeBag() {
+  const mission = "sim mission.yaml --seed 1 --duration 80 --set camera.in_simulated_time=drawn --run-dir";
+  const made = spawnSync(tocsin, [...mission.split(" "), path.join(folder, "run")], { encoding: "utf8" });
+  if (made.status !== 0) throw new Error(`tocsin ${mission}: ${made.stderr} ${made.error ?? ""}`);
+  return path.join(folder, "run/gcs/bag/bag_0.mcap");
+}
 
 process.env.PAGE_TEST = JSON.stringify({
-  chromium,
+  ...{ chromium, tocsin, folder },
   page: path.dirname(index),
-  bag: path.join(folder, "run/gcs/bag/bag_0.mcap"),
+  bag: which === "browser" ? makeBag() : undefined,
   map: installed("bringup", "share/tocsin/config/maps/classroom.pgm"),
   pictures: option("pictures"),
 });
-const tests = run({ files: [path.join(here, "browser_test.mjs")] });
+const tests = run({ files: [path.join(here, `${which}_test.mjs`)] });
 collectCases(tests);
 tests.compose(new spec()).pipe(process.stdout);
-tests.on("end", () => fs.rmSync(folder, { recursive: true }));
+tests.on("end", () => fs.rmSync(folder, { recursive: true, force: true }));

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// A whole mission over the emulated radio, led from the page. run.mjs starts it.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import { after, before, describe, it } from "node:test";
+
+import { Operator, eventually, wait } from "./operator.mjs";
+
+/** Paths of chromium, tocsin, and of a folder of the test's own. */
+const options = JSON.parse(process.env.PAGE_TEST);
+const here = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
+const run = path.join(options.folder, "mission");
+const url = "http://127.0.0.1:8765/";
+
+let launch;
+let watcher;
+let operator;
+let said = "";
+/** What the base does, newest last: { at [ms], x, y, speed }. */
+const truth = [];
+
+const reads = (selector, words) => operator.reads(selector, words);
+const now = () => truth.at(-1) ?? { x: NaN, y: NaN, speed: NaN };
+
+/** The vehicle's place as the page shows it. */
+async function shownPlace() {
+  const values = await operator.page.$$eval(".mission .value", (all) =>
+    all.map((one) => [one.querySelector("dt").textContent, one.querySelector("dd").textContent]),
+  );
+  const [x, y] = Object.fromEntries(values).At.split(",").map(parseFloat);
+  return { x, y };
+}
+
+async function isServed() {
+  return fetch(url).then((answer) => answer.ok, () => false);
+}
+
+describe("Mission led from the page", { concurrency: false }, () => {
+  before(async () => {
+    launch = spawn(options.tocsin, ["launch", "mission.yaml", "--seed", "1", "--run-dir", run]);
+    for (const stream of [launch.stdout, launch.stderr]) stream.on("data", (bytes) => (said += bytes));
+    await eventually(`a page at ${url}; tocsin said: ${said}`, isServed, 30_000);
+    await eventually("a base", () => fs.existsSync(path.join(run, "base.sock")), 10_000);
+    watcher = spawn("python3", [path.join(here, "base_truth.py"), path.join(run, "base.sock")]);
+    let rest = "";
+    watcher.stdout.on("data", (bytes) => {
+      const lines = (rest + bytes).split("\n");
+      rest = lines.pop();
+      for (const line of lines) {
+        const [at, x, y, speed] = line.split(" ").map(Number);
+        truth.push({ at: at * 1000, x, y, speed });
+      }
+    });
+    operator = await Operator.open(url, options);
+  });
+  after(async () => {
+    watcher?.kill();
+    await operator?.close();
+    launch?.kill("SIGTERM");
+    await new Promise((resolve) => (launch.exitCode === null ? launch.on("exit", resolve) : resolve()));
+  });
+
+  it("shows the position within 0.2 m of the base's truth", async () => {
+    await reads(".mission", "running");
+    await eventually("a vehicle that drives", () => now().speed > 0.2, 20_000);
+    const errors = [];
+    for (let i = 0; i < 15; ++i) {
+      const [shown, real] = [await shownPlace(), now()];
+      errors.push(Math.hypot(shown.x - real.x, shown.y - real.y));
+      await wait(100);
+    }
+    errors.sort((a, b) => a - b);
+    console.log(`position off by ${errors[7].toFixed(3)} m (median), ${errors.at(-1).toFixed(3)} m at most`);
+    assert.ok(errors[7] < 0.2, `${errors[7]} m`);
+  });
+
+  it("draws map, waypoints and pictures", async () => {
+    await operator.until("a picture", () => document.querySelector(".picture img")?.naturalWidth > 0);
+    await reads(".log", "goal: waypoint 1");
+    await operator.picture("mission", { fullPage: true });
+  });
+
+  it("stops the wheels by the space bar", async () => {
+    await eventually("a vehicle that drives", () => now().speed > 0.2, 20_000);
+    const pressed = Date.now();
+    await operator.page.keyboard.press("Space");
+    await eventually("wheels that stand", () => truth.some(({ at, speed }) => at > pressed && speed < 0.01));
+    const stood = truth.find(({ at, speed }) => at > pressed && speed < 0.01).at - pressed;
+    console.log(`wheels stand ${stood.toFixed(0)} ms after the key`);
+    assert.ok(stood < 1500, `${stood} ms`);
+    await reads(".stop", "Vehicle confirms: stopped by station");
+    await operator.press("Release");
+    await operator.press("Really release?");
+    await reads(".stop", "No stop stands");
+  });
+
+  it("pauses and resumes the mission", async () => {
+    await operator.press("Pause");
+    await reads(".mission", "mission_a: paused");
+    await eventually("a vehicle that stands", () => now().speed < 0.01);
+    await operator.press("Resume");
+    await reads(".mission", "mission_a: running");
+    await eventually("a vehicle that drives", () => now().speed > 0.1);
+  });
+
+  it("drives by hand with the keys, and stands when they are let go", async () => {
+    await operator.press("Pause");
+    await reads(".mission", "mission_a: paused");
+    await eventually("a vehicle that stands", () => now().speed < 0.01);
+    await operator.page.click(".drive input[type=checkbox]"); // the picture may be late on a busy computer
+    await operator.page.keyboard.press("m");
+    await reads(".seat", "You drive");
+    await operator.page.keyboard.down("s");
+    await eventually("a vehicle that drives", () => now().speed > 0.1);
+    await operator.page.keyboard.up("s");
+    await eventually("a vehicle that stands", () => now().speed < 0.01);
+    await operator.page.keyboard.press("m");
+  });
+
+  it("sends the vehicle to a place that was clicked", async () => {
+    await operator.chooseGoal(0.62, 0.68);
+    await operator.press("Drive there");
+    await reads(".mission", "Your goal: driving");
+    const words = await operator.page.$$eval(".entries li", (all) => all.map((one) => one.textContent));
+    const [, x, y] = /goal: waypoint 1 at \((-?[\d.]+), (-?[\d.]+)\)/.exec(words.find((one) => one.includes("goal: waypoint 1 at")));
+    await eventually(`a vehicle at ${x}, ${y}`, () => Math.hypot(now().x - x, now().y - y) < 0.3, 40_000);
+    await reads(".mission", "Your goal: reached");
+  });
+
+  it("complains of nothing in the console", () => {
+    assert.deepEqual(operator.complaints, []);
+  });
+});

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// An operator before the page: a Chromium with what people do and read.
+import assert from "node:assert/strict";
+import path from "node:path";
+
+import puppeteer from "puppeteer-core";
+
+export const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+/** Waits until `look` is true; says what it waited for. */
+export async function eventually(what, look, limitMs = 10_000) {
+  const end = Date.now() + limitMs;
+  while (Date.now() < end) {
+    if (await look()) return;
+    await wait(50);
+  }
+  assert.fail(`never: ${what}`);
+}
+
+export class Operator {
+  /** Errors that the page has written to its console. */
+  complaints = [];
+
+  /** `pictures`: a folder for screenshots; undefined: none are taken. */
+  static async open(url, { chromium, pictures }) {
+    const operator = new Operator();
+    operator.pictures = pictures;
+    operator.browser = await puppeteer.launch({ executablePath: chromium, args: ["--no-sandbox"] });
+    const page = await operator.browser.newPage();
+    operator.page = page;
+    await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
+    page.on("console", (message) => {
+      if (message.type() === "error") operator.complaints.push(message.text());
+    });
+    page.on("pageerror", (error) => operator.complaints.push(error.message));
+    await page.setViewport({ width: 1280, height: 900 });
+    await page.goto(url);
+    return operator;
+  }
+
+  close() {
+    return this.browser.close();
+  }
+
+  /** Waits until `look`, evaluated in the page, is true. */
+  async until(what, look, ...args) {
+    const options = { timeout: 10_000, polling: 50 };
+    await this.page.waitForFunction(look, options, ...args).catch(() => assert.fail(`never: ${what}`));
+  }
+
+  /** Waits until the first element of that kind has these words. */
+  reads(selector, words) {
+    const look = (where, what) => document.querySelector(where)?.textContent.includes(what);
+    return this.until(`"${words}" in ${selector}`, look, selector, words);
+  }
+
+  text(selector) {
+    return this.page.$eval(selector, (element) => element.textContent);
+  }
+
+  /** Presses the first button whose words begin so. */
+  press(label) {
+    return this.page.evaluate((what) => {
+      [...document.querySelectorAll("button")].find((one) => one.textContent.startsWith(what)).click();
+    }, label);
+  }
+
+  /** Chooses a goal at a share of the map's width and height, heading up. */
+  async chooseGoal(across, down) {
+    await this.press("Goal");
+    const box = await (await this.page.$(".map canvas")).boundingBox();
+    const [x, y] = [box.x + across * box.width, box.y + down * box.height];
+    await this.page.mouse.move(x, y);
+    await this.page.mouse.down();
+    await this.page.mouse.move(x, y - 60);
+    await this.page.mouse.up();
+  }
+
+  async picture(name, options = {}) {
+    if (this.pictures) await this.page.screenshot({ path: path.join(this.pictures, `${name}.png`), ...options });
+  }
+}
