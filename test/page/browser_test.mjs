@@ -15,9 +15,9 @@ let standIn;
 let operator;
 let page;
 
-async function startServer(port = 0) {
+async function startServer(port = 0, from = 36) {
   const map = { image: options.map, resolution: 0.05, x: -19, y: -8 };
-  standIn = await startStandIn({ page: options.page, bag: options.bag, from: 36, port, map });
+  standIn = await startStandIn({ page: options.page, bag: options.bag, from, port, map });
 }
 
 const reads = (selector, words) => operator.reads(selector, words);
@@ -100,7 +100,7 @@ describe("Page in Chromium", { concurrency: false }, () => {
   });
 
   it("drives by held keys after the wheel was taken, and stops at release", async () => {
-    await page.click(".drive input[type=checkbox]"); // sees the vehicle itself: the camera is paused
+    await page.click(".by-sight"); // sees the vehicle itself: the camera is paused
     await page.keyboard.down("w");
     await wait(200);
     await page.keyboard.up("w");
@@ -119,7 +119,7 @@ describe("Page in Chromium", { concurrency: false }, () => {
   });
 
   it("does not drive by an old picture", async () => {
-    await page.click(".drive input[type=checkbox]");
+    await page.click(".by-sight");
     await until("a picture", () => document.querySelector(".picture img") !== null);
     standIn.state.withoutImages = true;
     await page.keyboard.press("m");
@@ -181,11 +181,11 @@ describe("Page in Chromium", { concurrency: false }, () => {
   });
 
   it("comes back by itself after the server was gone", async () => {
-    const { port } = standIn;
+    const { port, playedS } = standIn;
     standIn.close();
     await reads(".alert", "No connection to the station");
     await reads(".connection", "not connected");
-    await startServer(port);
+    await startServer(port, playedS()); // clocks do not go back
     await reads(".connection", "connected");
     await until("fresh values", () => document.querySelector(".mission .fresh") !== null);
     operator.complaints = operator.complaints.filter((one) => !/WebSocket connection|ERR_CONNECTION/.test(one));

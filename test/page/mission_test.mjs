@@ -109,7 +109,7 @@ describe("Mission led from the page", { concurrency: false }, () => {
     await operator.press("Pause");
     await reads(".mission", "mission_a: paused");
     await eventually("a vehicle that stands", () => now().speed < 0.01);
-    await operator.page.click(".drive input[type=checkbox]"); // the picture may be late on a busy computer
+    await operator.page.click(".by-sight"); // the picture may be late on a busy computer
     await operator.page.keyboard.press("m");
     await reads(".seat", "You drive");
     await operator.page.keyboard.down("s");

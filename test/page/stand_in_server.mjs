@@ -213,7 +213,8 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
   };
   const sayDriver = (driver, askedBy = "") =>
     sendOwn("/teleop/driver", { stamp: stamp(), driver, asked_by: askedBy, refused: 0 });
-  return { port: files.address().port, state, close, sayDriver };
+  const playedS = () => (bagNow() - messages[0].at) / 1000;
+  return { port: files.address().port, state, close, sayDriver, playedS };
 }
 
 /** What the vehicle and mission_control would say differently of what was ordered here. */

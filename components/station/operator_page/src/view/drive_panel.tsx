@@ -29,14 +29,15 @@ export function DrivePanel({ operator }: { operator: Operator; now: number }) {
             </button>
             {seat.askedBy && <button type="button" onClick={change(() => seat.keep())}>Keep it</button>}
           </span>
-          <label>
-            <input
-              type="checkbox"
-              checked={operator.bySight}
-              onChange={change(() => (operator.bySight = !operator.bySight))}
-            />
+          <button
+            type="button"
+            class="by-sight"
+            aria-pressed={operator.bySight}
+            title="Drive without a fresh picture"
+            onClick={change(() => (operator.bySight = !operator.bySight))}
+          >
             I see the vehicle myself
-          </label>
+          </button>
           <div class="speeds" role="group" aria-label="Top speed">
             {speedChoices.map((speeds) => (
               <button

@@ -27,7 +27,7 @@ function ClassTable({ name, side, now }: { name: string; side: Side; now: number
         <tr>
           <th scope="col">{name}<Age at={side.link?.at} now={now} /></th>
           <th scope="col" class="minor">a second</th>
-          <th scope="col">kB/s</th>
+          <th scope="col" class="minor">kB/s</th>
           <th scope="col">delivered</th>
           <th scope="col">late</th>
           <th scope="col">lost</th>
@@ -49,7 +49,7 @@ function ClassLine({ row }: { row: ClassRow }) {
     <tr>
       <th scope="row">{row.name}</th>
       <td class="minor">{number(row.deliveredHz, 1)}</td>
-      <td>{number(row.bytesPerS === undefined ? undefined : row.bytesPerS / 1000, 1)}</td>
+      <td class="minor">{number(row.bytesPerS === undefined ? undefined : row.bytesPerS / 1000, 1)}</td>
       <td>{count(row.delivered)}</td>
       <td>{count(row.late)}</td>
       <td class={row.lost > 0 ? "notable" : ""}>{count(row.lost)}</td>
@@ -86,7 +86,7 @@ function TopicLine({ row }: { row: TrafficRow }) {
   const isOld = row.ageMs === undefined || freshness(-row.ageMs, 0) !== "fresh";
   return (
     <tr class={isOld ? "stale" : ""}>
-      <th scope="row">{row.topic}</th>
+      <th scope="row" title={row.topic}>{row.topic}</th>
       <td class="minor">{row.trafficClass}</td>
       <td class="minor">{number(row.rateHz, 1)}</td>
       <td>{row.ageMs === undefined ? "–" : ageText(row.ageMs)}</td>
