@@ -20,15 +20,28 @@ Definitions& definitions() {
   return instance;
 }
 
-/// `geometry_msgs/Twist` of `geometry_msgs::msg::dds_::Twist_`.
-std::string short_name(const std::string& wire) {
-  const std::string package = wire.substr(0, wire.find("::"));
-  const std::size_t last = wire.rfind("::");
-  const std::string type = last == std::string::npos ? wire : wire.substr(last + 2);
+}  // namespace
+
+std::string short_type_name(const std::string& wire_name) {
+  const std::string package = wire_name.substr(0, wire_name.find("::"));
+  const std::size_t last = wire_name.rfind("::");
+  const std::string type = last == std::string::npos ? wire_name : wire_name.substr(last + 2);
   return package + "/" + type.substr(0, type.size() - 1);
 }
 
-}  // namespace
+std::vector<std::string> known_definitions() {
+  const std::lock_guard<std::mutex> lock(definitions().mutex);
+  std::vector<std::string> names;
+  for (const auto& one : definitions().by_name) names.push_back(one.first);
+  return names;
+}
+
+std::optional<TypeDefinition> find_definition(const std::string& name) {
+  const std::lock_guard<std::mutex> lock(definitions().mutex);
+  const auto found = definitions().by_name.find(name);
+  if (found == definitions().by_name.end()) return std::nullopt;
+  return found->second;
+}
 
 void register_definition(TypeDefinition definition) {
   const std::lock_guard<std::mutex> lock(definitions().mutex);
@@ -44,7 +57,7 @@ std::optional<std::string> ros2msg_definition(const std::string& name) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto found = known.find(names[i]);
     if (found == known.end()) return std::nullopt;
-    if (i > 0) text += std::string(80, '=') + "\nMSG: " + short_name(names[i]) + "\n";
+    if (i > 0) text += std::string(80, '=') + "\nMSG: " + short_type_name(names[i]) + "\n";
     text += found->second.text;
     for (const std::string& part : found->second.parts) {
       if (std::find(names.begin(), names.end(), part) == names.end()) names.push_back(part);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace tocsin {
 namespace {
 
@@ -38,6 +40,23 @@ TEST(Ros2msgDefinition, OfTwoUnderOneNameTheFirstStands) {
   register_definition({"e::msg::dds_::Twice_", "int32 x\n", {}});
   register_definition({"e::msg::dds_::Twice_", "int32 y\n", {}});
   EXPECT_EQ(ros2msg_definition("e::msg::dds_::Twice_"), "int32 x\n");
+}
+
+TEST(Definitions, AreFoundByTheirWireNameAndListed) {
+  register_definition({"f::srv::dds_::Ask_Request_", "int32 x\n", {"f::msg::dds_::Part_"}});
+  const auto found = find_definition("f::srv::dds_::Ask_Request_");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->text, "int32 x\n");
+  EXPECT_EQ(found->parts, std::vector<std::string>{"f::msg::dds_::Part_"});
+  EXPECT_FALSE(find_definition("f::srv::dds_::Ask_Response_"));
+  const auto all = known_definitions();
+  EXPECT_NE(std::find(all.begin(), all.end(), "f::srv::dds_::Ask_Request_"), all.end());
+  EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
+}
+
+TEST(Definitions, FieldsCallATypeByItsPackageAndItsName) {
+  EXPECT_EQ(short_type_name("geometry_msgs::msg::dds_::Twist_"), "geometry_msgs/Twist");
+  EXPECT_EQ(short_type_name("n::action::dds_::Go_Goal_"), "n/Go_Goal");
 }
 
 }  // namespace

@@ -18,9 +18,10 @@ def wire_name(scoped):
 
 
 def msg_name(scoped):
-    """`a/B` of `a::msg::B`; None: it is no message of ROS 2."""
+    """`a/B` of `a::msg::B`, `a::srv::B` and `a::action::B`; None: it is nothing of ROS 2."""
     parts = scoped.split("::")
-    return f"{parts[0]}/{parts[2]}" if len(parts) == 3 and parts[1] == "msg" else None
+    known = len(parts) == 3 and parts[1] in ("msg", "srv", "action")
+    return f"{parts[0]}/{parts[2]}" if known else None
 
 
 def list_of(content, size):

@@ -14,7 +14,6 @@ using Command = tocsin_msgs::msg::ContainerCommand;
 constexpr Duration neighbour_silence = std::chrono::seconds(3);
 constexpr Duration settling = std::chrono::seconds(10);  // allocations of the start are no leak
 constexpr std::size_t kept_answers = 8;
-constexpr Duration unasked = std::chrono::seconds(10);  // a command of a person comes again
 constexpr Duration between_drop_lines = std::chrono::minutes(1);  // a flood must not fill the log
 
 }  // namespace
@@ -25,7 +24,8 @@ ControlComponent::ControlComponent(Context& context, const HealthLimits& limits,
       limits_(limits),
       process_(std::move(process)),
       instances_(instances),
-      computer_(std::move(computer)) {
+      computer_(std::move(computer)),
+      served_(*this, instances, process_.parameter_services) {
   bus().watch_callers([this] { schedule().input_arrived(); });
 }
 
@@ -45,8 +45,8 @@ void ControlComponent::tick(Time now) {
     publish_health(now);
     changed = true;
   }
-  serve_nodes(now);
-  tell_log();
+  if (served_.serve([this](const LoadOrder& order) { return load(order); }, now)) changed = true;
+  served_.tell_log();
   if (changed) {
     publish_state(now);
     bus().update_graph();
@@ -67,18 +67,17 @@ void ControlComponent::obey(const Command& command) {
   if (answers_.size() > kept_answers) answers_.pop_front();
 }
 
+Outcome ControlComponent::load(const LoadOrder& order) {
+  const std::string twin = twin_of(order.name);
+  if (twin.empty()) return instances_.load(order.library, order.name, order.parameters);
+  return {false, order.name + ": two nodes of one name; the name is taken in container " + twin};
+}
+
 Outcome ControlComponent::carry_out(const Command& command) {
   const std::string& verb = command.verb();
   if (verb == "report") return {true, ""};
   if (verb == "unload") return instances_.unload(command.name());
-  if (verb == "load") {
-    const std::string twin = twin_of(command.name());
-    if (twin.empty()) {
-      return instances_.load(command.library(), command.name(), command.parameters());
-    }
-    return {false,
-            command.name() + ": two nodes of one name; the name is taken in container " + twin};
-  }
+  if (verb == "load") return load({command.library(), command.name(), command.parameters()});
   if (verb == "set_qos") return set_qos(command);
   const auto transition = to_transition(verb);
   if (!transition) return {false, "'" + verb + "' is not a command"};
@@ -97,73 +96,6 @@ Outcome ControlComponent::set_qos(const Command& command) {
   } catch (const ConfigError& error) {
     return {false, error.what()};
   }
-}
-
-bool ControlComponent::is_asked(const Instance& instance, const Callers& callers) const {
-  using Mode = deployment::ParameterServices;
-  const Mode mode = process_.parameter_services;
-  if (mode != Mode::on_demand) return mode == Mode::always;
-  return callers.ros2 || calls_services_of(instance.name, callers.services);
-}
-
-/// Sixteen ends of DDS for each node: made for who asks, and taken away a while after he has gone.
-void ControlComponent::note_callers(Time now) {
-  const Callers callers = bus().callers();
-  for (const Instance& instance : instances_.all()) {
-    if (!is_asked(instance, callers)) continue;
-    if (!events_) events_.emplace(*this);
-    Served& served = served_[instance.id];
-    served.asked = now;
-    if (!served.services) {
-      served.services = std::make_unique<NodeServices>(*this, instance.name);
-    }
-  }
-  for (auto it = served_.begin(); it != served_.end();) {
-    const bool over = now - it->second.asked > unasked || !instances_.has(it->first);
-    it = over ? served_.erase(it) : std::next(it);
-  }
-}
-
-void ControlComponent::serve_nodes(Time now) {
-  const std::size_t before = served_.size();
-  note_callers(now);
-  for (const Instance& instance : instances_.all()) {
-    const auto served = served_.find(instance.id);
-    if (served == served_.end()) continue;
-    served->second.services->parameters.answer(source_of(instance, now));
-    served->second.services->loggers.answer(
-        [this](const std::string& name) { return nodes_.count(name) != 0 || name == node(); });
-  }
-  if (served_.size() != before) bus().update_graph();
-}
-
-void ControlComponent::tell_log() {
-  std::set<std::string> nodes;
-  for (const Instance& instance : instances_.all()) nodes.insert(instance.name);
-  if (nodes != nodes_) rosout_.serve(nodes);
-  nodes_ = std::move(nodes);
-  rosout_.tell();
-}
-
-ParameterSource ControlComponent::source_of(const Instance& instance, Time now) {
-  return {[this, &instance] { return instances_.parameters(instance); },
-          [this, &instance, now](const auto& given) {
-            const Outcome outcome = instances_.set_parameters(instance.id, given);
-            if (outcome.done) tell_change(instance, given, now);
-            return outcome;
-          }};
-}
-
-void ControlComponent::tell_change(const Instance& instance,
-                                   const std::vector<rcl_interfaces::msg::Parameter>& changed,
-                                   Time now) {
-  const std::string& home = bus().ros_namespace();
-  rcl_interfaces::msg::ParameterEvent event;
-  event.stamp(wall(now));
-  event.node((home.empty() ? "/" : "/" + home + "/") + instance.name);
-  event.changed_parameters(changed);
-  for (const auto& one : changed) log().info("{}: parameter {} set", instance.name, one.name());
-  if (events_->write(std::move(event)) == Status::failed) log().warn("a change was not told");
 }
 
 void ControlComponent::note_neighbour(const tocsin_msgs::msg::ContainerState& state, Time now) {

@@ -5,15 +5,13 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "container/health_report.hpp"
 #include "container/instances.hpp"
-#include "container/node_services.hpp"
-#include "container/rosout.hpp"
+#include "container/served_nodes.hpp"
 #include "deployment/deployment.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -27,12 +25,6 @@ struct ProcessName {
   int pid;
   /// Which of its nodes have them.
   deployment::ParameterServices parameter_services = deployment::ParameterServices::on_demand;
-};
-
-/// Where ROS 2 hears of parameters that have changed, whatever the namespace.
-struct ParameterEvents {
-  using Message = rcl_interfaces::msg::ParameterEvent;
-  static constexpr TopicInfo info{"/parameter_events", "event", Scope::host};
 };
 
 /// Runs in every container, on a thread of its own: carries out commands on the instances, and
@@ -60,14 +52,9 @@ class ControlComponent final : public Component {
     Time at;
     std::vector<std::string> names;
   };
-  void serve_nodes(Time now);
-  void tell_log();
-  void note_callers(Time now);
-  [[nodiscard]] bool is_asked(const Instance& instance, const Callers& callers) const;
-  [[nodiscard]] ParameterSource source_of(const Instance& instance, Time now);
-  void tell_change(const Instance& instance,
-                   const std::vector<rcl_interfaces::msg::Parameter>& changed, Time now);
   void obey(const tocsin_msgs::msg::ContainerCommand& command);
+  /// Refuses a name that another container has.
+  Outcome load(const LoadOrder& order);
   Outcome carry_out(const tocsin_msgs::msg::ContainerCommand& command);
   /// The answer's text is the number of ends that were changed.
   Outcome set_qos(const tocsin_msgs::msg::ContainerCommand& command);
@@ -94,15 +81,7 @@ class ControlComponent final : public Component {
   std::map<std::string, EndpointHealth> endpoints_before_;
   std::deque<tocsin_msgs::msg::ContainerAnswer> answers_;
   rtps_filter::DropAccount dropped_before_;
-  /// Of a node that somebody asks, or has asked not long ago.
-  struct Served {
-    Time asked;
-    std::unique_ptr<NodeServices> services;
-  };
-  std::map<std::uint32_t, Served> served_;
-  std::optional<Output<ParameterEvents>> events_;
-  std::set<std::string> nodes_;  ///< that have /rosout
-  Rosout rosout_{*this};
+  ServedNodes served_;
   Time next_drop_line_{};
   std::uint64_t first_bytes_ = 0;
   Time started_{};

@@ -4,27 +4,40 @@
 #include <algorithm>
 #include <array>
 
+#include "runtime/middleware/composition_service.hpp"
+
 namespace tocsin {
 namespace {
 
-/// "~/get_parameters" and so on.
-const std::array<std::string, 8>& names() {
-  namespace parameter = parameter_service;
-  static const std::array<std::string, 8> all{
-      parameter::DescribeParameters::name,   parameter::GetParameters::name,
-      parameter::GetParameterTypes::name,    parameter::ListParameters::name,
-      parameter::SetParameters::name,        parameter::SetParametersAtomically::name,
-      logger_service::GetLoggerLevels::name, logger_service::SetLoggerLevels::name};
-  return all;
+/// Whether one of `names`, as "~/get_parameters", is called of this node.
+template <class Names>
+bool calls_one_of(const Names& names, const std::string& node,
+                  const std::vector<std::string>& called) {
+  return std::any_of(called.begin(), called.end(), [&](const std::string& service) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return service == node + name.substr(1); });
+  });
 }
 
 }  // namespace
 
 bool calls_services_of(const std::string& node, const std::vector<std::string>& called) {
-  return std::any_of(called.begin(), called.end(), [&](const std::string& service) {
-    return std::any_of(names().begin(), names().end(),
-                       [&](const std::string& name) { return service == node + name.substr(1); });
-  });
+  static const std::array<std::string, 13> names{
+      parameter_service::DescribeParameters::name, parameter_service::GetParameters::name,
+      parameter_service::GetParameterTypes::name,  parameter_service::ListParameters::name,
+      parameter_service::SetParameters::name,      parameter_service::SetParametersAtomically::name,
+      logger_service::GetLoggerLevels::name,       logger_service::SetLoggerLevels::name,
+      lifecycle_service::ChangeState::name,        lifecycle_service::GetState::name,
+      lifecycle_service::GetAvailableStates::name, lifecycle_service::GetAvailableTransitions::name,
+      lifecycle_service::GetTransitionGraph::name};
+  return calls_one_of(names, node, called);
+}
+
+bool calls_composition_of(const std::string& node, const std::vector<std::string>& called) {
+  static const std::array<std::string, 3> names{composition_service::LoadNode::name,
+                                                composition_service::UnloadNode::name,
+                                                composition_service::ListNodes::name};
+  return calls_one_of(names, node, called);
 }
 
 }  // namespace tocsin

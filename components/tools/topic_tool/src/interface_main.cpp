@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// tocsin interface list | show | proto | package | packages, as `ros2 interface` has them.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "command_line/command.hpp"
+#include "foundation/error.hpp"
+#include "idl_support/type_definition.hpp"
+#include "interface_text.hpp"
+#include "message_yaml.hpp"
+#include "runtime/middleware/idl_libraries.hpp"
+#include "topic_session.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+struct InterfaceOptions {
+  std::string name;
+  bool no_quotes = false;
+  InterfaceListOptions list;
+};
+
+Interfaces installed() {
+  load_idl_libraries();
+  return interfaces_in(known_definitions());
+}
+
+[[noreturn]] void refuse(const char* what, const std::string& name) {
+  throw ConfigError(std::string(what) + " '" + name +
+                    "' is not known here: no installed package has its IDL; see tocsin interface "
+                    "list");
+}
+
+int list(const InterfaceOptions& options) {
+  std::fputs(interface_list_text(installed(), options.list).c_str(), stdout);
+  return 0;
+}
+
+int show(const InterfaceOptions& options) {
+  load_idl_libraries();
+  const auto text = show_text(options.name);
+  if (!text) refuse("the interface", options.name);
+  std::fputs(text->c_str(), stdout);
+  return 0;
+}
+
+/// A message with all defaults, to copy and fill.
+int proto(const InterfaceOptions& options) {
+  const TypeInfo& type = known_type(first_part(options.name));
+  const std::string text = to_yaml(type, type.create().get(), {});
+  std::printf(options.no_quotes ? "%s\n" : "\"%s\"\n", text.c_str());
+  return 0;
+}
+
+int package(const InterfaceOptions& options) {
+  const std::string text = package_text(installed(), options.name);
+  if (text.empty()) refuse("the package", options.name);
+  std::fputs(text.c_str(), stdout);
+  return 0;
+}
+
+int packages(const InterfaceOptions&) {
+  std::fputs(packages_text(installed()).c_str(), stdout);
+  return 0;
+}
+
+void declare(CLI::App& app, InterfaceOptions& options) {
+  app.require_subcommand(1);
+  CLI::App* const all = app.add_subcommand("list", "interfaces of all installed packages");
+  all->add_flag("-m,--only-msgs", options.list.messages, "only messages");
+  all->add_flag("-s,--only-srvs", options.list.services, "only services");
+  all->add_flag("-a,--only-actions", options.list.actions, "only actions");
+  const char* const of = "nav_msgs/msg/Odometry, std_srvs/srv/Trigger, ...";
+  app.add_subcommand("show", "the fields of an interface, with those in them")
+      ->add_option("type", options.name, of)
+      ->required();
+  CLI::App* const example = app.add_subcommand("proto", "a message with all defaults, as YAML");
+  example->add_option("type", options.name, of)->required();
+  example->add_flag("--no-quotes", options.no_quotes, "without quotes around it");
+  app.add_subcommand("package", "interfaces of a package")
+      ->add_option("package_name", options.name, "std_msgs")
+      ->required();
+  app.add_subcommand("packages", "packages that have interfaces");
+}
+
+int run(int argc, char** argv) {
+  InterfaceOptions options;
+  CLI::App app("Interfaces that are installed: messages, services, actions.");
+  app.name("tocsin interface");
+  declare(app, options);
+  return run_command(app, argc, argv, [&] {
+    using Verb = int (*)(const InterfaceOptions&);
+    static const std::map<std::string, Verb> verbs{{"list", list},
+                                                   {"show", show},
+                                                   {"proto", proto},
+                                                   {"package", package},
+                                                   {"packages", packages}};
+    return verbs.at(app.get_subcommands().front()->get_name())(options);
+  });
+}
+
+}  // namespace
+}  // namespace tocsin::topic_tool
+
+int main(int argc, char** argv) { return tocsin::topic_tool::run(argc, argv); }

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// tocsin lifecycle nodes | get | set | list, as `ros2 lifecycle` has them.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command_line/command.hpp"
+#include "foundation/error.hpp"
+#include "foundation/printable.hpp"
+#include "foundation/ros_names.hpp"
+#include "lifecycle_text.hpp"
+#include "runtime/middleware/lifecycle_service.hpp"
+#include "service_caller.hpp"
+#include "topic_session.hpp"
+
+namespace tocsin::topic_tool {
+namespace {
+
+namespace service = lifecycle_service;
+
+/// Our containers make the services of a node when they are called.
+constexpr Duration until_made = std::chrono::seconds(1);
+
+struct LifecycleOptions : SessionOptions {
+  double timeout_s = 5;
+  std::string node;
+  std::string transition;
+  bool all = false;
+  bool count = false;
+};
+
+template <class Service>
+std::shared_ptr<const typename Service::Response> ask(const LifecycleOptions& options,
+                                                      const TopicSession& session,
+                                                      const std::string& node,
+                                                      typename Service::Request request = {}) {
+  return call_service<Service>(session.graph(), absolute(node), std::move(request),
+                               seconds(options.timeout_s));
+}
+
+/// Those that say in which state they are, by path.
+std::vector<std::string> lifecycle_nodes(const LifecycleOptions& options,
+                                         const TopicSession& session) {
+  using Clock = std::chrono::steady_clock;
+  (void)session.ends();
+  std::map<std::string, std::unique_ptr<ServiceCaller>> callers;
+  for (const GraphNode& node : session.graph().nodes()) {
+    const bool hidden = node.name.empty() || node.name[0] == '_';
+    if (hidden && !options.all) continue;
+    callers[node.path()] = std::make_unique<ServiceCaller>(
+        session.graph(),
+        ServiceEndpoint{service::GetState::name, &type_info<service::GetState::Request>(),
+                        &type_info<service::GetState::Response>(), node.path()});
+  }
+  const auto due = Clock::now() + until_made;
+  std::vector<std::string> paths;
+  for (const auto& [path, caller] : callers) {
+    const Duration left = std::max(due - Clock::now(), Duration{1});
+    if (caller->wait_for_server(left)) paths.push_back(path);
+  }
+  return paths;
+}
+
+int nodes(const LifecycleOptions& options) {
+  const TopicSession session(options);
+  const auto all = lifecycle_nodes(options, session);
+  if (options.count) {
+    std::printf("%zu\n", all.size());
+    return 0;
+  }
+  for (const std::string& one : all) std::printf("%s\n", printable(one).c_str());
+  return 0;
+}
+
+int get(const LifecycleOptions& options) {
+  const TopicSession session(options);
+  if (!options.node.empty()) {
+    const auto response = ask<service::GetState>(options, session, options.node);
+    std::printf("%s\n", state_text(response->current_state()).c_str());
+    return 0;
+  }
+  for (const std::string& node : lifecycle_nodes(options, session)) {
+    const auto response = ask<service::GetState>(options, session, node);
+    std::printf("%s: %s\n", printable(node).c_str(), state_text(response->current_state()).c_str());
+  }
+  return 0;
+}
+
+int set(const LifecycleOptions& options) {
+  const TopicSession session(options);
+  const auto ways = ask<service::GetAvailableTransitions>(options, session, options.node)
+                        ->available_transitions();
+  const auto transition = chosen(ways, options.transition);
+  if (!transition) {
+    std::fputs(unknown_text(ways).c_str(), stderr);
+    return 1;
+  }
+  service::ChangeState::Request request;
+  request.transition(*transition);
+  const bool done = ask<service::ChangeState>(options, session, options.node, request)->success();
+  std::fputs(done ? "Transitioning successful\n" : "Transitioning failed\n",
+             done ? stdout : stderr);
+  return done ? 0 : 1;
+}
+
+int list(const LifecycleOptions& options) {
+  const TopicSession session(options);
+  const Transitions ways =
+      options.all ? ask<service::GetTransitionGraph>(options, session, options.node)
+                        ->available_transitions()
+                  : ask<service::GetAvailableTransitions>(options, session, options.node)
+                        ->available_transitions();
+  std::fputs(transitions_text(ways).c_str(), stdout);
+  return 0;
+}
+
+CLI::App* declare_verb(CLI::App& app, const char* name, const char* text,
+                       LifecycleOptions& options) {
+  CLI::App* const sub = options.add_verb(app, name, text);
+  sub->add_option("--timeout", options.timeout_s, "[s] for the node, and for its answer [5]")
+      ->check(CLI::Range(0.1, 600.0));
+  return sub;
+}
+
+void declare(CLI::App& app, LifecycleOptions& options) {
+  app.require_subcommand(1);
+  const char* const of = "its name, with its namespace";
+  CLI::App* const all = declare_verb(app, "nodes", "nodes that have a lifecycle", options);
+  all->add_flag("-a,--all", options.all, "those that begin with _, too");
+  all->add_flag("-c,--count-nodes", options.count, "how many there are");
+  declare_verb(app, "get", "the state of a node, or of all", options)
+      ->add_option("node_name", options.node, of);
+  CLI::App* const change = declare_verb(app, "set", "leads a node into another state", options);
+  change->add_option("node_name", options.node, of)->required();
+  change->add_option("transition", options.transition, "see list: its name or its number")
+      ->required();
+  CLI::App* const ways = declare_verb(app, "list", "what leads out of a node's state", options);
+  ways->add_option("node_name", options.node, of)->required();
+  ways->add_flag("-a,--all", options.all, "out of every state");
+}
+
+int run(int argc, char** argv) {
+  LifecycleOptions options;
+  CLI::App app("States of nodes of a running host, ours and those of other ROS 2 programs there.");
+  app.name("tocsin lifecycle");
+  declare(app, options);
+  return run_command(app, argc, argv, [&] {
+    using Verb = int (*)(const LifecycleOptions&);
+    static const std::map<std::string, Verb> verbs{
+        {"nodes", nodes}, {"get", get}, {"set", set}, {"list", list}};
+    return verbs.at(app.get_subcommands().front()->get_name())(options);
+  });
+}
+
+}  // namespace
+}  // namespace tocsin::topic_tool
+
+int main(int argc, char** argv) { return tocsin::topic_tool::run(argc, argv); }
