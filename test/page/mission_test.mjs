@@ -13,6 +13,9 @@ const options = JSON.parse(process.env.PAGE_TEST);
 const here = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
 const run = path.join(options.folder, "mission");
 const url = "http://127.0.0.1:8765/";
+/** What the page writes, whatever the defaults of the server are. */
+const topics = ["goal", "emergency_stop/request", "teleop/cmd_vel", "teleop/request", "mission/command"];
+const writable = `operator_server.writable=[${topics.map((name) => `/${name}`).join(", ")}]`;
 
 let launch;
 let watcher;
@@ -39,7 +42,7 @@ async function isServed() {
 
 describe("Mission led from the page", { concurrency: false }, () => {
   before(async () => {
-    launch = spawn(options.tocsin, ["launch", "mission.yaml", "--seed", "1", "--run-dir", run]);
+    launch = spawn(options.tocsin, ["launch", "mission.yaml", "--seed", "1", "--run-dir", run, "--set", writable]);
     for (const stream of [launch.stdout, launch.stderr]) stream.on("data", (bytes) => (said += bytes));
     await eventually(`a page at ${url}; tocsin said: ${said}`, isServed, 30_000);
     await eventually("a base", () => fs.existsSync(path.join(run, "base.sock")), 10_000);
@@ -76,9 +79,15 @@ describe("Mission led from the page", { concurrency: false }, () => {
     assert.ok(errors[7] < 0.2, `${errors[7]} m`);
   });
 
-  it("draws map, waypoints and pictures", async () => {
+  it("draws the map and shows pictures and the decisions of both sides", async () => {
     await operator.until("a picture", () => document.querySelector(".picture img")?.naturalWidth > 0);
-    await reads(".log", "goal: waypoint 1");
+    await operator.until("a map", () => {
+      const canvas = document.querySelector(".map canvas");
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      return new Set(new Uint32Array(data.buffer)).size > 20;
+    });
+    await operator.until("both decisions", () => document.querySelectorAll(".side .gauge").length === 2);
+    await reads(".traffic", "camera/image_raw/compressed");
     await operator.picture("mission", { fullPage: true });
   });
 

@@ -31,6 +31,11 @@ if (!fs.existsSync(path.join(here, "node_modules/puppeteer-core"))) {
 }
 if (!index) skip(`page_${which}_test`, "the page is not built: bringup/install_packages, then bringup/build");
 
+const bringup = installed("bringup", "share/tocsin/bringup/mission.yaml");
+if (which === "mission" && !fs.readFileSync(bringup, "utf8").includes("operator_server")) {
+  skip(`page_${which}_test`, "bringup/mission.yaml runs no operator_server");
+}
+
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "page_test_"));
 const tocsin = installed("tocsin_cli", "bin/tocsin");
 
