@@ -52,7 +52,9 @@ class MissionTest : public ::testing::Test {
 };
 
 TEST_F(MissionTest, ATwentySecondOutagePausesResumesAndTheMissionIsCompleted) {
-  Stack sut(arguments());
+  auto with_policy = arguments();
+  with_policy.insert(with_policy.end(), {"--set", "transmission_controller.policy=tocp_dsp"});
+  Stack sut(with_policy);
   ASSERT_TRUE(Stack::eventually(seconds(60), [&] { return driving(sut); })) << sut.output();
   sut.control("radio.sock", "set outage 20");
   ASSERT_EQ(sut.exit_code(seconds(180)), 0) << sut.output();

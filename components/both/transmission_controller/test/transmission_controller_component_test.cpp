@@ -24,7 +24,12 @@ class TransmissionControllerComponentTest : public ::testing::Test {
   TransmissionControllerComponentTest() { bus_.add(sut_); }
   SimBus bus_;
   Context context_{bus_, "transmission_controller", Role::uxv};
-  TransmissionControllerComponent sut_{context_, {}};
+  static TransmissionControllerComponent::Params tocp_dsp() {
+    TransmissionControllerComponent::Params params;
+    params.controller.policy.policy = "tocp_dsp";
+    return params;
+  }
+  TransmissionControllerComponent sut_{context_, tocp_dsp()};
   SimReader<topic::TransmissionState> states_{bus_};
   SimReader<topic::Heartbeat> beats_{bus_};
 };
@@ -63,6 +68,7 @@ TEST_F(TransmissionControllerComponentTest, HardwareThatTellsNothingLeavesPerAlo
 TEST_F(TransmissionControllerComponentTest, WeighsTheChannelWhenThatIndexIsChosen) {
   TransmissionControllerComponent::Params params;
   params.controller.quality.quality_index = "channel";
+  params.controller.policy.policy = "tocp_dsp";
   params.controller.policy.detector = "focus";
   SimBus bus;
   Context context{bus, "transmission_controller", Role::uxv};
@@ -84,6 +90,19 @@ TEST_F(TransmissionControllerComponentTest, WeighsTheChannelWhenThatIndexIsChose
   bus.publish<topic::NetworkQuality>(quality(100, -99, nan));
   bus.run_for(Duration::zero());
   EXPECT_EQ(states.take().at(0).reason(), "focus_alarm");
+}
+
+TEST_F(TransmissionControllerComponentTest, DoesNotPauseUnlessAPolicyIsChosen) {
+  SimBus bus;
+  Context context{bus, "transmission_controller", Role::uxv};
+  TransmissionControllerComponent sut{context, {}};
+  bus.add(sut);
+  SimReader<topic::TransmissionState> states{bus};
+  bus.publish<topic::NetworkQuality>(quality(100, -99, 0));
+  bus.run_for(Duration::zero());
+  const auto state = states.take().at(0);
+  EXPECT_TRUE(state.active());
+  EXPECT_EQ(state.policy(), "none");
 }
 
 TEST_F(TransmissionControllerComponentTest, BeatsOnceASecondEvenWithoutMeasurements) {

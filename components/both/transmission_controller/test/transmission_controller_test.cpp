@@ -19,6 +19,7 @@ const decision::QualityMeasurement dead{100.0, -99.0, 0.0, {}, {}};
 
 TransmissionController make(bool silence_is_poor = false) {
   TransmissionController::Params params;
+  params.policy.policy = "tocp_dsp";
   params.silence_is_poor = silence_is_poor;
   return TransmissionController(params);
 }
@@ -55,6 +56,7 @@ TEST(TransmissionController, DecidesByTheIndexAsItIsPublished) {
 
 TEST(TransmissionController, ForcesTheResumeAtTheDeadlineWithoutSamples) {
   TransmissionController::Params params;
+  params.policy.policy = "tocp_dsp";
   params.quality_timeout_s = 600;
   TransmissionController sut(params);
   const auto pause = sut.on_quality(dead, t0).evidence;

@@ -3,6 +3,8 @@
 
 #include "command_line/command.hpp"
 #include "decide_report.hpp"
+#include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "model_file.hpp"
 #include "plot.hpp"
 #include "policy_settings.hpp"
@@ -42,6 +44,11 @@ int decide(const Request& request) {
   const QualityTrace trace = read_quality_trace(request.file, request.trace);
   const PolicySettings settings =
       load_settings({trace.controller, request.model, request.set, request.policy});
+  if (!trace.controller && !names_policy(settings)) {
+    throw ConfigError(request.file + ": is of no run, so that --policy must name one of: " +
+                      joined_of(decision::policy_names, [](const char* name) { return name; }) +
+                      ", oracle");
+  }
   const DecidedTrace decided = decide_again(trace, request.policy, settings);
   const bool print_table = request.table == "-";
   if (!request.table.empty() && !print_table) write_text(request.table, to_csv(decided));

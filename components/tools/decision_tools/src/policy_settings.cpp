@@ -115,6 +115,13 @@ PolicySettings load_settings(const PolicyRequest& request) {
   return settings;
 }
 
+bool names_policy(const PolicySettings& settings) {
+  return std::any_of(settings.sources.begin(), settings.sources.end(), [](const auto& source) {
+    return std::any_of(source.values.begin(), source.values.end(),
+                       [](const auto& value) { return value.first == "policy"; });
+  });
+}
+
 std::string to_text(const PolicySettings& settings) {
   std::string text;
   for (const ParameterSource& source : settings.sources) {

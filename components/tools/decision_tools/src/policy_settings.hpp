@@ -36,6 +36,9 @@ struct PolicyRequest {
 /// is named later holds. Throws ConfigError naming the file or option, key and value.
 [[nodiscard]] PolicySettings load_settings(const PolicyRequest& request);
 
+/// Whether a source says which policy decides.
+[[nodiscard]] bool names_policy(const PolicySettings& settings);
+
 /// One line for each source, and one for the defaults.
 [[nodiscard]] std::string to_text(const PolicySettings& settings);
 

@@ -65,7 +65,7 @@ TEST_F(Programs, FitDecideAndDesignWorkTogether) {
 TEST_F(Programs, PrintJson) {
   ASSERT_EQ(run(FIT_PROGRAM " good.csv bad.csv --json"), 0);
   EXPECT_EQ(nlohmann::json::parse(output)["good"]["samples"], 200);
-  ASSERT_EQ(run(DECIDE_PROGRAM " trace.csv --json --rows"), 0);
+  ASSERT_EQ(run(DECIDE_PROGRAM " trace.csv --policy tocp --json --rows"), 0);
   EXPECT_EQ(nlohmann::json::parse(output)["rows"].size(), 200U);
   ASSERT_EQ(run(DESIGN_PROGRAM " --false-alarm 2h --json"), 0);
   EXPECT_EQ(nlohmann::json::parse(output)["false_alarm_s"], 7200);
@@ -74,7 +74,7 @@ TEST_F(Programs, PrintJson) {
 TEST_F(Programs, DrawPngAndSvg) {
   if (std::system("command -v gnuplot >/dev/null") != 0) GTEST_SKIP() << "no gnuplot here";
   ASSERT_EQ(run(FIT_PROGRAM " good.csv bad.csv --plot fit"), 0) << error;
-  ASSERT_EQ(run(DECIDE_PROGRAM " trace.csv --plot decisions"), 0) << error;
+  ASSERT_EQ(run(DECIDE_PROGRAM " trace.csv --policy tocp --plot decisions"), 0) << error;
   for (const char* name : {"fit", "decisions"}) {
     EXPECT_EQ(folder.read(std::string(name) + ".png").substr(1, 3), "PNG");
     EXPECT_THAT(folder.read(std::string(name) + ".svg"), HasSubstr("</svg>"));
@@ -97,7 +97,7 @@ TEST_F(Programs, HaveOneLineForEveryBadInput) {
   folder.write("constant.csv", constant);
   folder.write("back.csv", "t,qni\n2,50\n1,50\n");
   folder.write("roles.csv", "receive_s,role,qni\n1,uxv,50\n1,gcs,60\n");
-  folder.write("contrary.yaml", "pause_below_qni: 60\n");
+  folder.write("contrary.yaml", "policy: tocp\npause_below_qni: 60\n");
   const std::string fit = FIT_PROGRAM;
   expect_error(fit + " empty.csv bad.csv", "empty.csv: is empty");
   expect_error(fit + " text.csv bad.csv", "text.csv:3: qni: 'bad' is not a number");
@@ -109,6 +109,7 @@ TEST_F(Programs, HaveOneLineForEveryBadInput) {
   expect_error(fit + " none.csv bad.csv", "none.csv: cannot be read");
   expect_error(fit + " good.csv", "BAD is required");
   expect_error(DECIDE_PROGRAM " trace.csv --policy magic", "'magic' is not one of");
+  expect_error(DECIDE_PROGRAM " trace.csv", "trace.csv: is of no run, so that --policy must name");
   expect_error(DECIDE_PROGRAM " trace.csv --policy oracle", "needs the truth");
   expect_error(DECIDE_PROGRAM " trace.csv --set alpha=-1", "policy.alpha: -1 is outside");
   expect_error(DECIDE_PROGRAM " back.csv", "back.csv:3: t: 1 is 1.000 s before the row above");

@@ -21,10 +21,16 @@ using ::testing::HasSubstr;
 const std::string head =
     "receive_s,sequence,stamp.sec,stamp.nanosec,role,active,reason,pause_samples,qni\n";
 
+decision::PolicyParams tocp_dsp() {
+  decision::PolicyParams params;
+  params.policy = "tocp_dsp";
+  return params;
+}
+
 /// What a controller does, written down as the recorder does.
 class Recorder {
  public:
-  explicit Recorder(const decision::PolicyParams& params = {})
+  explicit Recorder(const decision::PolicyParams& params = tocp_dsp())
       : params_(params), policy_(decision::make_policy(params)) {}
 
   void sample(double at_s, double qni) {
@@ -71,7 +77,7 @@ class RecordedDecisionsTest : public ::testing::Test {
     return "no error";
   }
   DecidedTrace decide(const std::string& text, const std::vector<std::string>& set = {}) const {
-    return decide_again(read(text), "", load_settings({{}, "", set, ""}));
+    return decide_again(read(text), "", load_settings({{}, "", set, "tocp_dsp"}));
   }
   TemporaryFolder folder;
 };
@@ -230,7 +236,7 @@ TEST_F(RecordedDecisionsTest, AreComparedInJson) {
   const auto sut = to_json(decide(run.text()), false);
   EXPECT_EQ(sut["role"], "uxv");
   EXPECT_EQ(sut["recorded"]["same"], 1);
-  EXPECT_EQ(sut["parameters"].size(), 0U);
+  EXPECT_EQ(sut["parameters"].size(), 1U);  // --policy
 }
 
 }  // namespace
