@@ -17,6 +17,7 @@
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
 #include "runner/tick_time.hpp"
+#include "runtime/middleware/host_graph.hpp"
 
 namespace tocsin {
 namespace {
@@ -102,6 +103,7 @@ class FastDdsBus : public Bus {
   void update_graph() override { graph_.tell(nodes_.all()); }
   [[nodiscard]] std::vector<EndpointHealth> health() const override;
   [[nodiscard]] LocalNodes& nodes() { return nodes_; }
+  [[nodiscard]] const BusOptions& options() const { return options_; }
 
  private:
   TopicChannel& channel(const Endpoint& endpoint);
@@ -270,6 +272,14 @@ std::vector<EndpointHealth> FastDdsBus::health() const {
 
 std::unique_ptr<Bus> make_fast_dds_bus(const BusOptions& options) {
   return std::make_unique<FastDdsBus>(options);
+}
+
+std::unique_ptr<HostGraph> open_host_graph(const Bus& bus) {
+  const auto* const joined = dynamic_cast<const FastDdsBus*>(&bus);
+  if (joined == nullptr) return nullptr;
+  BusOptions options = joined->options();
+  options.name += "_graph";
+  return make_host_graph(options);
 }
 
 }  // namespace tocsin

@@ -10,6 +10,7 @@
 #include "fast_dds/bus_fixture.hpp"
 #include "idl_support/encode.hpp"
 #include "ros_idl/std_msgs.hpp"
+#include "runtime/sim_bus.hpp"
 
 namespace tocsin {
 namespace {
@@ -263,6 +264,28 @@ TEST(Readable, AsksForNoLastSamplesOfAWriterThatRepairsNothing) {
   odd.qos.durability = Durability::transient_local;
   EXPECT_FALSE(readable({&odd}).reliable);
   EXPECT_FALSE(readable({&odd}).transient_local);
+}
+
+TEST_F(HostGraphTest, OfABusHearsThatBusAndItsNeighbours) {
+  const auto near = process();
+  const auto far = process();
+  const auto publication = near->advertise(event);
+  const auto other = far->advertise(state);
+  const auto graph = open_host_graph(*near);
+  ASSERT_NE(graph, nullptr);
+  EXPECT_TRUE(eventually([&] {
+    const auto ends = graph->ends();
+    const auto has = [&](const char* topic) {
+      return std::any_of(ends.begin(), ends.end(),
+                         [&](const GraphEnd& end) { return end.topic == topic && end.writer; });
+    };
+    return has("rt/event") && has("rt/state");
+  }));
+}
+
+TEST(OpenHostGraph, ThereIsNoneOfABusWithoutADomain) {
+  const SimBus bus;
+  EXPECT_EQ(open_host_graph(bus), nullptr);
 }
 
 }  // namespace

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "operator_server/access.hpp"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "foundation/error.hpp"
+#include "foundation/printable.hpp"
+
+namespace tocsin::foxglove {
+namespace {
+
+constexpr std::size_t shortest_token = 16;
+
+/// `localhost` of `localhost:8765`, `[::1]` of `[::1]:8765`.
+std::string host_without_port(const std::string& host) {
+  const std::size_t bracket = host.rfind(']');
+  const std::size_t colon = host.rfind(':');
+  const bool has_port =
+      colon != std::string::npos && (bracket == std::string::npos || colon > bracket);
+  return has_port ? host.substr(0, colon) : host;
+}
+
+bool names_this_computer(const std::string& host) {
+  std::string name = host_without_port(host);
+  if (name == "localhost") return true;
+  if (name.size() > 2 && name.front() == '[') name = name.substr(1, name.size() - 2);
+  return is_loopback(name);
+}
+
+/// Takes as long wherever the two differ.
+bool same_secret(const std::string& one, const std::string& other) {
+  unsigned difference = one.size() == other.size() ? 0 : 1;
+  for (std::size_t i = 0; i < one.size() && i < other.size(); ++i) {
+    difference |= static_cast<unsigned char>(one[i]) ^ static_cast<unsigned char>(other[i]);
+  }
+  return difference == 0;
+}
+
+/// The value of `token` in `/?token=abc&x=1`, as it stands.
+std::string token_in(const std::string& target) {
+  std::size_t at = target.find('?');
+  while (at != std::string::npos) {
+    const std::size_t end = target.find('&', at + 1);
+    const std::string pair = target.substr(at + 1, end - at - 1);
+    if (pair.rfind("token=", 0) == 0) return pair.substr(6);
+    at = end;
+  }
+  return {};
+}
+
+std::string token_of(const RequestFacts& request) {
+  const std::string bearer = "Bearer ";
+  if (request.authorization.rfind(bearer, 0) == 0) {
+    return request.authorization.substr(bearer.size());
+  }
+  return token_in(request.target);
+}
+
+/// The one that both ends know, the newer name before the older one; they mean the same.
+std::optional<std::string> choose_protocol(const std::string& offered) {
+  for (const char* known : {"foxglove.sdk.v1", "foxglove.websocket.v1"}) {
+    for (std::size_t begin = 0; begin <= offered.size();) {
+      const std::size_t end = std::min(offered.find(',', begin), offered.size());
+      std::string word = offered.substr(begin, end - begin);
+      word.erase(0, word.find_first_not_of(' '));
+      word.erase(word.find_last_not_of(' ') + 1);
+      if (word == known) return word;
+      begin = end + 1;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Whether the page that connects is our own. Without a token only a page that was reached under a
+/// name of this computer is: another name may have been made to lead here (DNS rebinding).
+bool is_own_page(const AccessRules& rules, const RequestFacts& request) {
+  if (rules.token.empty() && !names_this_computer(request.host)) return false;
+  const std::string own = (rules.encrypted ? "https://" : "http://") + request.host;
+  return request.origin.empty() || request.origin == own;
+}
+
+Verdict judge_socket(const AccessRules& rules, const RequestFacts& request) {
+  const bool is_named =
+      std::any_of(rules.origins.begin(), rules.origins.end(), [&](const std::string& origin) {
+        return origin == "*" || (!request.origin.empty() && origin == request.origin);
+      });
+  if (!is_named && !is_own_page(rules, request)) {
+    const std::string& whose = request.origin.empty() ? request.host : request.origin;
+    return Refuse{403, "a page of '" + printable(whose) +
+                           "' may not connect here; allowed is what parameter origins names"};
+  }
+  if (!rules.token.empty() && !same_secret(rules.token, token_of(request))) {
+    return Refuse{401, "the token is missing or wrong: give it as ?token=... or as Bearer"};
+  }
+  const auto protocol = choose_protocol(request.protocols);
+  if (!protocol) {
+    return Refuse{400, "subprotocol '" + printable(request.protocols) +
+                           "' is not one of: foxglove.sdk.v1, foxglove.websocket.v1"};
+  }
+  return OpenSocket{*protocol};
+}
+
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+         c == '_' || c == '-' || c == '/';
+}
+
+/// The names of our files have no other characters, and no part that begins with a point.
+bool is_file_name(const std::string& path) {
+  return std::all_of(path.begin(), path.end(), is_plain) && path.find("//") == std::string::npos &&
+         path.find("/.") == std::string::npos && !path.empty() && path.front() != '.' &&
+         path.front() != '/';
+}
+
+}  // namespace
+
+bool is_loopback(const std::string& address) {
+  in_addr four{};
+  if (::inet_pton(AF_INET, address.c_str(), &four) == 1) {
+    return (ntohl(four.s_addr) >> 24U) == 127;
+  }
+  in6_addr six{};
+  return ::inet_pton(AF_INET6, address.c_str(), &six) == 1 && IN6_IS_ADDR_LOOPBACK(&six);
+}
+
+void check_access(const std::string& owner, const AccessRules& rules) {
+  if (!rules.token.empty() && rules.token.size() < shortest_token) {
+    throw ConfigError(owner + ".token_file: a token of " + std::to_string(rules.token.size()) +
+                      " characters is too short; at least " + std::to_string(shortest_token));
+  }
+  if (is_loopback(rules.address) || (!rules.token.empty() && rules.encrypted)) return;
+  throw ConfigError(owner + ".address: " + rules.address +
+                    " is heard beyond this computer, which needs token_file, certificate and key; "
+                    "without them only 127.0.0.1");
+}
+
+Verdict judge(const AccessRules& rules, const RequestFacts& request) {
+  if (request.wants_socket) return judge_socket(rules, request);
+  if (request.method != "GET" && request.method != "HEAD") {
+    return Refuse{405, "method " + printable(request.method, 20) + " is not one of: GET, HEAD"};
+  }
+  if (request.target.empty() || request.target.front() != '/') {
+    return Refuse{400, "the target does not begin with /"};
+  }
+  std::string path = request.target.substr(1, request.target.find('?') - 1);
+  if (path.empty() || path.back() == '/') path += "index.html";
+  if (!is_file_name(path)) return Refuse{404, "there is no such file"};
+  return ServeFile{path};
+}
+
+const char* content_type(std::string_view path) {
+  static const std::map<std::string_view, const char*> types{
+      {".html", "text/html; charset=utf-8"},
+      {".js", "text/javascript; charset=utf-8"},
+      {".mjs", "text/javascript; charset=utf-8"},
+      {".css", "text/css; charset=utf-8"},
+      {".json", "application/json"},
+      {".map", "application/json"},
+      {".webmanifest", "application/manifest+json"},
+      {".svg", "image/svg+xml"},
+      {".png", "image/png"},
+      {".ico", "image/x-icon"},
+      {".woff2", "font/woff2"},
+      {".txt", "text/plain; charset=utf-8"},
+      {".wasm", "application/wasm"}};
+  const std::size_t dot = path.rfind('.');
+  const auto found = dot == std::string_view::npos ? types.end() : types.find(path.substr(dot));
+  return found == types.end() ? "application/octet-stream" : found->second;
+}
+
+}  // namespace tocsin::foxglove

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "operator_server/hub.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace tocsin::foxglove {
+namespace {
+
+using nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using namespace std::string_literals;
+
+constexpr std::size_t all = 100'000'000;
+
+Channel channel(const std::string& topic, bool latched = false) {
+  return {topic, {"pkg/msg/Type", "ros2msg", "int32 x"}, latched};
+}
+SharedBytes bytes(const std::string& text) {
+  return std::make_shared<const std::vector<std::uint8_t>>(text.begin(), text.end());
+}
+
+class HubTest : public ::testing::Test {
+ protected:
+  HubTest() : sut_(settings()) {
+    sut_.set_channels({channel("/a"), channel("/state", true)});  // 1 and 2
+    sut_.add_client(1);
+    (void)sut_.take(1, all);
+  }
+  static HubSettings settings() {
+    HubSettings made;
+    made.writable = {"/goal", "/drive*"};
+    return made;
+  }
+  std::vector<Order> say(ClientId client, const json& message) {
+    return sut_.on_frame(client, Frame::Kind::text, message.dump());
+  }
+  void subscribe(ClientId client, std::uint32_t id, std::uint32_t to) {
+    EXPECT_TRUE(
+        say(client, {{"op", "subscribe"}, {"subscriptions", {{{"id", id}, {"channelId", to}}}}})
+            .empty());
+  }
+  std::vector<Order> open(ClientId client, const std::string& topic,
+                          const std::string& encoding = "cdr", std::uint32_t id = 1) {
+    return say(client, {{"op", "advertise"},
+                        {"channels",
+                         {{{"id", id},
+                           {"topic", topic},
+                           {"encoding", encoding},
+                           {"schemaName", "pkg/msg/Type"}}}}});
+  }
+  std::vector<Order> publish(ClientId client, const std::string& payload) {
+    return sut_.on_frame(client, Frame::Kind::binary, "\x01\x01\x00\x00\x00"s + payload);
+  }
+  /// Texts of all control, and "data" and payload of all else.
+  std::vector<std::string> told(ClientId client) {
+    std::vector<std::string> texts;
+    for (const Frame& frame : sut_.take(client, all)) {
+      texts.push_back(
+          frame.kind == Frame::Kind::text
+              ? frame.head
+              : "data " + (frame.payload ? std::string(frame.payload->begin(), frame.payload->end())
+                                         : ""));
+    }
+    return texts;
+  }
+  Hub sut_;
+};
+
+TEST_F(HubTest, ANewClientHearsWhatThereIs) {
+  sut_.add_client(2);
+  EXPECT_THAT(told(2), ElementsAre(HasSubstr("serverInfo"), HasSubstr("/state")));
+}
+
+TEST_F(HubTest, OnlySubscribersGetAMessage) {
+  sut_.add_client(2);
+  (void)told(2);
+  subscribe(1, 7, 1);
+  EXPECT_THAT(sut_.heard(), ElementsAre("/a"));
+  sut_.on_message("/a", 5, bytes("one"));
+  sut_.on_message("/state", 5, bytes("other"));
+  EXPECT_THAT(told(1), ElementsAre("data one"));
+  EXPECT_TRUE(told(2).empty());
+}
+
+TEST_F(HubTest, EndsASubscription) {
+  subscribe(1, 7, 1);
+  sut_.on_message("/a", 5, bytes("one"));
+  (void)say(1, {{"op", "unsubscribe"}, {"subscriptionIds", {7}}});
+  sut_.on_message("/a", 6, bytes("two"));
+  EXPECT_TRUE(told(1).empty());
+  EXPECT_TRUE(sut_.heard().empty());
+  (void)say(1, {{"op", "unsubscribe"}, {"subscriptionIds", {7}}});
+  EXPECT_THAT(told(1), ElementsAre(HasSubstr("there is no subscription 7")));
+}
+
+TEST_F(HubTest, WrongSubscriptionsAreToldAndChangeNothing) {
+  subscribe(1, 7, 1);
+  subscribe(1, 7, 2);
+  subscribe(1, 8, 99);
+  EXPECT_THAT(told(1), ElementsAre(HasSubstr("subscription 7 is there already"),
+                                   HasSubstr("there is no channel 99")));
+  EXPECT_THAT(sut_.heard(), ElementsAre("/a"));
+}
+
+TEST_F(HubTest, ALateSubscriberGetsTheLastStateWhileAnotherHearsIt) {
+  subscribe(1, 7, 2);
+  sut_.on_message("/state", 5, bytes("last"));
+  sut_.add_client(2);
+  subscribe(2, 7, 2);
+  (void)told(1);
+  EXPECT_THAT(told(2).back(), "data last");
+  for (const ClientId client : {1U, 2U}) sut_.remove_client(client);
+  sut_.add_client(3);
+  subscribe(3, 7, 2);
+  EXPECT_THAT(told(3).back(), HasSubstr("advertise")) << "nobody knows what it is now";
+}
+
+TEST_F(HubTest, TellsWhichChannelsComeAndGo) {
+  subscribe(1, 7, 1);
+  sut_.set_channels({channel("/state", true), channel("/new")});
+  EXPECT_THAT(told(1), ElementsAre(R"({"channelIds":[1],"op":"unadvertise"})", HasSubstr("/new")));
+  EXPECT_TRUE(sut_.heard().empty());
+  sut_.set_channels({channel("/state", true), channel("/new")});
+  EXPECT_TRUE(told(1).empty());
+  Channel other = channel("/new");
+  other.schema.name = "pkg/msg/Other";
+  sut_.set_channels({channel("/state", true), other});
+  EXPECT_THAT(told(1),
+              ElementsAre(R"({"channelIds":[3],"op":"unadvertise"})", HasSubstr("pkg/msg/Other")));
+}
+
+TEST_F(HubTest, ASlowClientGetsTheNewestAndIsToldWhatItMissed) {
+  subscribe(1, 7, 1);
+  for (int i = 0; i < 5; ++i) sut_.on_message("/a", 5, bytes(std::to_string(i)));
+  sut_.tell_drops();
+  EXPECT_THAT(told(1), ElementsAre(HasSubstr("messages dropped: 3 of /a"), "data 3", "data 4"));
+  EXPECT_EQ(sut_.drops(), 3U);
+  sut_.tell_drops();
+  EXPECT_THAT(told(1), ElementsAre(R"({"op":"removeStatus","statusIds":["drops"]})"));
+  sut_.tell_drops();
+  EXPECT_TRUE(told(1).empty());
+}
+
+TEST_F(HubTest, AClientThatReadsNothingHasToGo) {
+  sut_.add_client(2);
+  const std::string longest(20'000, 'x');
+  for (int i = 0; i < 500; ++i) sut_.tell(2, Level::info, longest);
+  EXPECT_THAT(sut_.overflown(), ElementsAre(2U));
+  sut_.remove_client(2);
+  EXPECT_TRUE(sut_.overflown().empty());
+  EXPECT_TRUE(sut_.take(2, all).empty());
+}
+
+TEST_F(HubTest, AClientPublishesOnWhatIsWritable) {
+  const auto opened = open(1, "/goal", "json");
+  ASSERT_EQ(opened.size(), 1U);
+  EXPECT_EQ(std::get<OpenTopic>(opened[0]).channel.topic, "/goal");
+  EXPECT_THAT(sut_.written(), ElementsAre("/goal"));
+  const auto written = publish(1, "{}");
+  ASSERT_EQ(written.size(), 1U);
+  EXPECT_EQ(std::get<WriteMessage>(written[0]).encoding, "json");
+  EXPECT_EQ(std::get<WriteMessage>(written[0]).payload, "{}");
+  (void)say(1, {{"op", "unadvertise"}, {"channelIds", {1}}});
+  EXPECT_TRUE(sut_.written().empty());
+  EXPECT_TRUE(publish(1, "{}").empty());
+  EXPECT_THAT(told(1), ElementsAre(HasSubstr("there is no channel 1 of this client")));
+}
+
+TEST_F(HubTest, RefusesWhatAClientMayNotPublish) {
+  EXPECT_TRUE(open(1, "/cmd_vel").empty());
+  EXPECT_TRUE(open(1, "/goal", "protobuf").empty());
+  EXPECT_FALSE(open(1, "/goal").empty());
+  EXPECT_TRUE(open(1, "/goal").empty());
+  EXPECT_THAT(told(1), ElementsAre(HasSubstr("/cmd_vel: clients may not publish here"),
+                                   HasSubstr("encoding 'protobuf' is not one of"),
+                                   HasSubstr("channel 1 of this client is there already")));
+  sut_.refuse_topic(1, 1, "why");
+  EXPECT_TRUE(sut_.written().empty());
+  EXPECT_THAT(told(1), ElementsAre(HasSubstr("why")));
+}
+
+TEST_F(HubTest, CallsOfServicesAreAnsweredToWhoAsked) {
+  Service service{"/dock", "std_srvs/srv/Trigger", {"a", "ros2msg", ""}, {"b", "ros2msg", ""}};
+  sut_.set_services({service});
+  EXPECT_THAT(told(1), ElementsAre(HasSubstr("advertiseServices")));
+  const std::string request = "\x03\x00\x00\x00\x09\x00\x00\x00\x03\x00\x00\x00"s + "cdr";
+  auto orders = sut_.on_frame(1, Frame::Kind::binary, "\x02" + request);
+  ASSERT_EQ(orders.size(), 1U);
+  const auto& order = std::get<AskService>(orders[0]);
+  EXPECT_EQ(order.name, "/dock");
+  sut_.answer_service(1, order.call, bytes("done"));
+  const auto frames = sut_.take(1, all);
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(frames[0].head, "\x03" + request);
+  sut_.set_services({});
+  EXPECT_TRUE(sut_.on_frame(1, Frame::Kind::binary, "\x02" + request).empty());
+  EXPECT_THAT(told(1),
+              ElementsAre(HasSubstr("unadvertiseServices"), HasSubstr("serviceCallFailure")));
+}
+
+TEST_F(HubTest, ChangesOfParametersGoToWhoHearsThem) {
+  EXPECT_FALSE(sut_.wants_parameters());
+  (void)say(1, {{"op", "subscribeParameterUpdates"}, {"parameterNames", {"/a.b"}}});
+  EXPECT_TRUE(sut_.wants_parameters());
+  sut_.on_parameters({{"/a.b", 1, ""}, {"/a.c", 2, ""}});
+  EXPECT_THAT(told(1),
+              ElementsAre(R"({"op":"parameterValues","parameters":[{"name":"/a.b","value":1}]})"));
+  (void)say(1, {{"op", "unsubscribeParameterUpdates"}, {"parameterNames", {"/a.b"}}});
+  EXPECT_FALSE(sut_.wants_parameters());
+}
+
+TEST_F(HubTest, TheGraphIsToldAsChanges) {
+  Graph graph;
+  graph.publishers["/a"] = {"/n"};
+  graph.subscribers["/a"] = {"/m"};
+  sut_.set_graph(graph);
+  EXPECT_TRUE(told(1).empty());
+  (void)say(1, {{"op", "subscribeConnectionGraph"}});
+  EXPECT_THAT(told(1), ElementsAre(HasSubstr(R"("publisherIds":["/n"])")));
+  sut_.set_graph(graph);
+  EXPECT_TRUE(told(1).empty());
+  graph.publishers.clear();
+  sut_.set_graph(graph);
+  EXPECT_THAT(
+      told(1),
+      ElementsAre(HasSubstr(
+          R"("publishedTopics":[{"name":"/a","publisherIds":[]}],"removedServices":[],"removedTopics":[])")));
+  graph.subscribers.clear();
+  sut_.set_graph(graph);
+  EXPECT_THAT(told(1), ElementsAre(HasSubstr(R"("removedTopics":["/a"])")));
+}
+
+/// Whatever clients say, the hub stays sound: those who say nothing bad hear all the same.
+TEST_F(HubTest, NoFramesOfOneClientHarmAnother) {
+  sut_.add_client(2);
+  (void)told(2);
+  subscribe(2, 1, 1);
+  const json sound[] = {
+      {{"op", "subscribe"}, {"subscriptions", {{{"id", 1}, {"channelId", 1}}}}},
+      {{"op", "unsubscribe"}, {"subscriptionIds", {1}}},
+      {{"op", "advertise"},
+       {"channels", {{{"id", 1}, {"topic", "/drive1"}, {"encoding", "cdr"}, {"schemaName", "x"}}}}},
+      {{"op", "unadvertise"}, {"channelIds", {1}}},
+      {{"op", "getParameters"}, {"parameterNames", {"/a.b"}}},
+      {{"op", "subscribeConnectionGraph"}}};
+  std::mt19937 random(7);
+  for (int i = 0; i < 3'000; ++i) {
+    std::string frame = sound[random() % std::size(sound)].dump();
+    const auto at = random() % frame.size();
+    if (random() % 2 == 0) frame[at] = static_cast<char>('0' + random() % 10);
+    (void)sut_.on_frame(1, Frame::Kind::text, frame);
+    (void)sut_.on_frame(1, Frame::Kind::binary, frame.substr(at));
+    if (i % 100 == 0) (void)told(1);
+  }
+  sut_.on_message("/a", 5, bytes("sound"));
+  EXPECT_THAT(told(2), ElementsAre("data sound"));
+}
+
+}  // namespace
+}  // namespace tocsin::foxglove

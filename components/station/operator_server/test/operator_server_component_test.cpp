@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "operator_server/operator_server_component.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "idl_support/encode.hpp"
+#include "served.hpp"
+
+namespace tocsin {
+namespace {
+
+using nlohmann::json;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+json advertise_goal(const std::string& encoding) {
+  return {{"op", "advertise"},
+          {"channels",
+           {{{"id", 5},
+             {"topic", "/goal"},
+             {"encoding", encoding},
+             {"schemaName", "tocsin_msgs/msg/Goal"}}}}};
+}
+
+TEST(OperatorServerTest, SaysWhatItIsAndWhichTopicsThereAre) {
+  Served sut;
+  const auto client = sut.client();
+  EXPECT_EQ(client->protocol(), "foxglove.sdk.v1");
+  const auto info = client->heard("serverInfo");
+  ASSERT_EQ(info.size(), 1U);
+  EXPECT_EQ(info[0].at("metadata").at("host"), "gcs");
+  EXPECT_THAT(info[0].at("capabilities"), Contains("clientPublish"));
+  ASSERT_TRUE(client->channel("/location"));
+  for (const json& channel : client->heard("advertise").front().at("channels")) {
+    if (channel.at("topic") != "/location") continue;
+    EXPECT_EQ(channel.at("schemaName"), "geometry_msgs/msg/PoseWithCovarianceStamped");
+    EXPECT_EQ(channel.at("schemaEncoding"), "ros2msg");
+    EXPECT_THAT(channel.at("schema").get<std::string>(), HasSubstr("MSG: geometry_msgs/Pose"));
+  }
+}
+
+TEST(OperatorServerTest, AMessageReachesItsSubscribersAsTheBytesOfItsWriter) {
+  Served sut;
+  const auto client = sut.client();
+  const auto other = sut.client();
+  sut.subscribe(*client, "/goal", 7);
+  tocsin_msgs::msg::Goal goal;
+  goal.id(42);
+  sut.bus.publish<topic::Goal>(goal);
+  ASSERT_TRUE(sut.until([&] { return client->frames(1).size() == 1; }));
+  const BinaryFrame frame = client->frames(1).front();
+  EXPECT_EQ(frame.id, 7U);
+  const auto wanted = encode(type_info<tocsin_msgs::msg::Goal>(), &goal);
+  EXPECT_EQ(frame.bytes.substr(12), std::string(wanted.begin(), wanted.end()));
+  sut.settle(*other);
+  EXPECT_TRUE(other->frames(1).empty());
+}
+
+TEST(OperatorServerTest, WhoSubscribesLateGetsTheLastStateAndNoOldSample) {
+  Served sut;
+  const auto first = sut.client();
+  sut.subscribe(*first, "/mission_status", 1);
+  sut.subscribe(*first, "/goal", 2);
+  sut.bus.publish<topic::MissionStatus>({});
+  sut.bus.publish<topic::Goal>({});
+  ASSERT_TRUE(sut.until([&] { return first->frames(1).size() == 2; }));
+  const auto second = sut.client();
+  sut.subscribe(*second, "/mission_status", 3);
+  sut.subscribe(*second, "/goal", 4);
+  ASSERT_TRUE(sut.until([&] { return !second->frames(1).empty(); }));
+  sut.settle(*second);
+  ASSERT_EQ(second->frames(1).size(), 1U);
+  EXPECT_EQ(second->frames(1).front().id, 3U);
+}
+
+TEST(OperatorServerTest, ReadsATopicOnlyWhileSomebodyHearsIt) {
+  Served sut;
+  const auto ports = [&] {
+    std::size_t count = 0;
+    for (const PortHealth& port : sut.sut->port_health()) count += port.topic == "goal" ? 1 : 0;
+    return count;
+  };
+  EXPECT_EQ(ports(), 0U);
+  auto client = sut.client();
+  const auto other = sut.client();
+  sut.subscribe(*client, "/goal", 1);
+  sut.subscribe(*other, "/goal", 1);
+  EXPECT_EQ(ports(), 1U);
+  client.reset();
+  other->say({{"op", "unsubscribe"}, {"subscriptionIds", {1}}});
+  EXPECT_TRUE(sut.until([&] { return ports() == 0; }));
+}
+
+TEST(OperatorServerTest, AGoalOfAClientIsPublished) {
+  for (const std::string encoding : {"json", "cdr"}) {
+    Served sut;
+    SimReader<topic::Goal> goals(sut.bus);
+    const auto client = sut.client();
+    client->say(advertise_goal(encoding));
+    tocsin_msgs::msg::Goal goal;
+    goal.id(42);
+    const auto cdr = encode(type_info<tocsin_msgs::msg::Goal>(), &goal);
+    const std::string payload =
+        encoding == "json" ? R"({"id": 42})" : std::string(cdr.begin(), cdr.end());
+    client->say_bytes("\x01" + bytes_of(5) + payload);
+    std::vector<tocsin_msgs::msg::Goal> came;
+    ASSERT_TRUE(sut.until([&] { return !(came = goals.take()).empty(); })) << encoding;
+    EXPECT_EQ(came.front().id(), 42U);
+  }
+}
+
+TEST(OperatorServerTest, BadMessagesOfAClientAreAnsweredAndNotPublished) {
+  Served sut;
+  SimReader<topic::Goal> goals(sut.bus);
+  const auto client = sut.client();
+  client->say(advertise_goal("json"));
+  client->say_bytes("\x01" + bytes_of(5) + R"({"ident": 42})");
+  EXPECT_TRUE(sut.until([&] { return client->was_told("/goal: there is no field 'ident'"); }));
+  client->say_bytes("\x01" + bytes_of(6) + "{}");
+  EXPECT_TRUE(sut.until([&] { return client->was_told("there is no channel 6"); }));
+  client->say_text("{");
+  EXPECT_TRUE(sut.until([&] { return client->was_told("is not JSON"); }));
+  EXPECT_TRUE(goals.take().empty());
+  EXPECT_TRUE(client->is_open());
+}
+
+TEST(OperatorServerTest, PublishesOnlyWhatIsWritableAndOfTheTopicsType) {
+  Served sut;
+  const auto client = sut.client();
+  json wish = advertise_goal("cdr");
+  wish["channels"][0]["topic"] = "/cmd_vel";
+  client->say(wish);
+  EXPECT_TRUE(
+      sut.until([&] { return client->was_told("/cmd_vel: clients may not publish here"); }));
+  wish["channels"][0]["topic"] = "/goal";
+  wish["channels"][0]["schemaName"] = "std_msgs/msg/Bool";
+  client->say(wish);
+  EXPECT_TRUE(sut.until(
+      [&] { return client->was_told("/goal: has the type tocsin_msgs/msg/Goal, not std_msgs"); }));
+  wish["channels"][0]["schemaName"] = "no_msgs/msg/Type";
+  client->say(wish);
+  EXPECT_TRUE(sut.until([&] { return client->was_told("has the type 'no_msgs/msg/Type'"); }));
+}
+
+TEST(OperatorServerTest, TellsTheTimeOfTheHost) {
+  Served sut;
+  const auto client = sut.client();
+  ASSERT_TRUE(sut.until([&] { return client->frames(2).size() > 2; }));
+}
+
+}  // namespace
+}  // namespace tocsin
