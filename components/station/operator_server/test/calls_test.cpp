@@ -89,6 +89,7 @@ class CallsTest : public ::testing::Test {
     state.components({component});
     served_.bus.publish<topic::ContainerState>(state);
     client_ = served_.client();
+    EXPECT_TRUE(served_.until([this] { return client_->service("/dock").has_value(); }));
   }
   std::string call(const std::string& encoding, const std::string& payload) {
     return "\x02" + bytes_of(client_->service("/dock").value_or(0)) + bytes_of(77) +
@@ -138,6 +139,7 @@ TEST_F(CallsTest, AServiceThatNobodyServesFailsAtItsDeadline) {
   params.service_timeout_s = 0.2;
   Served served(params, [dead] { return dead; });
   const auto client = served.client();
+  ASSERT_TRUE(served.until([&] { return client->service("/nobody").has_value(); }));
   client->say_bytes("\x02" + bytes_of(client->service("/nobody").value_or(0)) + bytes_of(1) +
                     bytes_of(4) + "json{}");
   EXPECT_TRUE(served.until([&] { return !client->heard("serviceCallFailure").empty(); }));

@@ -234,6 +234,30 @@ TEST_F(HubTest, TheGraphIsToldAsChanges) {
   EXPECT_THAT(told(1), ElementsAre(HasSubstr(R"("removedTopics":["/a"])")));
 }
 
+TEST_F(HubTest, AllClientsHearTheTime) {
+  sut_.add_client(2);
+  (void)told(2);
+  sut_.tell_time(1);
+  sut_.tell_time(2);
+  for (const ClientId client : {1U, 2U}) {
+    const auto frames = sut_.take(client, all);
+    ASSERT_EQ(frames.size(), 1U) << "the newest one only";
+    EXPECT_EQ(frames[0].head, "\x02\x02\x00\x00\x00\x00\x00\x00\x00"s);
+  }
+}
+
+TEST_F(HubTest, AnswersToAClientThatHasGoneGoNowhere) {
+  sut_.remove_client(1);
+  sut_.tell(1, Level::error, "x");
+  sut_.refuse_topic(1, 1, "x");
+  sut_.answer_parameters(1, {}, "id");
+  sut_.answer_service(1, {}, bytes("x"));
+  sut_.fail_service(1, {}, "x");
+  EXPECT_TRUE(say(1, {{"op", "subscribeConnectionGraph"}}).empty());
+  EXPECT_TRUE(told(1).empty());
+  EXPECT_EQ(sut_.clients(), 0U);
+}
+
 /// Whatever clients say, the hub stays sound: those who say nothing bad hear all the same.
 TEST_F(HubTest, NoFramesOfOneClientHarmAnother) {
   sut_.add_client(2);

@@ -33,7 +33,7 @@ class Served {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
     while (!done()) {
       if (std::chrono::steady_clock::now() > deadline) return false;
-      bus.run_for(std::chrono::milliseconds(1));
+      bus.run_for(std::chrono::milliseconds(10));
       std::this_thread::yield();
     }
     return true;

@@ -69,5 +69,53 @@ TEST(ServerMessageTest, BinaryFramesAreLittleEndian) {
             "cdr"s);
 }
 
+/// The lists of an update, by their keys.
+json update_of(const Graph& before, const Graph& now) { return parsed(graph_update(before, now)); }
+
+TEST(GraphUpdateTest, TellsAllToWhoKnowsNothing) {
+  Graph now;
+  now.publishers["/odom"] = {"/driver"};
+  now.subscribers["/odom"] = {"/navigator", "/recorder"};
+  now.servers["/dock"] = {"/driver"};
+  EXPECT_EQ(update_of({}, now), json::parse(R"({"op": "connectionGraphUpdate",
+              "publishedTopics": [{"name": "/odom", "publisherIds": ["/driver"]}],
+              "subscribedTopics": [{"name": "/odom", "subscriberIds": ["/navigator", "/recorder"]}],
+              "advertisedServices": [{"name": "/dock", "providerIds": ["/driver"]}],
+              "removedTopics": [], "removedServices": []})"));
+}
+
+TEST(GraphUpdateTest, TellsOnlyWhatHasChanged) {
+  Graph before;
+  before.publishers["/odom"] = {"/driver"};
+  before.publishers["/goal"] = {"/mission"};
+  Graph now = before;
+  now.publishers["/odom"].insert("/simulator");
+  const json update = update_of(before, now);
+  EXPECT_EQ(update.at("publishedTopics"),
+            json::parse(R"([{"name": "/odom", "publisherIds": ["/driver", "/simulator"]}])"));
+  EXPECT_EQ(update.at("subscribedTopics"), json::array());
+}
+
+TEST(GraphUpdateTest, ATopicIsGoneWhenNobodyWritesOrReadsIt) {
+  Graph before;
+  before.publishers["/odom"] = {"/driver"};
+  before.subscribers["/odom"] = {"/navigator"};
+  before.servers["/dock"] = {"/driver"};
+  Graph reading = before;
+  reading.publishers.clear();
+  const json silent = update_of(before, reading);
+  EXPECT_EQ(silent.at("publishedTopics"),
+            json::parse(R"([{"name": "/odom", "publisherIds": []}])"));
+  EXPECT_EQ(silent.at("removedTopics"), json::array());
+  Graph writing = before;
+  writing.subscribers.clear();
+  EXPECT_EQ(update_of(before, writing).at("subscribedTopics"),
+            json::parse(R"([{"name": "/odom", "subscriberIds": []}])"));
+  const json gone = update_of(before, {});
+  EXPECT_EQ(gone.at("removedTopics"), json({"/odom"}));
+  EXPECT_EQ(gone.at("removedServices"), json({"/dock"}));
+  EXPECT_EQ(gone.at("publishedTopics"), json::array());
+}
+
 }  // namespace
 }  // namespace tocsin::foxglove
