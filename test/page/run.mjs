@@ -41,7 +41,9 @@ const tocsin = installed("tocsin_cli", "bin/tocsin");
 
 /** The station's bag of a simulated mission. */
 function makeBag() {
-  const mission = "sim mission.yaml --seed 1 --duration 80 --set camera.in_simulated_time=drawn --run-dir";
+  const mission =
+    "sim mission.yaml --seed 1 --duration 80 --set transmission_controller.policy=tocp_dsp " +
+    "--set camera.in_simulated_time=drawn --run-dir";
   const made = spawnSync(tocsin, [...mission.split(" "), path.join(folder, "run")], { encoding: "utf8" });
   if (made.status !== 0) throw new Error(`tocsin ${mission}: ${made.stderr} ${made.error ?? ""}`);
   return path.join(folder, "run/gcs/bag/bag_0.mcap");
