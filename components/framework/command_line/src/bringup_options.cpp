@@ -26,6 +26,8 @@ void BringupOptions::declare(CLI::App& app) {
                  "channel file of the radio, in place of the file's");
   app.add_option("--security", overrides.security,
                  "keystore of the link, in place of the file's; see tocsin keystore");
+  app.add_option("--qos", overrides.qos, "QoS profiles, in place of the file's");
+  app.add_option("--traffic", overrides.traffic, "traffic classes, in place of the file's");
   app.add_option("--domain", domain, "first of three DDS domain ids, in place of the file's")
       ->check(CLI::Range(0, 229));
 }
@@ -48,6 +50,8 @@ std::vector<std::string> BringupOptions::arguments() const {
   for (const std::string& process : overrides.without) add("--without", process);
   if (!overrides.channel.empty()) add("--channel", overrides.channel);
   if (!overrides.security.empty()) add("--security", overrides.security);
+  if (!overrides.qos.empty()) add("--qos", overrides.qos);
+  if (!overrides.traffic.empty()) add("--traffic", overrides.traffic);
   if (domain) add("--domain", std::to_string(*domain));
   return words;
 }

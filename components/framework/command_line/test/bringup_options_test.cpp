@@ -41,7 +41,8 @@ TEST(BringupOptions, WithoutADomainTheFilesIsKept) {
 
 TEST(BringupOptions, CanBeGivenOnToAnotherCommand) {
   const std::string line =
-      "a.yaml --seed 7 --set x.a=1 --set x.b=2 --without uxv/payload --channel c.yaml --domain 9";
+      "a.yaml --seed 7 --set x.a=1 --set x.b=2 --without uxv/payload --channel c.yaml --security k "
+      "--qos q.yaml --traffic t.yaml --domain 9";
   std::string joined;
   for (const std::string& word : parsed(line).arguments()) {
     joined += (joined.empty() ? "" : " ") + word;

@@ -13,6 +13,7 @@
 #include "foundation/yaml_extends.hpp"
 #include "parameter_set.hpp"
 #include "reader.hpp"
+#include "replacements.hpp"
 
 namespace tocsin::deployment {
 namespace {
@@ -161,23 +162,6 @@ void merge_parameters(const ParameterSet& parameters, const std::vector<YamlRemo
   }
 }
 
-/// Puts the command line's channel in place of the file's.
-void replace_channel(const std::string& channel, Deployment& deployment) {
-  if (channel.empty()) return;
-  if (!deployment.radio) fail(deployment, "radio: is missing, so there is no channel to replace");
-  deployment.radio->channel = std::filesystem::absolute(channel);
-  if (!std::filesystem::exists(channel)) fail(deployment, "channel: no file " + channel);
-}
-
-/// Puts the command line's keystore in place of the file's.
-void replace_security(const std::string& folder, Deployment& deployment) {
-  if (folder.empty()) return;
-  deployment.security = std::filesystem::absolute(folder);
-  if (!std::filesystem::is_directory(folder)) {
-    fail(deployment, "--security " + printable(folder) + ": is no folder");
-  }
-}
-
 /// `parameters` come after the base's; what has a name is known by it.
 ListMerge bringup_lists(const YamlPath& path) {
   if (path == YamlPath{"parameters"}) return ListMerge::append;
@@ -248,8 +232,7 @@ Deployment load_deployment(const std::string& path, const Overrides& overrides) 
   const ParameterSet parameters = read_parameters(section, overrides, variables, sources);
   deployment.stop_when_exits = without_slash(deployment.stop_when_exits);
   check_whole(deployment);
-  replace_channel(overrides.channel, deployment);
-  replace_security(overrides.security, deployment);
+  replace_files(overrides, deployment);
   merge_parameters(parameters, removed, deployment);
   for (const std::string& process : overrides.without) leave_out(process, deployment);
   assign_domains(overrides.domain.value_or(domain), deployment);

@@ -54,18 +54,6 @@ TEST_F(DeploymentTest, TakesTheDomainOfTheCommandLine) {
   EXPECT_EQ(load(whole).link_domain, 92);
 }
 
-TEST_F(DeploymentTest, TakesTheChannelOfTheCommandLine) {
-  overrides_.channel = write("other_channel.yaml", "{}");
-  EXPECT_EQ(load(whole).radio->channel, path("other_channel.yaml"));
-}
-
-TEST_F(DeploymentTest, RejectsAChannelThatIsNotThereOrHasNoRadio) {
-  overrides_.channel = "/nowhere/channel.yaml";
-  EXPECT_THAT(error_of(whole), HasSubstr("channel: no file /nowhere/channel.yaml"));
-  const std::string radio = "radio:\n  channel: ../channel.yaml\n  walls: ../walls.yaml\n";
-  EXPECT_THAT(error_of(with(whole, radio, "")), HasSubstr("no channel to replace"));
-}
-
 TEST_F(DeploymentTest, AnOpenLinkHasNoEnclaves) {
   const auto deployment = load(whole);
   EXPECT_EQ(deployment.security, "");

@@ -42,6 +42,8 @@ std::string replay_of(const Options& options, const std::string& file) {
   for (const std::string& set : options.overrides.set) words += " --set '" + set + "'";
   for (const std::string& one : options.overrides.without) words += " --without " + one;
   if (!options.overrides.channel.empty()) words += " --channel " + options.overrides.channel;
+  if (!options.overrides.qos.empty()) words += " --qos " + options.overrides.qos;
+  if (!options.overrides.traffic.empty()) words += " --traffic " + options.overrides.traffic;
   if (!options.faults.empty()) words += " --faults " + options.faults;
   return words;
 }

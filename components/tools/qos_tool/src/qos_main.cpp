@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tocsin qos list | show | explain | diff | match | lint | export | import | set.
+// tocsin qos list | show | explain | diff | match | lint | export | import | set | tune.
 #include <CLI/CLI.hpp>
 
 #include "command_line/command.hpp"

@@ -77,6 +77,16 @@ void declare_vendors(CLI::App& app, Options& options) {
        "XML", options.one, "the file");
 }
 
+void declare_tune(CLI::App& app, Options& options) {
+  CLI::App* const tune = app.add_subcommand(
+      "tune", "tries settings in simulation, ranks them, and checks the best on the real stack");
+  need(*tune, "FILE", options.tune.file,
+       "what to try; a bare name is also looked for among the shipped experiments");
+  tune->add_option("--out", options.tune.out, "folder of the results [tuning/FILE]");
+  tune->add_option("--jobs", options.tune.jobs, "simulated runs at a time [all cores]")
+      ->check(CLI::Range(1, 256));
+}
+
 void declare_set(CLI::App& app, Options& options) {
   CLI::App* const set = app.add_subcommand("set", "changes policies of a topic that is in use");
   need(*set, "TOPIC", options.one, "its name, with or without the slash");
@@ -94,6 +104,7 @@ void declare(CLI::App& app, Options& options) {
   declare_lint(app, options);
   declare_vendors(app, options);
   declare_set(app, options);
+  declare_tune(app, options);
 }
 
 }  // namespace tocsin::qos_tool

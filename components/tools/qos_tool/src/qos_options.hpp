@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/middleware/host_bus.hpp"
+#include "tune/run_tune.hpp"
 
 namespace CLI {
 class App;
@@ -30,6 +31,7 @@ struct Options {
   double outage_s = 10;
   int mtu_bytes = 1500;
   bool clocks_are_synchronised = false;
+  TuneOptions tune;
 };
 
 /// Declares the verbs and their options.

@@ -179,6 +179,8 @@ int set(const Options& options) {
   return done.stopped.empty() ? 0 : negative;
 }
 
+int tune(const Options& options) { return run_tune(options.tune); }
+
 }  // namespace
 
 int run_verb(const std::string& verb, const Options& options) {
@@ -191,7 +193,8 @@ int run_verb(const std::string& verb, const Options& options) {
                                                  {"lint", lint_files},
                                                  {"export", export_profiles},
                                                  {"set", set},
-                                                 {"import", import_profiles}};
+                                                 {"import", import_profiles},
+                                                 {"tune", tune}};
   return verbs.at(verb)(options);
 }
 

@@ -37,6 +37,19 @@ bool is_refused(const std::vector<std::string>& words) {
   }
 }
 
+TEST(QosOptions, TuneTakesAFileAFolderAndJobs) {
+  const Parsed plain = parse({"tune", "tune.yaml"});
+  EXPECT_EQ(plain.verb, "tune");
+  EXPECT_EQ(plain.options.tune.file, "tune.yaml");
+  EXPECT_EQ(plain.options.tune.out, "");
+  EXPECT_FALSE(plain.options.tune.jobs);
+  const Parsed all = parse({"tune", "tune.yaml", "--out", "here", "--jobs", "2"});
+  EXPECT_EQ(all.options.tune.out, "here");
+  EXPECT_EQ(all.options.tune.jobs, 2);
+  EXPECT_TRUE(is_refused({"tune"}));
+  EXPECT_TRUE(is_refused({"tune", "tune.yaml", "--jobs", "0"}));
+}
+
 TEST(QosOptions, EveryVerbTakesItsNames) {
   EXPECT_EQ(parse({"list"}).verb, "list");
   EXPECT_EQ(parse({"show", "sensor"}).options.one, "sensor");

@@ -73,6 +73,8 @@ std::vector<std::string> launch_command(const Run& run, const Timing& timing,
     command.emplace_back("--set");
     command.push_back(setting);
   }
+  if (!overrides.qos.empty()) command.insert(command.end(), {"--qos", overrides.qos});
+  if (!overrides.traffic.empty()) command.insert(command.end(), {"--traffic", overrides.traffic});
   for (const std::string& process : overrides.without) {
     command.emplace_back("--without");
     command.push_back(process);

@@ -128,6 +128,15 @@ void resolve_files(const Reader& reader, Experiment& experiment) {
     }
     ++index;
   }
+  index = 0;
+  for (PolicyChoice& choice : experiment.policies) {
+    for (std::string* file : {&choice.qos, &choice.traffic}) {
+      if (file->empty()) continue;
+      *file = reader.absolute(*file);
+      reader.require_file(*file, "policies", index);
+    }
+    ++index;
+  }
 }
 
 void resolve_sets(const Reader& reader, Experiment& experiment) {

@@ -52,8 +52,12 @@ struct PolicyChoice {
   std::string name;
   std::string policy;            ///< of the decision library; empty: as `name`
   std::vector<std::string> set;  ///< "key=value" of the controller, or "component.key=value"
+  std::string qos;               ///< QoS file; empty: the bringup's
+  std::string traffic;           ///< traffic file; empty: the bringup's
   template <class Visitor>
   void visit(Visitor& v) {
+    v("qos", qos, "QoS file, relative to this one; empty: the bringup's");
+    v("traffic", traffic, "traffic file, relative to this one; empty: the bringup's");
     v("name", name, "word that names it in results");
     v("policy", policy, "policy of the decision library; empty: as name");
     v("set", set, "key=value of the transmission controller, or component.key=value");

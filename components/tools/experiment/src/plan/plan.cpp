@@ -77,6 +77,9 @@ std::string Run::id() const {
 std::string identity_of(const Run& run) {
   std::string text = run.mission.file + '\n' + run.channel.file + '\n' + std::to_string(run.seed) +
                      (run.payload.camera ? " camera " : " plain ") + run.policy.policy;
+  for (const std::string& file : {run.policy.qos, run.policy.traffic}) {
+    if (!file.empty()) text += ' ' + file;
+  }
   for (const auto* list : {&run.mission.set, &run.fitted, &run.payload.set, &run.policy.set}) {
     text += '\n';
     for (const std::string& one : *list) text += one + ' ';
@@ -126,6 +129,8 @@ deployment::Overrides overrides_of(const Run& run, const Timing& timing, const s
   overrides.seed = run.seed;
   overrides.channel = run.channel.file;
   overrides.without = timing.without;
+  overrides.qos = run.policy.qos;
+  overrides.traffic = run.policy.traffic;
   overrides.set.push_back("mission_control.mission_file=" + run.mission.file);
   overrides.set.push_back("transmission_controller.policy=" + run.policy.policy);
   for (const std::string& text : run.mission.set) overrides.set.push_back(text);

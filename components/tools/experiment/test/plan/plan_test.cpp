@@ -66,6 +66,25 @@ TEST(Plan, KnowsRunsOfTwoSetsThatAreTheSame) {
   EXPECT_NE(identity_of(*(other + 2)), identity_of(plan[0])) << "no camera";
 }
 
+TEST(Plan, APolicyMayHaveQosAndTrafficOfItsOwn) {
+  const ToyExperiment toy(
+      with(toy_text, "- {name: none}", "- {name: none, qos: near_a.yaml, traffic: near_b.yaml}"));
+  const auto experiment = toy.load();
+  const auto plan = make_plan(experiment);
+  const auto own = overrides_of(plan[0], experiment.timing, "/share", "/run");
+  EXPECT_EQ(own.qos, toy.path("near_a.yaml"));
+  EXPECT_EQ(own.traffic, toy.path("near_b.yaml"));
+  EXPECT_EQ(overrides_of(plan[3], experiment.timing, "/share", "/run").qos, "") << "the bringup's";
+  const auto shared = make_plan(ToyExperiment().load());
+  EXPECT_NE(identity_of(plan[0]), identity_of(shared[0])) << "another run";
+  EXPECT_THAT(
+      error_of([] {
+        (void)ToyExperiment(with(toy_text, "- {name: none}", "- {name: none, qos: gone.yaml}"))
+            .load();
+      }),
+      HasSubstr("policies[0].file: no file"));
+}
+
 TEST(Plan, CountsSeedsFromTheFirst) {
   const auto sut =
       make_plan(ToyExperiment(with(toy_text, "seeds: 3", "seeds: 1, first_seed: 7")).load());

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tune/ranking.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace tocsin::qos_tool {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+double mean_of(const std::vector<double>& values) {
+  return values.empty() ? unknown
+                        : std::accumulate(values.begin(), values.end(), 0.0) /
+                              static_cast<double>(values.size());
+}
+
+/// Mission, channel, payload and seed: runs that met the same radio.
+using RadioKey = std::string;
+using RowOfRadio = std::map<RadioKey, std::size_t>;
+
+/// The rows of runs that ended well, by candidate.
+std::map<std::string, RowOfRadio> rows_by_candidate(const CsvTable& runs) {
+  std::map<std::string, RowOfRadio> rows;
+  for (std::size_t row = 0; row < runs.rows(); ++row) {
+    if (!runs.text(row, "failure").empty() || std::isnan(runs.number(row, "user_cost"))) continue;
+    const RadioKey radio = runs.text(row, "mission") + '/' + runs.text(row, "channel") + '/' +
+                           runs.text(row, "payload") + '/' + runs.text(row, "index");
+    rows[runs.text(row, "policy")][radio] = row;
+  }
+  return rows;
+}
+
+/// Mean of a column over those rows in which it has an answer.
+double column_mean(const CsvTable& runs, const std::vector<std::size_t>& rows,
+                   const std::string& column) {
+  std::vector<double> values;
+  for (const std::size_t row : rows) {
+    const double value = runs.number(row, column);
+    if (!std::isnan(value)) values.push_back(value);
+  }
+  return mean_of(values);
+}
+
+RankedCandidate summary_of(const CsvTable& runs, const Candidate& candidate, const RowOfRadio& own,
+                           const RowOfRadio& shipped, std::size_t comparisons) {
+  std::vector<std::size_t> rows;
+  std::vector<double> differences;
+  for (const auto& [radio, row] : own) {
+    const auto other = shipped.find(radio);
+    if (other == shipped.end()) continue;
+    rows.push_back(row);
+    differences.push_back(runs.number(row, "user_cost") - runs.number(other->second, "user_cost"));
+  }
+  return {candidate,
+          rows.size(),
+          column_mean(runs, rows, "user_cost"),
+          mean_interval(differences, comparisons),
+          column_mean(runs, rows, "critical_late"),
+          column_mean(runs, rows, "high_late"),
+          column_mean(runs, rows, "low_delivered"),
+          column_mean(runs, rows, "location_age_p99"),
+          column_mean(runs, rows, "picture_latency_p99")};
+}
+
+bool is_shipped(const RankedCandidate& one) { return one.candidate.settings.empty(); }
+
+/// "better", "worse", or what the runs do not tell.
+std::string verdict_of(const RankedCandidate& one) {
+  if (is_shipped(one)) return "";
+  if (one.difference.high < 0) return "better";
+  return one.difference.low > 0 ? "worse" : "not told apart";
+}
+
+/// Whether two candidates came out the same in every run: what tells them apart had no effect.
+bool is_same(const RankedCandidate& a, const RankedCandidate& b) {
+  return a.runs == b.runs && a.cost == b.cost && a.difference.mean == b.difference.mean &&
+         a.picture_p99 == b.picture_p99 && a.location_age_p99 == b.location_age_p99;
+}
+
+/// In brackets behind the settings of a line, which has the one before it.
+std::string remark_of(const RankedCandidate& one, const RankedCandidate* before) {
+  if (before != nullptr && is_same(*before, one)) return " (as the line before)";
+  return is_shipped(one) ? "" : " (" + verdict_of(one) + ")";
+}
+
+std::string conclusion_of(const std::vector<RankedCandidate>& ranked) {
+  const auto best = std::find_if(ranked.begin(), ranked.end(), [](const RankedCandidate& one) {
+    return verdict_of(one) == "better";
+  });
+  if (best == ranked.end()) {
+    return "No candidate costs less than what is shipped by more than the runs' chance: it stands "
+           "confirmed.\n";
+  }
+  return fmt::format(
+      "Costs least, and less than what is shipped by {:.2f} [{:.2f}, {:.2f}] (95 % for all of "
+      "them): {}, {}.\n",
+      -best->difference.mean, -best->difference.high, -best->difference.low, best->candidate.name,
+      settings_text(best->candidate));
+}
+
+}  // namespace
+
+MeanInterval mean_interval(const std::vector<double>& values, std::size_t comparisons) {
+  const double mean = mean_of(values);
+  if (values.size() < 2) return {mean, unknown, unknown};
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const auto count = static_cast<double>(values.size());
+  const double error = std::sqrt(squares / (count - 1) / count);
+  const double t = boost::math::quantile(boost::math::complement(
+      boost::math::students_t(count - 1),
+      0.05 / 2 / static_cast<double>(std::max<std::size_t>(comparisons, 1))));
+  return {mean, mean - t * error, mean + t * error};
+}
+
+std::vector<RankedCandidate> rank(const CsvTable& runs, const std::vector<Candidate>& candidates) {
+  const auto rows = rows_by_candidate(runs);
+  std::vector<RankedCandidate> ranked;
+  const auto shipped = rows.find("shipped");
+  if (shipped == rows.end()) return ranked;
+  for (const Candidate& candidate : candidates) {
+    const auto own = rows.find(candidate.name);
+    if (own == rows.end()) continue;
+    ranked.push_back(
+        summary_of(runs, candidate, own->second, shipped->second, candidates.size() - 1));
+    if (ranked.back().runs == 0) ranked.pop_back();
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  return ranked;
+}
+
+std::string ranking_text(const std::vector<RankedCandidate>& ranked) {
+  if (ranked.empty()) return "no run ended well\n";
+  std::string text = fmt::format("{:<8} {:>5} {:>7} {:>24} {:>9} {:>7} {:>9} {:>9} {:>8}  {}\n",
+                                 "name", "runs", "cost", "minus shipped [95 % all]", "critical",
+                                 "high", "low", "location", "picture", "settings");
+  text += fmt::format("{:<8} {:>5} {:>7} {:>24} {:>9} {:>7} {:>9} {:>9} {:>8}\n", "", "", "", "",
+                      "late %", "late %", "deliv. %", "age s", "p99 ms");
+  const RankedCandidate* before = nullptr;
+  for (const RankedCandidate& one : ranked) {
+    const std::string difference =
+        is_shipped(one) ? ""
+                        : fmt::format("{:+.2f} [{:+.2f}, {:+.2f}]", one.difference.mean,
+                                      one.difference.low, one.difference.high);
+    text += fmt::format(
+        "{:<8} {:>5} {:>7.2f} {:>24} {:>9.2f} {:>7.2f} {:>9.1f} {:>9.3f} {:>8.0f}  {}{}\n",
+        one.candidate.name, one.runs, one.cost, difference, one.critical_late, one.high_late,
+        one.low_delivered, one.location_age_p99, one.picture_p99, settings_text(one.candidate),
+        remark_of(one, before));
+    before = &one;
+  }
+  return text + conclusion_of(ranked);
+}
+
+std::string ranking_csv(const std::vector<RankedCandidate>& ranked) {
+  std::string text =
+      "name,runs,cost,minus_shipped,low,high,critical_late,high_late,low_delivered,"
+      "location_age_p99,picture_p99,settings\n";
+  for (const RankedCandidate& one : ranked) {
+    text +=
+        fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},\"{}\"\n",
+                    one.candidate.name, one.runs, one.cost, one.difference.mean, one.difference.low,
+                    one.difference.high, one.critical_late, one.high_late, one.low_delivered,
+                    one.location_age_p99, one.picture_p99, settings_text(one.candidate));
+  }
+  return text;
+}
+
+}  // namespace tocsin::qos_tool

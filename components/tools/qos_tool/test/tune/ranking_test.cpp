@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tune/ranking.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tocsin::qos_tool {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::vector<Candidate> candidates{{"shipped", {}},
+                                        {"c1", {{"qos.stream.lifespan_s", "0.5"}}},
+                                        {"c2", {{"qos.stream.lifespan_s", "4"}}}};
+
+/// A row of runs.csv.
+std::string row(const char* policy, int index, const std::string& cost,
+                const std::string& failure = "") {
+  return std::string("b,thesis,camera,") + policy + "," + std::to_string(index) + "," + failure +
+         "," + cost + ",1,2,95,0.3,150\n";
+}
+
+std::vector<RankedCandidate> ranking(const std::string& rows) {
+  const std::string text =
+      "mission,channel,payload,policy,index,failure,user_cost,critical_late,high_late,"
+      "low_delivered,location_age_p99,picture_latency_p99\n" +
+      rows;
+  return rank(CsvTable(text), candidates);
+}
+
+TEST(MeanInterval, IsStudentsOverTheRuns) {
+  // Mean 3, standard deviation 1.581, error 0.7071; t(4, 97.5 %) = 2.776.
+  const MeanInterval sut = mean_interval({1, 2, 3, 4, 5});
+  EXPECT_DOUBLE_EQ(sut.mean, 3);
+  EXPECT_NEAR(sut.low, 3 - 2.776 * 0.7071, 1e-3);
+  EXPECT_NEAR(sut.high, 3 + 2.776 * 0.7071, 1e-3);
+  EXPECT_TRUE(std::isnan(mean_interval({1}).low));
+}
+
+TEST(MeanInterval, IsWiderWhenManyAreToHoldTogether) {
+  // Two comparisons: t(4, 98.75 %) = 3.495.
+  EXPECT_NEAR(mean_interval({1, 2, 3, 4, 5}, 2).high, 3 + 3.495 * 0.7071, 1e-3);
+}
+
+TEST(Rank, PairsRunsThatMetTheSameRadio) {
+  const auto sut =
+      ranking(row("shipped", 1, "10") + row("shipped", 2, "30") + row("shipped", 3, "20") +
+              row("c1", 3, "17.5") + row("c1", 1, "8") + row("c1", 2, "28.5") + row("c2", 1, "11") +
+              row("c2", 2, "31.5") + row("c2", 3, "20.5"));
+  ASSERT_EQ(sut.size(), 3U);
+  EXPECT_EQ(sut[0].candidate.name, "c1");
+  EXPECT_DOUBLE_EQ(sut[0].difference.mean, -2);
+  EXPECT_LT(sut[0].difference.high, 0) << "though runs differ by 20";
+  EXPECT_DOUBLE_EQ(sut[0].cost, 18);
+  EXPECT_EQ(sut[1].candidate.name, "shipped");
+  EXPECT_EQ(sut[2].candidate.name, "c2");
+  const std::string text = ranking_text(sut);
+  EXPECT_THAT(text, HasSubstr("Costs least, and less than what is shipped by 2.00"));
+  EXPECT_THAT(text, HasSubstr("qos.stream.lifespan_s=0.5 (better)"));
+  EXPECT_THAT(text, HasSubstr("c2"));
+}
+
+TEST(Rank, ARunThatFailedCountsForNobody) {
+  const auto sut = ranking(row("shipped", 1, "10") + row("shipped", 2, "", "crashed") +
+                           row("c1", 1, "9") + row("c1", 2, "1"));
+  ASSERT_EQ(sut.size(), 2U);
+  EXPECT_EQ(sut[0].runs, 1U);
+  EXPECT_DOUBLE_EQ(sut[0].cost, 9);
+}
+
+TEST(Rank, WithoutEnoughRunsNothingIsToldApart) {
+  const auto sut = ranking(row("shipped", 1, "10") + row("c1", 1, "9"));
+  EXPECT_THAT(ranking_text(sut), HasSubstr("it stands confirmed"));
+  EXPECT_THAT(ranking_text(sut), HasSubstr("(not told apart)"));
+  EXPECT_EQ(ranking_text({}), "no run ended well\n");
+  EXPECT_TRUE(ranking(row("c1", 1, "9")).empty()) << "nothing to compare with";
+}
+
+TEST(Rank, SaysWhichSettingsMadeNoDifference) {
+  const std::string text =
+      ranking_text(ranking(row("shipped", 1, "10") + row("shipped", 2, "11") + row("c1", 1, "10") +
+                           row("c1", 2, "11") + row("c2", 1, "12") + row("c2", 2, "13")));
+  EXPECT_THAT(text, HasSubstr("qos.stream.lifespan_s=0.5 (as the line before)"));
+  EXPECT_THAT(text, HasSubstr("qos.stream.lifespan_s=4 (worse)"));
+}
+
+TEST(Rank, AnswersThatARunHasNotAreLeftOutOfTheMeans) {
+  const std::string blind = "b,thesis,camera,shipped,1,,10,1,2,95,,\n";
+  const auto sut = ranking(blind + row("shipped", 2, "10"));
+  ASSERT_EQ(sut.size(), 1U);
+  EXPECT_DOUBLE_EQ(sut[0].location_age_p99, 0.3);
+  EXPECT_DOUBLE_EQ(sut[0].picture_p99, 150);
+}
+
+TEST(Rank, IsWrittenForPrograms) {
+  const auto sut = ranking(row("shipped", 1, "10") + row("shipped", 2, "10") + row("c1", 1, "8") +
+                           row("c1", 2, "9"));
+  const CsvTable table(ranking_csv(sut));
+  ASSERT_EQ(table.rows(), 2U);
+  EXPECT_EQ(table.text(0, "name"), "c1");
+  EXPECT_DOUBLE_EQ(table.number(0, "minus_shipped"), -1.5);
+  EXPECT_DOUBLE_EQ(table.number(0, "cost"), 8.5);
+  EXPECT_DOUBLE_EQ(table.number(0, "picture_p99"), 150);
+  EXPECT_EQ(table.text(1, "settings"), "as shipped");
+  EXPECT_EQ(table.text(0, "settings"), "qos.stream.lifespan_s=0.5");
+}
+
+}  // namespace
+}  // namespace tocsin::qos_tool
