@@ -69,6 +69,7 @@ TEST(HostPictureTest, ShowsServicesByTheirServers) {
   EXPECT_EQ(sut.services[0].name, "/dock");
   EXPECT_EQ(sut.services[0].type, "std_srvs/srv/Trigger");
   EXPECT_EQ(service_of(sut.services[0]).response.name, "std_srvs/srv/Trigger_Response");
+  EXPECT_EQ(service_of(sut.services[0]).response.encoding, "ros2msg");
 }
 
 TEST(HostPictureTest, TheGraphNamesNodesAndElseProcesses) {

@@ -15,6 +15,7 @@
 #include "deployment/run_folder.hpp"
 #include "foundation/error.hpp"
 #include "launcher.hpp"
+#include "served_port.hpp"
 
 namespace tocsin::cli {
 namespace {
@@ -59,6 +60,8 @@ int launch(BringupOptions& options) {
   const std::string resolved = overrides.run_dir + "/deployment.yaml";
   const deployment::ResolvedCopy copy(deployment);
   const auto specs = plan_processes(deployment, {resolved, copy.path()}, folders);
+  auto ports = served_ports(deployment);
+  listen_for(ports);
   std::vector<HostNetwork> networks;
   if (deployment.radio) {
     enter_private_world();
@@ -75,6 +78,7 @@ int launch(BringupOptions& options) {
     launcher.add(plan_radio(deployment, descriptors, folders));
   }
   for (const ProcessSpec& spec : specs) launcher.add(spec);
+  launcher.serve(std::move(ports));
   return launcher.run();
 }
 

@@ -40,6 +40,18 @@ void Launcher::add(ProcessSpec spec) {
   processes_.emplace_back(std::move(spec), deployment_.restart, journal_);
 }
 
+void Launcher::serve(std::vector<ServedPort> ports) {
+  for (const ServedPort& one : ports) {
+    if (one.socket) {
+      journal_.say(one.process + " serves " + one.url);
+    } else {
+      journal_.say(one.process + " cannot serve " + one.url + ": " + one.fault +
+                   "; all else goes on");
+    }
+  }
+  ports_ = std::move(ports);
+}
+
 int Launcher::run() {
   const Time begin = clock_now();
   if (networks_.empty()) {
@@ -70,6 +82,9 @@ void Launcher::start(Process& process, Time now) {
     for (const HostNetwork& each : networks_) inherited.push_back(each.descriptor());
   } else if (!networks_.empty()) {
     network = networks_[*host].descriptor();
+  }
+  for (const ServedPort& one : ports_) {
+    if (one.process == process.spec().name && one.socket) inherited.push_back(one.socket.get());
   }
   process.start(network, inherited, now);
   write_processes();

@@ -11,6 +11,7 @@
 #include "journal.hpp"
 #include "network.hpp"
 #include "process.hpp"
+#include "served_port.hpp"
 #include "signals.hpp"
 
 namespace tocsin::cli {
@@ -22,6 +23,8 @@ class Launcher {
   /// none. All references must outlive the launcher.
   Launcher(const deployment::Deployment& deployment, const std::vector<HostNetwork>& networks,
            Signals& signals, Journal& journal);
+  /// Tells of each port, on the terminal, and hands its socket to its process.
+  void serve(std::vector<ServedPort> ports);
   /// Adds a process; they start in this order, the first alone until the radio link is there.
   void add(ProcessSpec spec);
   /// Runs until everything has ended; the exit code of the program.
@@ -52,6 +55,7 @@ class Launcher {
   Signals& signals_;
   Journal& journal_;
   std::list<Process> processes_;
+  std::vector<ServedPort> ports_;
   Phase phase_ = Phase::running;
   Time link_deadline_ = never;
   Process* ending_ = nullptr;  ///< the process that has been told to stop
