@@ -56,9 +56,14 @@ Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arr
   Peer& from = known->second;
   const auto found = from.streams.find(arrived.stream);
   if (found == from.streams.end()) return Disposition::unknown_stream;
-  note(found->second, arrived.number, now);
   ask_for_receipt(from, now);
-  return judge(from, found->second.rule, arrived.origin, now);
+  const StreamRule& rule = found->second.rule;
+  const Disposition disposition = judge(from, rule, arrived.origin, now);
+  const bool came_in_vain =
+      disposition == Disposition::superseded || disposition == Disposition::expired;
+  // Of a stored stream it follows in another way, unless a receipt tells of it.
+  if (!rule.stored || !came_in_vain) note(found->second, arrived.number, now);
+  return disposition;
 }
 
 void LinkReceiver::note(Stream& stream, TransmissionNumber number, Time now) {
@@ -121,6 +126,11 @@ void LinkReceiver::ask_for_receipt(Peer& peer, Time now) const {
   if (peer.receipt_sent)
     due = std::max(due, *peer.receipt_sent + seconds(params_.receipt_period_s));
   peer.receipt_due = std::min(peer.receipt_due, due);
+}
+
+void LinkReceiver::ask_for_receipt(const std::string& peer, Time now) {
+  const auto known = peers_.find(peer);
+  if (known != peers_.end() && known->second.incarnation) ask_for_receipt(known->second, now);
 }
 
 std::optional<LinkReceiver::Addressed> LinkReceiver::take_receipt(Time now) {

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "fill_in_link.hpp"
 #include "foundation/error.hpp"
 #include "router_messages.hpp"
+#include "router_store.hpp"
 #include "runtime/component_entry.hpp"
 #include "runtime/middleware/link_permissions.hpp"
 
@@ -40,6 +42,18 @@ std::unique_ptr<LinkBus> open_link(Bus& bus, Schedule& schedule) {
   return link;
 }
 
+/// Between what the store keeps up besides: ages, and what a power cut may take.
+constexpr Duration keep_period = std::chrono::seconds(5);
+
+std::string store_folder(const Context& context, const std::string& directory) {
+  if (!directory.empty() || context.run_dir.empty()) return directory;
+  return context.run_dir + "/" + to_string(context.role) + "/store";
+}
+
+sample_log::LogLimits limits_of(const LinkRouterComponent::Params& params) {
+  return {static_cast<std::uint64_t>(params.store_bytes), seconds(params.store_age_s)};
+}
+
 }  // namespace
 
 LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
@@ -49,17 +63,27 @@ LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
       sender_(params.link, this_life),
       receiver_(params.link, this_life),
       link_(open_link(bus(), schedule())),
-      receipts_(link_->open(receipt_flow(), TrafficClass::critical)) {}
+      receipts_(link_->open(receipt_flow(), TrafficClass::critical)),
+      store_(std::make_unique<RouterStore>(
+          context.devices, store_folder(context, params.store_directory), limits_of(params),
+          [this] { schedule().input_arrived(); })),
+      fill_ins_(std::make_unique<FillInLink>(FillInLink::Parts{*link_, sender_, *store_, log()},
+                                             params.link)) {}
+
+LinkRouterComponent::~LinkRouterComponent() = default;
 
 void LinkRouterComponent::tick(Time now) {
+  if (now >= next_keep_) keep_store(now);
   follow_gate(now);
   take_events(now);
+  fill_ins_->follow();
   send(now);
+  fill_ins_->follow();
   answer(now);
   if (now >= next_budget_) tell_budgets(now);
   if (now >= next_report_) report(now);
   wake_at(std::min({sender_.deadline(now), receiver_.deadline(), keeper_.deadline(now),
-                    next_budget_, next_report_}));
+                    fill_ins_->deadline(now), next_budget_, next_report_, next_keep_}));
 }
 
 void LinkRouterComponent::follow_gate(Time now) {
@@ -81,11 +105,14 @@ void LinkRouterComponent::take_events(Time now) {
 void LinkRouterComponent::on(const link_event::HostFlow& event, Time) {
   const TrafficRule& rule = link_->rules().of(event.what.topic);
   Outgoing& flow = outgoing_[event.flow];
-  flow.on_link = link_->open(event.what, rule.traffic_class);
+  Flow on_link = event.what;
+  on_link.stored = rule.stored;
+  flow.on_link = link_->open(on_link, rule.traffic_class);
   flow.topic = event.what.topic;
   flow.rule = stream_rule(event.what, rule);
   by_link_[flow.on_link] = &flow;
   sender_.add_stream(flow.on_link, flow.rule);
+  if (rule.stored) fill_ins_->add(flow.on_link, event.what, flow.rule);
 }
 
 void LinkRouterComponent::on(const link_event::HostFlowGone& event, Time now) {
@@ -93,6 +120,7 @@ void LinkRouterComponent::on(const link_event::HostFlowGone& event, Time now) {
   if (found == outgoing_.end()) return;
   send(now);  // the last words of who left
   sender_.remove_stream(found->second.on_link);
+  fill_ins_->remove(found->second.on_link);
   link_->close(found->second.on_link);
   by_link_.erase(found->second.on_link);
   outgoing_.erase(found);
@@ -101,6 +129,9 @@ void LinkRouterComponent::on(const link_event::HostFlowGone& event, Time now) {
 void LinkRouterComponent::on(const link_event::HostSample& event, Time now) {
   const auto found = outgoing_.find(event.flow);
   if (found == outgoing_.end()) return;
+  if (found->second.rule.stored) {
+    fill_ins_->offer(found->second.on_link, event.sample, now, bus().wall_ns(now));
+  }
   sender_.offer(found->second.on_link,
                 {origin_of(event.sample), event.sample.bytes, event.sample.content}, now);
 }
@@ -120,18 +151,27 @@ void LinkRouterComponent::on(const link_event::PeerLost& event, Time now) {
     sender_.forget_peer(found->second, now);
     receiver_.forget_peer(found->second);
     lives_.erase(found->second);
+    fill_ins_->on_lost(event.peer);
     log().warn("{} has left the link", found->second);
   }
   peers_.erase(found);
 }
 
-void LinkRouterComponent::on(const link_event::PeerFlow& event, Time) {
+void LinkRouterComponent::on(const link_event::PeerFlow& event, Time now) {
   const auto peer = peers_.find(event.peer);
   if (peer == peers_.end()) return;
-  const bool is_receipt = event.what.topic == link_receipt_topic;
-  incoming_[event.flow] = {event.peer, event.wire_id, is_receipt};
-  if (is_receipt) return;
-  receiver_.on_stream(peer->second, event.wire_id, stream_rule(event.what, {}));
+  Incoming& flow = incoming_[event.flow];
+  flow = {event.peer, event.wire_id, Incoming::Kind::samples, stream_rule(event.what, {})};
+  if (event.what.topic == link_receipt_topic) {
+    flow.kind = Incoming::Kind::receipts;
+    return;
+  }
+  receiver_.on_stream(peer->second, event.wire_id, flow.rule);
+  if (event.what.topic == fill_in_topic) {
+    flow.kind = Incoming::Kind::fill_ins;
+    return;
+  }
+  if (event.what.stored) store_->open(now, bus().wall_ns(now));
   link_->offer(event.flow);
 }
 
@@ -145,8 +185,10 @@ void LinkRouterComponent::on(const link_event::PeerFlowGone& event, Time) {
 
 void LinkRouterComponent::on(const link_event::PeerListens& event, Time now) {
   const auto peer = peers_.find(event.peer);
+  if (peer == peers_.end()) return;
+  if (event.flow == fill_ins_->flow()) fill_ins_->on_listener({peer->second, event.peer}, now);
   const bool is_stream = by_link_.count(event.flow) != 0;
-  if (peer != peers_.end() && is_stream) sender_.set_wanted(peer->second, event.flow, true, now);
+  if (is_stream) sender_.set_wanted(peer->second, event.flow, true, now);
 }
 
 void LinkRouterComponent::on(const link_event::LinkSample& event, Time now) {
@@ -154,10 +196,19 @@ void LinkRouterComponent::on(const link_event::LinkSample& event, Time now) {
   if (from == incoming_.end()) return;
   const auto peer = peers_.find(from->second.peer);
   if (peer == peers_.end()) return;
-  if (from->second.is_receipt) return take_receipt(from->second, event.sample, now);
+  const Incoming& flow = from->second;
+  if (flow.kind == Incoming::Kind::receipts) return take_receipt(flow, event.sample, now);
   const router::Disposition disposition = receiver_.on_arrived(
-      peer->second, {from->second.wire_id, event.number, origin_of(event.sample)}, now);
-  if (disposition == router::Disposition::deliver) link_->give(event.flow, event.sample);
+      peer->second, {flow.wire_id, event.number, origin_of(event.sample)}, now);
+  if (flow.kind == Incoming::Kind::fill_ins) {
+    store_->open(now, bus().wall_ns(now));
+    return fill_ins_->on_batch({peer->second, flow.peer}, event.sample);
+  }
+  if (disposition != router::Disposition::deliver) return;
+  const bool was_given =
+      flow.rule.stored && !fill_ins_->on_live(peer->second, flow.rule, event.sample);
+  // Late readers ask for the last sample of a state, whoever has it already.
+  if (!was_given || flow.rule.durable) link_->give(event.flow, event.sample);
 }
 
 void LinkRouterComponent::take_receipt(const Incoming& from, const CarriedSample& sample,
@@ -170,6 +221,7 @@ void LinkRouterComponent::take_receipt(const Incoming& from, const CarriedSample
   receipt->from = from.peer;
   receipt->to = this_life;
   sender_.on_receipt(peers_.at(from.peer), *receipt, now);
+  fill_ins_->on_progress(from.peer, {message->fill_in_session(), message->fill_in_number()}, now);
 }
 
 std::optional<router::StreamId> LinkRouterComponent::stream_of(std::uint32_t wire_id) const {
@@ -189,67 +241,30 @@ void LinkRouterComponent::send(Time now) {
     }
     flow.sent_bytes += transmission->sample.bytes;
   }
+  fill_ins_->send(now);
 }
 
 void LinkRouterComponent::answer(Time now) {
+  for (const std::string& peer : fill_ins_->take_progressed()) receiver_.ask_for_receipt(peer, now);
   while (const auto due = receiver_.take_receipt(now)) {
     auto message = std::make_shared<Receipt>(to_message(due->receipt));
     message->from_life(link_->self());
     message->to_life(lives_[due->peer]);
+    const auto progress = fill_ins_->progress({due->peer, lives_[due->peer]});
+    message->fill_in_session(progress.session);
+    message->fill_in_number(progress.number);
     (void)link_->send(receipts_, link_->pack(type_info<Receipt>(), std::move(message)));
   }
 }
 
-void LinkRouterComponent::tell_budgets(Time now) {
-  next_budget_ = next_instant(seconds(params_.budget_period_s), now);
-  tocsin_msgs::msg::LinkBudget message;
-  message.stamp(wall(now));
-  message.role(to_string(context().role));
-  for (const router::StreamBudget& budget : sender_.budgets(now)) {
-    tocsin_msgs::msg::StreamBudget stream;
-    stream.topic(by_link_.at(budget.stream)->topic);
-    stream.bytes_per_s(static_cast<float>(budget.bytes_per_s));
-    stream.scale(static_cast<float>(budget.scale));
-    stream.hold(budget.hold);
-    message.streams().push_back(std::move(stream));
-  }
-  if (message.streams().empty()) return;
-  if (budget_.write(std::move(message)) == Status::failed) log().warn("a budget was not told");
-}
-
-void LinkRouterComponent::report(Time now) {
-  next_report_ = next_instant(seconds(params_.report_period_s), now);
-  tocsin_msgs::msg::LinkState message = to_message(sender_.state(now), link_->packets());
-  message.stamp(wall(now));
-  message.role(to_string(context().role));
-  if (link_state_.write(std::move(message)) == Status::failed) {
-    log().warn("the state of the link was not told");
-  }
-  report_traffic(now);
-}
-
-void LinkRouterComponent::report_traffic(Time now) {
-  tocsin_msgs::msg::TrafficReport message;
-  message.stamp(wall(now));
-  message.role(to_string(context().role));
-  message.process(name());
-  for (const auto& entry : outgoing_) {
-    const Outgoing& flow = entry.second;
-    tocsin_msgs::msg::TopicTraffic one;
-    one.topic(flow.topic);
-    one.traffic_class(to_string(link_->rules().of(flow.topic).traffic_class));
-    one.paused(!open_ && flow.rule.while_paused != router::WhilePaused::send);
-    const router::StreamCounts counts = sender_.stream_counts(flow.on_link);
-    one.written(counts.offered);
-    one.sent(counts.sent);
-    one.dropped(counts.dropped);
-    one.held(counts.paused);
-    one.sent_bytes(flow.sent_bytes);
-    message.topics().push_back(std::move(one));
-  }
-  if (traffic_.write(std::move(message)) == Status::failed) {
-    log().warn("the traffic report was refused by the middleware");
-  }
+/// What an earlier life has left crosses though nobody writes it now.
+void LinkRouterComponent::keep_store(Time now) {
+  next_keep_ = next_instant(keep_period, now);
+  const auto& rules = link_->rules().all();
+  const bool stores =
+      std::any_of(rules.begin(), rules.end(), [](const auto& rule) { return rule.second.stored; });
+  if (stores) store_->open(now, bus().wall_ns(now));
+  store_->keep(now);
 }
 
 }  // namespace tocsin

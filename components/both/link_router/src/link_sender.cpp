@@ -44,17 +44,20 @@ void LinkSender::add_stream(StreamId stream, const StreamRule& rule) {
 void LinkSender::remove_stream(StreamId stream) {
   const auto found = streams_.find(stream);
   if (found == streams_.end()) return;
-  std::uint64_t& removed = counts(found->second.rule.traffic_class)
-                               .dropped[static_cast<std::size_t>(DropReason::removed)];
-  removed += queue_.take_stream(stream).size();
-  for (const auto& entry : found->second.sources) removed += entry.second.held ? 1 : 0;
-  streams_.erase(found);
-  log_.forget_stream(stream);
+  for (const Waiting& waiting : queue_.take_stream(stream)) {
+    count_dropped(found->second, waiting, DropReason::removed);
+  }
+  for (const auto& entry : found->second.sources) {
+    if (entry.second.held) count_dropped(found->second, *entry.second.held, DropReason::removed);
+  }
   for (const SentSamplePtr& sent : open_) {
     if (sent->stream != stream) continue;
+    tell_fate(*sent, LiveFate::did_not_cross);
     sent->superseded = true;
     sent->under_way = 0;
   }
+  streams_.erase(found);
+  log_.forget_stream(stream);
   for (auto& entry : peers_) entry.second.wanted.erase(stream);
 }
 
@@ -173,11 +176,11 @@ void LinkSender::enqueue(Stream& stream, const Waiting& waiting) {
 
 void LinkSender::hold(Stream& stream, const Waiting& waiting) {
   if (stream.rule.while_paused == WhilePaused::drop) {
-    count_dropped(stream, DropReason::paused);
+    count_dropped(stream, waiting, DropReason::paused);
     return;
   }
   auto& held = source_of(stream, waiting.sample).held;
-  if (held) count_dropped(stream, DropReason::paused);
+  if (held) count_dropped(stream, *held, DropReason::paused);
   held = waiting;
 }
 
@@ -200,14 +203,22 @@ void LinkSender::set_paused(bool paused, Time now) {
 
 void LinkSender::count_dropped(const std::vector<Dropped>& dropped) {
   for (const Dropped& one : dropped) {
-    count_dropped(streams_.at(one.waiting.stream), one.reason);
+    count_dropped(streams_.at(one.waiting.stream), one.waiting, one.reason);
   }
 }
 
-void LinkSender::count_dropped(Stream& stream, DropReason reason) {
+void LinkSender::count_dropped(Stream& stream, const Waiting& waiting, DropReason reason) {
   ++counts(stream.rule.traffic_class).dropped[static_cast<std::size_t>(reason)];
   ++stream.counts.dropped;
   if (reason == DropReason::paused) ++stream.counts.paused;
+  if (!stream.rule.stored) return;
+  fates_.push_back({waiting.stream, waiting.sample.origin, LiveFate::did_not_cross});
+}
+
+void LinkSender::tell_fate(const SentSample& sent, LiveFate fate) {
+  const auto stream = streams_.find(sent.stream);
+  if (!sent.counted || stream == streams_.end() || !stream->second.rule.stored) return;
+  fates_.push_back({sent.stream, sent.sample.origin, fate});
 }
 
 StreamCounts LinkSender::stream_counts(StreamId stream) const {

@@ -61,6 +61,7 @@ void LinkSender::apply(const Settlement& settlement, Time now) {
 
 void LinkSender::count_delivered(SentSample& sent) {
   sent.fate = SentSample::Fate::delivered;
+  tell_fate(sent, LiveFate::crossed);
   if (!sent.counted) return;
   ClassCounts& count = counts(sent.traffic_class);
   ++count.delivered;
@@ -72,6 +73,7 @@ void LinkSender::conclude(SentSample& sent) {
   if (sent.missing.empty() && sent.came) return count_delivered(sent);
   const bool unwanted = sent.missing.empty();
   sent.fate = unwanted ? SentSample::Fate::unwanted : SentSample::Fate::lost;
+  tell_fate(sent, LiveFate::did_not_cross);
   if (!sent.counted) return;
   ClassCounts& count = counts(sent.traffic_class);
   ++(unwanted ? count.unwanted : count.lost);

@@ -151,6 +151,8 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
   sent->repair_at = now + repair_wait(*sent, expected);
   log_.add(record);
   ClassCounts& count = counts(sent->traffic_class);
+  sent_at_ = now;
+  if (stream.fills_in) return {sent->stream, record.number, sent->sample, false};
   if (!stream.rule.adaptive) others_.add(cost.bytes, now);
   if (repair || !sent->counted) {
     ++count.repairs;
@@ -158,7 +160,6 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
     repair_bytes_ = repair_allowance(now) - static_cast<double>(cost.bytes);
     repair_filled_ = now;
   }
-  sent_at_ = now;
   return {sent->stream, record.number, sent->sample, repair};
 }
 

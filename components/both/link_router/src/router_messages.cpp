@@ -66,6 +66,7 @@ router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule) {
   stream.durable = flow.transient_local;
   stream.adaptive = rule.adaptive;
   stream.min_rate_hz = rule.min_rate_hz;
+  stream.stored = rule.stored || flow.stored;
   return stream;
 }
 

@@ -57,6 +57,7 @@ class ScriptedLink {
   std::vector<Sent> sent;
   std::vector<Given> given;
   std::vector<FlowId> offered;
+  std::map<FlowId, Flow> offered_here;  ///< flows that are no peer's
   std::vector<bool> gate;  ///< each time that it changed: open
   bool is_up = true;
   TrafficRules rules;
@@ -87,8 +88,21 @@ class ScriptedLinkBus final : public LinkBus {
     return ++numbers_[flow];
   }
   void offer(FlowId flow) override { script_.offered.push_back(flow); }
+  FlowId offer(const Flow& flow) override {
+    script_.offered_here[++last_] = flow;
+    return last_;
+  }
   void give(FlowId flow, const CarriedSample& sample) override {
     script_.given.push_back({flow, sample});
+  }
+  [[nodiscard]] std::vector<std::uint8_t> bytes_of(const CarriedSample& sample) const override {
+    return std::vector<std::uint8_t>(sample.bytes, static_cast<std::uint8_t>(sample.sequence));
+  }
+  [[nodiscard]] CarriedSample sample_of(std::vector<std::uint8_t> bytes) const override {
+    CarriedSample sample;
+    sample.bytes = static_cast<std::uint32_t>(bytes.size());
+    sample.content = std::make_shared<std::vector<std::uint8_t>>(std::move(bytes));
+    return sample;
   }
   [[nodiscard]] CarriedSample pack(const TypeInfo& type,
                                    std::shared_ptr<const void> message) const override {

@@ -17,6 +17,11 @@ class NoWireless final : public network::WirelessDevice {
   }
 };
 
+class AtOnce final : public Background {
+  void post(std::function<void()> work) override { work(); }
+  [[nodiscard]] std::size_t waiting() const override { return 0; }
+};
+
 }  // namespace
 
 OpenedSerial AbsentDevices::open_serial(const std::string& path, Readable /*readable*/) {
@@ -42,5 +47,7 @@ std::optional<std::string> AbsentDevices::read_text(const std::string& /*path*/)
 }
 
 std::vector<std::string> AbsentDevices::list_folder(const std::string& /*path*/) { return {}; }
+
+std::unique_ptr<Background> AbsentDevices::open_background() { return std::make_unique<AtOnce>(); }
 
 }  // namespace tocsin

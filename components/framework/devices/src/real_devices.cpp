@@ -5,6 +5,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "background_thread.hpp"
 #include "devices/devices.hpp"
 #include "evdev_gamepad.hpp"
 #include "icmp_socket.hpp"
@@ -52,6 +53,9 @@ class RealDevices final : public Devices {
     return names;
   }
 
+  std::unique_ptr<Background> open_background() override {
+    return std::make_unique<BackgroundThread>();
+  }
   [[nodiscard]] bool keeps_files() const override { return true; }
   [[nodiscard]] bool has_spectators() const override { return true; }
 };

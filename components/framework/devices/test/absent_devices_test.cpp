@@ -35,6 +35,14 @@ TEST_F(AbsentDevicesTest, SayThatThereIsNoRadio) {
   EXPECT_EQ(reading.note, "this computer has no wireless interface");
 }
 
+TEST_F(AbsentDevicesTest, DoBackgroundWorkAtOnce) {
+  bool done = false;
+  const auto background = sut_.open_background();
+  background->post([&] { done = true; });
+  EXPECT_TRUE(done);
+  EXPECT_EQ(background->waiting(), 0U);
+}
+
 TEST_F(AbsentDevicesTest, HaveNoFiles) {
   EXPECT_FALSE(sut_.read_text("/proc/stat"));
   EXPECT_TRUE(sut_.list_folder("/").empty());

@@ -46,6 +46,8 @@ Kept FileSink::append(const std::vector<Span>& parts) {
   return Kept::all;
 }
 
+void FileSink::sync() { (void)::fdatasync(file_.get()); }
+
 Kept MemorySink::append(const std::vector<Span>& parts) {
   for (const Span& part : parts) bytes_.insert(bytes_.end(), part.data, part.data + part.size);
   return Kept::all;

@@ -73,9 +73,13 @@ SeedOutcome run_checked(deployment::Deployment deployment, WorldOptions options,
   SeedOutcome checked;
   checked.seed = static_cast<std::uint64_t>(deployment.seed);
   checked.faults = options.faults;
-  SimWorld world(std::move(deployment), options);
-  checked.outcome = world.run(seconds(last_fault_s + limits.recovers_s));
+  const std::string run_dir = deployment.run_dir;
+  {
+    SimWorld world(std::move(deployment), options);
+    checked.outcome = world.run(seconds(last_fault_s + limits.recovers_s));
+  }
   invariants.on_end(checked.outcome);
+  invariants.on_logs(run_dir, checked.outcome);
   checked.violations = invariants.violations();
   checked.checks = invariants.checks();
   return checked;

@@ -91,6 +91,11 @@ void SimHost::give(const Flow& flow, const CarriedSample& carried, const Freight
   sample.source = carried.source;
   sample.bytes = carried.bytes;
   all.carried[carried.source] = {freight.from->host, flow.user_data};
+  if (network_.core.observer != nullptr) {
+    const GivenAs as = flow.topic == freight.from->topic ? GivenAs::live : GivenAs::filled_in;
+    network_.core.observer->on_given(
+        {*freight.from, name_, network_.core.now, freight.written, as});
+  }
   if (flow.transient_local) all.last_carried[freight.from->host + "|" + flow.user_data] = sample;
   for (SimProcess::Topic* topic : all.processes) {
     if (!topic->carried.is_first(sample.source, sample.sequence)) continue;

@@ -30,6 +30,8 @@ struct Network {
   QosProfiles qos;
   std::map<std::string, SimLinkBus*> routers = {};  ///< that live, by the name of their host
   PeerId router_lives = 0;
+  /// What the logs of routers hold instead of encoded samples, by number: outlives their routers.
+  std::vector<std::shared_ptr<const void>> logged = {};
   /// The living router with this life; null: it has died.
   [[nodiscard]] SimLinkBus* find_router(PeerId life) const;
 };

@@ -209,9 +209,14 @@ void SimLinkBus::on_arrived(PeerId peer, FlowId flow, std::uint64_t number,
 
 void SimLinkBus::offer(FlowId) {}
 
-void SimLinkBus::give(FlowId peer_flow, const CarriedSample& sample) {
-  const auto flow = known_.find(peer_flow);
-  if (flow != known_.end()) host_.give(flow->second, sample, freight(sample));
+FlowId SimLinkBus::offer(const Flow& flow) {
+  known_[++last_flow_] = flow;
+  return last_flow_;
+}
+
+void SimLinkBus::give(FlowId flow, const CarriedSample& sample) {
+  const auto found = known_.find(flow);
+  if (found != known_.end()) host_.give(found->second, sample, freight(sample));
 }
 
 CarriedSample SimLinkBus::pack(const TypeInfo& type, std::shared_ptr<const void> message) const {

@@ -41,7 +41,11 @@ class SimLinkBus final : public LinkBus {
   [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow,
                                                   const CarriedSample& sample) override;
   void offer(FlowId peer_flow) override;
-  void give(FlowId peer_flow, const CarriedSample& sample) override;
+  FlowId offer(const Flow& flow) override;
+  void give(FlowId flow, const CarriedSample& sample) override;
+  /// A number in Network::logged, in as many bytes as the encoded message would have.
+  [[nodiscard]] std::vector<std::uint8_t> bytes_of(const CarriedSample& sample) const override;
+  [[nodiscard]] CarriedSample sample_of(std::vector<std::uint8_t> bytes) const override;
   [[nodiscard]] CarriedSample pack(const TypeInfo& type,
                                    std::shared_ptr<const void> message) const override;
   [[nodiscard]] std::shared_ptr<const void> unpack(const TypeInfo& type,
@@ -87,7 +91,7 @@ class SimLinkBus final : public LinkBus {
   std::map<const SimProcess::Topic*, FlowId> flow_by_writer_;  ///< of host_flows_, looked up only
   std::map<std::string, PeerId> peers_;                        ///< by the name of the host
   std::map<std::pair<PeerId, FlowId>, FlowId> peer_flows_;     ///< by the peer's number
-  std::map<FlowId, Flow> known_;                               ///< flows of peers
+  std::map<FlowId, Flow> known_;  ///< flows of peers, and those of offer()
   LinkPackets packets_;
 };
 

@@ -119,6 +119,8 @@ void SimProcess::begin_to_write(Topic& its) {
     its.end.traffic_class = rule->second.traffic_class;
     its.end.pausable = rule->second.while_poor != WhilePoor::send;
     its.end.drops = rule->second.while_poor == WhilePoor::drop;
+    its.end.stored = rule->second.stored;
+    its.end.durable = its.keeps_last;
   }
   if (std::exchange(its.writes, true)) return;
   if (SimLinkBus* const router = host_.router()) router->on_writer(its);

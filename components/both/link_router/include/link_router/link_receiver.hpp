@@ -54,6 +54,8 @@ class LinkReceiver {
 
   [[nodiscard]] Disposition on_arrived(const std::string& peer, const Arrived& arrived, Time now);
 
+  /// There is something to tell the peer besides.
+  void ask_for_receipt(const std::string& peer, Time now);
   /// A receipt that is due at `now`, and the peer that it is for.
   struct Addressed {
     std::string peer;

@@ -17,6 +17,9 @@
 
 namespace tocsin {
 
+class FillInLink;
+class RouterStore;
+
 /// The one owner of the link on its host. It takes what the traffic file names from the host and
 /// puts it on the link, in the order, at the time and as often as `router::LinkSender` decides;
 /// what comes from the link it gives to the host once. It follows its role's transmission state:
@@ -28,6 +31,9 @@ class LinkRouterComponent final : public Component {
     double silence_limit_s = 5.0;
     double report_period_s = 1.0;
     double budget_period_s = 0.2;
+    std::string store_directory;
+    int store_bytes = 64'000'000;
+    double store_age_s = 86'400;
     template <class Visitor>
     void visit(Visitor& v) {
       link.visit(v);
@@ -35,11 +41,17 @@ class LinkRouterComponent final : public Component {
         "[s] without a transmission state for longer the gate opens");
       v("report_period_s", report_period_s, {0.1, 60}, "[s] between link states");
       v("budget_period_s", budget_period_s, {0.02, 10}, "[s] between budgets of adaptive topics");
+      v("store_directory", store_directory,
+        "folder of stored topics, for this router alone; empty: run folder/role/store, which later "
+        "runs do not see");
+      v("store_bytes", store_bytes, {100'000, 2e9}, "[B] of it at most; the oldest goes");
+      v("store_age_s", store_age_s, {1, 1e8}, "[s] what is older goes");
     }
   };
 
   /// Throws ConfigError when the process has no way over the link.
   LinkRouterComponent(Context& context, const Params& params);
+  ~LinkRouterComponent() override;
   void tick(Time now) override;
 
  private:
@@ -54,7 +66,8 @@ class LinkRouterComponent final : public Component {
   struct Incoming {
     PeerId peer = 0;
     std::uint32_t wire_id = 0;
-    bool is_receipt = false;
+    enum class Kind : std::uint8_t { samples, receipts, fill_ins } kind = Kind::samples;
+    router::StreamRule rule;
   };
 
   void take_events(Time now);
@@ -71,6 +84,7 @@ class LinkRouterComponent final : public Component {
   void follow_gate(Time now);
   void send(Time now);
   void answer(Time now);
+  void keep_store(Time now);
   void take_receipt(const Incoming& from, const CarriedSample& sample, Time now);
   void tell_budgets(Time now);
   void report(Time now);
@@ -87,6 +101,8 @@ class LinkRouterComponent final : public Component {
   router::LinkReceiver receiver_;
   std::unique_ptr<LinkBus> link_;
   FlowId receipts_;
+  std::unique_ptr<RouterStore> store_;
+  std::unique_ptr<FillInLink> fill_ins_;
   std::map<FlowId, Outgoing> outgoing_;  ///< by the flow on the host
   std::map<FlowId, Outgoing*> by_link_;  ///< by the flow on the link
   std::map<FlowId, Incoming> incoming_;  ///< by the peer's flow
@@ -95,6 +111,7 @@ class LinkRouterComponent final : public Component {
   bool open_ = true;
   Time next_report_{};
   Time next_budget_{};
+  Time next_keep_{};
 };
 
 }  // namespace tocsin

@@ -28,6 +28,8 @@ struct LinkRouterParams {
   double scale_fall_s = 0.5;
   double scale_rise_s = 4;
   double scale_step = 0.05;
+  double fill_in_share = 0.2;
+  int fill_in_bytes = 1100;
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -35,9 +37,17 @@ struct LinkRouterParams {
     visit_receipts(v);
     visit_repair(v);
     visit_adaptation(v);
+    visit_fill_in(v);
   }
 
  private:
+  template <class Visitor>
+  void visit_fill_in(Visitor& v) {
+    v("fill_in_share", fill_in_share, {0.01, 1},
+      "[1] of the capacity, for stored samples that did not cross at first, at most");
+    v("fill_in_bytes", fill_in_bytes, {200, 65000},
+      "[B] stored samples that go together; a larger one goes alone");
+  }
   template <class Visitor>
   void visit_queue(Visitor& v) {
     v("queue_bytes", queue_bytes, {1024, 1e9},

@@ -67,12 +67,27 @@ class LinkSender {
 
   /// Receipts of an unknown peer or another life, and those that come late, are ignored.
   void on_receipt(const std::string& peer, const LinkReceipt& receipt, Time now);
+  /// What became of samples of stored streams since the last call.
+  [[nodiscard]] std::vector<StoredFate> take_fates() { return std::exchange(fates_, {}); }
+
+  /// The stream on which stored samples are filled in: no class, no repair, nothing is counted.
+  void add_fill_in_stream(StreamId stream);
+  /// Whether one may go at `now`: nothing else waits, the radio's queue is short, and the gate is
+  /// open. While no peer answers, one each `repair_max_s` may find it alive.
+  [[nodiscard]] bool may_fill_in(Time now) const;
+  /// When may_fill_in() can become true though nothing happens; `never` when it cannot.
+  [[nodiscard]] Time fill_in_opens(Time now) const;
+  /// Puts a sample of that stream on the wire at once.
+  [[nodiscard]] Transmission fill_in(StreamId stream, const Sample& sample, Time now);
+
   /// The gate: streams that are not `send` are silent while it is closed.
   void set_paused(bool paused, Time now);
 
   /// Of each adaptive stream.
   [[nodiscard]] std::vector<StreamBudget> budgets(Time now) const;
   [[nodiscard]] LinkStateValues state(Time now) const;
+  /// [B/s] estimate, of the slowest live peer.
+  [[nodiscard]] double capacity_bytes_per_s(Time now) const;
   /// Zeroes when there is no such stream.
   [[nodiscard]] StreamCounts stream_counts(StreamId stream) const;
 
@@ -88,6 +103,7 @@ class LinkSender {
     StreamCounts counts;
     TransmissionNumber last = 0;
     std::map<SourceId, Source> sources;
+    bool fills_in = false;
     RateMeter nominal;            ///< of an adaptive stream: what it would take at scale 1
     double peak_bytes_per_s = 0;  ///< of nominal, forgotten slowly
     Duration interval{0};         ///< between offers, smoothed
@@ -113,7 +129,8 @@ class LinkSender {
   void enqueue(Stream& stream, const Waiting& waiting);
   void hold(Stream& stream, const Waiting& waiting);
   void count_dropped(const std::vector<Dropped>& dropped);
-  void count_dropped(Stream& stream, DropReason reason);
+  void count_dropped(Stream& stream, const Waiting& waiting, DropReason reason);
+  void tell_fate(const SentSample& sent, LiveFate fate);
   [[nodiscard]] const LinkEstimator* slowest_peer(Time now) const;
 
   [[nodiscard]] std::optional<Waiting> take_waiting(TrafficClass traffic_class, Time now);
@@ -138,7 +155,6 @@ class LinkSender {
   void revive(Time now);
   [[nodiscard]] Peer* peer_of(PeerIndex index);
   [[nodiscard]] bool is_silent(Time now) const;
-  [[nodiscard]] double capacity_bytes_per_s(Time now) const;
   [[nodiscard]] Duration backlog(Time now) const;
   void update_scale(Time now);
   [[nodiscard]] double repair_allowance(Time now) const;
@@ -160,6 +176,7 @@ class LinkSender {
   double repair_bytes_ = 0;  ///< that may be repaired now: a token bucket
   Time repair_filled_{};
   bool paused_ = false;
+  std::vector<StoredFate> fates_;
 };
 
 }  // namespace tocsin::router

@@ -62,12 +62,19 @@ struct StreamRule {
   bool durable = false;    ///< the newest sample of each source is sent to peers that come later
   bool adaptive = false;   ///< its source follows the budget
   double min_rate_hz = 0;  ///< [1/s] may be thinned down to this while the budget is short; 0: not
+  bool stored = false;     ///< the fate of each sample is told, so that what did not cross follows
 };
 
 /// Critical and high.
 [[nodiscard]] constexpr bool repairs_by_default(TrafficClass traffic_class) {
   return traffic_class <= TrafficClass::high;
 }
+
+/// What became of a sample on the link; one that was given up may come all the same.
+enum class LiveFate : std::uint8_t {
+  crossed,  ///< all peers that want it have it, and there is one
+  did_not_cross,
+};
 
 /// Why a sample was not sent, or not sent again.
 enum class DropReason : std::uint8_t {
@@ -79,6 +86,13 @@ enum class DropReason : std::uint8_t {
   removed,     ///< its stream was removed
 };
 inline constexpr std::size_t drop_reason_count = 6;
+
+/// What became of a sample of a stored stream.
+struct StoredFate {
+  StreamId stream = 0;
+  Origin origin;
+  LiveFate fate = LiveFate::did_not_cross;
+};
 
 /// What to put on the wire now, by the stream's link writer.
 struct Transmission {

@@ -17,6 +17,8 @@ class AbsentDevices : public Devices {
   [[nodiscard]] std::unique_ptr<TerminalDevice> open_terminal() override { return nullptr; }
   [[nodiscard]] std::optional<std::string> read_text(const std::string& path) override;
   [[nodiscard]] std::vector<std::string> list_folder(const std::string& path) override;
+  /// Without a thread.
+  [[nodiscard]] std::unique_ptr<Background> open_background() override;
   [[nodiscard]] bool keeps_files() const override { return false; }
   [[nodiscard]] bool has_spectators() const override { return false; }
 };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "devices/background.hpp"
 #include "devices/echo_device.hpp"
 #include "devices/gamepad_device.hpp"
 #include "devices/serial_device.hpp"
@@ -44,6 +45,8 @@ class Devices {
   [[nodiscard]] virtual std::optional<std::string> read_text(const std::string& path) = 0;
   /// The names in a folder of device files, as in /sys/class, sorted; none when it is not there.
   [[nodiscard]] virtual std::vector<std::string> list_folder(const std::string& path) = 0;
+  /// Never null.
+  [[nodiscard]] virtual std::unique_ptr<Background> open_background() = 0;
   /// Whether components keep files for the process that takes over after them, in the folder of
   /// the run; only useful when processes can crash.
   [[nodiscard]] virtual bool keeps_files() const = 0;

@@ -201,25 +201,47 @@ std::optional<std::uint64_t> FastDdsLinkBus::send(FlowId flow, const CarriedSamp
   return found->second.writer->write(sample);
 }
 
-void FastDdsLinkBus::offer(FlowId peer_flow) {
-  const auto flow = table_.find(peer_flow);
-  if (!flow) return;  // it has left meanwhile
-  giving_[peer_flow] = std::make_unique<FlowWriter>(host_, table_.names().on_wire(flow->topic),
-                                                    flow->type, offered(*flow), [](const auto&) {});
+void FastDdsLinkBus::offer(FlowId id, const Flow& flow) {
+  const std::string topic = table_.names().on_wire(flow.topic);
+  try {
+    giving_[id] =
+        std::make_unique<FlowWriter>(host_, topic, flow.type, offered(flow), [](const auto&) {});
+  } catch (const EnvironmentError& error) {
+    log_.error("{}", error.what());
+  }
 }
 
-void FastDdsLinkBus::give(FlowId peer_flow, const CarriedSample& sample) {
-  const auto found = giving_.find(peer_flow);
+void FastDdsLinkBus::offer(FlowId peer_flow) {
+  const auto flow = table_.find(peer_flow);
+  if (flow) offer(peer_flow, *flow);  // else it has left meanwhile
+}
+
+FlowId FastDdsLinkBus::offer(const Flow& flow) {
+  const FlowId id = table_.fresh_id();
+  offer(id, flow);
+  return id;
+}
+
+void FastDdsLinkBus::give(FlowId flow, const CarriedSample& sample) {
+  const auto found = giving_.find(flow);
   if (found != giving_.end()) (void)found->second->write(sample);
 }
 
-CarriedSample FastDdsLinkBus::pack(const TypeInfo& type,
-                                   std::shared_ptr<const void> message) const {
-  auto encoded = std::make_shared<EncodedMessage>(EncodedMessage{encode(type, message.get())});
+std::vector<std::uint8_t> FastDdsLinkBus::bytes_of(const CarriedSample& sample) const {
+  return static_cast<const EncodedMessage*>(sample.content.get())->bytes;
+}
+
+CarriedSample FastDdsLinkBus::sample_of(std::vector<std::uint8_t> bytes) const {
+  auto encoded = std::make_shared<EncodedMessage>(EncodedMessage{std::move(bytes)});
   CarriedSample sample;
   sample.bytes = static_cast<std::uint32_t>(encoded->bytes.size());
   sample.content = std::move(encoded);
   return sample;
+}
+
+CarriedSample FastDdsLinkBus::pack(const TypeInfo& type,
+                                   std::shared_ptr<const void> message) const {
+  return sample_of(encode(type, message.get()));
 }
 
 std::shared_ptr<const void> FastDdsLinkBus::unpack(const TypeInfo& type,

@@ -35,7 +35,10 @@ class FastDdsLinkBus final : public LinkBus {
   [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow,
                                                   const CarriedSample& sample) override;
   void offer(FlowId peer_flow) override;
-  void give(FlowId peer_flow, const CarriedSample& sample) override;
+  FlowId offer(const Flow& flow) override;
+  void give(FlowId flow, const CarriedSample& sample) override;
+  [[nodiscard]] std::vector<std::uint8_t> bytes_of(const CarriedSample& sample) const override;
+  [[nodiscard]] CarriedSample sample_of(std::vector<std::uint8_t> bytes) const override;
   [[nodiscard]] CarriedSample pack(const TypeInfo& type,
                                    std::shared_ptr<const void> message) const override;
   [[nodiscard]] std::shared_ptr<const void> unpack(const TypeInfo& type,
@@ -51,6 +54,7 @@ class FastDdsLinkBus final : public LinkBus {
   };
   using Readers = std::map<ReaderKey, std::unique_ptr<FlowReader>>;
 
+  void offer(FlowId id, const Flow& flow);
   [[nodiscard]] ParticipantOptions host_options();
   [[nodiscard]] ParticipantOptions link_options();
   void join_link();

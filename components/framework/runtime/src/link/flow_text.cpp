@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
 
 #include "runtime/middleware/qos_policies.hpp"
 
@@ -20,14 +21,17 @@ struct Words {
   char durability[16] = "";
   int depth = 0;
   double lifespan_s = 0;
+  char stored[8] = "";
 };
+constexpr const char* stored_word = "stored";
 
 std::optional<Words> words_in(const std::string& text) {
   Words words;
-  const int found = std::sscanf(text.c_str(), "%15[a-z_],%15[a-z_],%d,%lf", words.reliability,
-                                words.durability, &words.depth, &words.lifespan_s);
+  const int found =
+      std::sscanf(text.c_str(), "%15[a-z_],%15[a-z_],%d,%lf,%7[a-z]", words.reliability,
+                  words.durability, &words.depth, &words.lifespan_s, words.stored);
   const bool sensible =
-      found == 4 && words.depth >= 1 && words.depth <= largest_depth && words.lifespan_s > 0;
+      found >= 4 && words.depth >= 1 && words.depth <= largest_depth && words.lifespan_s > 0;
   return sensible ? std::optional(words) : std::nullopt;
 }
 
@@ -36,11 +40,12 @@ std::optional<Words> words_in(const std::string& text) {
 std::string announcement_of(const Flow& flow) {
   const bool separate = !flow.user_data.empty() && flow.user_data.back() != ';';
   return flow.user_data + (separate ? ";" : "") +
-         fmt::format("{}{},{},{},{};", flow_key,
+         fmt::format("{}{},{},{},{}{};", flow_key,
                      word_of(flow.reliable ? Reliability::reliable : Reliability::best_effort),
                      word_of(flow.transient_local ? Durability::transient_local
                                                   : Durability::volatile_kind),
-                     flow.depth, flow.lifespan_s);
+                     flow.depth, flow.lifespan_s,
+                     flow.stored ? std::string(",") + stored_word : "");
 }
 
 void read_announcement(Flow& flow) {
@@ -55,12 +60,14 @@ void read_announcement(Flow& flow) {
   flow.transient_local = value_of<Durability>(words->durability) == Durability::transient_local;
   flow.depth = words->depth;
   flow.lifespan_s = words->lifespan_s;
+  flow.stored = words->stored == std::string_view(stored_word);
 }
 
 bool operator==(const Flow& one, const Flow& other) {
   return one.topic == other.topic && one.type == other.type && one.reliable == other.reliable &&
          one.transient_local == other.transient_local && one.depth == other.depth &&
-         one.lifespan_s == other.lifespan_s && one.user_data == other.user_data;
+         one.lifespan_s == other.lifespan_s && one.user_data == other.user_data &&
+         one.stored == other.stored;
 }
 
 }  // namespace tocsin

@@ -13,6 +13,7 @@ std::vector<std::string> topics_of(Role role, const LinkSide& side) {
   const TrafficRules rules(side.traffic_file, role);
   for (const auto& entry : rules.all()) topics.push_back(names.on_wire(entry.first));
   topics.push_back(names.on_wire(link_receipt_topic));
+  topics.push_back(names.on_wire(fill_in_topic));
   return topics;
 }
 

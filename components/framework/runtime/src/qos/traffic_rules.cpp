@@ -19,12 +19,15 @@ struct ClassEntry {
   std::string while_poor = "send";
   std::vector<std::string> topics;
   std::vector<std::string> adaptive;
+  std::vector<std::string> store;
   double min_rate_hz = 0;
   template <class Visitor>
   void visit(Visitor& v) {
-    v("while_poor", while_poor, {"send", "latest", "drop"}, "what the gate does with new samples");
+    v("while_poor", while_poor, {"send", "latest", "drop", "store"},
+      "what the gate does with new samples");
     v("topics", topics, "ROS names of the topics of this class");
     v("adaptive", adaptive, "those of them whose writers follow the link's budget");
+    v("store", store, "those of them of which nothing is lost: a log keeps what does not cross");
     v("min_rate_hz", min_rate_hz, {0, 1000},
       "[1/s] its topics may be thinned to this while the budget is short; 0: never");
   }
@@ -65,20 +68,27 @@ void refuse_unknown_maps(const YAML::Node& file, const YamlSources& sources) {
   }
 }
 
-/// A topic that its class calls adaptive, and no class of the role has, is misspelt.
-void refuse_unknown_adaptive(const YAML::Node& classes, const std::string& role,
-                             const std::map<std::string, TrafficRule>& rules,
-                             const YamlSources& sources) {
+/// A topic that its class calls adaptive or stored, and no class of the role has, is misspelt.
+void refuse_unknown_topics(const YAML::Node& classes, const std::string& role,
+                           const std::map<std::string, TrafficRule>& rules,
+                           const YamlSources& sources) {
   std::vector<std::string> known;
   for (const auto& rule : rules) known.push_back(rule.first);
   for (const auto& entry : classes) {
-    for (const YAML::Node& topic : entry.second["adaptive"]) {
-      if (rules.count(topic.Scalar()) != 0) continue;
-      throw ConfigError(role + "." + entry.first.Scalar() + ".adaptive: " + topic.Scalar() +
-                        " is in no class of this role" +
-                        did_you_mean(known, topic.Scalar(), "topics") + yaml_place(sources, topic));
+    for (const char* const list : {"adaptive", "store"}) {
+      for (const YAML::Node& topic : entry.second[list]) {
+        if (rules.count(topic.Scalar()) != 0) continue;
+        throw ConfigError(role + "." + entry.first.Scalar() + "." + list + ": " + topic.Scalar() +
+                          " is in no class of this role" +
+                          did_you_mean(known, topic.Scalar(), "topics") +
+                          yaml_place(sources, topic));
+      }
     }
   }
+}
+
+bool names(const std::vector<std::string>& list, const std::string& topic) {
+  return std::find(list.begin(), list.end(), topic) != list.end();
 }
 
 TrafficClass class_named(const YAML::Node& name, const std::string& role,
@@ -90,8 +100,9 @@ TrafficClass class_named(const YAML::Node& name, const std::string& role,
                     did_you_mean(words, name.Scalar(), "they are") + yaml_place(sources, name));
 }
 
+/// Of what a log keeps, the newest still goes on resume as it is.
 WhilePoor to_while_poor(const std::string& word) {
-  if (word == "latest") return WhilePoor::latest;
+  if (word == "latest" || word == "store") return WhilePoor::latest;
   return word == "drop" ? WhilePoor::drop : WhilePoor::send;
 }
 
@@ -113,17 +124,16 @@ TrafficRules::TrafficRules(const std::string& path, Role of) : path_(path), role
     const std::string name = to_string(traffic_class);
     const auto loaded = load_parameters<ClassEntry>(entry.second, role + "." + name, sources);
     for (const std::string& topic : loaded.topics) {
-      const auto& adaptive = loaded.adaptive;
-      const bool follows = std::find(adaptive.begin(), adaptive.end(), topic) != adaptive.end();
-      const TrafficRule rule{traffic_class, to_while_poor(loaded.while_poor), follows,
-                             loaded.min_rate_hz};
+      const TrafficRule rule{traffic_class, to_while_poor(loaded.while_poor),
+                             names(loaded.adaptive, topic), loaded.min_rate_hz,
+                             loaded.while_poor == "store" || names(loaded.store, topic)};
       if (!rules_.insert({topic, rule}).second) {
         throw ConfigError(role + "." + name + ".topics: " + topic + " is in two classes" +
                           yaml_place(sources, entry.first));
       }
     }
   }
-  refuse_unknown_adaptive(classes, role, rules_, sources);
+  refuse_unknown_topics(classes, role, rules_, sources);
 }
 
 const TrafficRule& TrafficRules::of(const std::string& topic) const {

@@ -41,6 +41,18 @@ TEST(FlowText, APeerReadsWhatWasAnnounced) {
   EXPECT_EQ(back, flow());
 }
 
+TEST(FlowText, TellsThatAFlowIsStored) {
+  Flow stored = flow();
+  stored.stored = true;
+  EXPECT_EQ(announcement_of(stored),
+            "tocsin_layout=0a1b;tocsin_flow=reliable,transient_local,3,2.5,stored;");
+  EXPECT_TRUE(read(announcement_of(stored)).stored);
+  EXPECT_FALSE(read(announcement_of(flow())).stored);
+  EXPECT_FALSE(read("tocsin_flow=reliable,volatile,1,inf,storm;").stored);
+  stored.lifespan_s = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(read(announcement_of(stored)).stored);
+}
+
 TEST(FlowText, ALifespanWithoutEndComesBack) {
   Flow endless;
   const Flow back = read(announcement_of(endless));

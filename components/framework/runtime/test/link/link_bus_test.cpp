@@ -128,6 +128,34 @@ TEST_F(LinkBusTest, WhatIsNotInTheTrafficFileStaysOnItsHost) {
   for (const Flow& flow : gcs.peer_flows()) EXPECT_NE(flow.topic, "odom");
 }
 
+TEST_F(LinkBusTest, AFlowThatIsNoPeersIsGivenFromTheBytesOfALog) {
+  const auto routed = make_fast_dds_bus(options(Role::gcs));
+  const auto link = routed->open_link([] {});
+  const auto station = process(Role::gcs);
+  Flow flow;
+  flow.topic = topic::Location::name + std::string("/filled_in");
+  flow.type = type_info<topic::Location::Message>().name;
+  flow.reliable = true;
+  flow.transient_local = true;
+  Endpoint reading = endpoint<topic::Location>();
+  reading.topic = make_topic_info(flow.topic, "state", Scope::host);
+  Samples there;
+  const auto subscription = station->subscribe(reading, there);
+  const FlowId on_host = link->offer(flow);
+  const auto message = std::make_shared<const topic::Location::Message>();
+  const CarriedSample packed = link->pack(type_info<topic::Location::Message>(), message);
+  CarriedSample again = link->sample_of(link->bytes_of(packed));
+  EXPECT_EQ(again.bytes, packed.bytes);
+  again.source = 4711;
+  again.sequence = 12;
+  again.sent_wall_ns = 1000;
+  link->give(on_host, again);
+  ASSERT_TRUE(eventually([&] { return !there.all().empty(); }));
+  EXPECT_EQ(there.all().front().source, 4711U);
+  EXPECT_EQ(there.all().front().sequence, 12U);
+  EXPECT_EQ(there.all().front().sent_wall_ns, 1000);
+}
+
 TEST_F(LinkBusTest, EveryPacketBearsItsMarkAndNoneIsAbove1400Bytes) {
   RtpsCapture capture;
   if (!capture.ok()) GTEST_SKIP() << "no packet socket: CAP_NET_RAW is needed";

@@ -40,6 +40,7 @@ TEST(LinkPermissions, WhatOneSendsTheOtherHears) {
   EXPECT_THAT(vehicle.subscribe, UnorderedElementsAreArray(station.publish));
   EXPECT_THAT(station.subscribe, UnorderedElementsAreArray(vehicle.publish));
   EXPECT_THAT(vehicle.publish, Contains("rt/link_receipt"));
+  EXPECT_THAT(vehicle.publish, Contains("rt/link_fill_in"));
 }
 
 TEST(LinkPermissions, AreOfTheNamespace) {

@@ -71,6 +71,27 @@ TEST(TrafficRules, AnAdaptiveTopicIsOneOfTheRole) {
   EXPECT_FALSE(sut.of("cpu").adaptive);
 }
 
+TEST(TrafficRules, AStoredTopicIsOneOfTheRole) {
+  const ConfigFile file("uxv:\n  low: {topics: [battery], store: [batery]}\n");
+  EXPECT_THAT(error_of([&] { TrafficRules(file.path(), Role::uxv); }),
+              HasSubstr("uxv.low.store: batery is in no class of this role"));
+  const ConfigFile right(
+      "uxv:\n  low: {while_poor: drop, topics: [battery, cpu], store: [battery]}\n");
+  const TrafficRules sut(right.path(), Role::uxv);
+  EXPECT_TRUE(sut.of("battery").stored);
+  EXPECT_EQ(sut.of("battery").while_poor, WhilePoor::drop);
+  EXPECT_FALSE(sut.of("cpu").stored);
+}
+
+TEST(TrafficRules, OfAClassThatStoresAllIsStoredAndTheNewestGoesOnResume) {
+  const ConfigFile file("uxv:\n  low: {while_poor: store, topics: [battery, cpu]}\n");
+  const TrafficRules sut(file.path(), Role::uxv);
+  for (const char* const topic : {"battery", "cpu"}) {
+    EXPECT_TRUE(sut.of(topic).stored);
+    EXPECT_EQ(sut.of(topic).while_poor, WhilePoor::latest);
+  }
+}
+
 TEST(TrafficRules, ATopicThatAFileMovesToAnotherClassMayHaveBeenAdaptive) {
   const ConfigFile file("extends: base.yaml\nuxv: {high: {topics: [camera]}}\n");
   file.write("base.yaml", "uxv:\n  low: {topics: [camera, cpu], adaptive: [camera]}\n");

@@ -35,6 +35,8 @@ class FileSink final : public ByteSink {
   /// Makes the file. Throws ConfigError when it cannot be made, and when it is there already.
   explicit FileSink(const std::string& path);
   [[nodiscard]] Kept append(const std::vector<Span>& parts) override;
+  /// What was appended survives a power cut from then on. May block as long as the disk takes.
+  void sync();
 
  private:
   FileDescriptor file_;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "sample_log/sequence_set.hpp"
 #include "simulation/observer.hpp"
 #include "simulation/sim_world.hpp"
 
@@ -37,7 +38,9 @@ struct InvariantLimits {
 /// a router puts samples of classes critical and high on the air soon, unless its gate is closed
 /// for them, and sends nothing that its gate is closed for; what the gate kept it sends soon after
 /// it opens, within its lifespan; the base stops whatever dies; nothing comes later than its
-/// lifespan; the samples of a writer come in order and once; network quality is in its range; no
+/// lifespan; the samples of a writer come in order and once; of a stored topic each sample that a
+/// router has taken is given to the other host once, live or filled in and then in the order of its
+/// writer, or it is still in the log when the world ends; network quality is in its range; no
 /// component throws; the mission is over in time.
 class Invariants : public Observer {
  public:
@@ -45,6 +48,8 @@ class Invariants : public Observer {
 
   void on_written(const Written& written) override;
   void on_sent(const Sent& sent) override;
+  void on_logged(const LoggedSample& logged) override;
+  void on_given(const GivenSample& given) override;
   void on_delivered(const Delivered& delivered) override;
   void on_position(const BasePosition& base) override;
   void on_gate(const GateChange& change) override;
@@ -53,6 +58,9 @@ class Invariants : public Observer {
   void on_step(Time now) override;
   /// After the run, which lasted long enough for the mission to be over.
   void on_end(const Outcome& outcome);
+  /// After the world, whose routers' logs are in this folder's `<role>/store`: what of stored
+  /// topics was not given is in them.
+  void on_logs(const std::string& run_dir, const Outcome& outcome);
 
   /// The first 20.
   [[nodiscard]] const std::vector<Violation>& violations() const { return violations_; }
@@ -81,6 +89,13 @@ class Invariants : public Observer {
   Marks awaited_;                 ///< that are to be on the radio, and until when
   Time next_due_ = Time::max();   ///< the first of these
   std::map<std::pair<const TopicEnd*, const TopicEnd*>, std::uint64_t> last_;
+  /// A stored topic in one process, as far as it was given to one host.
+  struct StoredEnd {
+    std::map<std::uint64_t, std::uint64_t> missing;  ///< writers' sources by Written::sequence
+    sample_log::SequenceSet given;
+    std::uint64_t last_filled_in = 0;
+  };
+  std::map<const TopicEnd*, StoredEnd> stored_;
   Time wanted_ = Time::min();  ///< when a velocity was last wanted
 };
 

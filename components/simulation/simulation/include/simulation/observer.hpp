@@ -29,6 +29,8 @@ struct TopicEnd {
   bool reliable = false;
   bool pausable = false;  ///< its router's gate can close for it
   bool drops = false;     ///< and then its samples are dropped
+  bool stored = false;    ///< what of it does not cross at first is filled in
+  bool durable = false;   ///< late readers get its last sample again
   std::string user_data;  ///< that its writers announce
 };
 
@@ -49,6 +51,26 @@ struct Sent {
   std::uint64_t sequence;  ///< on the link: from 1, counts only what was sent
   std::uint64_t written;   ///< Written::sequence
   std::size_t bytes;
+};
+
+/// A sample that a router has given to its log.
+struct LoggedSample {
+  const TopicEnd& from;
+  Time time;
+  std::uint64_t written;  ///< Written::sequence
+  std::uint64_t source;   ///< of its writer, as routers know it
+};
+
+/// On which topic a router has given a sample to its host.
+enum class GivenAs : std::uint8_t { live, filled_in };
+
+/// A sample that a router has given to its host, whoever reads it there.
+struct GivenSample {
+  const TopicEnd& from;
+  const std::string& host;  ///< that it was given to
+  Time time;
+  std::uint64_t written;  ///< Written::sequence
+  GivenAs as;
 };
 
 /// A sample that crossed the radio and was given to the readers of one process.
@@ -113,6 +135,8 @@ class Observer {
   virtual ~Observer() = default;
   virtual void on_written(const Written&) {}
   virtual void on_sent(const Sent&) {}
+  virtual void on_logged(const LoggedSample&) {}
+  virtual void on_given(const GivenSample&) {}
   virtual void on_delivered(const Delivered&) {}
   virtual void on_echo(const Echo&) {}
   /// Each second: what a Wi-Fi driver would tell, airtime and loss counts of both directions.

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "runtime/middleware/link_bus.hpp"
 
@@ -22,7 +23,12 @@ class IdleLinkBus final : public LinkBus {
     return std::nullopt;
   }
   void offer(FlowId) override {}
+  FlowId offer(const Flow&) override { return ++last_; }
   void give(FlowId, const CarriedSample&) override {}
+  [[nodiscard]] std::vector<std::uint8_t> bytes_of(const CarriedSample&) const override {
+    return {};
+  }
+  [[nodiscard]] CarriedSample sample_of(std::vector<std::uint8_t>) const override { return {}; }
   [[nodiscard]] CarriedSample pack(const TypeInfo&, std::shared_ptr<const void>) const override {
     return {};
   }

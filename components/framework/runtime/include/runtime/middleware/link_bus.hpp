@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "foundation/time.hpp"
 #include "foundation/traffic_class.hpp"
@@ -26,6 +27,7 @@ struct Flow {
   int depth = 1;                 ///< [1, 10000] samples that count; 1: only the newest
   double lifespan_s = std::numeric_limits<double>::infinity();  ///< older ones are not delivered
   std::string user_data;  ///< announced with them, such as the layout of the type
+  bool stored = false;    ///< on the link: what does not cross at first is filled in later
 };
 [[nodiscard]] bool operator==(const Flow& one, const Flow& other);
 [[nodiscard]] inline bool operator!=(const Flow& one, const Flow& other) { return !(one == other); }
@@ -126,8 +128,15 @@ class LinkBus {
                                                           const CarriedSample& sample) = 0;
   /// Makes the writer on this host of a peer's flow.
   virtual void offer(FlowId peer_flow) = 0;
+  /// Makes a writer on this host of a flow that is no peer's, under a number for `give`.
+  virtual FlowId offer(const Flow& flow) = 0;
   /// Writes there, as from the sample's own writer.
-  virtual void give(FlowId peer_flow, const CarriedSample& sample) = 0;
+  virtual void give(FlowId flow, const CarriedSample& sample) = 0;
+
+  /// What a log keeps of a sample, and back. In a simulation only for its own world.
+  [[nodiscard]] virtual std::vector<std::uint8_t> bytes_of(const CarriedSample& sample) const = 0;
+  /// The content and its size; null when these are no such bytes.
+  [[nodiscard]] virtual CarriedSample sample_of(std::vector<std::uint8_t> bytes) const = 0;
 
   /// A message of a type that is known here, and back. Null when it is no such message.
   [[nodiscard]] virtual CarriedSample pack(const TypeInfo& type,

@@ -10,6 +10,8 @@ namespace tocsin {
 
 /// On which routers tell each other what came.
 inline constexpr const char* link_receipt_topic = "link_receipt";
+/// On which they send each other what did not cross at first.
+inline constexpr const char* fill_in_topic = "link_fill_in";
 
 /// Whose permissions on a secured link are meant.
 struct LinkSide {
@@ -19,7 +21,7 @@ struct LinkSide {
 };
 
 /// What a router of this side needs: it publishes what its role sends, hears what the other sends,
-/// and receipts go both ways. Throws ConfigError for the traffic file.
+/// receipts and fill-ins go both ways. Throws ConfigError for the traffic file.
 [[nodiscard]] keystore::Permissions link_permissions(const LinkSide& side);
 
 }  // namespace tocsin

@@ -21,6 +21,7 @@ struct TrafficRule {
   WhilePoor while_poor = WhilePoor::send;
   bool adaptive = false;   ///< its writer follows the link's budget
   double min_rate_hz = 0;  ///< [1/s] may be thinned to this while the budget is short; 0: never
+  bool stored = false;     ///< what does not cross at first is kept in a log and filled in later
 };
 
 /// A file such as config/traffic.yaml for one role: which class each link topic is in, and the DSCP

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "link_router/fill_in_batch.hpp"
+#include "link_router/transmission.hpp"
+#include "sample_log/sample_set.hpp"
+
+namespace tocsin::router {
+
+/// Takes the batches of peers in their order and leaves out what the host was given before, live or
+/// in a batch. Of samples, `stream` is the stream_key of the peer's name and the stream's name.
+/// What the host was given is remembered by whoever calls it, over the lives of this router; a
+/// batch is confirmed only when that is safe. Pure.
+class FillInReceiver {
+ public:
+  using SampleId = sample_log::SampleId;
+
+  /// The number of a peer's stream here.
+  [[nodiscard]] static std::uint64_t stream_key(const std::string& peer, const std::string& stream);
+
+  /// What earlier lives of this router have given. Before it, batches are not taken.
+  void recover(const sample_log::SampleSet& given);
+  /// The host is given a sample that crossed live. Whether it was not given yet.
+  bool on_live(const SampleId& id) { return given_.add(id); }
+
+  /// What the host is to be given, in this order; empty when the batch came before or too early.
+  /// One that comes too early is kept until its turn.
+  [[nodiscard]] std::vector<FillInBatch> on_batch(const std::string& peer, Incarnation life,
+                                                  FillInBatch batch);
+  /// All batches of this life of the peer up to this one were taken; zeroes before the first.
+  [[nodiscard]] FillInProgress progress(const std::string& peer, Incarnation life) const;
+
+ private:
+  struct Session {
+    Incarnation life = 0;
+    FillInProgress progress;
+    std::map<std::uint32_t, FillInBatch> early;
+  };
+  bool recovered_ = false;
+  sample_log::SampleSet given_;
+  std::map<std::string, Session> sessions_;
+};
+
+}  // namespace tocsin::router

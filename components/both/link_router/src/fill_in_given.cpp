@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// What peers fill in, and what of it the host is given.
+#include <utility>
+
+#include "fill_in_link.hpp"
+#include "fill_in_messages.hpp"
+
+namespace tocsin {
+namespace {
+
+using FillInMessage = tocsin_msgs::msg::FillIn;
+
+/// The name that the stream has at the peer, as stream_rule() makes it.
+std::string stream_name(const FillInMessage& message) {
+  return message.topic() + "|" + message.user_data();
+}
+
+}  // namespace
+
+bool FillInLink::on_live(const std::string& peer, const router::StreamRule& rule,
+                         const CarriedSample& sample) {
+  const sample_log::SampleId id{router::FillInReceiver::stream_key(peer, rule.name), sample.source,
+                                sample.sequence};
+  const bool is_new = receiver_.on_live(id);
+  if (is_new) live_.push_back(id);
+  return is_new;
+}
+
+void FillInLink::on_batch(const FillInPeer& peer, const CarriedSample& sample) {
+  const auto content = parts_.link.unpack(type_info<FillInMessage>(), sample);
+  const auto* message = static_cast<const FillInMessage*>(content.get());
+  if (message == nullptr || message->to_life() != parts_.link.self() || !is_sound(*message)) return;
+  const auto key = router::FillInReceiver::stream_key(peer.name, stream_name(*message));
+  Flow& flow = given_[key].what;
+  flow.topic = message->topic();
+  flow.type = message->type();
+  flow.user_data = message->user_data();
+  const auto batches = receiver_.on_batch(peer.name, peer.life, to_batch(*message, key));
+  std::vector<sample_log::SampleId> ids = std::exchange(live_, {});
+  for (const router::FillInBatch& batch : batches) {
+    give(batch);
+    for (const sample_log::LogEntry& entry : batch.samples) ids.push_back(entry.id);
+  }
+  if (batches.empty()) return parts_.store.note_given(std::move(ids), std::nullopt);
+  saving_[++last_token_] = {peer, receiver_.progress(peer.name, peer.life)};
+  parts_.store.note_given(std::move(ids), last_token_);
+}
+
+void FillInLink::give(const router::FillInBatch& batch) {
+  Described& described = given_.at(batch.stream);
+  if (!described.on_host) described.on_host = parts_.link.offer(filled_in(described.what));
+  for (const sample_log::LogEntry& entry : batch.samples) {
+    CarriedSample sample = parts_.link.sample_of(entry.bytes);
+    if (!sample.content) continue;
+    sample.source = entry.id.source;
+    sample.sequence = entry.id.sequence;
+    sample.sent_wall_ns = entry.sent_wall_ns;
+    parts_.link.give(*described.on_host, sample);
+  }
+}
+
+void FillInLink::on(store_answer::Saved& answer) {
+  const auto saving = saving_.find(answer.token);
+  if (saving == saving_.end()) return;
+  progressed_.insert(saving->second.peer.name);
+  saved_[saving->second.peer.name] = std::move(saving->second);
+  saving_.erase(saving);
+}
+
+router::FillInProgress FillInLink::progress(const FillInPeer& peer) const {
+  const auto found = saved_.find(peer.name);
+  const bool known = found != saved_.end() && found->second.peer.life == peer.life;
+  return known ? found->second.progress : router::FillInProgress{};
+}
+
+std::set<std::string> FillInLink::take_progressed() { return std::exchange(progressed_, {}); }
+
+}  // namespace tocsin

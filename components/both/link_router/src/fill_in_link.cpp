@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// What this host sends; what it is sent is in fill_in_given.cpp.
+#include "fill_in_link.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "fill_in_messages.hpp"
+#include "runtime/middleware/link_permissions.hpp"
+
+namespace tocsin {
+namespace {
+
+using FillInMessage = tocsin_msgs::msg::FillIn;
+
+FlowId open_flow(LinkBus& link) {
+  Flow flow;
+  flow.topic = fill_in_topic;
+  flow.type = type_info<FillInMessage>().name;
+  return link.open(flow, TrafficClass::low);
+}
+
+}  // namespace
+
+FillInLink::FillInLink(const Parts& parts, const router::LinkRouterParams& params)
+    : parts_(parts), flow_(open_flow(parts.link)), sender_(params) {
+  parts_.sender.add_fill_in_stream(flow_);
+}
+
+void FillInLink::add(FlowId on_link, const Flow& flow, const router::StreamRule& rule) {
+  const std::uint64_t key = sample_log::stream_key(rule.name);
+  keys_[on_link] = key;
+  sent_[key].what = flow;
+  parts_.store.add(logged_stream(rule.name, flow));
+}
+
+void FillInLink::remove(FlowId on_link) {
+  follow_fates();
+  keys_.erase(on_link);
+}
+
+void FillInLink::offer(FlowId on_link, const CarriedSample& sample, Time now,
+                       std::int64_t wall_ns) {
+  const auto key = keys_.find(on_link);
+  if (key == keys_.end()) return;
+  const sample_log::SampleId id{key->second, sample.source, sample.sequence};
+  sender_.offer(id);
+  parts_.store.append({id, sample.sent_wall_ns, parts_.link.bytes_of(sample)}, now, wall_ns);
+}
+
+void FillInLink::on_listener(const FillInPeer& peer, Time now) {
+  listeners_[peer.life] = peer;
+  parts_.sender.set_wanted(peer.name, flow_, true, now);
+  if (!session_) begin_session();
+}
+
+void FillInLink::on_lost(PeerId life) {
+  listeners_.erase(life);
+  if (session_ && session_->life == life) begin_session();
+}
+
+void FillInLink::begin_session() {
+  session_.reset();
+  if (listeners_.empty()) return sender_.end_session();
+  session_ = listeners_.begin()->second;
+  sender_.begin_session();
+}
+
+void FillInLink::follow_fates() {
+  std::vector<sample_log::SampleId> crossed;
+  for (const router::StoredFate& one : parts_.sender.take_fates()) {
+    const auto key = keys_.find(one.stream);
+    if (key == keys_.end()) continue;
+    const sample_log::SampleId id{key->second, one.origin.source, one.origin.sequence};
+    if (sender_.on_fate(id, one.fate)) crossed.push_back(id);
+  }
+  parts_.store.confirm(std::move(crossed));
+}
+
+void FillInLink::follow() {
+  follow_fates();
+  parts_.store.note_given(std::exchange(live_, {}), std::nullopt);
+  while (auto answer = parts_.store.take()) {
+    std::visit([this](auto& what) { on(what); }, *answer);
+  }
+  parts_.store.read(sender_.take_wanted());
+}
+
+void FillInLink::on(store_answer::Opened& answer) {
+  for (const sample_log::LoggedStream& stream : answer.streams) {
+    Described& described = sent_[sample_log::stream_key(stream.name)];
+    if (described.what.topic.empty()) described.what = flow_of(stream);
+  }
+  for (const sample_log::SampleId& id : answer.waiting) sender_.recover(id);
+  if (!answer.waiting.empty()) {
+    parts_.log.info("{} stored samples of earlier runs are still to cross", answer.waiting.size());
+  }
+  receiver_.recover(answer.given);
+}
+
+void FillInLink::on(store_answer::Appended& answer) {
+  for (const auto& [id, logged] : answer.logged) sender_.on_logged(id, logged);
+}
+
+void FillInLink::on(store_answer::Read& answer) {
+  sender_.on_read(answer.asked, std::move(answer.read));
+}
+
+void FillInLink::on(store_answer::Retired& answer) {
+  for (const sample_log::SampleId& id : answer.ids) sender_.on_retired(id);
+}
+
+void FillInLink::on(store_answer::Problem& answer) { parts_.log.error("{}", answer.text); }
+
+CarriedSample FillInLink::packed(const router::FillInBatch& batch) {
+  auto message = std::make_shared<FillInMessage>(to_message(batch));
+  const Flow& flow = sent_.at(batch.stream).what;
+  message->from_life(parts_.link.self());
+  message->to_life(session_->life);
+  message->topic(flow.topic);
+  message->type(flow.type);
+  message->user_data(flow.user_data);
+  CarriedSample sample = parts_.link.pack(type_info<FillInMessage>(), std::move(message));
+  sample.sequence = ++batches_;
+  return sample;
+}
+
+void FillInLink::send(Time now) {
+  while (session_ && parts_.sender.may_fill_in(now)) {
+    const auto batch = sender_.next(now, parts_.sender.capacity_bytes_per_s(now));
+    if (!batch) return;
+    const CarriedSample sample = packed(*batch);
+    const router::Sample what{{0, sample.sequence, now}, sample.bytes, sample.content};
+    const auto transmission = parts_.sender.fill_in(flow_, what, now);
+    const auto number = parts_.link.send(flow_, sample);
+    if (number != transmission.number) parts_.sender.on_not_written(transmission, now);
+  }
+}
+
+void FillInLink::on_progress(PeerId from, const router::FillInProgress& progress, Time now) {
+  if (session_ && session_->life == from) {
+    parts_.store.confirm(sender_.on_progress(progress, now));
+  }
+}
+
+Time FillInLink::deadline(Time now) const {
+  const Time next = sender_.deadline(now, parts_.sender.capacity_bytes_per_s(now));
+  return next > now ? next : parts_.sender.fill_in_opens(now);
+}
+
+std::vector<tocsin_msgs::msg::StoredTopic> FillInLink::report() const {
+  std::vector<tocsin_msgs::msg::StoredTopic> topics;
+  for (const auto& [key, counts] : sender_.counts()) {
+    const auto described = sent_.find(key);
+    if (described == sent_.end()) continue;
+    tocsin_msgs::msg::StoredTopic topic;
+    topic.topic(described->second.what.topic);
+    topic.stored(counts.stored);
+    topic.filled_in(counts.filled_in);
+    topic.expired(counts.expired);
+    topic.refused(counts.refused);
+    topic.waiting(static_cast<std::uint32_t>(counts.waiting));
+    topics.push_back(std::move(topic));
+  }
+  return topics;
+}
+
+}  // namespace tocsin

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "link_router/fill_in_receiver.hpp"
+#include "link_router/fill_in_sender.hpp"
+#include "link_router/link_sender.hpp"
+#include "router_store.hpp"
+#include "runtime/logger.hpp"
+#include "runtime/middleware/link_bus.hpp"
+#include "tocsin_idl/tocsin_msgs.hpp"
+
+namespace tocsin {
+
+/// A peer of now: its name and its life.
+struct FillInPeer {
+  std::string name;
+  PeerId life = 0;
+};
+
+/// What of stored topics does not cross at first: between the log, the decisions
+/// (router::FillInSender, router::FillInReceiver) and the link. Batches go to one peer, the first
+/// that takes them.
+class FillInLink {
+ public:
+  /// All outlive it.
+  struct Parts {
+    LinkBus& link;
+    router::LinkSender& sender;
+    RouterStore& store;
+    Logger& log;
+  };
+  FillInLink(const Parts& parts, const router::LinkRouterParams& params);
+
+  /// The link's flow of batches.
+  [[nodiscard]] FlowId flow() const { return flow_; }
+
+  /// A stored flow of this host, by its number on the link.
+  void add(FlowId on_link, const Flow& flow, const router::StreamRule& rule);
+  /// After its stream was removed from the sender.
+  void remove(FlowId on_link);
+  void offer(FlowId on_link, const CarriedSample& sample, Time now, std::int64_t wall_ns);
+  /// A peer takes batches, or has gone.
+  void on_listener(const FillInPeer& peer, Time now);
+  void on_lost(PeerId life);
+  /// What the store has answered, what the sender knows of stored samples, what is to be read.
+  void follow();
+  /// What there is room for.
+  void send(Time now);
+  void on_progress(PeerId from, const router::FillInProgress& progress, Time now);
+  [[nodiscard]] Time deadline(Time now) const;
+  [[nodiscard]] std::vector<tocsin_msgs::msg::StoredTopic> report() const;
+
+  /// A sample of a stored flow that crossed live. Whether the host was not given it yet.
+  [[nodiscard]] bool on_live(const std::string& peer, const router::StreamRule& rule,
+                             const CarriedSample& sample);
+  void on_batch(const FillInPeer& peer, const CarriedSample& sample);
+  /// What this life of a peer may be told: it was given, and that is safe.
+  [[nodiscard]] router::FillInProgress progress(const FillInPeer& peer) const;
+  /// Peers whose progress has changed since the last call.
+  [[nodiscard]] std::set<std::string> take_progressed();
+
+ private:
+  struct Described {
+    Flow what;                      ///< topic, type and user data
+    std::optional<FlowId> on_host;  ///< where its filled-in samples are given
+  };
+  struct Batched {
+    FillInPeer peer;
+    router::FillInProgress progress;
+  };
+  void on(store_answer::Opened& answer);
+  void on(store_answer::Appended& answer);
+  void on(store_answer::Read& answer);
+  void on(store_answer::Retired& answer);
+  void on(store_answer::Saved& answer);
+  void on(store_answer::Problem& answer);
+  void follow_fates();
+  void begin_session();
+  [[nodiscard]] CarriedSample packed(const router::FillInBatch& batch);
+  void give(const router::FillInBatch& batch);
+
+  Parts parts_;
+  const FlowId flow_;
+  router::FillInSender sender_;
+  std::map<FlowId, std::uint64_t> keys_;     ///< streams of this host, by flow on the link
+  std::map<std::uint64_t, Described> sent_;  ///< by the stream's key
+  std::map<PeerId, FillInPeer> listeners_;
+  std::optional<FillInPeer> session_;
+  std::uint64_t batches_ = 0;
+
+  router::FillInReceiver receiver_;
+  std::map<std::uint64_t, Described> given_;  ///< by the key of the peer's stream
+  std::vector<sample_log::SampleId> live_;    ///< given, and not noted yet
+  std::map<std::uint64_t, Batched> saving_;   ///< by token
+  std::uint64_t last_token_ = 0;
+  std::map<std::string, Batched> saved_;  ///< by the peer's name
+  std::set<std::string> progressed_;
+};
+
+}  // namespace tocsin

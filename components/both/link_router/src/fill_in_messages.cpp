@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fill_in_messages.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "foundation/ros_names.hpp"
+#include "idl_support/type_definition.hpp"
+
+namespace tocsin {
+namespace {
+
+constexpr const char* topic_fact = "tocsin_topic";
+constexpr const char* type_fact = "tocsin_type";
+constexpr const char* user_data_fact = "tocsin_user_data";
+constexpr int filled_in_depth = 100;
+constexpr std::size_t longest_name = 255;
+
+std::string fact(const sample_log::LoggedStream& stream, const char* key) {
+  const auto found = stream.facts.find(key);
+  return found == stream.facts.end() ? "" : found->second;
+}
+
+bool is_name(const std::string& text, const char* also) {
+  const std::string others = also;
+  return !text.empty() && text.size() <= longest_name &&
+         std::all_of(text.begin(), text.end(), [&](unsigned char c) {
+           return std::isalnum(c) != 0 || others.find(static_cast<char>(c)) != std::string::npos;
+         });
+}
+
+}  // namespace
+
+tocsin_msgs::msg::FillIn to_message(const router::FillInBatch& batch) {
+  tocsin_msgs::msg::FillIn message;
+  message.session(batch.session);
+  message.number(batch.number);
+  for (const sample_log::LogEntry& entry : batch.samples) {
+    tocsin_msgs::msg::StoredSample sample;
+    sample.source(entry.id.source);
+    sample.sequence_number(entry.id.sequence);
+    sample.sent_ns(entry.sent_wall_ns);
+    sample.data(entry.bytes);
+    message.samples().push_back(std::move(sample));
+  }
+  return message;
+}
+
+router::FillInBatch to_batch(const tocsin_msgs::msg::FillIn& message, std::uint64_t stream) {
+  router::FillInBatch batch{message.session(), message.number(), stream, {}};
+  for (const tocsin_msgs::msg::StoredSample& sample : message.samples()) {
+    batch.samples.push_back(
+        {{stream, sample.source(), sample.sequence_number()}, sample.sent_ns(), sample.data()});
+  }
+  return batch;
+}
+
+bool is_sound(const tocsin_msgs::msg::FillIn& message) {
+  return is_name(message.topic(), "_/") && is_name(message.type(), "_:");
+}
+
+sample_log::LoggedStream logged_stream(const std::string& name, const Flow& flow) {
+  sample_log::LoggedStream stream;
+  stream.name = name;
+  stream.topic = "/" + flow.topic;
+  stream.schema.name = ros_type(flow.type);
+  if (auto definition = ros2msg_definition(flow.type)) {
+    stream.schema.encoding = "ros2msg";
+    stream.schema.data = std::move(*definition);
+  }
+  stream.facts = {
+      {topic_fact, flow.topic}, {type_fact, flow.type}, {user_data_fact, flow.user_data}};
+  return stream;
+}
+
+Flow flow_of(const sample_log::LoggedStream& stream) {
+  Flow flow;
+  flow.topic = fact(stream, topic_fact);
+  flow.type = fact(stream, type_fact);
+  flow.user_data = fact(stream, user_data_fact);
+  return flow;
+}
+
+Flow filled_in(const Flow& flow) {
+  Flow given;
+  given.topic = flow.topic + "/filled_in";
+  given.type = flow.type;
+  given.user_data = flow.user_data;
+  given.reliable = true;
+  given.transient_local = true;
+  given.depth = filled_in_depth;
+  return given;
+}
+
+}  // namespace tocsin

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "link_router/fill_in_batch.hpp"
+#include "runtime/middleware/link_bus.hpp"
+#include "sample_log/sample_log.hpp"
+#include "tocsin_idl/tocsin_msgs.hpp"
+
+namespace tocsin {
+
+/// Without lives, topic, type and user data.
+[[nodiscard]] tocsin_msgs::msg::FillIn to_message(const router::FillInBatch& batch);
+/// `stream` is the number of its stream here.
+[[nodiscard]] router::FillInBatch to_batch(const tocsin_msgs::msg::FillIn& message,
+                                           std::uint64_t stream);
+/// Whether a message of a peer names what can be a topic and a type.
+[[nodiscard]] bool is_sound(const tocsin_msgs::msg::FillIn& message);
+
+/// What the log keeps of a flow of this name: other tools find topic and definition in it.
+[[nodiscard]] sample_log::LoggedStream logged_stream(const std::string& name, const Flow& flow);
+/// Topic, type and user data of such a stream.
+[[nodiscard]] Flow flow_of(const sample_log::LoggedStream& stream);
+/// Where a topic's filled-in samples are given: `<topic>/filled_in`, reliable, a late reader gets
+/// the last hundred.
+[[nodiscard]] Flow filled_in(const Flow& flow);
+
+}  // namespace tocsin

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "router_store.hpp"
+
+#include <utility>
+
+#include "foundation/error.hpp"
+
+namespace tocsin {
+namespace {
+
+/// Entries that wait for a disk that does not answer; beyond them none is taken.
+constexpr std::size_t most_waiting = 4096;
+
+}  // namespace
+
+RouterStore::RouterStore(Devices& devices, std::string folder, const sample_log::LogLimits& limits,
+                         std::function<void()> on_answer)
+    : devices_(devices),
+      folder_(std::move(folder)),
+      limits_(limits),
+      on_answer_(std::move(on_answer)) {}
+
+RouterStore::~RouterStore() { background_.reset(); }
+
+void RouterStore::open(Time now, std::int64_t wall_ns) {
+  if (background_) return;
+  background_ = devices_.open_background();
+  post([this, now, wall_ns] { open_files(now, wall_ns); });
+}
+
+void RouterStore::open_files(Time now, std::int64_t wall_ns) {
+  store_answer::Opened opened;
+  try {
+    if (folder_.empty()) throw ConfigError("there is no folder for stored samples");
+    files_.folder = std::make_unique<sample_log::FolderFiles>(folder_);
+    files_.log = std::make_unique<sample_log::SampleLog>(*files_.folder, limits_, now, wall_ns);
+    files_.given = std::make_unique<sample_log::Ledger>(*files_.folder, "given");
+    opened.waiting = files_.log->waiting();
+    for (const auto& entry : files_.log->streams()) opened.streams.push_back(entry.second);
+    opened.given = files_.given->done();
+  } catch (const ConfigError& error) {
+    answer(store_answer::Problem{std::string(error.what()) + "; nothing is stored"});
+  }
+  answer(std::move(opened));
+  tell_problems();
+}
+
+void RouterStore::add(sample_log::LoggedStream stream) {
+  post([this, stream = std::move(stream)] {
+    if (files_.log) files_.log->add(stream);
+  });
+}
+
+void RouterStore::append(sample_log::LogEntry entry, Time now, std::int64_t wall_ns) {
+  if (!background_) return;
+  const bool was_behind = std::exchange(is_behind_, background_->waiting() >= most_waiting);
+  if (!is_behind_) {
+    return post(
+        [this, entry = std::move(entry), now, wall_ns] { append_now(entry, now, wall_ns); });
+  }
+  if (!was_behind) answer(store_answer::Problem{folder_ + ": the disk does not keep up"});
+  answer(store_answer::Appended{{{entry.id, sample_log::Logged::refused}}});
+}
+
+void RouterStore::append_now(const sample_log::LogEntry& entry, Time now, std::int64_t wall_ns) {
+  store_answer::Appended appended{{{entry.id, sample_log::Logged::refused}}};
+  if (files_.log) appended.logged[0].second = files_.log->append({entry}, now, wall_ns).at(0);
+  answer(std::move(appended));
+  tell_problems();
+}
+
+void RouterStore::confirm(std::vector<sample_log::SampleId> ids) {
+  if (ids.empty()) return;
+  post([this, ids = std::move(ids)] {
+    if (files_.log) files_.log->confirm(ids);
+  });
+}
+
+void RouterStore::read(std::vector<sample_log::SampleId> ids) {
+  if (ids.empty()) return;
+  post([this, ids = std::move(ids)] {
+    store_answer::Read read{ids, {}};
+    if (files_.log) read.read = files_.log->read(ids);
+    answer(std::move(read));
+    tell_problems();
+  });
+}
+
+void RouterStore::note_given(std::vector<sample_log::SampleId> ids,
+                             std::optional<std::uint64_t> token) {
+  if (ids.empty() && !token) return;
+  post([this, ids = std::move(ids), token] {
+    if (files_.given) {
+      for (const sample_log::SampleId& id : ids) (void)files_.given->add(id);
+      (void)files_.given->save();  // what fails is tried again with the next
+    }
+    if (token) answer(store_answer::Saved{*token});
+  });
+}
+
+void RouterStore::keep(Time now) {
+  post([this, now] {
+    if (!files_.log) return;
+    store_answer::Retired retired{files_.log->retire(now)};
+    if (!retired.ids.empty()) answer(std::move(retired));
+    files_.log->sync();
+    files_.given->sync();
+  });
+}
+
+void RouterStore::tell_problems() {
+  if (!files_.log) return;
+  for (std::string& text : files_.log->take_problems()) {
+    answer(store_answer::Problem{folder_ + ": " + std::move(text)});
+  }
+}
+
+void RouterStore::answer(StoreAnswer answer) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    answers_.push_back(std::move(answer));
+  }
+  on_answer_();
+}
+
+std::optional<StoreAnswer> RouterStore::take() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (answers_.empty()) return std::nullopt;
+  StoreAnswer next = std::move(answers_.front());
+  answers_.pop_front();
+  return next;
+}
+
+}  // namespace tocsin

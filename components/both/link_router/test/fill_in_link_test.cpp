@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stored topics of a router on a scripted link: what it sends, gives and keeps over its lives.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "devices/absent_devices.hpp"
+#include "foundation/temporary_folder.hpp"
+#include "link_router_fixture.hpp"
+#include "runtime/middleware/link_permissions.hpp"
+
+namespace tocsin {
+namespace {
+
+using FillInMessage = tocsin_msgs::msg::FillIn;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr FlowId peer_fill_ins = 700;
+
+class FillInLinkTest : public LinkRouterTest {
+ protected:
+  FillInLinkTest() {
+    (void)folder_.write("traffic.yaml",
+                        "uxv:\n  low: {while_poor: drop, topics: [battery_state, cpu_load], "
+                        "store: [battery_state]}\n");
+    script_.rules = TrafficRules(folder_.path("traffic.yaml"), Role::uxv);
+    start(folder_.path("store"));
+  }
+  /// A life of the router, the one before being killed or ended.
+  void start(const std::string& directory) {
+    sut_.reset();
+    script_.opened.clear();
+    script_.sent.clear();
+    LinkRouterComponent::Params params;
+    params.store_directory = directory;
+    sut_ = std::make_unique<LinkRouterComponent>(devices_, params);
+    bus_.add(*sut_);
+    run(0);
+  }
+  [[nodiscard]] FlowId fill_ins() const { return script_.opened_for(fill_in_topic); }
+  void meet_station() {
+    meet();
+    begin_peer_flow("link_receipt", receipt_flow);
+    listen(fill_ins());
+  }
+  /// The sequences that were filled in, by each message.
+  [[nodiscard]] std::vector<std::uint64_t> sent() const {
+    std::vector<std::uint64_t> sequences;
+    for (const ScriptedLink::Sent& one : script_.sent) {
+      if (one.flow != fill_ins()) continue;
+      for (const auto& sample : message_of(one).samples()) {
+        sequences.push_back(sample.sequence_number());
+      }
+    }
+    return sequences;
+  }
+  [[nodiscard]] static const FillInMessage& message_of(const ScriptedLink::Sent& one) {
+    return *static_cast<const FillInMessage*>(one.sample.content.get());
+  }
+  void confirm(std::uint32_t session, std::uint32_t number, std::uint32_t count) {
+    auto receipt = std::make_shared<Receipt>();
+    receipt->from_life(station);
+    receipt->to_life(ScriptedLink::own_life);
+    receipt->count(count);
+    receipt->made_ns(bus_.now().time_since_epoch().count());
+    receipt->fill_in_session(session);
+    receipt->fill_in_number(number);
+    tell(receipt);
+  }
+  [[nodiscard]] tocsin_msgs::msg::StoredTopic told() {
+    run(1.5);
+    std::vector<tocsin_msgs::msg::StoredTopic> stored;
+    while (const auto state = states_.take()) stored = state->stored();
+    EXPECT_EQ(stored.size(), 1U);
+    return stored.empty() ? tocsin_msgs::msg::StoredTopic() : stored.front();
+  }
+  /// A batch of the peer.
+  void fill_in(std::uint32_t number, const std::vector<std::uint64_t>& sequences,
+               const std::string& topic = "goal") {
+    auto message = std::make_shared<FillInMessage>();
+    message->from_life(station);
+    message->to_life(ScriptedLink::own_life);
+    message->session(1);
+    message->number(number);
+    message->topic(topic);
+    message->type("some_msgs::msg::dds_::Type_");
+    for (const std::uint64_t sequence : sequences) {
+      tocsin_msgs::msg::StoredSample sample;
+      sample.source(3);
+      sample.sequence_number(sequence);
+      sample.sent_ns(1000);
+      sample.data(std::vector<std::uint8_t>(20));
+      message->samples().push_back(sample);
+    }
+    CarriedSample sample;
+    sample.content = message;
+    sample.bytes = 100;
+    sample.sequence = ++fill_in_number_;
+    script_.happen(link_event::LinkSample{peer_fill_ins, fill_in_number_, sample, bus_.now()});
+    run(0);
+  }
+  [[nodiscard]] std::vector<std::uint64_t> given() const {
+    std::vector<std::uint64_t> sequences;
+    for (const ScriptedLink::Given& one : script_.given) {
+      sequences.push_back(one.sample.sequence);
+    }
+    return sequences;
+  }
+  /// Of the newest receipt.
+  [[nodiscard]] std::uint32_t told_number() {
+    run(1.1);
+    std::uint32_t number = 0;
+    for (const ScriptedLink::Sent& one : script_.sent) {
+      if (one.flow != script_.opened_for("link_receipt")) continue;
+      number = static_cast<const Receipt*>(one.sample.content.get())->fill_in_number();
+    }
+    return number;
+  }
+
+  TemporaryFolder folder_;
+  AbsentDevices computer_;
+  Context devices_ = context_.with_devices(computer_);
+  std::uint64_t fill_in_number_ = 0;
+};
+
+TEST_F(FillInLinkTest, WhatAPauseKeptBackIsFilledInAfterIt) {
+  meet_station();
+  listen(begin("battery_state"));
+  set_active(false);
+  for (const std::uint64_t sequence : {1, 2, 3}) write(sequence);
+  EXPECT_THAT(sent(), IsEmpty()) << "nothing while paused";
+  set_active(true);
+  EXPECT_THAT(sent(), ElementsAre(1, 2, 3));
+  confirm(1, 1, 1);
+  const auto state = told();
+  EXPECT_EQ(state.topic(), "battery_state");
+  EXPECT_EQ(state.stored(), 3U);
+  EXPECT_EQ(state.filled_in(), 3U);
+  EXPECT_EQ(state.waiting(), 0U);
+  EXPECT_TRUE(script_.opened.at(script_.opened_for("battery_state")).flow.stored);
+}
+
+TEST_F(FillInLinkTest, ATopicThatIsNotStoredIsNotFilledIn) {
+  meet_station();
+  listen(begin("cpu_load"));
+  set_active(false);
+  write(1);
+  set_active(true);
+  run(3);
+  EXPECT_THAT(sent(), IsEmpty());
+  EXPECT_FALSE(script_.opened.at(script_.opened_for("cpu_load")).flow.stored);
+}
+
+TEST_F(FillInLinkTest, WhatCrossesLiveIsNotFilledIn) {
+  meet_station();
+  const FlowId on_link = begin("battery_state");
+  listen(on_link);
+  write(1);
+  acknowledge(on_link, 1);
+  run(5);
+  EXPECT_EQ(script_.sent_on(on_link), 1U);
+  EXPECT_THAT(sent(), IsEmpty());
+}
+
+TEST_F(FillInLinkTest, WhatANextLifeFindsInTheLogIsFilledInThoughNobodyWritesItNow) {
+  (void)begin("battery_state");
+  write(1);
+  write(2);
+  run(1);
+  start(folder_.path("store"));
+  meet_station();
+  EXPECT_THAT(sent(), ElementsAre(1, 2));
+  EXPECT_EQ(message_of(script_.sent.front()).topic(), "battery_state");
+  confirm(1, 1, 1);
+  start(folder_.path("store"));
+  meet_station();
+  run(3);
+  EXPECT_THAT(sent(), IsEmpty()) << "confirmed";
+}
+
+TEST_F(FillInLinkTest, AFolderThatCannotBeUsedCostsOnlyWhatWouldHaveBeenStored) {
+  start(folder_.path("traffic.yaml/store"));
+  meet_station();
+  const FlowId on_link = begin("battery_state");
+  listen(on_link);
+  write(1);
+  EXPECT_EQ(script_.sent_on(on_link), 1U);
+  acknowledge(on_link, 1);
+  set_active(false);
+  write(2);
+  set_active(true);
+  run(3);
+  EXPECT_THAT(sent(), IsEmpty());
+  const auto state = told();
+  EXPECT_EQ(state.stored(), 0U);
+  EXPECT_EQ(state.refused(), 1U) << "the one that did not cross";
+}
+
+TEST_F(FillInLinkTest, ABatchIsGivenOnATopicOfItsOwnOnceAndInOrder) {
+  meet_station();
+  begin_peer_flow(fill_in_topic, peer_fill_ins);
+  fill_in(2, {12});
+  EXPECT_THAT(given(), IsEmpty()) << "before its turn";
+  fill_in(1, {10, 11});
+  EXPECT_THAT(given(), ElementsAre(10, 11, 12));
+  fill_in(1, {10, 11});
+  EXPECT_THAT(given(), ElementsAre(10, 11, 12));
+  ASSERT_EQ(script_.offered_here.size(), 1U);
+  const Flow& flow = script_.offered_here.begin()->second;
+  EXPECT_EQ(flow.topic, "goal/filled_in");
+  EXPECT_TRUE(flow.reliable && flow.transient_local);
+  EXPECT_EQ(script_.given.front().sample.sent_wall_ns, 1000) << "its own time";
+  EXPECT_EQ(told_number(), 2U);
+}
+
+TEST_F(FillInLinkTest, WhatCrossedLiveIsNotGivenAgain) {
+  meet_station();
+  Flow stored = flow("goal");
+  stored.stored = true;
+  script_.happen(link_event::PeerFlow{peer_flow, station, 8, stored});
+  begin_peer_flow(fill_in_topic, peer_fill_ins);
+  hear(1, 10);
+  ASSERT_THAT(given(), ElementsAre(10));
+  fill_in(1, {10, 11});
+  EXPECT_THAT(given(), ElementsAre(10, 11));
+}
+
+TEST_F(FillInLinkTest, ANextLifeRemembersWhatWasGiven) {
+  meet_station();
+  begin_peer_flow(fill_in_topic, peer_fill_ins);
+  fill_in(1, {10, 11});
+  start(folder_.path("store"));
+  script_.given.clear();
+  meet_station();
+  begin_peer_flow(fill_in_topic, peer_fill_ins);
+  fill_in(1, {11, 12});
+  EXPECT_THAT(given(), ElementsAre(12));
+}
+
+TEST_F(FillInLinkTest, ABatchOfNoTopicIsIgnored) {
+  meet_station();
+  begin_peer_flow(fill_in_topic, peer_fill_ins);
+  for (const char* const topic : {"", "a b", "a\n"}) fill_in(1, {10}, topic);
+  EXPECT_THAT(given(), IsEmpty());
+  EXPECT_EQ(told_number(), 0U);
+}
+
+TEST_F(FillInLinkTest, ATransmissionThatIsNotWrittenIsRepeated) {
+  meet_station();
+  (void)begin("battery_state");
+  write(1);
+  script_.is_up = false;
+  run(2);
+  EXPECT_THAT(sent(), IsEmpty());
+  script_.is_up = true;
+  run(5);
+  EXPECT_THAT(sent(), Contains(1));
+}
+
+}  // namespace
+}  // namespace tocsin

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "router_store.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "devices/absent_devices.hpp"
+#include "foundation/temporary_folder.hpp"
+
+namespace tocsin {
+namespace {
+
+using sample_log::Logged;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr Time t0{std::chrono::hours(1)};
+
+/// A disk that does nothing until it is told to.
+class SlowDisk final : public AbsentDevices {
+ public:
+  class Waiting final : public Background {
+   public:
+    explicit Waiting(SlowDisk& disk) : disk_(disk) {}
+    void post(std::function<void()> work) override { disk_.posted.push_back(std::move(work)); }
+    [[nodiscard]] std::size_t waiting() const override { return disk_.posted.size(); }
+
+   private:
+    SlowDisk& disk_;
+  };
+  std::unique_ptr<Background> open_background() override {
+    return std::make_unique<Waiting>(*this);
+  }
+  void work() {
+    for (auto& one : std::exchange(posted, {})) one();
+  }
+  std::vector<std::function<void()>> posted;
+};
+
+class RouterStoreTest : public ::testing::Test {
+ protected:
+  void start(const std::string& folder) {
+    sut_.emplace(disk_, folder, sample_log::LogLimits{}, [this] { ++told_; });
+    sut_->open(t0, 1000);
+    sut_->add({"battery|", "/battery", {0, "Battery", "", ""}, {}});
+  }
+  [[nodiscard]] static sample_log::SampleId id(std::uint64_t sequence) {
+    return {sample_log::stream_key("battery|"), 7, sequence};
+  }
+  void append(std::uint64_t sequence) { sut_->append({id(sequence), 5, {1, 2}}, t0, 1000); }
+  template <class Answer>
+  std::vector<Answer> take() {
+    std::vector<Answer> found;
+    while (auto answer = sut_->take()) {
+      if (auto* one = std::get_if<Answer>(&*answer)) found.push_back(std::move(*one));
+    }
+    return found;
+  }
+  TemporaryFolder folder_;
+  SlowDisk disk_;
+  int told_ = 0;
+  std::optional<RouterStore> sut_;
+};
+
+TEST_F(RouterStoreTest, NothingWaitsForTheDisk) {
+  start(folder_.path("store"));
+  append(1);
+  sut_->read({id(1)});
+  EXPECT_EQ(told_, 0);
+  EXPECT_FALSE(sut_->take());
+  disk_.work();
+  EXPECT_EQ(told_, 3);
+  const auto answers = take<store_answer::Read>();
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers[0].read.at(0).id, id(1));
+}
+
+TEST_F(RouterStoreTest, TellsFirstWhatEarlierLivesLeft) {
+  start(folder_.path("store"));
+  append(1);
+  append(2);
+  sut_->confirm({id(1)});
+  sut_->note_given({{1, 2, 3}}, std::nullopt);
+  disk_.work();
+  sut_.reset();
+  start(folder_.path("store"));
+  disk_.work();
+  const auto first = sut_->take();
+  ASSERT_TRUE(first && std::holds_alternative<store_answer::Opened>(*first));
+  const auto& opened = std::get<store_answer::Opened>(*first);
+  EXPECT_THAT(opened.waiting, ElementsAre(id(2)));
+  EXPECT_TRUE(opened.given.contains({1, 2, 3}));
+  ASSERT_EQ(opened.streams.size(), 1U);
+  EXPECT_EQ(opened.streams[0].name, "battery|");
+}
+
+TEST_F(RouterStoreTest, WhatWasGivenIsSafeWhenItsTokenIsAnswered) {
+  start(folder_.path("store"));
+  sut_->note_given({{1, 2, 3}}, 41);
+  sut_->note_given({}, 42);
+  disk_.work();
+  const auto saved = take<store_answer::Saved>();
+  ASSERT_EQ(saved.size(), 2U);
+  EXPECT_EQ(saved[0].token, 41U);
+  EXPECT_EQ(saved[1].token, 42U);
+}
+
+TEST_F(RouterStoreTest, ADiskThatDoesNotAnswerCostsWhatComesThenAndOneProblem) {
+  start(folder_.path("store"));
+  disk_.work();
+  (void)take<store_answer::Opened>();
+  for (std::uint64_t i = 0; i < 4100; ++i) append(i);
+  std::size_t refused = 0;
+  std::vector<std::string> problems;
+  while (const auto answer = sut_->take()) {
+    if (const auto* one = std::get_if<store_answer::Appended>(&*answer)) {
+      refused += one->logged.at(0).second == Logged::refused ? 1 : 0;
+    }
+    if (const auto* one = std::get_if<store_answer::Problem>(&*answer)) {
+      problems.push_back(one->text);
+    }
+  }
+  EXPECT_EQ(refused, 4U);
+  EXPECT_THAT(problems, ElementsAre(HasSubstr("does not keep up")));
+}
+
+TEST_F(RouterStoreTest, AFolderThatCannotBeMadeIsOneProblemAndEverythingIsRefused) {
+  (void)folder_.write("file", "");
+  start(folder_.path("file/store"));
+  append(1);
+  sut_->read({id(1)});
+  sut_->keep(t0);
+  sut_->note_given({{1, 2, 3}}, 1);
+  disk_.work();
+  std::size_t problems = 0;
+  bool saved = false;
+  while (const auto answer = sut_->take()) {
+    if (const auto* one = std::get_if<store_answer::Problem>(&*answer)) {
+      ++problems;
+      EXPECT_THAT(one->text, HasSubstr("file/store"));
+      EXPECT_THAT(one->text, HasSubstr("nothing is stored"));
+    }
+    if (const auto* one = std::get_if<store_answer::Appended>(&*answer)) {
+      EXPECT_EQ(one->logged.at(0).second, Logged::refused);
+    }
+    if (const auto* one = std::get_if<store_answer::Read>(&*answer)) EXPECT_TRUE(one->read.empty());
+    saved = saved || std::holds_alternative<store_answer::Saved>(*answer);
+  }
+  EXPECT_EQ(problems, 1U);
+  EXPECT_TRUE(saved) << "what comes is given all the same";
+}
+
+TEST_F(RouterStoreTest, WhatIsTooOldIsTold) {
+  start(folder_.path("store"));
+  append(1);
+  sut_->keep(t0 + std::chrono::hours(25));
+  disk_.work();
+  const auto retired = take<store_answer::Retired>();
+  ASSERT_EQ(retired.size(), 1U);
+  EXPECT_THAT(retired[0].ids, ElementsAre(id(1)));
+}
+
+}  // namespace
+}  // namespace tocsin

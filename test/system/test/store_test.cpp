@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// A stored topic over an outage of the emulated radio, in which both routers are killed with -9.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <new>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "crossing.hpp"
+#include "foundation/temporary_folder.hpp"
+#include "peer.hpp"
+#include "ros_idl/std_msgs.hpp"
+#include "stack.hpp"
+
+namespace tocsin {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using Message = std_msgs::msg::String;
+
+constexpr TopicInfo live{"history", "history", Scope::host};
+constexpr TopicInfo filled{"history/filled_in", "history", Scope::host};
+constexpr int outage_s = 6;
+constexpr auto period = milliseconds(50);
+constexpr std::size_t most_samples = 1U << 14U;
+
+/// What the vehicle has written and what the station's readers got, shared by their processes.
+struct History {
+  struct Got : Receiver {
+    void receive(const Sample& sample) override {
+      const std::size_t at = count.load(std::memory_order_relaxed);
+      if (at == most_samples) return;
+      sequences[at] = sample.sequence;
+      count.store(at + 1, std::memory_order_release);
+    }
+    [[nodiscard]] std::vector<std::uint64_t> all() const {
+      return {sequences.data(), sequences.data() + count.load(std::memory_order_acquire)};
+    }
+    std::atomic<std::size_t> count{0};
+    std::array<std::uint64_t, most_samples> sequences{};
+  };
+  std::atomic<std::uint64_t> written{0};
+  std::atomic<bool> ends{false};
+  Got live;
+  Got filled;
+};
+
+class StoreTest : public ::testing::Test {
+ protected:
+  StoreTest() {
+    void* const memory =
+        mmap(nullptr, sizeof(History), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::runtime_error("no shared memory");
+    history_ = new (memory) History;
+    (void)folder_.write("store_traffic.yaml",
+                        "extends: traffic.yaml\n"
+                        "uxv: {normal: {topics: [history], store: [history]}}\n");
+    (void)folder_.write("store.yaml",
+                        "extends: mission.yaml\n"
+                        "traffic: store_traffic.yaml\n"
+                        "stop_when_exits: ~\n"
+                        "hosts: {gcs: {containers: [{mission: ~}, {view: ~}]}}\n");
+    // What a router that is dead misses, its successor gets from the writer.
+    qos_ = folder_.write(
+        "qos.yaml", "history: {reliability: reliable, durability: transient_local, depth: 400}\n");
+  }
+  ~StoreTest() override {
+    peers_.clear();
+    munmap(history_, sizeof(History));
+  }
+  void start_peers(const Stack& stack) {
+    peer(stack.pid("uxv/link"), standing_domain, [this](Bus& bus) {
+      const auto writer = bus.advertise({live, &type_info<Message>()});
+      for (auto next = std::chrono::steady_clock::now(); !history_->ends; next += period) {
+        std::this_thread::sleep_until(next);
+        (void)writer->write(std::make_shared<const Message>());
+        ++history_->written;
+      }
+      for (;;) pause();
+    });
+    peer(stack.pid("gcs/link"), standing_domain + 1, [this](Bus& bus) {
+      const auto one = bus.subscribe({live, &type_info<Message>()}, history_->live);
+      const auto other = bus.subscribe({filled, &type_info<Message>()}, history_->filled);
+      for (;;) pause();
+    });
+  }
+  void peer(pid_t process, int domain, const std::function<void(Bus&)>& job) {
+    BusOptions options;
+    options.qos_file = qos_;
+    options.name = "history";
+    options.host_domain = domain;
+    peers_.push_back(std::make_unique<Peer>(process, options, job));
+  }
+  /// All that were written, live or filled in, each once.
+  [[nodiscard]] std::vector<std::uint64_t> got() const {
+    std::vector<std::uint64_t> all = history_->live.all();
+    const auto filled_in = history_->filled.all();
+    all.insert(all.end(), filled_in.begin(), filled_in.end());
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+  [[nodiscard]] bool has_all() const {
+    auto all = got();
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all.size() >= history_->written;
+  }
+
+  TemporaryFolder folder_;
+  std::string qos_;
+  History* history_;
+  std::vector<std::unique_ptr<Peer>> peers_;
+};
+
+TEST_F(StoreTest, AnOutageWithKilledRoutersLosesNothingAndGivesEachSampleOnceAndInOrder) {
+  const Stack stack({folder_.path("store.yaml"), "--seed", "1"});
+  const auto runs = [&] { return stack.pid("uxv/link") != 0 && stack.pid("gcs/link") != 0; };
+  ASSERT_TRUE(Stack::eventually(seconds(30), runs)) << stack.output();
+  start_peers(stack);
+  const auto crosses = [&] { return history_->live.count > 120; };  // 6 s: routers count as sound
+  ASSERT_TRUE(Stack::eventually(seconds(30), crosses)) << stack.output();
+
+  stack.control("radio.sock", fmt::format("set outage {}", outage_s));
+  const auto begin = std::chrono::steady_clock::now();
+  std::this_thread::sleep_until(begin + seconds(outage_s / 3));
+  ASSERT_EQ(kill(stack.pid("uxv/link"), SIGKILL), 0);
+  std::this_thread::sleep_until(begin + seconds(2 * outage_s / 3));
+  ASSERT_EQ(kill(stack.pid("gcs/link"), SIGKILL), 0);
+  std::this_thread::sleep_until(begin + seconds(outage_s));
+  history_->ends = true;
+
+  EXPECT_TRUE(Stack::eventually(seconds(2 * outage_s), [&] { return has_all(); }))
+      << got().size() << " of " << history_->written << "\n"
+      << stack.output();
+  const auto all = got();
+  EXPECT_EQ(std::adjacent_find(all.begin(), all.end()), all.end()) << "twice";
+  const auto filled_in = history_->filled.all();
+  EXPECT_GT(filled_in.size(), 60U) << "at least what was written in half of the outage";
+  EXPECT_TRUE(std::is_sorted(filled_in.begin(), filled_in.end())) << "in the order of the writer";
+}
+
+}  // namespace
+}  // namespace tocsin
