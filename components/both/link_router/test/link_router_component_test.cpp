@@ -137,7 +137,7 @@ TEST_F(LinkRouterTest, TellsTheWritersOfAdaptiveTopicsTheirBudget) {
   begin("camera/image_raw/compressed");
   begin("heartbeat", host_flow + 1);
   run(1);
-  const auto budgets = budgets_.take();
+  const auto budgets = host_->budgets.take();
   ASSERT_FALSE(budgets.empty());
   ASSERT_EQ(budgets.back().streams().size(), 1U);
   EXPECT_EQ(budgets.back().streams()[0].topic(), "camera/image_raw/compressed");
@@ -149,14 +149,14 @@ TEST_F(LinkRouterTest, TellsTheStateOfTheLinkAndOfEachTopicOnceASecond) {
   set_active(false);
   write(1);
   run(2.5);
-  const auto states = states_.take();
+  const auto states = host_->states.take();
   ASSERT_GE(states.size(), 2U);
   EXPECT_EQ(states.back().role(), "uxv");
   EXPECT_TRUE(states.back().paused());
   EXPECT_EQ(states.back().packets(), 7U);
   EXPECT_EQ(states.back().discovery_bytes(), 200U);
   EXPECT_EQ(states.back().classes()[3].dropped_paused(), 1U);
-  const auto reports = reports_.take();
+  const auto reports = host_->reports.take();
   ASSERT_FALSE(reports.empty());
   ASSERT_EQ(reports.back().topics().size(), 1U);
   EXPECT_TRUE(reports.back().topics()[0].paused());
@@ -175,7 +175,7 @@ TEST_F(LinkRouterTest, ADurableSampleThatIsSentAgainToALatePeerCountsAsSentOnce)
   listen(on_link);
   run(2.5);
   ASSERT_GT(script_.sent_on(on_link), 1U) << "to nobody, then to the station";
-  const auto reports = reports_.take();
+  const auto reports = host_->reports.take();
   ASSERT_FALSE(reports.empty());
   ASSERT_EQ(reports.back().topics().size(), 1U);
   EXPECT_EQ(reports.back().topics()[0].written(), 1U);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "link_router/link_router_component.hpp"
@@ -24,9 +25,13 @@ class LinkRouterTest : public ::testing::Test {
   LinkRouterTest() {
     script_.rules =
         TrafficRules(std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", Role::uxv);
-    sut_ = std::make_unique<LinkRouterComponent>(context_, LinkRouterComponent::Params{});
-    bus_.add(*sut_);
-    bus_.run_for(seconds(0));
+    start({}, real_devices());
+  }
+  /// A life of the router; the one before has ended.
+  void start(const LinkRouterComponent::Params& params, Devices& devices) {
+    host_.reset();
+    host_.emplace(script_, params, devices);
+    run(0);
   }
 
   static Flow flow(const std::string& topic) {
@@ -55,8 +60,8 @@ class LinkRouterTest : public ::testing::Test {
     sample.bytes = bytes;
     sample.source = 9;
     sample.sequence = sequence;
-    sample.sent_wall_ns = bus_.wall_ns(bus_.now());
-    script_.happen(link_event::HostSample{id, sample, bus_.now()});
+    sample.sent_wall_ns = host_->bus.wall_ns(host_->bus.now());
+    script_.happen(link_event::HostSample{id, sample, host_->bus.now()});
     run(0);
   }
   /// A peer's flow and one transmission on it.
@@ -65,8 +70,8 @@ class LinkRouterTest : public ::testing::Test {
     sample.bytes = 100;
     sample.source = 3;
     sample.sequence = sequence;
-    sample.sent_wall_ns = bus_.wall_ns(bus_.now());
-    script_.happen(link_event::LinkSample{peer_flow, number, sample, bus_.now()});
+    sample.sent_wall_ns = host_->bus.wall_ns(host_->bus.now());
+    script_.happen(link_event::LinkSample{peer_flow, number, sample, host_->bus.now()});
     run(0);
   }
   void begin_peer_flow(const std::string& topic, FlowId id = peer_flow) {
@@ -78,7 +83,7 @@ class LinkRouterTest : public ::testing::Test {
     receipt->from_life(station);
     receipt->to_life(ScriptedLink::own_life);
     receipt->count(count);
-    receipt->made_ns(bus_.now().time_since_epoch().count());
+    receipt->made_ns(host_->bus.now().time_since_epoch().count());
     receipt->streams({1000 + on_link});
     receipt->highest({static_cast<std::uint32_t>(highest)});
     receipt->age_100us({10});
@@ -88,25 +93,34 @@ class LinkRouterTest : public ::testing::Test {
   void tell(const std::shared_ptr<Receipt>& receipt) {
     CarriedSample sample;
     sample.content = receipt;
-    script_.happen(link_event::LinkSample{receipt_flow, 1, sample, bus_.now()});
+    script_.happen(link_event::LinkSample{receipt_flow, 1, sample, host_->bus.now()});
     run(0);
   }
   void set_active(bool active, const std::string& role = "uxv") {
     tocsin_msgs::msg::TransmissionState state;
     state.role(role);
     state.active(active);
-    bus_.publish<topic::TransmissionState>(state);
+    host_->bus.publish<topic::TransmissionState>(state);
     run(0);
   }
-  void run(double s) { bus_.run_for(seconds(s)); }
+  void run(double s) { host_->bus.run_for(seconds(s)); }
 
+  struct Host {
+    Host(ScriptedLink& script, const LinkRouterComponent::Params& params, Devices& devices)
+        : bus(script),
+          context(Context(bus, "link_router", Role::uxv).with_devices(devices)),
+          router(context, params) {
+      bus.add(router);
+    }
+    RoutedSimBus bus;
+    Context context;
+    SimReader<topic::LinkState> states{bus};
+    SimReader<topic::LinkBudget> budgets{bus};
+    SimReader<topic::TrafficReport> reports{bus};
+    LinkRouterComponent router;
+  };
   ScriptedLink script_;
-  RoutedSimBus bus_{script_};
-  Context context_{bus_, "link_router", Role::uxv};
-  SimReader<topic::LinkState> states_{bus_};
-  SimReader<topic::LinkBudget> budgets_{bus_};
-  SimReader<topic::TrafficReport> reports_{bus_};
-  std::unique_ptr<LinkRouterComponent> sut_;
+  std::optional<Host> host_;
 };
 
 }  // namespace tocsin

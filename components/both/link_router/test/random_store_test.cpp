@@ -39,7 +39,7 @@ SampleId id_of(StreamId stream, const Origin& origin) {
 class RandomStore {
  public:
   explicit RandomStore(unsigned seed) : random_(seed) {
-    if (chance(0.3)) limits_.bytes = 50'000;
+    if (seed % 2 == 0) limits_.bytes = 20'000;
     for (StreamId stream = 1; stream <= streams; ++stream) rules_[stream] = random_rule(stream);
     start_vehicle();
     start_station();
@@ -56,7 +56,7 @@ class RandomStore {
     loss_ = 0;
     delay_ms_ = 5;
     pause(false);
-    for (int i = 0; i < 60'000 && !all_came(); ++i) step(false);
+    for (int i = 0; i < 60'000 && (i % 100 != 0 || !missing().empty()); ++i) step(false);
     for (const SampleId& id : missing()) {
       ADD_FAILURE() << "never came: sequence " << id.sequence << " of " << id.source;
     }
@@ -256,10 +256,6 @@ class RandomStore {
     }
     return missing;
   }
-  [[nodiscard]] bool all_came() const {
-    return given_.size() >= offered_.size() || missing().empty();
-  }
-
   std::mt19937 random_;
   sample_log::LogLimits limits_;
   std::map<StreamId, StreamRule> rules_;
@@ -291,7 +287,7 @@ class RandomStore {
 TEST(RandomStore, LosesNothingButByTheLogsBoundsAndGivesEachSampleOnceAndInOrder) {
   std::size_t filled_in = 0;
   std::size_t retired = 0;
-  for (unsigned seed = 1; seed <= 4 && !HasFailure(); ++seed) {
+  for (unsigned seed = 1; seed <= 16 && !HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomStore store(seed);
     store.run(1500);
@@ -299,7 +295,7 @@ TEST(RandomStore, LosesNothingButByTheLogsBoundsAndGivesEachSampleOnceAndInOrder
     filled_in += store.filled_in();
     retired += store.retired();
   }
-  EXPECT_GT(filled_in, 500U);
+  EXPECT_GT(filled_in, 1500U);
   EXPECT_GT(retired, 0U);
 }
 

@@ -150,7 +150,9 @@ TEST_F(RouterStoreTest, AFolderThatCannotBeMadeIsOneProblemAndEverythingIsRefuse
     if (const auto* one = std::get_if<store_answer::Appended>(&*answer)) {
       EXPECT_EQ(one->logged.at(0).second, Logged::refused);
     }
-    if (const auto* one = std::get_if<store_answer::Read>(&*answer)) EXPECT_TRUE(one->read.empty());
+    if (const auto* one = std::get_if<store_answer::Read>(&*answer)) {
+      EXPECT_TRUE(one->read.empty());
+    }
     saved = saved || std::holds_alternative<store_answer::Saved>(*answer);
   }
   EXPECT_EQ(problems, 1U);

@@ -13,11 +13,24 @@
 namespace tocsin {
 namespace {
 
+/// Of each topic of the link, where a router gives what did not cross at first.
+void add_filled_in(std::vector<ChosenTopic>& chosen) {
+  std::vector<ChosenTopic> filled_in;
+  for (const ChosenTopic& topic : chosen) {
+    if (topic.info.scope != Scope::link) continue;
+    const std::string name = std::string(topic.info.name) + "/filled_in";
+    filled_in.push_back({make_topic_info(name, "event", Scope::host), topic.type});
+  }
+  chosen.insert(chosen.end(), filled_in.begin(), filled_in.end());
+}
+
 /// Those that libraries of this process state; with wishes, those of all that are installed.
 std::vector<ChosenTopic> chosen_topics(const std::string& name,
                                        const RecorderComponent::Params& params) {
   if (!params.topics.empty()) load_idl_libraries();
-  return choose_topics(name, {params.link_topics, params.topics}, known_topics());
+  auto chosen = choose_topics(name, {params.link_topics, params.topics}, known_topics());
+  if (params.filled_in) add_filled_in(chosen);
+  return chosen;
 }
 
 std::vector<std::unique_ptr<Recording>> recordings_of(const std::string& name,

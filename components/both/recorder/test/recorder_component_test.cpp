@@ -18,6 +18,7 @@ namespace tocsin {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class RecorderTest : public ::testing::Test {
@@ -80,6 +81,29 @@ struct Remark {
   using Message = std_msgs::msg::String;
   static constexpr TopicInfo info{"crew/remark", "event", Scope::host};
 };
+
+TEST_F(RecorderTest, TellsWhatWasFilledInFromWhatCrossedLive) {
+  struct Filled {
+    using Message = topic::Goal::Message;
+    static constexpr TopicInfo info{"goal/filled_in", "event", Scope::host};
+  };
+  RecorderComponent::Params params;
+  params.filled_in = true;
+  SimBus bus;
+  Context context = Context(bus, "recorder", Role::gcs).with_run_dir(directory_);
+  RecorderComponent sut(context, params);
+  bus.add(sut);
+  tocsin_msgs::msg::Goal goal;
+  goal.id(7);
+  bus.publish<topic::Goal>(goal);
+  goal.id(6);
+  bus.publish<Filled>(goal);
+  bus.run_for(seconds(1));
+  EXPECT_THAT(read("goal.csv"), HasSubstr(",0,0,7,"));
+  EXPECT_THAT(read("goal.csv"), Not(HasSubstr(",0,0,6,")));
+  EXPECT_THAT(read("goal.filled_in.csv"), HasSubstr(",0,0,6,"));
+  EXPECT_THAT(read("messages.csv"), HasSubstr(",goal/filled_in,"));
+}
 
 TEST_F(RecorderTest, RecordsATopicThatNobodyKnowsByItsType) {
   RecorderComponent::Params params;

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "fast_dds/rtps_capture.hpp"
+#include "idl_support/topic_registry.hpp"
 #include "link/link_bus_fixture.hpp"
 #include "tocsin_idl/topics.hpp"
 
