@@ -151,10 +151,10 @@ void LinkRouterComponent::on(const link_event::PeerLost& event, Time now) {
     sender_.forget_peer(found->second, now);
     receiver_.forget_peer(found->second);
     lives_.erase(found->second);
-    fill_ins_->on_lost(event.peer);
     log().warn("{} has left the link", found->second);
   }
   peers_.erase(found);
+  fill_ins_->on_lost(event.peer);
 }
 
 void LinkRouterComponent::on(const link_event::PeerFlow& event, Time now) {

@@ -184,6 +184,23 @@ TEST_F(FillInLinkTest, WhatANextLifeFindsInTheLogIsFilledInThoughNobodyWritesItN
   EXPECT_THAT(sent(), IsEmpty()) << "confirmed";
 }
 
+TEST_F(FillInLinkTest, ANextLifeOfTheStationIsSentWhatWasNotConfirmed) {
+  meet_station();
+  (void)begin("battery_state");
+  write(1);
+  EXPECT_THAT(sent(), ElementsAre(1));
+  constexpr PeerId next_life = station + 1;
+  meet(next_life);
+  script_.happen(link_event::PeerListens{fill_ins(), next_life});
+  script_.happen(link_event::PeerLost{station});
+  run(0.2);
+  EXPECT_THAT(sent(), ElementsAre(1, 1));
+  const auto last = std::find_if(script_.sent.rbegin(), script_.sent.rend(),
+                                 [this](const auto& one) { return one.flow == fill_ins(); });
+  EXPECT_EQ(message_of(*last).to_life(), next_life);
+  EXPECT_EQ(message_of(*last).session(), 2U);
+}
+
 TEST_F(FillInLinkTest, AFolderThatCannotBeUsedCostsOnlyWhatWouldHaveBeenStored) {
   start(folder_.path("traffic.yaml/store"));
   meet_station();
