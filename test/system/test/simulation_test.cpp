@@ -212,6 +212,13 @@ TEST_F(SimulationTest, TenSeedsOfRandomFaultsBreakNoPromise) {
   EXPECT_THAT(ten.output, HasSubstr("0 runs broke a promise"));
 }
 
+TEST_F(SimulationTest, SeedsOfRandomFaultsLoseNothingOfStoredTopics) {
+  std::ofstream(folder_ + "/store.yaml") << "extends: mission.yaml\ntraffic: traffic_store.yaml\n";
+  const Ended some = run(folder_ + "/store.yaml --faults random --seeds 1..8 --jobs 2");
+  EXPECT_EQ(some.code, 0) << some.output;
+  EXPECT_THAT(some.output, HasSubstr("0 runs broke a promise"));
+}
+
 TEST_F(SimulationTest, RefusesAnUnknownParameter) {
   const Ended run = sim("mission.yaml --set navigator.speeed=1");
   EXPECT_EQ(run.code, 2);

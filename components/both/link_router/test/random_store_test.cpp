@@ -3,13 +3,11 @@
 // must hold whatever happens. A failure names its seed.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <random>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "link_router/fill_in_receiver.hpp"
@@ -34,8 +32,7 @@ SampleId id_of(StreamId stream, const Origin& origin) {
   return {sample_log::stream_key(name_of(stream)), origin.source, origin.sequence};
 }
 
-/// A vehicle's router with its log and a station's with its ledger. Files outlive a kill, and the
-/// host's writers keep nothing: what is offered while a router is dead is not offered at all.
+/// A vehicle's router with its log and a station's with its ledger. Files outlive a kill.
 class RandomStore {
  public:
   explicit RandomStore(unsigned seed) : random_(seed) {

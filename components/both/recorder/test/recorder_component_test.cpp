@@ -21,6 +21,11 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
+struct FilledInGoal {
+  using Message = topic::Goal::Message;
+  static constexpr TopicInfo info{"goal/filled_in", "event", Scope::host};
+};
+
 class RecorderTest : public ::testing::Test {
  protected:
   RecorderTest() : directory_(::testing::TempDir() + "/recorder_" + std::to_string(getpid())) {
@@ -83,10 +88,6 @@ struct Remark {
 };
 
 TEST_F(RecorderTest, TellsWhatWasFilledInFromWhatCrossedLive) {
-  struct Filled {
-    using Message = topic::Goal::Message;
-    static constexpr TopicInfo info{"goal/filled_in", "event", Scope::host};
-  };
   RecorderComponent::Params params;
   params.filled_in = true;
   SimBus bus;
@@ -97,7 +98,7 @@ TEST_F(RecorderTest, TellsWhatWasFilledInFromWhatCrossedLive) {
   goal.id(7);
   bus.publish<topic::Goal>(goal);
   goal.id(6);
-  bus.publish<Filled>(goal);
+  bus.publish<FilledInGoal>(goal);
   bus.run_for(seconds(1));
   EXPECT_THAT(read("goal.csv"), HasSubstr(",0,0,7,"));
   EXPECT_THAT(read("goal.csv"), Not(HasSubstr(",0,0,6,")));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <vector>
 
 namespace tocsin::sample_log {
 namespace {
@@ -110,6 +111,31 @@ TEST_F(LedgerTest, AKilledRewriteLosesNothing) {
   half.resize(half.size() / 2);
   restart();
   EXPECT_TRUE(has(10));
+}
+
+TEST_F(LedgerTest, WritersThatWereHeardOfLastAreKeptOverLives) {
+  for (std::uint64_t source = 0; source < 4096; ++source) sut_->add({1, source, 1});
+  EXPECT_EQ(sut_->save(), mcap::Kept::all);
+  sut_->add({1, 0, 2});
+  EXPECT_EQ(sut_->save(), mcap::Kept::all);
+  restart();
+  sut_->add({1, 5000, 1});
+  EXPECT_TRUE(sut_->done().contains({1, 0, 1}));
+  EXPECT_FALSE(sut_->done().contains({1, 1, 1}));
+}
+
+TEST_F(LedgerTest, AFileThatIsNoneOfItsOwnIsLeftAlone) {
+  for (const char* const other : {"given", "given.txt", "confirmed.00000001"}) {
+    const auto file = files_.make(other);
+    const std::vector<std::uint8_t> bytes(80, 0x5a);
+    EXPECT_EQ(file->append({{bytes.data(), bytes.size()}}), mcap::Kept::all);
+  }
+  sut_->add({1, 2, 10});
+  EXPECT_EQ(sut_->save(), mcap::Kept::all);
+  restart();
+  EXPECT_EQ(sut_->damaged(), 0U);
+  EXPECT_TRUE(has(10));
+  EXPECT_EQ(files_.names().size(), 4U);
 }
 
 TEST_F(LedgerTest, AFileWithManyRecordsIsWrittenAnew) {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "mcap/reader.hpp"
+#include "mcap/writer.hpp"
 
 namespace tocsin::sample_log {
 namespace {
@@ -223,6 +224,26 @@ TEST_F(SampleLogTest, ItsSegmentsAreMcapFilesWithTopicAndSchema) {
   EXPECT_EQ(reader.summary().channels.begin()->second.topic, "/battery_state");
   EXPECT_EQ(reader.summary().schemas.begin()->second.name, "sensor_msgs/msg/BatteryState");
   EXPECT_FALSE(reader.damage().no_summary) << "it was closed";
+}
+
+TEST_F(SampleLogTest, AFileOfAnotherToolIsLeftAlone) {
+  const auto foreign = files_.make("segment.00000007.mcap");
+  {
+    const auto sink = files_.make("notes.txt");
+    mcap::Writer writer(*foreign, {});
+    const auto channel = writer.declare(mcap::Channel{0, 0, "/other", "json", {}});
+    (void)writer.write(mcap::Message{*channel, 1, 1, 1, nullptr, 0});
+  }
+  kill_and_restart();
+  EXPECT_THAT(sut_->waiting(), IsEmpty());
+  EXPECT_EQ(append(id(1)), Logged::kept) << "behind it";
+  EXPECT_THAT(files_.names(), ::testing::Contains("segment.00000008.mcap"));
+  EXPECT_THAT(files_.names(), ::testing::Contains("notes.txt"));
+}
+
+TEST_F(SampleLogTest, AnEntryOfAStreamThatNobodyNamedIsRefused) {
+  EXPECT_EQ(append({99, 7, 1}), Logged::refused);
+  EXPECT_EQ(append(id(1)), Logged::kept);
 }
 
 /// Whatever is cut off the files of a killed process, what is left of the log is in its order and

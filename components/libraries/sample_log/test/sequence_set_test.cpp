@@ -45,6 +45,13 @@ TEST(SequenceSet, ClosesTheLowestGaps) {
   EXPECT_THAT(sut.ranges(), ElementsAre(Pair(1, 5), Pair(7, 7)));
 }
 
+TEST(SequenceSet, HasNothingAtFirstAndNothingToClose) {
+  SequenceSet sut;
+  sut.close_gaps(1);
+  EXPECT_TRUE(sut.ranges().empty());
+  EXPECT_FALSE(sut.contains(0));
+}
+
 TEST(SequenceSet, TakesTheLargestNumber) {
   constexpr auto largest = std::numeric_limits<std::uint64_t>::max();
   SequenceSet sut;

@@ -24,7 +24,7 @@ TEST_F(LinkBusTest, WhatALogHeldIsGivenByANextLife) {
   again.sequence = logged.sequence;
   EXPECT_EQ(again.content, logged.content);
   Flow flow;
-  flow.topic = topic::Location::name;
+  flow.topic = topic::Location::info.name;
   Reader& away = read<topic::Location>(mission_);
   down().bus.give(down().bus.offer(flow), again);
   EXPECT_EQ(away.samples.size(), 1U);
