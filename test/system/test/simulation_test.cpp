@@ -213,7 +213,8 @@ TEST_F(SimulationTest, TenSeedsOfRandomFaultsBreakNoPromise) {
 }
 
 TEST_F(SimulationTest, SeedsOfRandomFaultsLoseNothingOfStoredTopics) {
-  std::ofstream(folder_ + "/store.yaml") << "extends: mission.yaml\ntraffic: traffic_store.yaml\n";
+  std::ofstream(folder_ + "/local.yaml") << "extends: traffic_store.yaml\n";
+  std::ofstream(folder_ + "/store.yaml") << "extends: mission.yaml\ntraffic: local.yaml\n";
   const Ended some = run(folder_ + "/store.yaml --faults random --seeds 1..8 --jobs 2");
   EXPECT_EQ(some.code, 0) << some.output;
   EXPECT_THAT(some.output, HasSubstr("0 runs broke a promise"));
