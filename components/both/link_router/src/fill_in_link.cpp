@@ -13,7 +13,11 @@ namespace {
 
 using FillInMessage = tocsin_msgs::msg::FillIn;
 
-FlowId open_flow(LinkBus& link) {
+std::optional<FlowId> open_flow(LinkBus& link) {
+  const auto& rules = link.rules().all();
+  const bool stores =
+      std::any_of(rules.begin(), rules.end(), [](const auto& rule) { return rule.second.stored; });
+  if (!stores) return std::nullopt;
   Flow flow;
   flow.topic = fill_in_topic;
   flow.type = type_info<FillInMessage>().name;
@@ -24,7 +28,7 @@ FlowId open_flow(LinkBus& link) {
 
 FillInLink::FillInLink(const Parts& parts, const router::LinkRouterParams& params)
     : parts_(parts), flow_(open_flow(parts.link)), sender_(params) {
-  parts_.sender.add_fill_in_stream(flow_);
+  if (flow_) parts_.sender.add_fill_in_stream(*flow_);
 }
 
 void FillInLink::add(FlowId on_link, const Flow& flow, const router::StreamRule& rule) {
@@ -50,7 +54,7 @@ void FillInLink::offer(FlowId on_link, const CarriedSample& sample, Time now,
 
 void FillInLink::on_listener(const FillInPeer& peer, Time now) {
   listeners_[peer.life] = peer;
-  parts_.sender.set_wanted(peer.name, flow_, true, now);
+  parts_.sender.set_wanted(peer.name, *flow_, true, now);
   if (!session_) begin_session();
 }
 
@@ -131,8 +135,8 @@ void FillInLink::send(Time now) {
     if (!batch) return;
     const CarriedSample sample = packed(*batch);
     const router::Sample what{{0, sample.sequence, now}, sample.bytes, sample.content};
-    const auto transmission = parts_.sender.fill_in(flow_, what, now);
-    const auto number = parts_.link.send(flow_, sample);
+    const auto transmission = parts_.sender.fill_in(*flow_, what, now);
+    const auto number = parts_.link.send(*flow_, sample);
     if (number != transmission.number) parts_.sender.on_not_written(transmission, now);
   }
 }

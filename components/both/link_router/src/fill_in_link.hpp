@@ -38,8 +38,8 @@ class FillInLink {
   };
   FillInLink(const Parts& parts, const router::LinkRouterParams& params);
 
-  /// The link's flow of batches.
-  [[nodiscard]] FlowId flow() const { return flow_; }
+  /// The link's flow of batches; empty when the traffic file stores nothing of this host.
+  [[nodiscard]] std::optional<FlowId> flow() const { return flow_; }
 
   /// A stored flow of this host, by its number on the link.
   void add(FlowId on_link, const Flow& flow, const router::StreamRule& rule);
@@ -87,7 +87,7 @@ class FillInLink {
   void give(const router::FillInBatch& batch);
 
   Parts parts_;
-  const FlowId flow_;
+  const std::optional<FlowId> flow_;
   router::FillInSender sender_;
   std::map<FlowId, std::uint64_t> keys_;     ///< streams of this host, by flow on the link
   std::map<std::uint64_t, Described> sent_;  ///< by the stream's key

@@ -260,10 +260,7 @@ void LinkRouterComponent::answer(Time now) {
 /// What an earlier life has left crosses though nobody writes it now.
 void LinkRouterComponent::keep_store(Time now) {
   next_keep_ = next_instant(keep_period, now);
-  const auto& rules = link_->rules().all();
-  const bool stores =
-      std::any_of(rules.begin(), rules.end(), [](const auto& rule) { return rule.second.stored; });
-  if (stores) store_->open(now, bus().wall_ns(now));
+  if (fill_ins_->flow()) store_->open(now, bus().wall_ns(now));
   store_->keep(now);
 }
 

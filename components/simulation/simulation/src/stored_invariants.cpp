@@ -11,10 +11,6 @@
 namespace tocsin::simulation {
 namespace {
 
-std::string text_of(const TopicEnd& end, std::uint64_t written) {
-  return end.host + "/" + end.process + " " + end.topic + " " + std::to_string(written);
-}
-
 /// Writer and sequence of all that logs in a folder still have.
 std::set<std::pair<std::uint64_t, std::uint64_t>> waiting_in(const std::string& run_dir) {
   std::set<std::pair<std::uint64_t, std::uint64_t>> waiting;
@@ -30,17 +26,23 @@ std::set<std::pair<std::uint64_t, std::uint64_t>> waiting_in(const std::string& 
 
 }  // namespace
 
+Invariants::StoredEnd& Invariants::stored(const TopicEnd& end) {
+  StoredEnd& found = stored_[&end];
+  if (found.name.empty()) found.name = end.host + "/" + end.process + " " + end.topic + " ";
+  return found;
+}
+
 void Invariants::on_logged(const LoggedSample& logged) {
-  StoredEnd& end = stored_[&logged.from];
+  StoredEnd& end = stored(logged.from);
   if (!end.given.contains(logged.written)) end.missing[logged.written] = logged.source;
 }
 
 void Invariants::on_given(const GivenSample& given) {
   if (!given.from.stored) return;
-  StoredEnd& end = stored_[&given.from];
+  StoredEnd& end = stored(given.from);
   end.missing.erase(given.written);
   const bool is_new = end.given.insert(given.written);
-  const std::string what = text_of(given.from, given.written);
+  const std::string what = end.name + std::to_string(given.written);
   if (given.as == GivenAs::live) {
     return expect(is_new || given.from.durable, given.time, "a stored sample was given twice, live",
                   what);
@@ -52,10 +54,10 @@ void Invariants::on_given(const GivenSample& given) {
 
 void Invariants::on_logs(const std::string& run_dir, const Outcome& outcome) {
   const auto waiting = waiting_in(run_dir);
-  for (const auto& [end, stored] : stored_) {
-    for (const auto& [written, source] : stored.missing) {
+  for (const auto& entry : stored_) {
+    for (const auto& [written, source] : entry.second.missing) {
       expect(waiting.count({source, written}) != 0, start_time + outcome.simulated,
-             "a stored sample is lost", text_of(*end, written));
+             "a stored sample is lost", entry.second.name + std::to_string(written));
     }
   }
 }

@@ -91,10 +91,12 @@ class Invariants : public Observer {
   std::map<std::pair<const TopicEnd*, const TopicEnd*>, std::uint64_t> last_;
   /// A stored topic in one process, as far as it was given to one host.
   struct StoredEnd {
+    std::string name;  ///< outlives the world, as its end does not
     std::map<std::uint64_t, std::uint64_t> missing;  ///< writers' sources by Written::sequence
     sample_log::SequenceSet given;
     std::uint64_t last_filled_in = 0;
   };
+  [[nodiscard]] StoredEnd& stored(const TopicEnd& end);
   std::map<const TopicEnd*, StoredEnd> stored_;
   Time wanted_ = Time::min();  ///< when a velocity was last wanted
 };
