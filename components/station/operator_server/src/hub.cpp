@@ -125,14 +125,12 @@ void Hub::set_graph(const Graph& graph) {
   graph_ = graph;
 }
 
-void Hub::on_message(const std::string& topic, std::uint64_t stamp_ns, const SharedBytes& message) {
+void Hub::on_message(const std::string& topic, std::uint64_t stamp_ns, const SharedBytes& message,
+                     std::uint64_t writer) {
   const auto found = channel_ids_.find(topic);
   if (found == channel_ids_.end()) return;
   Known& known = channels_.at(found->second);
-  if (known.channel.latched) {
-    known.last = message;
-    known.stamp_ns = stamp_ns;
-  }
+  if (known.channel.latched) known.last[writer] = {message, stamp_ns};
   for (const auto& [id, client] : clients_) {
     for (const auto& [subscription, channel] : client->subscriptions) {
       if (channel != found->second) continue;

@@ -104,10 +104,14 @@ void Hub::subscribe(HubClient& client, const Subscribe& message) {
     } else {
       Known& known = found->second;
       // Nobody has heard it since: it may be old, and the host's port is about to get the last one.
-      if (!is_heard(wish.channel)) known.last = nullptr;
+      if (!is_heard(wish.channel)) known.last.clear();
       client.subscriptions[wish.id] = wish.channel;
-      if (known.last == nullptr) continue;
-      client.outbox.add_data(wish.id, message_data(wish.id, known.stamp_ns, known.last));
+      // The newest comes last: a writer that has gone has not the last word.
+      std::multimap<std::uint64_t, SharedBytes> by_time;
+      for (const auto& one : known.last) by_time.emplace(one.second.stamp_ns, one.second.message);
+      for (const auto& [stamp_ns, last] : by_time) {
+        client.outbox.add_data(wish.id, message_data(wish.id, stamp_ns, last));
+      }
     }
   }
 }

@@ -73,7 +73,8 @@ void TopicPorts::take(Hub& hub) {
       if (sample->message == nullptr) continue;
       hub.on_message(name, static_cast<std::uint64_t>(sample->received_wall_ns),
                      std::make_shared<const std::vector<std::uint8_t>>(
-                         encode(*reading.type, sample->message.get())));
+                         encode(*reading.type, sample->message.get())),
+                     sample->source);
     }
   }
 }

@@ -119,6 +119,17 @@ TEST_F(HubTest, ALateSubscriberGetsTheLastStateWhileAnotherHearsIt) {
   EXPECT_THAT(told(3).back(), HasSubstr("advertise")) << "nobody knows what it is now";
 }
 
+TEST_F(HubTest, ALateSubscriberGetsTheLastStateOfEachWriter) {
+  subscribe(1, 7, 2);
+  sut_.on_message("/state", 5, bytes("uxv 1"), 1);
+  sut_.on_message("/state", 6, bytes("gcs 1"), 2);
+  sut_.on_message("/state", 7, bytes("uxv 2"), 1);
+  sut_.add_client(2);
+  (void)told(2);
+  subscribe(2, 7, 2);
+  EXPECT_THAT(told(2), ElementsAre("data gcs 1", "data uxv 2"));
+}
+
 TEST_F(HubTest, TellsWhichChannelsComeAndGo) {
   subscribe(1, 7, 1);
   sut_.set_channels({channel("/state", true), channel("/new")});

@@ -75,8 +75,9 @@ class Hub {
   void set_channels(const std::vector<Channel>& channels);
   void set_services(const std::vector<Service>& services);
   void set_graph(const Graph& graph);
-  /// A message of a channel, for its subscribers.
-  void on_message(const std::string& topic, std::uint64_t stamp_ns, const SharedBytes& message);
+  /// A message of a channel, for its subscribers. `writer` tells its writers apart.
+  void on_message(const std::string& topic, std::uint64_t stamp_ns, const SharedBytes& message,
+                  std::uint64_t writer = 0);
   /// [ns] since the Unix epoch, for all clients; tells those that are slow what they miss.
   void tell_time(std::uint64_t wall_ns);
   void tell_drops();
@@ -113,8 +114,11 @@ class Hub {
 
   struct Known {
     Channel channel;
-    SharedBytes last;  ///< of a latched channel
-    std::uint64_t stamp_ns = 0;
+    struct Last {
+      SharedBytes message;
+      std::uint64_t stamp_ns;
+    };
+    std::map<std::uint64_t, Last> last;  ///< of a latched channel, by writer
   };
   const HubSettings settings_;
   std::uint32_t last_id_ = 0;  ///< of channels and services

@@ -40,7 +40,7 @@ class OperatorServerComponent final : public Component {
     std::vector<std::string> writable{
         "/goal",           "/emergency_stop/request", "/teleop/cmd_vel",
         "/teleop/request", "/mission/command",        "/docking/command"};
-    int backlog = 2;
+    int backlog = 16;
     int most_connections = 64;
     double frame_mib = 1;
     double ping_s = 5;
