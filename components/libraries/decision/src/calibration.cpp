@@ -84,7 +84,8 @@ Calibration calibrate(const CalibrationRequest& request) {
   result.wanted_samples = request.samples;
   result.held_samples = static_cast<double>(std::count_if(
       request.qualities.begin(), request.qualities.end(), [](double x) { return !std::isnan(x); }));
-  const FalseAlarmCurve curve = curve_of(result.fit.model, request, {request.paths, 2}, request.seed);
+  const FalseAlarmCurve curve =
+      curve_of(result.fit.model, request, {request.paths, 2}, request.seed);
   const auto threshold = curve.threshold_for(request.samples);
   result.any_threshold = !threshold;
   result.threshold = threshold.value_or(least_threshold);

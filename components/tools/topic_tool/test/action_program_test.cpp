@@ -3,10 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <chrono>
 #include <map>
-#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -15,7 +13,7 @@
 #include "idl_support/action_types.hpp"
 #include "ros_idl/example_interfaces.hpp"
 #include "runtime/action_port.hpp"
-#include "runtime/middleware/fast_dds_bus.hpp"
+#include "ticked_neighbour.hpp"
 
 namespace tocsin::topic_tool {
 namespace {
@@ -82,47 +80,6 @@ class Counter : public Component {
   std::map<GoalId, Work> running_;
 };
 
-/// The counter in a process, which is ticked by a thread of the test.
-class Neighbour {
- public:
-  Neighbour()
-      : bus_(make_fast_dds_bus(options())),
-        context_{*bus_, "counter", Role::uxv},
-        counter(context_) {
-    bus_->update_graph();
-    thread_ = std::thread([this] { run(); });
-  }
-  ~Neighbour() {
-    ended_ = true;
-    thread_.join();
-  }
-  Neighbour(const Neighbour&) = delete;
-  Neighbour& operator=(const Neighbour&) = delete;
-
- private:
-  static BusOptions options() {
-    BusOptions options;
-    options.name = "neighbour";
-    options.host_domain = domain;
-    return options;
-  }
-  void run() {
-    while (!ended_) {
-      counter.tick(bus_->now());
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-  }
-  std::unique_ptr<Bus> bus_;
-  Context context_;
-
- public:
-  Counter counter;
-
- private:
-  std::atomic<bool> ended_{false};
-  std::thread thread_;
-};
-
 Ended action(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), ACTION_PROGRAM);
   arguments.insert(arguments.end(), {"--domain", std::to_string(domain)});
@@ -137,7 +94,7 @@ class ActionProgram : public ::testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return action(arguments);
   }
-  Neighbour neighbour_;
+  TickedNeighbour<Counter> neighbour_{domain, "counter"};
 };
 
 TEST_F(ActionProgram, ListsActionsAndWhoHasThem) {
@@ -169,12 +126,12 @@ TEST_F(ActionProgram, CtrlCCancelsTheGoal) {
       run_to_end({"/usr/bin/timeout", "--signal=INT", "--preserve-status", "2", ACTION_PROGRAM,
                   "send_goal", "/fibonacci", "example_interfaces/action/Fibonacci",
                   "{order: 1000000}", "--domain", std::to_string(domain)});
-  EXPECT_TRUE(neighbour_.counter.is_running);
+  EXPECT_TRUE(neighbour_.component().is_running);
   EXPECT_THAT(sut.output, HasSubstr("Canceling goal...\nGoal canceled.\n"));
-  for (int i = 0; i < 200 && !neighbour_.counter.was_canceled; ++i) {
+  for (int i = 0; i < 200 && !neighbour_.component().was_canceled; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  EXPECT_TRUE(neighbour_.counter.was_canceled);
+  EXPECT_TRUE(neighbour_.component().was_canceled);
 }
 
 TEST_F(ActionProgram, SaysInOneLineWhatIsWrong) {

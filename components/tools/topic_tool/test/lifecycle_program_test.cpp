@@ -3,17 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <chrono>
-#include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "command_line/run_to_end.hpp"
-#include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/lifecycle_service.hpp"
 #include "runtime/service_port.hpp"
+#include "ticked_neighbour.hpp"
 
 namespace tocsin::topic_tool {
 namespace {
@@ -70,43 +66,6 @@ class Lamp : public Component {
   Server<service::ChangeState> change_{*this};
 };
 
-/// The lamp in a process, which is ticked by a thread of the test, beside a node without lifecycle.
-class Neighbour {
- public:
-  Neighbour()
-      : bus_(make_fast_dds_bus(options())),
-        context_{*bus_, "lamp", Role::uxv},
-        lamp_(context_),
-        thread_([this] { run(); }) {
-    bus_->update_graph();
-  }
-  ~Neighbour() {
-    ended_ = true;
-    thread_.join();
-  }
-  Neighbour(const Neighbour&) = delete;
-  Neighbour& operator=(const Neighbour&) = delete;
-
- private:
-  static BusOptions options() {
-    BusOptions options;
-    options.name = "neighbour";
-    options.host_domain = domain;
-    return options;
-  }
-  void run() {
-    while (!ended_) {
-      lamp_.tick(bus_->now());
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-  }
-  std::unique_ptr<Bus> bus_;
-  Context context_;
-  Lamp lamp_;
-  std::atomic<bool> ended_{false};
-  std::thread thread_;
-};
-
 Ended lifecycle(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), LIFECYCLE_PROGRAM);
   arguments.insert(arguments.end(), {"--domain", std::to_string(domain)});
@@ -114,7 +73,7 @@ Ended lifecycle(std::vector<std::string> arguments) {
 }
 
 TEST(LifecycleProgram, ShowsStatesAndLeadsANodeToAnother) {
-  const Neighbour neighbour;
+  const TickedNeighbour<Lamp> neighbour(domain, "lamp");
   EXPECT_EQ(lifecycle({"nodes"}).output, "/lamp\n");
   EXPECT_EQ(lifecycle({"get"}).output, "/lamp: active [3]\n");
   EXPECT_EQ(lifecycle({"list", "/lamp"}).output,

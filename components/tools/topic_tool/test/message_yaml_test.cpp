@@ -228,5 +228,26 @@ TEST(FromYaml, RefusesWhatIsNoFieldOrNoValueOfIt) {
               HasSubstr("data[0]: 256 is outside [0, 255]"));
 }
 
+TEST(FromYaml, NamesTheFieldsThatThereAre) {
+  const std::string refused = refusal<geometry_msgs::msg::Twist>("{linear: {xx: 1}}");
+  EXPECT_THAT(refused, HasSubstr("linear: no field 'xx'"));
+  for (const char* field : {"x", "y", "z"}) EXPECT_THAT(refused, HasSubstr(field));
+}
+
+TEST(FromYaml, RefusesMoreThanAPersonWrites) {
+  const std::string deep = "{data: " + std::string(2000, '[') + std::string(2000, ']') + "}";
+  EXPECT_FALSE(refusal<std_msgs::msg::Bool>(deep).empty());
+  EXPECT_FALSE(refusal<std_msgs::msg::Bool>("&a {data: *a}").empty());
+  EXPECT_EQ(read<std_msgs::msg::String>("{data: '[[[['}").data(), "[[[[") << "a text may hold them";
+  EXPECT_EQ(read<std_msgs::msg::String>("{data: \"&a\"}").data(), "&a");
+  EXPECT_EQ(read<std_msgs::msg::String>("# nothing").data(), "");
+}
+
+TEST(FromYaml, AnElementThatIsLeftEmptyHasItsDefault) {
+  const auto joints = read<sensor_msgs::msg::JointState>("{name: [a, ~, c], position: [1, ~]}");
+  EXPECT_EQ(joints.name(), (std::vector<std::string>{"a", "", "c"}));
+  EXPECT_EQ(joints.position(), (std::vector<double>{1, 0}));
+}
+
 }  // namespace
 }  // namespace tocsin::topic_tool

@@ -4,20 +4,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <fstream>
-#include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "command_line/run_to_end.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "ros_idl/std_srvs.hpp"
-#include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/parameter_service.hpp"
 #include "runtime/middleware/ros_parameters.hpp"
 #include "runtime/service_port.hpp"
+#include "ticked_neighbour.hpp"
 
 namespace tocsin::topic_tool {
 namespace {
@@ -93,43 +90,6 @@ class Lamp : public Component {
   Server<service::SetParameters> change_{*this};
 };
 
-/// The lamp in a process, which is ticked by a thread of the test.
-class Neighbour {
- public:
-  Neighbour()
-      : bus_(make_fast_dds_bus(options())),
-        context_{*bus_, "lamp", Role::uxv},
-        lamp_(context_),
-        thread_([this] { run(); }) {
-    bus_->update_graph();
-  }
-  ~Neighbour() {
-    ended_ = true;
-    thread_.join();
-  }
-  Neighbour(const Neighbour&) = delete;
-  Neighbour& operator=(const Neighbour&) = delete;
-
- private:
-  static BusOptions options() {
-    BusOptions options;
-    options.name = "neighbour";
-    options.host_domain = domain;
-    return options;
-  }
-  void run() {
-    while (!ended_) {
-      lamp_.tick(bus_->now());
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-  }
-  std::unique_ptr<Bus> bus_;
-  Context context_;
-  Lamp lamp_;
-  std::atomic<bool> ended_{false};
-  std::thread thread_;
-};
-
 Ended call(const char* program, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), program);
   arguments.insert(arguments.end(), {"--domain", std::to_string(domain)});
@@ -141,7 +101,7 @@ class ServiceProgram : public ::testing::Test {
   static Ended param(const std::vector<std::string>& arguments) {
     return call(PARAM_PROGRAM, arguments);
   }
-  Neighbour neighbour_;
+  TickedNeighbour<Lamp> neighbour_{domain, "lamp"};
 };
 
 TEST_F(ServiceProgram, ListsServicesWithTheirTypes) {

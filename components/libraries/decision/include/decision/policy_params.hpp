@@ -23,9 +23,10 @@ inline constexpr Choices policy_names{"none",         "threshold", "tocp",  "toc
 /// The detectors of "turned bad" that tocp, tocp_dsp and tocp_reverse may have.
 inline constexpr Choices detector_names{"cusum", "focus", "shiryaev_roberts"};
 
-/// Which policy decides, and its settings. Defaults: no policy, because beside the link router it is
-/// the one that costs users least (experiment's README); for the others the thesis's laws at one sample per 6 s
-/// (20 echoes, 0.3 s apart), a false alarm per 3600 good samples, silence of at most 3 minutes.
+/// Which policy decides, and its settings. Defaults: no policy, because beside the link router it
+/// is the one that costs users least (experiment's README); for the others the thesis's laws at one
+/// sample per 6 s (20 echoes, 0.3 s apart), a false alarm per 3600 good samples, silence of at most
+/// 3 minutes.
 struct PolicyParams {
   std::string policy = "none";
   int th_max_samples = 30;

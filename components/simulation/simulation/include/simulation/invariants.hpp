@@ -91,7 +91,7 @@ class Invariants : public Observer {
   std::map<std::pair<const TopicEnd*, const TopicEnd*>, std::uint64_t> last_;
   /// A stored topic in one process, as far as it was given to one host.
   struct StoredEnd {
-    std::string name;  ///< outlives the world, as its end does not
+    std::string name;                                ///< outlives the world, as its end does not
     std::map<std::uint64_t, std::uint64_t> missing;  ///< writers' sources by Written::sequence
     sample_log::SequenceSet given;
     std::uint64_t last_filled_in = 0;
