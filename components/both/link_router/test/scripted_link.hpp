@@ -58,7 +58,7 @@ class ScriptedLink {
   std::vector<Given> given;
   std::vector<FlowId> offered;
   std::map<FlowId, Flow> offered_here;  ///< flows that are no peer's
-  std::vector<bool> gate;  ///< each time that it changed: open
+  std::vector<bool> gate;               ///< each time that it changed: open
   bool is_up = true;
   TrafficRules rules;
 };

@@ -2,6 +2,7 @@
 #include "decision/policy.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -34,49 +35,29 @@ Time saturating_sum(Time a, Duration b) { return a > Time::max() - b ? Time::max
 const char* to_string(State state) { return state == State::active ? "active" : "passive"; }
 
 const char* to_string(Reason reason) {
-  switch (reason) {
-    case Reason::start:
-      return "start";
-    case Reason::steady:
-      return "steady";
-    case Reason::no_measurement:
-      return "no_measurement";
-    case Reason::stale_sample:
-      return "stale_sample";
-    case Reason::threshold_low:
-      return "threshold_low";
-    case Reason::threshold_high:
-      return "threshold_high";
-    case Reason::cusum_alarm:
-      return "cusum_alarm";
-    case Reason::mild_alarm:
-      return "mild_alarm";
-    case Reason::focus_alarm:
-      return "focus_alarm";
-    case Reason::roberts_alarm:
-      return "roberts_alarm";
-    case Reason::belief_bad:
-      return "belief_bad";
-    case Reason::belief_good:
-      return "belief_good";
-    case Reason::legacy_drop:
-      return "legacy_drop";
-    case Reason::legacy_count:
-      return "legacy_count";
-    case Reason::foreseen:
-      return "foreseen";
-    case Reason::reverse_alarm:
-      return "reverse_alarm";
-    case Reason::best_so_far:
-      return "best_so_far";
-    case Reason::fixed_pause_over:
-      return "fixed_pause_over";
-    case Reason::forced_resume_samples:
-      return "forced_resume_samples";
-    case Reason::forced_resume_time:
-      return "forced_resume_time";
-  }
-  return "unknown";
+  // In the order of the enumerators.
+  static constexpr std::array<const char*, 20> words{"start",
+                                                     "steady",
+                                                     "no_measurement",
+                                                     "stale_sample",
+                                                     "threshold_low",
+                                                     "threshold_high",
+                                                     "mild_alarm",
+                                                     "cusum_alarm",
+                                                     "focus_alarm",
+                                                     "roberts_alarm",
+                                                     "reverse_alarm",
+                                                     "best_so_far",
+                                                     "belief_bad",
+                                                     "belief_good",
+                                                     "legacy_drop",
+                                                     "legacy_count",
+                                                     "foreseen",
+                                                     "fixed_pause_over",
+                                                     "forced_resume_samples",
+                                                     "forced_resume_time"};
+  const auto index = static_cast<std::size_t>(reason);
+  return index < words.size() ? words[index] : "unknown";
 }
 
 Policy::Policy(const char* name, const PolicyLimits& limits, std::unique_ptr<Rule> rule)

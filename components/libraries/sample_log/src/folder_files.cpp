@@ -42,8 +42,8 @@ FolderLock locked(const std::string& folder) {
 
 }  // namespace
 
-FolderFiles::FolderFiles(std::string folder)
-    : folder_(made(std::move(folder))), lock_(locked(folder_)) {}
+FolderFiles::FolderFiles(const std::string& folder)
+    : folder_(made(folder)), lock_(locked(folder_)) {}
 
 std::vector<std::string> FolderFiles::names() const {
   std::vector<std::string> names;

@@ -39,7 +39,7 @@ class LogFiles {
 class FolderFiles final : public LogFiles {
  public:
   /// Makes the folder. Throws ConfigError when it cannot be made or another process has it.
-  explicit FolderFiles(std::string folder);
+  explicit FolderFiles(const std::string& folder);
   [[nodiscard]] std::vector<std::string> names() const override;
   [[nodiscard]] std::unique_ptr<LogFile> make(const std::string& name) override;
   [[nodiscard]] std::unique_ptr<mcap::ByteSource> open(const std::string& name) const override;

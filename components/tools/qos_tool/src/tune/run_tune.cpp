@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "command_line/programs.hpp"
@@ -65,19 +67,29 @@ std::vector<Candidate> best_of(const std::vector<RankedCandidate>& ranked, int w
   return chosen;
 }
 
-int play_and_rank(const TunePlan& plan, const std::vector<Candidate>& candidates, RunKind kind,
-                  const fs::path& folder, std::vector<std::string> more,
-                  std::vector<RankedCandidate>& ranked) {
-  const bool real = kind == RunKind::real;
-  const fs::path results = folder / (real ? "real" : "simulated");
-  more.insert(more.begin(), {write_experiment(plan, candidates, kind, folder), "--out", results});
-  if (const int code = play(more); code != 0) return code;
-  ranked = rank(CsvTable::load((results / (real ? "real.csv" : "runs.csv")).string()), candidates);
-  write(folder / (real ? "ranking_real.csv" : "ranking.csv"), ranking_csv(ranked));
+/// One round: which runs, of what, kept where.
+struct Round {
+  RunKind kind;
+  std::vector<Candidate> candidates;
+  fs::path folder;
+  std::vector<std::string> options;  ///< of tocsin experiment run
+};
+
+/// Plays a round and tells its ranking, which is empty when no run ended well; else its exit code.
+std::variant<int, std::vector<RankedCandidate>> play_and_rank(const TunePlan& plan, Round round) {
+  const bool real = round.kind == RunKind::real;
+  const fs::path results = round.folder / (real ? "real" : "simulated");
+  const std::string file = write_experiment(plan, round.candidates, round.kind, round.folder);
+  round.options.insert(round.options.begin(), {file, "--out", results});
+  if (const int code = play(round.options); code != 0) return code;
+  const CsvTable runs = CsvTable::load((results / (real ? "real.csv" : "runs.csv")).string());
+  auto ranked = rank(runs, round.candidates);
+  write(round.folder / (real ? "ranking_real.csv" : "ranking.csv"), ranking_csv(ranked));
   std::printf("\n%s, by what users feel (cost of tocsin experiment):\n%s",
               real ? "On the real stack" : "Simulated", ranking_text(ranked).c_str());
   std::fflush(stdout);  // before runs on the real stack, which take minutes
-  return ranked.empty() ? 1 : 0;
+  if (ranked.empty()) return 1;
+  return ranked;
 }
 
 }  // namespace
@@ -90,15 +102,18 @@ int run_tune(const TuneOptions& options) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw EnvironmentError(folder.string() + ": " + error.message());
-  std::vector<std::string> more;
-  if (options.jobs) more = {"--jobs", std::to_string(*options.jobs)};
-  std::vector<RankedCandidate> ranked;
-  const int code =
-      play_and_rank(plan, candidates_of(plan), RunKind::simulated, folder, more, ranked);
-  if (code != 0 || plan.params.real_seeds == 0) return code;
-  std::vector<RankedCandidate> in_reality;
-  return play_and_rank(plan, best_of(ranked, plan.params.best), RunKind::real, folder,
-                       {"--real", "--jobs", std::to_string(real_jobs)}, in_reality);
+  Round simulated{RunKind::simulated, candidates_of(plan), folder, {}};
+  if (options.jobs) simulated.options = {"--jobs", std::to_string(*options.jobs)};
+  const auto outcome = play_and_rank(plan, std::move(simulated));
+  if (const int* const code = std::get_if<int>(&outcome)) return *code;
+  if (plan.params.real_seeds == 0) return 0;
+  const auto& ranked = std::get<std::vector<RankedCandidate>>(outcome);
+  const auto in_reality = play_and_rank(plan, {RunKind::real,
+                                               best_of(ranked, plan.params.best),
+                                               folder,
+                                               {"--real", "--jobs", std::to_string(real_jobs)}});
+  const int* const code = std::get_if<int>(&in_reality);
+  return code != nullptr ? *code : 0;
 }
 
 }  // namespace tocsin::qos_tool

@@ -95,6 +95,35 @@ std::map<std::string, std::vector<std::pair<std::string, std::string>>> settings
   return found;
 }
 
+/// Topics that go to a class, and those of them that are adaptive.
+struct ClassLists {
+  std::vector<std::string> topics;
+  std::vector<std::string> adaptive;
+};
+
+/// The part of a traffic file that moves these topics of a role to their classes.
+std::string role_text(const TunePlan& plan, const std::string& role,
+                      const std::vector<std::pair<std::string, std::string>>& topics) {
+  const auto side = role_of(role);
+  if (!side) throw ConfigError("sweep.class." + role + ": is none of the roles uxv, gcs");
+  const TrafficRules rules(plan.params.traffic, *side);
+  std::map<std::string, ClassLists> classes;
+  for (const auto& [topic, wanted] : topics) {
+    if (!traffic_class_of(wanted)) {
+      throw ConfigError("sweep.class." + role + "." + topic + ": '" + wanted +
+                        "' is none of critical, high, normal, low");
+    }
+    classes[wanted].topics.push_back(topic);
+    if (rules.of(topic).adaptive) classes[wanted].adaptive.push_back(topic);
+  }
+  std::string text = role + ":\n";
+  for (const auto& [name, lists] : classes) {
+    text += "  " + name + ":\n    topics: [" + joined(lists.topics) + "]\n";
+    if (!lists.adaptive.empty()) text += "    adaptive: [" + joined(lists.adaptive) + "]\n";
+  }
+  return text;
+}
+
 /// Refuses profiles, policies, roles, topics and classes that there are not, before anything runs.
 void check_sweep(const TunePlan& plan) {
   for (const Candidate& candidate : candidates_of(plan)) {
@@ -189,26 +218,7 @@ std::string traffic_text(const TunePlan& plan, const Candidate& candidate) {
   const auto roles = settings_of(candidate, SweepKey::Target::traffic_class);
   if (roles.empty()) return "";
   std::string text = "extends: " + plan.params.traffic + "\n";
-  for (const auto& [role, topics] : roles) {
-    const auto side = role_of(role);
-    if (!side) throw ConfigError("sweep.class." + role + ": is none of the roles uxv, gcs");
-    const TrafficRules rules(plan.params.traffic, *side);
-    std::map<std::string, std::pair<std::vector<std::string>, std::vector<std::string>>> classes;
-    for (const auto& [topic, wanted] : topics) {
-      if (!traffic_class_of(wanted)) {
-        throw ConfigError("sweep.class." + role + "." + topic + ": '" + wanted +
-                          "' is none of critical, high, normal, low");
-      }
-      auto& [moved, adaptive] = classes[wanted];
-      moved.push_back(topic);
-      if (rules.of(topic).adaptive) adaptive.push_back(topic);
-    }
-    text += role + ":\n";
-    for (const auto& [name, lists] : classes) {
-      text += "  " + name + ":\n    topics: [" + joined(lists.first) + "]\n";
-      if (!lists.second.empty()) text += "    adaptive: [" + joined(lists.second) + "]\n";
-    }
-  }
+  for (const auto& [role, topics] : roles) text += role_text(plan, role, topics);
   return text;
 }
 

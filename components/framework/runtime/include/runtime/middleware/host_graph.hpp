@@ -94,8 +94,8 @@ class HostGraph {
 
 /// Throws EnvironmentError when the participant cannot be created.
 [[nodiscard]] std::unique_ptr<HostGraph> make_host_graph(const BusOptions& options);
-/// Of the domain that a bus has joined, by a participant of its own, which hears the bus, too. Null:
-/// the bus is on none, as those of tests and simulation. Throws like make_host_graph.
+/// Of the domain that a bus has joined, by a participant of its own, which hears the bus, too.
+/// Null: the bus is on none, as those of tests and simulation. Throws like make_host_graph.
 [[nodiscard]] std::unique_ptr<HostGraph> open_host_graph(const Bus& bus);
 
 }  // namespace tocsin
