@@ -17,6 +17,10 @@ export async function eventually(what, look, limitMs = 10_000) {
   assert.fail(`never: ${what}`);
 }
 
+/** As root, and without a word to anybody outside of this computer. */
+const quiet = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
+  "--disable-background-networking", "--disable-component-update"];
+
 export class Operator {
   /** Errors that the page has written to its console. */
   complaints = [];
@@ -25,7 +29,7 @@ export class Operator {
   static async open(url, { chromium, pictures }) {
     const operator = new Operator();
     operator.pictures = pictures;
-    operator.browser = await puppeteer.launch({ executablePath: chromium, args: ["--no-sandbox"] });
+    operator.browser = await puppeteer.launch({ executablePath: chromium, args: quiet });
     const page = await operator.browser.newPage();
     operator.page = page;
     await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
