@@ -32,7 +32,8 @@ TEST(OperatorServerTest, SaysWhatItIsAndWhichTopicsThereAre) {
   EXPECT_EQ(info[0].at("metadata").at("host"), "gcs");
   EXPECT_THAT(info[0].at("capabilities"), Contains("clientPublish"));
   ASSERT_TRUE(client->channel("/location"));
-  for (const json& channel : client->heard("advertise").front().at("channels")) {
+  const auto advertised = client->heard("advertise");
+  for (const json& channel : advertised.front().at("channels")) {
     if (channel.at("topic") != "/location") continue;
     EXPECT_EQ(channel.at("schemaName"), "geometry_msgs/msg/PoseWithCovarianceStamped");
     EXPECT_EQ(channel.at("schemaEncoding"), "ros2msg");

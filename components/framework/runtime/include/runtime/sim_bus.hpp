@@ -46,8 +46,11 @@ class SimBus : public Bus {
   [[nodiscard]] Time now() const override { return now_; }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
 
-  /// From now on `component` is ticked by run_until, first at once. It must outlive the runs.
+  /// From now on `component` is ticked by run_until, first at once. It must outlive the runs, or
+  /// be removed.
   void add(Component& component);
+  /// Ticks it no more. Also from a tick, of another.
+  void remove(const Component& component);
   /// Ticks every component in the order of inputs and deadlines, then sets the clock to `end`.
   void run_until(Time end);
   void run_for(Duration duration) { run_until(now_ + duration); }

@@ -153,6 +153,11 @@ void SimBus::add(Component& component) {
   component.tick(now_);
 }
 
+void SimBus::remove(const Component& component) {
+  components_.erase(std::remove(components_.begin(), components_.end(), &component),
+                    components_.end());
+}
+
 Time SimBus::next_deadline() const {
   Time next = never;
   for (Component* component : components_) next = std::min(next, component->schedule().due());
@@ -163,7 +168,9 @@ void SimBus::tick_all_due() {
   bool ticked = true;
   while (ticked) {
     ticked = false;
-    for (Component* component : components_) {
+    // By number: a tick may take components out and put others in.
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      Component* const component = components_[i];
       Schedule& schedule = component->schedule();
       if (!schedule.input_pending && schedule.due() > now_) continue;
       schedule.begin_tick(now_);

@@ -17,7 +17,10 @@ class SimTicker : public Ticker {
  public:
   explicit SimTicker(SimBus& bus) : bus_(bus) {}
   void add(Component& component, TickAccount&) override { bus_.add(component); }
-  bool remove(Component&) override { return true; }
+  bool remove(Component& component) override {
+    bus_.remove(component);
+    return true;
+  }
 
  private:
   SimBus& bus_;

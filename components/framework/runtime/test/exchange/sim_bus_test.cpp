@@ -60,6 +60,45 @@ TEST_F(SimBusTest, TicksOnceAtStart) {
   EXPECT_EQ(sut.ticks.size(), 1U);
 }
 
+/// Ends the life of another component in its tick.
+class Ender : public Component {
+ public:
+  Ender(Context& context, SimBus& bus, std::unique_ptr<Echo>& other)
+      : Component(context), bus_(bus), other_(other) {
+    wake_every(seconds(1));
+  }
+  void tick(Time now) override {
+    if (now < Time{} + seconds(2) || !other_) return;
+    bus_.remove(*other_);
+    other_.reset();
+  }
+
+ private:
+  SimBus& bus_;
+  std::unique_ptr<Echo>& other_;
+};
+
+TEST_F(SimBusTest, AComponentMayBeRemovedByTheTickOfAnother) {
+  auto before = std::make_unique<Echo>(context_);
+  auto after = std::make_unique<Echo>(context_);
+  Ender first(context_, bus_, before);
+  Ender second(context_, bus_, after);
+  Echo last(context_);
+  for (Component* component :
+       {static_cast<Component*>(before.get()), static_cast<Component*>(&first),
+        static_cast<Component*>(&second), static_cast<Component*>(after.get()),
+        static_cast<Component*>(&last)}) {
+    bus_.add(*component);
+  }
+  last.every(seconds(1));
+  bus_.run_for(seconds(5));
+  bus_.publish<topic::Goal>(goal(1));
+  bus_.run_for(seconds(5));
+  EXPECT_FALSE(before);
+  EXPECT_FALSE(after);
+  EXPECT_GE(last.ticks.size(), 10U);
+}
+
 TEST_F(SimBusTest, WakesOnInputAndDeliversTheAnswer) {
   Echo sut(context_);
   SimReader<topic::NavigationStatus> answers(bus_);
