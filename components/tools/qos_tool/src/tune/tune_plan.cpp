@@ -124,18 +124,22 @@ std::string role_text(const TunePlan& plan, const std::string& role,
   return text;
 }
 
-/// Refuses profiles, policies, roles, topics and classes that there are not, before anything runs.
+/// Refuses profiles, policies, roles, topics and classes that there are not, each value once,
+/// before anything runs.
 void check_sweep(const TunePlan& plan) {
-  for (const Candidate& candidate : candidates_of(plan)) {
-    (void)traffic_text(plan, candidate);
-    for (const auto& [profile, policies] : settings_of(candidate, SweepKey::Target::qos)) {
+  const QosProfiles profiles(plan.params.qos);
+  for (const SweptSetting& setting : plan.sweep) {
+    const SweepKey key = parse_key(setting.key, "");
+    for (const std::string& value : setting.values) {
+      (void)traffic_text(plan, {"", {{setting.key, value}}});
+      if (key.target != SweepKey::Target::qos) continue;
+      (void)find_profile(profiles, key.owner);
       YAML::Node changed(YAML::NodeType::Map);
-      for (const auto& [policy, value] : policies)
-        changed[policy] = read_yaml_text(value, plan.path);
-      (void)find_profile(QosProfiles(plan.params.qos), profile);
-      (void)load_parameters<QosProfile>(changed, "sweep.qos." + profile, plan.path);
+      changed[key.name] = read_yaml_text(value, plan.path);
+      (void)load_parameters<QosProfile>(changed, "sweep.qos." + key.owner, plan.path);
     }
   }
+  (void)candidates_of(plan);  // refuses too many
 }
 
 }  // namespace
