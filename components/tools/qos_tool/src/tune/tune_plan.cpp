@@ -52,10 +52,11 @@ SweepKey parse_key(const std::string& key, const std::string& place) {
                     "' is none of qos.PROFILE.POLICY, class.ROLE.TOPIC, COMPONENT.KEY" + place);
 }
 
-std::vector<SweptSetting> read_sweep(const YAML::Node& sweep, const std::string& path) {
+std::vector<SweptSetting> read_sweep(const YAML::Node& root, const std::string& path) {
+  const YAML::Node sweep = root["sweep"];
   if (!sweep || !sweep.IsMap() || sweep.size() == 0) {
     throw ConfigError("sweep: is no map of settings, each with its values" +
-                      yaml_place(path, sweep));
+                      yaml_place(path, sweep ? sweep : root));
   }
   std::vector<SweptSetting> settings;
   for (const auto& entry : sweep) {
@@ -172,7 +173,7 @@ TunePlan read_tune_plan(const std::string& path, const std::string& shipped_conf
   };
   plan.params.qos = found(plan.params.qos, "qos.yaml");
   plan.params.traffic = found(plan.params.traffic, "traffic.yaml");
-  plan.sweep = read_sweep(root["sweep"], path);
+  plan.sweep = read_sweep(root, path);
   check_sweep(plan);
   return plan;
 }

@@ -150,6 +150,10 @@ TEST_F(TunePlanTest, RefusesWhatItCannotSet) {
   EXPECT_THAT(error("duration_s: 60", "sets: []"), HasSubstr("sets: are those of the sweep"));
 }
 
+TEST_F(TunePlanTest, RefusesAFileWithoutASweep) {
+  EXPECT_THAT(error("sweep:\n", "swept:\n"), HasSubstr("sweep: is no map of settings"));
+}
+
 TEST_F(TunePlanTest, RefusesMoreCombinationsThanAnybodyWaitsFor) {
   std::string values = "[1";
   for (int i = 2; i <= 15; ++i) values += ", " + std::to_string(i);
