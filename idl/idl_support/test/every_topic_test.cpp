@@ -5,12 +5,13 @@
 
 #include <cstdint>
 #include <random>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "idl_support/topic_registry.hpp"
+#include "idl_support/type_definition.hpp"
 #include "idl_support/type_registry.hpp"
+#include "idl_support/wire_cursor.hpp"
 
 namespace tocsin {
 namespace {
@@ -40,6 +41,28 @@ class Nesting final : public FieldVisitor {
     EXPECT_FALSE(name.empty());
     ++fields;
   }
+};
+
+/// Gives each field a random value, and each list up to three elements.
+class Shaker final : public FieldEditor {
+ public:
+  explicit Shaker(unsigned seed) : random_(seed) {}
+  void number(const char*, double& value) override { value = below(2'000'001) / 1000.0 - 1000; }
+  void integer(const char*, std::int64_t& value, const IntegerRange& range) override {
+    const std::int64_t some[] = {range.least, range.most, 0, 1};
+    value = some[below(4)];
+  }
+  void boolean(const char*, bool& value) override { value = below(2) == 1; }
+  void text(const char*, std::string& value) override { value.assign(below(9), 'x'); }
+  void bytes(const char*, std::vector<std::uint8_t>& value) override { value.assign(below(9), 7); }
+  void begin_struct(const char*) override {}
+  void end_struct() override {}
+  std::size_t begin_list(const char*, std::size_t size) override { return size + below(4); }
+  void end_list() override {}
+
+ private:
+  unsigned below(unsigned limit) { return static_cast<unsigned>(random_() % limit); }
+  std::minstd_rand random_;
 };
 
 class EveryTopic : public ::testing::TestWithParam<KnownTopic> {
@@ -91,6 +114,34 @@ TEST_P(EveryTopic, DamagedBytesAreReadOrRefusedAndWhatWasReadCanBeWritten) {
     if (!type_.deserialize(damaged.data(), damaged.size(), received.get())) continue;
     EXPECT_GE(encoded(type_, received.get()).size(), 4U);
   }
+}
+
+TEST_P(EveryTopic, AMessageOfAnyValuesSurvivesTheWayAndNoBeginningOfIt) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto sent = type_.create();
+    Shaker shaker(seed);
+    type_.edit(sent.get(), shaker);
+    const auto bytes = encoded(type_, sent.get());
+    const auto received = type_.create();
+    ASSERT_TRUE(type_.deserialize(bytes.data(), bytes.size(), received.get()));
+    ASSERT_EQ(encoded(type_, received.get()), bytes);
+    const std::vector<std::uint8_t> cut(bytes.begin(), bytes.end() - 1);
+    ASSERT_FALSE(type_.deserialize(cut.data(), cut.size(), received.get()));
+    WireCursor cursor(bytes.data(), bytes.size());
+    ASSERT_TRUE(type_.skip(cursor));
+    ASSERT_FALSE(cursor.skip(1, 1)) << "a message that stands before others is passed whole";
+  }
+}
+
+TEST_P(EveryTopic, IsDefinedToWhoReadsABagAndToWhoComparesHashes) {
+  const auto definition = ros2msg_definition(type_.name);
+  ASSERT_TRUE(definition) << "bags of it could be read by nobody else";
+  const auto own = find_definition(type_.name);
+  for (const std::string& part : own->parts) {
+    EXPECT_NE(definition->find("MSG: " + short_type_name(part) + "\n"), std::string::npos) << part;
+  }
+  EXPECT_EQ(std::string(type_.ros_hash).size(), 7U + 64U) << "rmw would warn of another type";
 }
 
 TEST_P(EveryTopic, ShowsAllItsFields) {

@@ -18,9 +18,9 @@ struct Rules {
 };
 
 /// What is wrong with a graph, in the order of its nodes:
-/// - error: a topic with two types, QoS profile or scope clash, a pair of ends whose QoS will not
-///   match (policy by policy), a missing profile, a link topic without a traffic class or whose
-///   writers would have owners;
+/// - error: a topic with two types or two scopes, a pair of ends whose QoS will not match (policy
+///   by policy), a missing profile, a link topic without a traffic class or whose writers would
+///   have owners;
 /// - warning: a reader that needs a writer and has none, or only writers where the topic's scope
 ///   does not reach; a QoS override for a topic that nobody has;
 /// - note: a reader that does without a writer, a writer without a reader, a traffic rule for a

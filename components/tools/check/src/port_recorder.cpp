@@ -44,17 +44,19 @@ class SilentLine final : public SerialDevice {
 }  // namespace
 
 void PortRecorder::record(const Endpoint& endpoint, bool writes) {
+  const TopicInfo& topic = endpoint.topic;
   const auto same = [&](const Port& port) {
-    return port.topic == endpoint.topic.name && port.writes == writes;
+    return port.topic == topic.name && port.writes == writes && port.type == endpoint.type->name &&
+           port.qos == topic.qos && port.scope == topic.scope;
   };
   const auto known = std::find_if(ports_.begin(), ports_.end(), same);
   if (known == ports_.end()) {
-    const TopicInfo& topic = endpoint.topic;
     ports_.push_back({topic.name, endpoint.type->name, topic.qos, topic.scope, writes,
                       topic.requests, endpoint.writers, std::nullopt});
-  } else if (endpoint.writers == Writers::needed) {
-    known->writers = Writers::needed;
+    return;
   }
+  if (endpoint.writers == Writers::needed) known->writers = Writers::needed;
+  if (topic.requests == Requests::profile) known->requests = Requests::profile;
 }
 
 void PortRecorder::expect(const std::string& topic, const ExpectedLoad& load) {

@@ -26,7 +26,8 @@ class PortRecorder final : public Bus {
 
   /// What the writer of a topic expects to write.
   void expect(const std::string& topic, const ExpectedLoad& load);
-  /// The ports made so far, each once, in the order of their making.
+  /// The ports made so far, in the order of their making. Ends that say the same of a topic are
+  /// one, with what the more demanding of them needs; ends that disagree stay apart, to be found.
   [[nodiscard]] const std::vector<Port>& ports() const { return ports_; }
 
  private:

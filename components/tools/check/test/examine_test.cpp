@@ -100,6 +100,31 @@ TEST_F(ExamineTest, FindsTwoTypesOfOneTopic) {
                           "uxv/drive/navigator reads it with type Pose"));
 }
 
+TEST_F(ExamineTest, FindsAComponentThatDisagreesWithItself) {
+  EXPECT_THAT(found({vehicle("a", {writes("status", Scope::host, "sensor", "Text"),
+                                   writes("status", Scope::host, "sensor", "Flag")})}),
+              ElementsAre("error: topic status: uxv/drive/a writes it with type Text, "
+                          "uxv/drive/a writes it with type Flag"));
+}
+
+TEST_F(ExamineTest, AReaderThatRequestsNothingMatchesEveryWriter) {
+  Port stop = reads("stop", Scope::host, "state");
+  const Graph graph{vehicle("button", {writes("stop")}), vehicle("safety", {stop})};
+  EXPECT_THAT(found(graph), ElementsAre(HasSubstr("they will not match, by: ")));
+  stop.requests = Requests::anything;
+  EXPECT_THAT(found({graph[0], vehicle("safety", {stop})}), IsEmpty());
+}
+
+/// Each writer against each reader: a view that fits hides no other one that does not.
+TEST_F(ExamineTest, FindsEachPairThatWillNotMatch) {
+  EXPECT_THAT(
+      found({vehicle("a", {writes("odom")}), vehicle("b", {writes("odom")}),
+             vehicle("fits", {reads("odom")}),
+             vehicle("picky", {reads("odom", Scope::host, "state")})}),
+      ElementsAre(AllOf(HasSubstr("uxv/drive/a writes"), HasSubstr("uxv/drive/picky reads")),
+                  AllOf(HasSubstr("uxv/drive/b writes"), HasSubstr("uxv/drive/picky"))));
+}
+
 TEST_F(ExamineTest, FindsTwoScopesOfOneTopic) {
   EXPECT_THAT(found({vehicle("a", {writes("location", Scope::link)}),
                      vehicle("b", {reads("location", Scope::host)})}),

@@ -68,6 +68,42 @@ TEST(PortRecorder, KnowsWhichReadersNeedAWriter) {
   EXPECT_EQ(sut.ports()[1].writers, Writers::needed) << "one of its two readers needs one";
 }
 
+struct NullReceiver final : Receiver {
+  void receive(const Sample&) override {}
+};
+
+/// The emergency stop hears every writer; a second reader of the same component may ask for more.
+TEST(PortRecorder, KeepsWhatTheMoreDemandingOfTwoReadersRequests) {
+  const TypeInfo& type = type_info<topic::EmergencyStop::Message>();
+  TopicInfo anything = topic::EmergencyStop::info;
+  TopicInfo profile = anything;
+  profile.requests = Requests::profile;
+  for (const bool demanding_first : {false, true}) {
+    PortRecorder sut;
+    NullReceiver receiver;
+    (void)sut.subscribe({demanding_first ? profile : anything, &type}, receiver);
+    (void)sut.subscribe({demanding_first ? anything : profile, &type}, receiver);
+    ASSERT_EQ(sut.ports().size(), 1U);
+    EXPECT_EQ(sut.ports()[0].requests, Requests::profile);
+  }
+}
+
+TEST(PortRecorder, KeepsEndsApartThatDisagreeOnTheirTopic) {
+  PortRecorder sut;
+  const TopicInfo status{"status", "state", Scope::link};
+  const TypeInfo& text = type_info<std_msgs::msg::String>();
+  (void)sut.advertise({status, &text});
+  (void)sut.advertise({status, &text});
+  ASSERT_EQ(sut.ports().size(), 1U);
+  (void)sut.advertise({status, &type_info<std_msgs::msg::Bool>()});
+  (void)sut.advertise({{"status", "event", Scope::link}, &text});
+  (void)sut.advertise({{"status", "state", Scope::host}, &text});
+  ASSERT_EQ(sut.ports().size(), 4U) << "what is written down nowhere can be found by nobody";
+  EXPECT_EQ(sut.ports()[1].type, "std_msgs::msg::dds_::Bool_");
+  EXPECT_EQ(sut.ports()[2].qos, "event");
+  EXPECT_EQ(sut.ports()[3].scope, Scope::host);
+}
+
 TEST(SilentDevices, OpenAndSayNothing) {
   SilentDevices sut;
   const auto port = sut.open_serial("/dev/kobuki", [] {}).port;

@@ -25,8 +25,8 @@ SensorState sensor_message(const kobuki::Feedback& feedback, const std_msgs::msg
   message.cliff(core.cliff);
   message.left_encoder(core.left_encoder);
   message.right_encoder(core.right_encoder);
-  message.left_pwm(static_cast<char>(core.left_pwm));
-  message.right_pwm(static_cast<char>(core.right_pwm));
+  message.left_pwm(core.left_pwm);
+  message.right_pwm(core.right_pwm);
   message.buttons(core.buttons);
   message.charger(core.charger);
   message.battery(core.battery_dv);

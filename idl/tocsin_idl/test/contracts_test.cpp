@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// What others rely on: ROS 2's tools on names and types, the radio on sizes, the shipped files on
+// names.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include "idl_support/encode.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+namespace {
+
+template <class... Topics>
+std::map<std::string, Scope> scopes_of(topic::List<Topics...>) {
+  return {{Topics::info.name, Topics::info.scope}...};
+}
+
+TEST(TopicLists, HoldWhatCrossesTheLinkAndWhatDoesNot) {
+  for (const auto& [name, scope] : scopes_of(topic::AllLinkTopics{})) {
+    EXPECT_EQ(scope, Scope::link) << name;
+  }
+  for (const auto& [name, scope] : scopes_of(topic::AllHostTopics{})) {
+    EXPECT_EQ(scope, Scope::host) << name;
+  }
+}
+
+template <class Topic>
+void expect_topic(const std::string& name, const std::string& type) {
+  EXPECT_EQ(Topic::info.name, name);
+  EXPECT_EQ(type_info<typename Topic::Message>().name, type) << name;
+}
+
+/// By these names and types rviz, nav2, robot_localization and image_transport find a vehicle.
+TEST(TopicLists, WhatRos2sToolsLookForHasItsNameAndType) {
+  expect_topic<topic::CmdVel>("cmd_vel", "geometry_msgs::msg::dds_::Twist_");
+  expect_topic<topic::Odom>("odom", "nav_msgs::msg::dds_::Odometry_");
+  expect_topic<topic::JointStates>("joint_states", "sensor_msgs::msg::dds_::JointState_");
+  expect_topic<topic::Tf>("tf", "tf2_msgs::msg::dds_::TFMessage_");
+  expect_topic<topic::Diagnostics>("diagnostics", "diagnostic_msgs::msg::dds_::DiagnosticArray_");
+  expect_topic<topic::BatteryState>("battery_state", "sensor_msgs::msg::dds_::BatteryState_");
+  expect_topic<topic::Map>("map", "nav_msgs::msg::dds_::OccupancyGrid_");
+  expect_topic<topic::CameraImage>("camera/image_raw/compressed",
+                                   "sensor_msgs::msg::dds_::CompressedImage_");
+}
+
+std::string text_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(TOCSIN_REPOSITORY "/config/" + path).rdbuf();
+  return text.str();
+}
+
+/// A rule for a topic that was renamed would leave the new name without one.
+TEST(TrafficFiles, NameTopicsThatCrossTheLinkAndNoOthers) {
+  const auto link = scopes_of(topic::AllLinkTopics{});
+  for (const char* file : {"traffic.yaml", "traffic_thesis.yaml", "traffic_store.yaml"}) {
+    const std::string rules = std::regex_replace(text_of(file), std::regex("#.*"), "");
+    ASSERT_FALSE(rules.empty()) << file;
+    const std::regex lists(R"((topics|adaptive|store): \[([^\]]*)\])");
+    for (std::sregex_iterator list(rules.begin(), rules.end(), lists), end; list != end; ++list) {
+      std::istringstream words((*list)[2]);
+      for (std::string word; std::getline(words >> std::ws, word, ',');) {
+        EXPECT_EQ(link.count(word), 1U) << file << ": " << word;
+      }
+    }
+  }
+}
+
+/// An order that waited out an outage must not move the vehicle: profile command has a lifespan and
+/// keeps the newest only.
+TEST(TopicLists, WhatMovesTheVehicleIsNeverDeliveredLate) {
+  for (const TopicInfo& one :
+       {topic::CmdVel::info, topic::CmdVelNavigation::info, topic::CmdVelDocking::info,
+        topic::CmdVelTeleop::info, topic::CmdVelSelected::info, topic::CmdVelSmoothed::info,
+        topic::TeleopCmdVel::info, topic::Goal::info, topic::DockingCommand::info}) {
+    EXPECT_STREQ(one.qos, "command") << one.name;
+  }
+  const std::regex command(R"(\ncommand: \{[^}]*depth: 1, lifespan_s: [1-9])");
+  EXPECT_TRUE(std::regex_search(text_of("qos.yaml"), command));
+}
+
+/// RTPS messages on the radio have at most 1400 bytes; header, addressing and origin take 100.
+constexpr std::size_t one_packet = 1300;
+
+template <class Message>
+std::size_t size_of(const Message& message) {
+  return encode(type_info<Message>(), &message).size();
+}
+
+TEST(Sizes, AGoalWithAllThatItMayTellCrossesInOnePacket) {
+  topic::Goal::Message goal;
+  const std::size_t alone = size_of(goal);
+  goal.ahead().resize(32);
+  EXPECT_EQ(size_of(goal), alone + 32 * 24);
+  EXPECT_LT(size_of(goal), one_packet);
+}
+
+TEST(Sizes, ADecisionAndAnEmergencyStopCrossInOnePacket) {
+  topic::TransmissionState::Message decision;
+  decision.role("uxv");
+  decision.policy("tocp_reverse");
+  decision.reason("forced_resume_samples");
+  EXPECT_LT(size_of(decision), 200U);
+  topic::SafetyStatus::Message stopped;
+  stopped.stopped_by().assign(16, std::string(60, 'x'));  // sixteen people with long names
+  EXPECT_LT(size_of(stopped), one_packet);
+}
+
+/// Written out by hand from the CDR rules, as another implementation writes it.
+TEST(Wire, AnEmergencyStopOfAnyToolIsFiveBytes) {
+  topic::EmergencyStop::Message stop;
+  stop.data(true);
+  EXPECT_EQ(encode(type_info<topic::EmergencyStop::Message>(), &stop),
+            (std::vector<std::uint8_t>{0, 1, 0, 0, 1}));
+}
+
+TEST(Wire, AHeartbeatIsStampRoleAndCount) {
+  topic::Heartbeat::Message beat;
+  beat.stamp().sec(1);
+  beat.stamp().nanosec(2);
+  beat.role("gcs");
+  beat.count(0x0304);
+  EXPECT_EQ(encode(type_info<topic::Heartbeat::Message>(), &beat),
+            (std::vector<std::uint8_t>{0, 1, 0, 0, 1,   0,   0,   0, 2, 0, 0, 0,
+                                       4, 0, 0, 0, 'g', 'c', 's', 0, 4, 3, 0, 0}));
+}
+
+}  // namespace
+}  // namespace tocsin
