@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "learned_law_status.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -37,7 +38,10 @@ void TransmissionControllerComponent::tick(Time now) {
     publish(controller_.on_quality(to_measurement(*quality), now), now);
   }
   if (const auto decision = controller_.on_time(now)) publish(*decision, now);
-  if (now >= next_beat_) beat(now);
+  if (now >= next_beat_) {
+    beat(now);
+    report_laws(now);
+  }
   wake_at(std::min(controller_.deadline(), next_beat_));
 }
 
@@ -70,6 +74,24 @@ void TransmissionControllerComponent::beat(Time now) {
   message.role(to_string(context().role));
   message.count(++beats_);
   if (heartbeat_.write(std::move(message)) == Status::failed) log().warn("no heartbeat was sent");
+}
+
+void TransmissionControllerComponent::report_laws(Time now) {
+  const auto law = controller_.learned();
+  if (!law) return;
+  log_laws(*law);
+  if (!diagnostics_.wanted()) return;
+  topic::Diagnostics::Message message;
+  message.header().stamp(wall(now));
+  message.status().push_back(status_of(*law, name()));
+  if (diagnostics_.write(std::move(message)) == Status::failed) log().warn("no laws were sent");
+}
+
+void TransmissionControllerComponent::log_laws(const decision::LearnedLaw& law) {
+  if (law.applied != applied_) log().info("decides by {}", text_of(law.in_force));
+  if (law.proposed && !proposed_) log().info("{}", text_of(law));
+  applied_ = law.applied;
+  proposed_ = law.proposed;
 }
 
 }  // namespace tocsin

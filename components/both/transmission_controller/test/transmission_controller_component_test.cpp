@@ -105,6 +105,57 @@ TEST_F(TransmissionControllerComponentTest, DoesNotPauseUnlessAPolicyIsChosen) {
   EXPECT_EQ(state.policy(), "none");
 }
 
+std::string value_of(const diagnostic_msgs::msg::DiagnosticStatus& status, const char* key) {
+  for (const auto& pair : status.values()) {
+    if (pair.key() == key) return pair.value();
+  }
+  return "absent";
+}
+
+/// A controller with laws of that kind after half an hour on a link of QNI 70, samples once a
+/// second, half of them 4 above and half of them 4 below; its last status, or "none".
+diagnostic_msgs::msg::DiagnosticStatus status_after_half_an_hour(const char* laws) {
+  TransmissionControllerComponent::Params params;
+  params.controller.policy.policy = "tocp_reverse";
+  params.controller.policy.laws = laws;
+  params.controller.policy.learn_memory_samples = 300;
+  SimBus bus;
+  Context context{bus, "transmission_controller", Role::uxv};
+  TransmissionControllerComponent sut{context, params};
+  bus.add(sut);
+  SimReader<topic::Diagnostics> reports{bus};
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (int i = 0; i < 1800; ++i) {
+    bus.publish<topic::NetworkQuality>(quality(i % 4 < 2 ? 26.0F : 34.0F, nan, nan));
+    bus.run_for(seconds(1));
+  }
+  diagnostic_msgs::msg::DiagnosticStatus last;
+  last.name("none");
+  for (const auto& report : reports.take()) last = report.status().at(0);
+  return last;
+}
+
+TEST(LearnedLaws, AreProposedWithTheirEvidence) {
+  const auto sut = status_after_half_an_hour("propose");
+  EXPECT_EQ(sut.name(), "transmission_controller: laws");
+  EXPECT_EQ(sut.level(), diagnostic_msgs::msg::DiagnosticStatus_Constants::OK);
+  EXPECT_EQ(sut.message().rfind("proposes good_mean 70.", 0), 0U) << sut.message();
+  EXPECT_EQ(value_of(sut, "configured_mean"), "81.57");
+  EXPECT_EQ(value_of(sut, "in_force_mean"), "81.57");
+  EXPECT_EQ(value_of(sut, "applied"), "0");
+  EXPECT_LT(std::stod(value_of(sut, "evidence")), -3);
+}
+
+TEST(LearnedLaws, AreInForceWhenTheyAreApplied) {
+  const auto sut = status_after_half_an_hour("apply");
+  EXPECT_NEAR(std::stod(value_of(sut, "in_force_mean")), 70, 2.5);
+  EXPECT_GT(std::stoi(value_of(sut, "applied")), 0);
+}
+
+TEST(LearnedLaws, AreNotToldWhenTheyAreFixed) {
+  EXPECT_EQ(status_after_half_an_hour("fixed").name(), "none");
+}
+
 TEST_F(TransmissionControllerComponentTest, BeatsOnceASecondEvenWithoutMeasurements) {
   beats_.take();
   bus_.run_for(seconds(10.5));  // the first comes at its phase

@@ -3,6 +3,7 @@
 #include "decision/stopping.hpp"
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
+#include "learning_rule.hpp"
 #include "model_rules.hpp"
 #include "policy_rules.hpp"
 
@@ -41,11 +42,9 @@ std::unique_ptr<Rule> threshold_rule(const PolicyParams& p) {
   return std::make_unique<ThresholdRule>(p.pause_below_qni, p.resume_at_qni, p.threshold_in_a_row);
 }
 
-using Maker = std::unique_ptr<Rule> (*)(const PolicyParams&);
-
 struct Choice {
   const char* name;
-  Maker make;
+  LearningRule::Maker make;
 };
 
 const Choice choices[] = {
@@ -71,13 +70,18 @@ const Choice choices[] = {
      }},
 };
 
+std::unique_ptr<Rule> rule_of(const PolicyParams& params, const Choice& choice) {
+  if (params.laws == "fixed") return choice.make(params);
+  return std::make_unique<LearningRule>(params, choice.make);
+}
+
 }  // namespace
 
 std::unique_ptr<Policy> make_policy(const PolicyParams& params) {
   check(params);
   for (const Choice& choice : choices) {
     if (params.policy == choice.name) {
-      return std::make_unique<Policy>(choice.name, params.limits(), choice.make(params));
+      return std::make_unique<Policy>(choice.name, params.limits(), rule_of(params, choice));
     }
   }
   throw ConfigError("policy.policy: '" + params.policy + "' is not one of: " +

@@ -42,6 +42,25 @@ void check_belief(const PolicyParams& p) {
   }
 }
 
+[[noreturn]] void reject(const std::string& name, const std::string& value,
+                         const std::string& rule) {
+  throw ConfigError("policy." + name + ": " + value + ' ' + rule);
+}
+
+void check_learning(const PolicyParams& p) {
+  if (p.laws == "fixed") return;
+  if (good_law_of(p).family() != Family::normal || !p.good_parameters.empty()) {
+    reject("laws", p.laws,
+           "needs the good law as good_mean and good_sd, not as good_family " + p.good_family);
+  }
+  if (p.laws == "apply" && p.policy != "tocp" && p.policy != "tocp_dsp" &&
+      p.policy != "tocp_reverse") {
+    reject(
+        "laws", p.laws,
+        "needs policy tocp, tocp_dsp or tocp_reverse, not " + p.policy + "; propose goes with all");
+  }
+}
+
 }  // namespace
 
 void check(const PolicyParams& params) {
@@ -50,6 +69,7 @@ void check(const PolicyParams& params) {
   check_threshold(params);
   check_pause(params);
   check_belief(params);
+  check_learning(params);
 }
 
 }  // namespace tocsin::decision

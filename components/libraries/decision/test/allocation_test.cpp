@@ -76,6 +76,26 @@ TEST(Allocation, DoesNotHappenInAPolicyWithAnyDetector) {
   }
 }
 
+TEST(Allocation, DoesNotHappenWhileLawsAreLearnedButWhenTheyAreApplied) {
+  for (const char* laws : {"propose", "apply"}) {
+    PolicyParams params;
+    params.policy = "tocp_reverse";
+    params.laws = laws;
+    params.learn_memory_samples = 100;
+    const auto sut = make_policy(params);
+    long unexpected = 0;
+    for (int n = 0; n < 5000; ++n) {
+      const Time now{std::chrono::seconds(n)};
+      const unsigned applied = sut->learned()->applied;
+      const long before = allocations;
+      (void)sut->on_sample({now, n % 2 == 0 ? 68.0 : 72.0}, now);
+      if (sut->learned()->applied == applied) unexpected += allocations - before;
+    }
+    EXPECT_EQ(unexpected, 0) << laws;
+    EXPECT_EQ(sut->learned()->applied > 0, params.laws == "apply");
+  }
+}
+
 TEST(Allocation, DoesNotHappenInAnyDetector) {
   const Llr llr{DensityLlr({Family::rician, {80, 9, 0}}, {Family::beta, {6, 10, 0}}, 4)};
   Focus focus;

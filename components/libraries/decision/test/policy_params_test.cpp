@@ -38,6 +38,12 @@ TEST(PolicyParams, RejectContradictions) {
   EXPECT_THAT(error_of("{policy: tocp, false_alarm_samples: 100}"), HasSubstr("must be above 153"));
   EXPECT_THAT(error_of("{policy: belief, cost_silent_bad: 1}"), HasSubstr("below cost_send_bad"));
   EXPECT_THAT(error_of("{mild_alpha: 5, mild_mean: 90}"), HasSubstr("must be above that of"));
+  EXPECT_THAT(error_of("{laws: apply}"), HasSubstr("needs policy tocp, tocp_dsp or tocp_reverse"));
+  EXPECT_EQ(error_of("{laws: propose}"), "no error");
+  EXPECT_EQ(error_of("{laws: apply, policy: tocp}"), "no error");
+  EXPECT_THAT(error_of("{laws: propose, good_family: beta, good_parameters: [10, 2]}"),
+              HasSubstr("not as good_family beta"));
+  EXPECT_THAT(error_of("{laws: always}"), HasSubstr("laws: 'always'"));
   EXPECT_THAT(error_of("{policy: magic}"), HasSubstr("'magic' is not one of"));
 }
 

@@ -147,6 +147,38 @@ TEST(MeanRunLength, AgreesWithTheGoldenTable) {
   EXPECT_EQ(numbers.outside(), 0);
 }
 
+TEST(AlphaForRunLength, StandsAThresholdThatIsNeverReached) {
+  // On a lattice for alpha 1 a rise of 0.0001 is none at all.
+  const StepLaw tiny{[](double y) { return y < -1 ? 1.0 : y < 1e-4 ? 0.01 : 0.0; }};
+  const double alpha = alpha_for_run_length(tiny, 1000, false);
+  EXPECT_GT(alpha, 0);
+  EXPECT_LT(alpha, 3e-4);
+}
+
+TEST(AlphaForRunLength, HasNoMoreFalseAlarmsThanWantedWhereTheRunLengthJumps) {
+  for (const double samples : {500.0, 3000.0, 20000.0}) {
+    const StepLaw law = step_law(NormalLlr(thesis_good, thesis_bad, 4), 4, thesis_good);
+    const double alpha = alpha_for_run_length(law, samples, false);
+    EXPECT_GE(mean_run_length(law, alpha, false), samples * (1 - 1e-9)) << samples;
+  }
+}
+
+TEST(RoughAlphaForRunLength, HasNearlyTheRunLengthThatIsWanted) {
+  for (const double samples : {300.0, 3600.0, 86400.0}) {
+    for (const Normal good : {thesis_good, Normal{65, 8}, Normal{75, 15}}) {
+      const StepLaw law = step_law(NormalLlr(good, thesis_bad), 0, good);
+      const auto alpha = rough_alpha_for_run_length(law, samples);
+      ASSERT_TRUE(alpha) << samples << ' ' << good.mean;
+      EXPECT_NEAR(mean_run_length(law, *alpha) / samples, 1, 0.03) << samples << ' ' << good.mean;
+    }
+  }
+}
+
+TEST(RoughAlphaForRunLength, IsEmptyWhereNoThresholdIsThere) {
+  EXPECT_FALSE(rough_alpha_for_run_length(step_law(thesis, 0, thesis_good), 100));
+  EXPECT_FALSE(rough_alpha_for_run_length(step_law(thesis, 0, thesis_good), 1e300));
+}
+
 TEST(AlphaForRunLength, AgreesWithTheGoldenTable) {
   if (golden_file("cusum_arl_thesis_f0f1.json").empty()) GTEST_SKIP() << "no golden numbers";
   Deviations numbers;

@@ -23,6 +23,7 @@ struct DecidedTrace {
   std::string policy;
   std::vector<Step> steps;
   PolicySettings settings;
+  std::optional<decision::LearnedLaw> learned{};  ///< at the end; empty with laws `fixed`
 };
 
 /// Feeds the trace to the policy that the settings name; "oracle" as `policy` is the clairvoyant,

@@ -98,6 +98,25 @@ std::string comparison_text(const DecidedTrace& decided) {
   return text;
 }
 
+std::string laws_text(const decision::LearnedLaw& law) {
+  std::string text = "laws: " + text_of(law);
+  if (law.applied > 0) text += fmt::format("; in force {}", text_of(law.in_force));
+  return text + "\n";
+}
+
+nlohmann::json laws_json(const decision::LearnedLaw& law) {
+  return {{"proposed", law.proposed},
+          {"good_mean", law.learned.mean},
+          {"good_sd", law.learned.sd},
+          {"in_force_mean", law.in_force.mean},
+          {"in_force_sd", law.in_force.sd},
+          {"evidence", law.evidence},
+          {"spread_evidence", law.spread_evidence},
+          {"effective_samples", law.effective_samples},
+          {"left_out_share", law.left_out_share},
+          {"applied", law.applied}};
+}
+
 nlohmann::json parameters_json(const PolicySettings& settings) {
   nlohmann::json all = nlohmann::json::array();
   for (const ParameterSource& source : settings.sources) {
@@ -135,6 +154,7 @@ std::string to_text(const DecidedTrace& decided) {
        << " %\nmean QNI while active " << s.mean_qni_active << ", while passive "
        << s.mean_qni_passive << '\n';
   text << comparison_text(decided);
+  if (decided.learned) text << laws_text(*decided.learned);
   if (s.has_truth) {
     text << "cost " << s.cost << ", clairvoyant " << s.oracle_cost << ", regret "
          << s.cost - s.oracle_cost << '\n';
@@ -162,18 +182,23 @@ nlohmann::json to_json(const DecidedTrace& decided, bool rows) {
                      {"mean_qni_passive", number(s.mean_qni_passive)},
                      {rows ? "rows" : "changes", changes}};
   add_recording(decided, out);
+  if (decided.learned) out["laws"] = laws_json(*decided.learned);
   if (s.has_truth) out["cost"] = s.cost;
   if (s.has_truth) out["oracle_cost"] = s.oracle_cost;
   return out;
 }
 
 std::string to_csv(const DecidedTrace& decided) {
-  std::string text = "time_s,qni,active,reason,statistic,threshold,age\n";
+  const std::vector<bool>& bad = decided.trace.bad;
+  std::string text = "time_s,qni,active,reason,statistic,threshold,age";
+  text += bad.empty() ? "\n" : ",state\n";
   for (const Step& step : decided.steps) {
     const Evidence& one = step.evidence;
     text += cell(step.time_s) + ',' + cell(one.sample) + ',' +
             (one.state == State::active ? "1," : "0,") + to_string(one.reason) + ',' +
-            cell(one.statistic) + ',' + cell(one.threshold) + ',' + std::to_string(one.age) + '\n';
+            cell(one.statistic) + ',' + cell(one.threshold) + ',' + std::to_string(one.age);
+    if (!bad.empty()) text += !step.row ? "," : bad[*step.row] ? ",1" : ",0";
+    text += '\n';
   }
   return text;
 }

@@ -11,7 +11,7 @@ namespace tocsin::tools {
 [[nodiscard]] std::string to_text(const DecidedTrace& decided);
 /// The summary and every change of state; with `rows` every row.
 [[nodiscard]] nlohmann::json to_json(const DecidedTrace& decided, bool rows);
-/// CSV: a row per sample.
+/// CSV: a row per sample; column `state` where the truth is known.
 [[nodiscard]] std::string to_csv(const DecidedTrace& decided);
 /// gnuplot commands: quality with the pauses shaded, and statistic against threshold.
 [[nodiscard]] std::string decide_plot(const DecidedTrace& decided);

@@ -94,7 +94,8 @@ double loss_percent(double delay_ms) {
   return delay_ms > 1000 ? 50 : 0;
 }
 
-/// Measured Wi-Fi at many rows a second: a mean per whole second.
+/// Measured Wi-Fi at many rows a second: a mean per whole second, which was truly bad when at least
+/// half of its probes had no answer.
 void from_wifi(const CsvTable& table, QualityTrace& trace) {
   const decision::QniParams params;
   const decision::QniModel model(params);
@@ -105,16 +106,21 @@ void from_wifi(const CsvTable& table, QualityTrace& trace) {
   const auto time = times(table, 1);
   double sum = 0;
   double count = 0;
+  double probes = 0;
+  double lost = 0;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const double full_scale = quality[i] / scale[i] * params.quality_best;
     const double qni = model.evaluate({loss_percent(delay[i]), rssi[i], full_scale}).value;
     if (!std::isnan(qni)) sum += qni;
     count += !std::isnan(qni);
+    ++probes;
+    lost += std::isnan(delay[i]);
     const bool last = i + 1 == table.rows();
     if (!last && std::floor(time[i + 1]) == std::floor(time[i])) continue;
     trace.time_s.push_back(std::floor(time[i]));
     trace.qni.push_back(count > 0 ? sum / count : nan);
-    sum = count = 0;
+    trace.bad.push_back(2 * lost >= probes);
+    sum = count = probes = lost = 0;
   }
 }
 
@@ -180,7 +186,7 @@ QualityTrace read_quality_trace(const std::string& path, const TraceOptions& opt
     throw ConfigError(path + ": --host " + to_string(*options.role) +
                       ": the file has no column role and no deployment.yaml beside it");
   }
-  if (table.has("state") && trace.qni.size() == table.rows()) {
+  if (trace.bad.empty() && table.has("state") && trace.qni.size() == table.rows()) {
     for (const double state : table.numbers("state")) trace.bad.push_back(state > 0.5);
   }
   return trace;

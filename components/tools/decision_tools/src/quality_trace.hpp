@@ -25,7 +25,9 @@ struct QualityTrace {
   std::optional<Role> role;    ///< of a recorded transmission_state.csv: whose rows; else empty
   std::vector<double> time_s;  ///< from 0, not decreasing
   std::vector<double> qni;     ///< [0,100]; NaN where nothing was measured
-  std::vector<bool> bad;       ///< the truth, where the file has a column `state`; else empty
+  /// The truth: column `state` of the file; of measured Wi-Fi whether at least half of a second's
+  /// probes had no answer; else empty.
+  std::vector<bool> bad;
   std::vector<RecordedDecision> recorded;  ///< one per row of a transmission_state.csv; else empty
   std::size_t unrecorded = 0;              ///< decisions that did not reach that recording
   /// Of the run that the file was recorded in, when its deployment.yaml is there.

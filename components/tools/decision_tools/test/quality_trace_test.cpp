@@ -76,6 +76,7 @@ TEST_F(QualityTraceTest, AveragesMeasuredWifiOverSeconds) {
   ASSERT_EQ(sut.qni.size(), 2U);
   EXPECT_NEAR(sut.qni[0], 80, 1e-9);  // half of the packets of this second were lost
   EXPECT_NEAR(sut.qni[1], 20, 1e-9);  // slow is half lost
+  EXPECT_EQ(sut.bad, (std::vector<bool>{true, false}));  // half unanswered; all answered
 }
 
 TEST_F(QualityTraceTest, TakesTheColumnThatIsNamed) {

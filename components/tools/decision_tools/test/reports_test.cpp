@@ -121,10 +121,24 @@ TEST(DecideReport, HasARowPerSampleAndTheChanges) {
   const std::string csv = to_csv(sut);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 151);
   EXPECT_THAT(csv, HasSubstr("50,30,0,cusum_alarm,"));
+  EXPECT_THAT(csv, HasSubstr(",age,state\n"));
   EXPECT_THAT(to_text(sut), HasSubstr("cusum_alarm"));
   EXPECT_EQ(to_json(sut, true)["rows"].size(), 150U);
   EXPECT_EQ(to_json(sut, false)["changes"].size(), 4U);
   EXPECT_THAT(decide_plot(sut), HasSubstr("$d << EOD"));
+}
+
+TEST(DecideReport, TellsWhatWasLearnedOfTheSite) {
+  const QualityTrace trace = normal_trace(70, 6, 10000);
+  const DecidedTrace fixed = decide_again(trace, "", with_policy("tocp"));
+  EXPECT_THAT(to_text(fixed), ::testing::Not(HasSubstr("laws:")));
+  EXPECT_FALSE(to_json(fixed, false).contains("laws"));
+  const auto apply = load_settings({{}, "", {"laws=apply"}, "tocp"});
+  const DecidedTrace sut = decide_again(trace, "", apply);
+  EXPECT_THAT(to_text(sut), HasSubstr("laws: proposes good_mean 70."));
+  EXPECT_THAT(to_text(sut), HasSubstr("; in force good_mean 7"));
+  EXPECT_TRUE(to_json(sut, false)["laws"]["proposed"]);
+  EXPECT_NEAR(to_json(sut, false)["laws"]["good_mean"], 70, 1);
 }
 
 DesignRequest request(double false_alarm_s) {

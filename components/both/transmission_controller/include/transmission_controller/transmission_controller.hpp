@@ -52,6 +52,8 @@ class TransmissionController {
   std::optional<TransmissionDecision> on_time(Time now);
   [[nodiscard]] Time deadline() const;
   [[nodiscard]] const char* policy_name() const { return policy_->name(); }
+  /// What was learned of the site's good link; empty with laws `fixed`.
+  [[nodiscard]] std::optional<decision::LearnedLaw> learned() const { return policy_->learned(); }
 
  private:
   TransmissionDecision conclude(const decision::Evidence& evidence, Time now);

@@ -8,6 +8,7 @@
 
 #include "decision/costs.hpp"
 #include "decision/policy_params.hpp"
+#include "decision/site_learner.hpp"
 #include "foundation/time.hpp"
 
 namespace tocsin::decision {
@@ -81,6 +82,8 @@ class Rule {
   virtual void entered(State state) = 0;
   /// Nothing was heard for so long while active that earlier evidence is void.
   virtual void forget() = 0;
+  /// What it has learned of the site; empty when it does not learn.
+  [[nodiscard]] virtual std::optional<LearnedLaw> learned() const { return std::nullopt; }
 };
 
 /// Decides when the gated writers fall silent and when they speak again.
@@ -88,7 +91,7 @@ class Rule {
 /// Promises, whatever the samples and the clock do: a pause ends at the latest with its sample
 /// number th_max_samples and, given a call at the deadline, after th_max_s of clock time; NaN and
 /// stale samples are never evidence; a clock that goes back never prolongs a pause by more than
-/// was still left. No allocation, no throw.
+/// was still left. No throw; no allocation but when a learned law is put in force (laws `apply`).
 class Policy {
  public:
   /// Throws ConfigError when the limits contradict each other. `name` must outlive the policy.
@@ -101,6 +104,8 @@ class Policy {
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] const char* name() const { return name_; }
+  /// What was learned of the site; empty with laws `fixed`.
+  [[nodiscard]] std::optional<LearnedLaw> learned() const { return rule_->learned(); }
 
  private:
   bool advance(Time now);

@@ -23,6 +23,9 @@ inline constexpr Choices policy_names{"none",         "threshold", "tocp",  "toc
 /// The detectors of "turned bad" that tocp, tocp_dsp and tocp_reverse may have.
 inline constexpr Choices detector_names{"cusum", "focus", "shiryaev_roberts"};
 
+/// What is done with the law of the good link that is learned on the vehicle.
+inline constexpr Choices law_uses{"fixed", "propose", "apply"};
+
 /// Which policy decides, and its settings. Defaults: no policy, because beside the link router it
 /// is the one that costs users least (experiment's README); for the others the thesis's laws at one
 /// sample per 6 s (20 echoes, 0.3 s apart), a false alarm per 3600 good samples, silence of at most
@@ -41,6 +44,10 @@ struct PolicyParams {
   std::string bad_family = "normal";
   std::vector<double> bad_parameters;
   double llr_clip = 0;
+  std::string laws = "fixed";
+  double learn_memory_samples = 1800;
+  double learn_max_shift = 2;
+  double learn_max_spread = 2;
   std::string detector = "cusum";
   double detector_threshold = 0;
   double alpha = 5.53;
@@ -69,6 +76,7 @@ struct PolicyParams {
     v("policy", policy, policy_names, "who decides when to fall silent and when to resume");
     visit_limits(v);
     visit_laws(v);
+    visit_learning(v);
     visit_detector(v);
     visit_resume(v);
     visit_belief(v);
@@ -100,6 +108,18 @@ struct PolicyParams {
     v("bad_parameters", bad_parameters, {-1e7, 1e7},
       "parameters of bad_family; empty for normal with bad_mean and bad_sd");
     v("llr_clip", llr_clip, {0, 1000}, "[nat] bound on one log-likelihood ratio; 0 is none");
+  }
+  template <class Visitor>
+  void visit_learning(Visitor& v) {
+    v("laws", laws, law_uses,
+      "fixed: as configured; propose: the good law is learned while driving and told; apply: tocp, "
+      "tocp_dsp and tocp_reverse also decide by it");
+    v("learn_memory_samples", learn_memory_samples, {60, 1e6},
+      "[1] samples that the learned law rests on; older ones fade");
+    v("learn_max_shift", learn_max_shift, {0.01, 10},
+      "[1] standard deviations good_sd that the learned mean may lie from good_mean");
+    v("learn_max_spread", learn_max_spread, {1, 10},
+      "[1] factor that the learned standard deviation may differ from good_sd");
   }
   template <class Visitor>
   void visit_detector(Visitor& v) {

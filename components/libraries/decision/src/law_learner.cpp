@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "decision/research/law_learner.hpp"
+#include "decision/law_learner.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,7 @@ constexpr double k = 1.5;               // Huber's; of |z| beyond it, 0.134 of a
 constexpr double within = 0.8664;       // P(|z| < k)
 constexpr double mean_square = 0.7785;  // E min(z^2, k^2)
 constexpr double slope = 0.9557;        // its derivative by ln sd
+constexpr double least_samples = 10;    // effective ones, before which nothing is said
 
 }  // namespace
 
@@ -51,9 +52,16 @@ double LawLearner::effective_samples() const {
 
 double LawLearner::evidence() const {
   const double n = effective_samples();
-  if (n < 10) return 0;
+  if (n < least_samples) return 0;
   constexpr double efficiency = 0.964;  // of the estimate at a normal law
   return (law_.mean - start_.mean) / law_.sd * std::sqrt(efficiency * n);
+}
+
+double LawLearner::spread_evidence() const {
+  const double n = effective_samples();
+  if (n < least_samples) return 0;
+  constexpr double variance = 0.689;  // of ln sd times n: Var min(z^2, k^2) / slope^2
+  return std::log(law_.sd / start_.sd) * std::sqrt(n / variance);
 }
 
 }  // namespace tocsin::decision

@@ -20,8 +20,8 @@ struct LearnerLimits {
 /// spread stay within their limits for ever. Constant time and memory, no allocation, no throw.
 class LawLearner {
  public:
-  /// Throws ConfigError unless its spread, the
-  /// memory and the limits are positive, and max_spread is at least 1.
+  /// Throws ConfigError unless its spread, the memory and the limits are positive, and max_spread
+  /// is at least 1.
   explicit LawLearner(Normal start, const LearnerLimits& limits = {});
 
   /// Takes a quality while nothing is suspected of the link; NaN is ignored. Leave out those for
@@ -34,6 +34,8 @@ class LawLearner {
   /// How many standard errors the learned mean lies above where it started: beyond +-3 the site has
   /// another law than was configured. 0 before ten effective samples.
   [[nodiscard]] double evidence() const;
+  /// The same of the logarithm of the spread.
+  [[nodiscard]] double spread_evidence() const;
 
  private:
   Normal start_;
