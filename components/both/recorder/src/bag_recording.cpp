@@ -76,7 +76,7 @@ void BagRecording::write(std::size_t topic, const Sample& sample) {
   bytes_.resize(type.serialized_size(sample.message.get()));
   const std::size_t size = type.serialize(sample.message.get(), bytes_.data(), bytes_.size());
   (void)writer_->write(topic, {static_cast<std::uint32_t>(sample.sequence), sample.received_wall_ns,
-                               sample.sent_wall_ns, bytes_.data(), size});
+                               sample.sent_wall_ns, bytes_.data(), size, sample.source});
 }
 
 void BagRecording::flush() {

@@ -7,9 +7,9 @@
 
 #include "bag/bag_reader.hpp"
 #include "foundation/error.hpp"
+#include "foundation/small_disk.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "ros_idl/std_msgs.hpp"
-#include "small_disk.hpp"
 
 namespace tocsin {
 namespace {
@@ -29,6 +29,7 @@ class BagRecordingTest : public ::testing::Test {
     made.sent_wall_ns = 1'500'000'000;
     made.received_wall_ns = 2'000'000'001;
     made.sequence = 4;
+    made.source = 9;
     return made;
   }
   const TemporaryFolder folder_;
@@ -53,6 +54,7 @@ TEST_F(BagRecordingTest, KeepsMessagesAsTheyAreOnTheWire) {
   EXPECT_EQ(one->message.sequence, 4U);
   EXPECT_EQ(one->message.log_time_ns, 2'000'000'001);
   EXPECT_EQ(one->message.publish_time_ns, 1'500'000'000);
+  EXPECT_EQ(one->message.writer, 9U);
   String message;
   ASSERT_TRUE(type_info<String>().deserialize(one->message.data, one->message.size, &message));
   EXPECT_EQ(message.data(), "hello");

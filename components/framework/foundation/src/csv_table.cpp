@@ -102,8 +102,9 @@ CsvTable CsvTable::read(const std::string& path) {
   return table;
 }
 
-CsvTable CsvTable::load(const std::string& path) {
-  const std::string text = read_file(path, longest);
+CsvTable CsvTable::load(const std::string& path) { return parse(read_file(path, longest), path); }
+
+CsvTable CsvTable::parse(std::string_view text, const std::string& path) {
   if (text.empty()) throw ConfigError(path + ": is empty, must be CSV");
   CsvReader reader(text);
   CsvTable table;

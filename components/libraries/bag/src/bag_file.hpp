@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bag/bag_writer.hpp"
@@ -26,11 +28,14 @@ class BagWriter::File {
 
  private:
   [[nodiscard]] std::uint16_t schema_of(const Topic& topic);
+  /// Each writer of a topic has one; a file has room for 65,535.
+  [[nodiscard]] std::uint16_t channel_of(std::size_t topic, std::uint64_t writer);
 
   mcap::FileSink sink_;
   mcap::Writer writer_;
   std::map<std::string, std::uint16_t> schemas_;
-  std::vector<std::uint16_t> channels_;  ///< by topic
+  std::vector<mcap::Channel> topics_;  ///< the channel of each that is of no writer
+  std::map<std::pair<std::size_t, std::uint64_t>, std::uint16_t> of_writers_;
   std::int64_t start_ns_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "bag/bag_reader.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 
 #include "bag_stream.hpp"
@@ -9,6 +10,7 @@
 #include "foundation/error.hpp"
 #include "foundation/read_file.hpp"
 #include "totals.hpp"
+#include "writer_key.hpp"
 
 namespace tocsin::bag {
 namespace {
@@ -43,6 +45,17 @@ std::vector<One> all_of(const std::vector<BagReader::File>& files,
   return all;
 }
 
+/// 0: it is not told, or no number.
+std::uint64_t writer_of(const mcap::Channel& channel) {
+  const auto found = channel.metadata.find(writer_key);
+  if (found == channel.metadata.end()) return 0;
+  const std::string& text = found->second;
+  std::uint64_t number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
+  return whole ? number : 0;
+}
+
 }  // namespace
 
 BagReader::BagReader(const std::string& path) {
@@ -56,10 +69,12 @@ BagReader::BagReader(const std::string& path) {
 
 void BagReader::add_file(const std::string& folder, const std::string& name) {
   const fs::path path = fs::path(folder) / name;
-  File file{name, std::make_unique<mcap::Reader>(path.string()), {}};
+  File file{name, std::make_unique<mcap::Reader>(path.string()), {}, {}};
   const mcap::Summary& summary = file.reader->summary();
   for (const auto& [id, channel] : summary.channels) {
     file.topic_of_channel.resize(id + std::size_t{1});
+    file.writer_of_channel.resize(id + std::size_t{1});
+    file.writer_of_channel[id] = writer_of(channel);
     const std::size_t number = topic_number(summary, channel);
     file.topic_of_channel[id] = number;
     const auto count = summary.statistics.channel_message_counts.find(id);

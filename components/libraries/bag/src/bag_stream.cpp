@@ -37,9 +37,10 @@ class MergedStream final : public BagStream {
     due_.pop();
     const Source& source = sources_[*current_];
     const mcap::Message& message = source.next;
-    return TopicMessage{source.file->topic_of_channel[message.channel_id],
-                        {message.sequence, time_of(message.log_time_ns),
-                         time_of(message.publish_time_ns), message.data, message.size}};
+    return TopicMessage{
+        source.file->topic_of_channel[message.channel_id],
+        {message.sequence, time_of(message.log_time_ns), time_of(message.publish_time_ns),
+         message.data, message.size, source.file->writer_of_channel[message.channel_id]}};
   }
 
  private:

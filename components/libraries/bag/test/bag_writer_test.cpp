@@ -27,6 +27,32 @@ TEST(BagWriter, MakesAFolderWithItsFileAndMetadata) {
   EXPECT_THAT(metadata, HasSubstr("nanoseconds_since_epoch: 1700000000000000000"));
 }
 
+TEST(BagWriter, TellsEachMessagesWriterAndATopicStaysOne) {
+  const TemporaryFolder folder;
+  BagOptions options;
+  options.max_duration_s = 2;
+  {
+    BagWriter sut(folder.path("run"), options);
+    const std::size_t topic = sut.add(text_topic("/chatter"));
+    std::uint32_t sequence = 0;
+    for (const std::uint64_t writer : {7U, 8U, 0U, 7U}) {
+      ++sequence;
+      Message message = message_of(sequence, t0 + sequence * second, "x");
+      message.writer = writer;
+      (void)sut.write(topic, message);
+    }
+  }
+  BagReader reader(folder.path("run"));
+  ASSERT_EQ(reader.about().files.size(), 2U);
+  ASSERT_EQ(reader.topics().size(), 1U);
+  EXPECT_EQ(reader.topics()[0].count, 4U);
+  std::vector<std::uint64_t> writers;
+  const auto stream = reader.messages();
+  while (const auto one = stream->next()) writers.push_back(one->message.writer);
+  EXPECT_THAT(writers, ::testing::ElementsAre(7, 8, 0, 7));
+  EXPECT_THAT(folder.read("run/metadata.yaml"), HasSubstr("message_count: 4"));
+}
+
 TEST(BagWriter, NamesFilesByTheFolderAlsoWithASlashBehindIt) {
   const TemporaryFolder folder;
   write_bag(folder.path("a/b/run/"), 1);

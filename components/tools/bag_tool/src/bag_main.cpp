@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tocsin bag record | play | info | recover | filter | merge | convert, as `ros2 bag` has them.
+// tocsin bag record | play | info | recover | filter | merge | convert | export, as `ros2 bag` has
+// them.
 #include <CLI/CLI.hpp>
 
 #include "bag_options.hpp"

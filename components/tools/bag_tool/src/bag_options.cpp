@@ -79,16 +79,27 @@ void declare_play(CLI::App& app, Options& options) {
       ->check(CLI::Range(0.0, 600.0));
 }
 
+void declare_part(CLI::App& sub, RewriteOrder& rewrite) {
+  declare_topics(sub, rewrite.topics);
+  sub.add_option("--start-offset", rewrite.start_offset_s, "[s] left out at the beginning [0]")
+      ->check(not_negative);
+  sub.add_option("--playback-duration", rewrite.duration_s, "[s] from there [all]")
+      ->check(not_negative);
+}
+
+void declare_export(CLI::App& app, Options& options) {
+  CLI::App* const sub = app.add_subcommand("export", "writes a bag as CSV, a file for each topic");
+  sub->add_option("bag", options.rewrite.inputs, "folder or MCAP file")->required()->expected(1);
+  sub->add_option("-o,--output", options.output, "new folder")->required();
+  declare_part(*sub, options.rewrite);
+}
+
 void declare_rewrite(CLI::App& app, Options& options, const char* name, const char* text) {
   CLI::App* const sub = app.add_subcommand(name, text);
   RewriteOrder& rewrite = options.rewrite;
   sub->add_option("bag,-i,--input", rewrite.inputs, "folders or MCAP files")->required();
   sub->add_option("-o,--output", options.output, "new folder")->required();
-  declare_topics(*sub, rewrite.topics);
-  sub->add_option("--start-offset", rewrite.start_offset_s, "[s] left out at the beginning [0]")
-      ->check(not_negative);
-  sub->add_option("--playback-duration", rewrite.duration_s, "[s] from there [all]")
-      ->check(not_negative);
+  declare_part(*sub, rewrite);
   declare_output(*sub, options, rewrite.options);
 }
 
@@ -157,6 +168,7 @@ void declare(CLI::App& app, Options& options) {
   declare_rewrite(app, options, "filter", "copies some topics, or a part of the time");
   declare_rewrite(app, options, "merge", "makes one bag of several");
   declare_rewrite(app, options, "convert", "copies a bag with other files or compression");
+  declare_export(app, options);
 }
 
 void complete(const std::string& verb, Options& options) {

@@ -10,6 +10,7 @@
 
 #include "bag/recover_bag.hpp"
 #include "command_line/stop_signal.hpp"
+#include "export.hpp"
 #include "foundation/printable.hpp"
 #include "info_text.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
@@ -80,14 +81,33 @@ int copy(const Options& options) {
   return result.lost == 0 ? 0 : 1;
 }
 
+int export_bag(const Options& options) {
+  load_idl_libraries();
+  const Exported result = export_csv(options.rewrite);
+  std::printf("Wrote %llu messages into %s\n", number(result.messages),
+              printable(options.rewrite.output).c_str());
+  for (const std::string& topic : result.unknown) {
+    std::printf(
+        "%s: only in messages.csv, no installed library has its type, or bytes of it are "
+        "damaged\n",
+        printable(topic).c_str());
+  }
+  for (const std::string& problem : result.problems) {
+    std::fprintf(stderr, "%s\n", problem.c_str());
+  }
+  if (result.lost > 0)
+    std::fprintf(stderr, "the disk is full: %llu rows are lost\n", number(result.lost));
+  return result.lost == 0 && result.problems.empty() ? 0 : 1;
+}
+
 }  // namespace
 
 int run_verb(const std::string& verb, Options options) {
   complete(verb, options);
   using Verb = int (*)(const Options&);
   static const std::map<std::string, Verb> verbs{
-      {"record", record}, {"play", play},  {"info", info},   {"recover", recover},
-      {"filter", copy},   {"merge", copy}, {"convert", copy}};
+      {"record", record}, {"play", play},  {"info", info},    {"recover", recover},
+      {"filter", copy},   {"merge", copy}, {"convert", copy}, {"export", export_bag}};
   return verbs.at(verb)(options);
 }
 

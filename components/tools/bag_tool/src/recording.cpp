@@ -78,8 +78,12 @@ void Recording::subscribe(const std::string& name, const std::vector<const Graph
 void Recording::write_what_came(Duration patience) {
   for (const RecordQueue::Item& item : queue_.take(patience)) {
     const RawSample& sample = item.sample;
-    const bag::Message message{static_cast<std::uint32_t>(sample.sequence), sample.received_wall_ns,
-                               sample.sent_wall_ns, sample.bytes->data(), sample.bytes->size()};
+    const bag::Message message{static_cast<std::uint32_t>(sample.sequence),
+                               sample.received_wall_ns,
+                               sample.sent_wall_ns,
+                               sample.bytes->data(),
+                               sample.bytes->size(),
+                               sample.source};
     (void)writer_.write(item.topic, message);
     ++messages_;
   }

@@ -26,7 +26,7 @@ struct Request {
 };
 
 void declare(CLI::App& app, Request& request) {
-  app.add_option("TRACE", request.file, "recorded quality, CSV")->required();
+  app.add_option("TRACE", request.file, "recorded quality: CSV, or a bag")->required();
   app.add_option("--policy", request.policy,
                  "none, threshold, tocp, tocp_dsp, ..., or oracle [the recorded run's]");
   app.add_option("--model", request.model, "model file as tocsin fit writes it");
@@ -37,6 +37,7 @@ void declare(CLI::App& app, Request& request) {
   app.add_option("--plot", request.plot, "draw PREFIX.png and PREFIX.svg");
   app.add_flag("--json", request.json, "print JSON");
   app.add_flag("--rows", request.rows, "with --json: every row, not only changes");
+  request.trace.topic = "transmission_state";
   declare_trace_options(app, request.trace);
 }
 

@@ -23,8 +23,8 @@ struct Request {
 };
 
 void declare(CLI::App& app, Request& request) {
-  app.add_option("GOOD", request.good, "recording of a good network, CSV")->required();
-  app.add_option("BAD", request.bad, "recording of a bad network, CSV")->required();
+  app.add_option("GOOD", request.good, "recording of a good network: CSV, or a bag")->required();
+  app.add_option("BAD", request.bad, "recording of a bad network: CSV, or a bag")->required();
   app.add_option("--family", request.family, "use this family for both [the smallest BIC of each]");
   app.add_option("--model", request.model, "file to write: the laws as parameters of a policy");
   app.add_option("--plot", request.plot, "draw PREFIX.png and PREFIX.svg");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "csv_tables/bag_tables.hpp"
 #include "decision/quality_index.hpp"
 #include "foundation/csv_table.hpp"
 #include "foundation/error.hpp"
@@ -150,6 +151,17 @@ void read_network_quality(const CsvTable& table, const TraceOptions& options, Qu
                     printable(joined(table.columns())));
 }
 
+/// Of a file, or of a topic of a bag. Throws ConfigError.
+CsvTable read_table(const std::string& path, const std::string& topic) {
+  if (!is_bag(path)) return CsvTable::load(path);
+  const BagTables bag({path}, [&topic](const std::string& one) { return one == topic; });
+  if (bag.of(topic).empty()) {
+    throw ConfigError(path + ": has no message of topic " + printable(topic) +
+                      " of a type that is known here (--topic names another)");
+  }
+  return CsvTable::parse(bag.of(topic), path);
+}
+
 }  // namespace
 
 std::vector<double> QualityTrace::measured() const {
@@ -161,7 +173,7 @@ std::vector<double> QualityTrace::measured() const {
 }
 
 QualityTrace read_quality_trace(const std::string& path, const TraceOptions& options) {
-  CsvTable table = CsvTable::load(path);
+  CsvTable table = read_table(path, options.topic);
   QualityTrace trace;
   trace.path = path;
   trace.role = keep_one_role(table, options.role);

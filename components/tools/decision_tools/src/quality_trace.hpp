@@ -41,14 +41,15 @@ struct TraceOptions {
   std::string column;        ///< the column with the quality; empty: found by its name
   std::optional<Role> role;  ///< whose decisions; empty: those of the only role there is
   double period_s = 1;       ///< between rows of a file that has no time
+  std::string topic = "network_quality";  ///< of a bag
 };
 
-/// Reads what Tocsin records (network_quality.csv, transmission_state.csv), measured Wi-Fi (columns
-/// rssi_dbm, link_quality, link_quality_scale, ping_delay_ms; averaged over seconds) and plain CSV
-/// with a column qni. Time is when a recorded decision was made, else the column time_s, receive_s
-/// or t, else the rows' number.
-/// Throws ConfigError with one line for everything that is wrong with the file; also for decisions
-/// of two roles when `options` name none.
+/// Reads what Tocsin records (network_quality.csv, transmission_state.csv, or one of these topics
+/// of a bag), measured Wi-Fi (columns rssi_dbm, link_quality, link_quality_scale, ping_delay_ms;
+/// averaged over seconds) and plain CSV with a column qni. Time is when a recorded decision was
+/// made, else the column time_s, receive_s or t, else the rows' number. Throws ConfigError with one
+/// line for everything that is wrong with the file; also for decisions of two roles when `options`
+/// name none.
 [[nodiscard]] QualityTrace read_quality_trace(const std::string& path, const TraceOptions& options);
 
 }  // namespace tocsin::tools

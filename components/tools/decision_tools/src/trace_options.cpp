@@ -12,6 +12,7 @@ namespace tocsin::tools {
 
 void declare_trace_options(CLI::App& app, TraceOptions& options) {
   app.add_option("--column", options.column, "column with the quality [qni or what it rests on]");
+  app.add_option("--topic", options.topic, "of a bag [" + options.topic + "]");
   add_role_option(app, options.role,
                   "whose recorded decisions: uxv or gcs; needed when there are both");
   app.add_option("--period", options.period_s, "seconds between rows of a file without time [1]")

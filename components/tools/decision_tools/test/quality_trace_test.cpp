@@ -6,8 +6,11 @@
 
 #include <cmath>
 
+#include "bag/bag_writer.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "idl_support/encode.hpp"
+#include "tocsin_idl/tocsin_msgs.hpp"
 #include "trace_options.hpp"
 
 namespace tocsin::tools {
@@ -60,6 +63,59 @@ TEST_F(QualityTraceTest, ReadsRecordedNetworkQuality) {
       read("receive_s,per_percent,signal_dbm,quality_percent\n5,0,-45,100\n6,100,-99,0\n7,50,,\n");
   EXPECT_EQ(sut.qni, (std::vector<double>{100, 0, 50}));
   EXPECT_EQ(sut.time_s.back(), 2);
+}
+
+/// Three decisions of each role and three qualities.
+void write_bag(const std::string& path) {
+  bag::BagWriter writer(path, {});
+  const auto decisions = writer.add(bag::make_topic(
+      "rt/transmission_state", type_info<tocsin_msgs::msg::TransmissionState>().name));
+  const auto qualities = writer.add(
+      bag::make_topic("rt/network_quality", type_info<tocsin_msgs::msg::NetworkQuality>().name));
+  for (std::uint32_t i = 1; i <= 3; ++i) {
+    const std::int64_t time_ns = i * std::int64_t{1'000'000'000};
+    for (const char* const role : {"uxv", "gcs"}) {
+      tocsin_msgs::msg::TransmissionState state;
+      state.stamp().sec(static_cast<std::int32_t>(i));
+      state.role(role);
+      state.active(i != 2);
+      state.qni(static_cast<float>(10 * i));
+      const auto bytes = encode(type_info<tocsin_msgs::msg::TransmissionState>(), &state);
+      (void)writer.write(decisions, {i, time_ns, time_ns, bytes.data(), bytes.size()});
+    }
+    tocsin_msgs::msg::NetworkQuality quality;
+    quality.per_percent(i == 2 ? 100 : 0);
+    quality.signal_dbm(i == 2 ? -99 : -45);
+    quality.quality_percent(i == 2 ? 0 : 100);
+    const auto bytes = encode(type_info<tocsin_msgs::msg::NetworkQuality>(), &quality);
+    (void)writer.write(qualities, {i, time_ns, time_ns, bytes.data(), bytes.size()});
+  }
+}
+
+TEST_F(QualityTraceTest, ReadsATopicOfABag) {
+  write_bag(folder.path("bag"));
+  const QualityTrace quality = read_quality_trace(folder.path("bag"), {});
+  EXPECT_EQ(quality.qni, (std::vector<double>{100, 0, 100}));
+  EXPECT_EQ(quality.time_s, (std::vector<double>{0, 1, 2}));
+  TraceOptions options;
+  options.topic = "transmission_state";
+  options.role = Role::uxv;
+  const QualityTrace decisions = read_quality_trace(folder.path("bag/bag_0.mcap"), options);
+  EXPECT_EQ(decisions.qni, (std::vector<double>{10, 20, 30}));
+  ASSERT_EQ(decisions.recorded.size(), 3U);
+  EXPECT_FALSE(decisions.recorded[1].active);
+}
+
+TEST_F(QualityTraceTest, NamesTheTopicThatABagDoesNotHave) {
+  write_bag(folder.path("bag"));
+  TraceOptions options;
+  options.topic = "location";
+  try {
+    (void)read_quality_trace(folder.path("bag"), options);
+    FAIL() << "no error";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("bag: has no message of topic location"));
+  }
 }
 
 TEST_F(QualityTraceTest, ReadsRecordedDecisionsOfOneRole) {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "deployment/deployment.hpp"
@@ -17,23 +17,27 @@
 #include "foundation/printable.hpp"
 #include "foundation/yaml_file.hpp"
 #include "report/link_log.hpp"
+#include "run_tables.hpp"
 
 namespace tocsin::report {
 namespace {
 
-namespace fs = std::filesystem;
+/// What a router gives later of a topic, it gives on this one.
+constexpr const char* filled_in_suffix = "/filled_in";
 
-std::string file_of(std::string topic) {
-  std::replace(topic.begin(), topic.end(), '/', '.');
-  return topic + ".csv";
+/// The topic that this one fills in; empty when it is none.
+std::optional<std::string> topic_filled_in(const std::string& topic) {
+  const std::string suffix = filled_in_suffix;
+  const bool is_one = topic.size() > suffix.size() &&
+                      topic.compare(topic.size() - suffix.size(), suffix.size(), suffix) == 0;
+  return is_one ? std::optional(topic.substr(0, topic.size() - suffix.size())) : std::nullopt;
 }
 
 /// Send times of the samples of a topic that the receiver's own side has written. Only topics that
 /// both sides write have a field `role`.
-std::set<std::string> own_samples(const std::string& folder, const std::string& topic,
-                                  Role receiver) {
+std::set<std::string> own_samples(RunTables& run, const std::string& topic, Role receiver) {
   std::set<std::string> own;
-  const CsvTable table = CsvTable::read(folder + "/" + to_string(receiver) + "/" + file_of(topic));
+  const CsvTable table = run.of(receiver, topic);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (role_of(table.text(row, "role")) == receiver) own.insert(table.text(row, "send_s"));
   }
@@ -50,43 +54,42 @@ Arrival arrival_of(const CsvTable& table, std::size_t row) {
 }
 
 /// Adds what `role` wrote, as its own recorder saw it.
-void add_written(const Classes& classes, Role role, Recording& recording) {
-  const std::string folder = recording.folder + "/" + to_string(role);
+void add_written(const Classes& classes, Role role, RunTables& run, Recording& recording) {
   std::map<std::string, std::uint64_t> rows;
-  const CsvTable table = CsvTable::read(folder + "/messages.csv");
+  const CsvTable table = run.messages(role);
   for (std::size_t row = 0; row < table.rows(); ++row) ++rows[table.text(row, "topic")];
   for (const auto& [topic, link_class] : classes) {
-    const std::size_t own = own_samples(recording.folder, topic, role).size();
+    const std::size_t own = own_samples(run, topic, role).size();
     const auto found = rows.find(topic);
     recording.written[link_class] += own > 0 ? own : found == rows.end() ? 0 : found->second;
   }
 }
 
 /// Adds what `receiver` got from the other side.
-void add_arrivals(const Classes& classes, Role receiver, Recording& recording) {
-  const CsvTable table =
-      CsvTable::read(recording.folder + "/" + to_string(receiver) + "/messages.csv");
+void add_arrivals(const Classes& classes, Role receiver, RunTables& run, Recording& recording) {
+  const CsvTable table = run.messages(receiver);
   std::map<std::string, std::set<std::string>> own;
-  for (const auto& [topic, link_class] : classes) {
-    own[topic] = own_samples(recording.folder, topic, receiver);
-  }
+  for (const auto& [topic, link_class] : classes) own[topic] = own_samples(run, topic, receiver);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     Arrival arrival = arrival_of(table, row);
+    const auto filled_in = topic_filled_in(arrival.topic);
+    if (filled_in) arrival.topic = *filled_in;
     const auto found = classes.find(arrival.topic);
     if (found == classes.end() || !std::isfinite(arrival.sent_s + arrival.received_s)) continue;
     if (own[arrival.topic].count(table.text(row, "send_s")) != 0) continue;
-    recording.arrivals[found->second].push_back(std::move(arrival));
+    auto& came = filled_in ? recording.filled_in : recording.arrivals;
+    came[found->second].push_back(std::move(arrival));
   }
 }
 
 /// The table of a topic as the vehicle recorded it, else as the ground station did.
-CsvTable vehicle_table(const std::string& folder, const std::string& topic) {
-  CsvTable table = CsvTable::read(folder + "/uxv/" + topic + ".csv");
-  return table.rows() > 0 ? table : CsvTable::read(folder + "/gcs/" + topic + ".csv");
+CsvTable vehicle_table(RunTables& run, const std::string& topic) {
+  CsvTable table = run.of(Role::uxv, topic);
+  return table.rows() > 0 ? table : run.of(Role::gcs, topic);
 }
 
-void add_decisions(Recording& recording) {
-  const CsvTable table = vehicle_table(recording.folder, "transmission_state");
+void add_decisions(RunTables& run, Recording& recording) {
+  const CsvTable table = vehicle_table(run, "transmission_state");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (role_of(table.text(row, "role")) != Role::uxv) continue;
     const std::string& active = table.text(row, "active");
@@ -96,8 +99,8 @@ void add_decisions(Recording& recording) {
   }
 }
 
-void add_qualities(Recording& recording) {
-  const CsvTable table = vehicle_table(recording.folder, "network_quality");
+void add_qualities(RunTables& run, Recording& recording) {
+  const CsvTable table = vehicle_table(run, "network_quality");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     recording.qualities.push_back({table.number(row, "send_s"), table.number(row, "per_percent"),
                                    table.number(row, "signal_dbm"),
@@ -105,8 +108,8 @@ void add_qualities(Recording& recording) {
   }
 }
 
-void add_path(Recording& recording) {
-  const CsvTable table = vehicle_table(recording.folder, "location");
+void add_path(RunTables& run, Recording& recording) {
+  const CsvTable table = vehicle_table(run, "location");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     recording.path.push_back({table.number(row, "send_s"),
                               table.number(row, "pose.pose.position.x"),
@@ -115,11 +118,10 @@ void add_path(Recording& recording) {
 }
 
 /// What the router of a role told, as its own side recorded it, else as the other one did.
-void add_router(Role role, Recording& recording) {
+void add_router(Role role, RunTables& run, Recording& recording) {
   const Role other = role == Role::uxv ? Role::gcs : Role::uxv;
   for (const Role recorder : {role, other}) {
-    const CsvTable table =
-        CsvTable::read(recording.folder + "/" + to_string(recorder) + "/link_state.csv");
+    const CsvTable table = run.of(recorder, "link_state");
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const double time_s = table.number(row, "send_s");
       if (role_of(table.text(row, "role")) != role || !std::isfinite(time_s)) continue;
@@ -132,8 +134,8 @@ void add_router(Role role, Recording& recording) {
   }
 }
 
-void add_mission(Recording& recording) {
-  const CsvTable table = CsvTable::read(recording.folder + "/gcs/mission_status.csv");
+void add_mission(RunTables& run, Recording& recording) {
+  const CsvTable table = run.of(Role::gcs, "mission_status");
   if (table.rows() == 0) return;
   const std::size_t last = table.rows() - 1;
   const auto whole = [&](const char* column) {
@@ -153,12 +155,15 @@ void find_limits(Recording& recording) {
     begin_s = std::min(begin_s, time_s);
     end_s = std::max(end_s, time_s);
   };
-  for (const auto& [link_class, arrivals] : recording.arrivals) {
-    for (const Arrival& arrival : arrivals) widen(arrival.received_s);
+  for (const auto* came : {&recording.arrivals, &recording.filled_in}) {
+    for (const auto& [link_class, arrivals] : *came) {
+      for (const Arrival& arrival : arrivals) widen(arrival.received_s);
+    }
   }
   for (const Decision& decision : recording.decisions) widen(decision.time_s);
   if (begin_s > end_s) {
-    throw ConfigError(recording.folder + ": holds no recording (uxv/ and gcs/ messages.csv)");
+    throw ConfigError(recording.folder +
+                      ": holds no recording (uxv/ and gcs/ messages.csv or bag)");
   }
   recording.begin_s = begin_s;
   recording.end_s = end_s;
@@ -196,16 +201,17 @@ Recording load_recording(const std::string& folder) {
   const auto deployment = deployment::load_resolved(folder + "/deployment.yaml");
   const Classes up = load_classes(deployment.traffic, Role::uxv, deployment.share);
   const Classes down = load_classes(deployment.traffic, Role::gcs, deployment.share);
-  add_arrivals(up, Role::gcs, recording);
-  add_arrivals(down, Role::uxv, recording);
-  add_written(up, Role::uxv, recording);
-  add_written(down, Role::gcs, recording);
-  add_decisions(recording);
-  add_qualities(recording);
-  add_router(Role::uxv, recording);
-  add_router(Role::gcs, recording);
-  add_mission(recording);
-  add_path(recording);
+  RunTables run(folder);
+  add_arrivals(up, Role::gcs, run, recording);
+  add_arrivals(down, Role::uxv, run, recording);
+  add_written(up, Role::uxv, run, recording);
+  add_written(down, Role::gcs, run, recording);
+  add_decisions(run, recording);
+  add_qualities(run, recording);
+  add_router(Role::uxv, run, recording);
+  add_router(Role::gcs, run, recording);
+  add_mission(run, recording);
+  add_path(run, recording);
   recording.link = read_link_log(folder + "/radio.jsonl");
   find_limits(recording);
   return recording;

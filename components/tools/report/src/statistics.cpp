@@ -12,6 +12,20 @@ namespace {
 constexpr double most_steps = 1e6;
 constexpr double most_bins = 1e5;
 
+/// Of each writer of each topic.
+using Numbers = std::map<std::pair<std::string, std::string>, std::vector<std::uint64_t>>;
+
+/// Sorts the numbers of each writer and leaves each there once. How many there are.
+std::uint64_t distinct(Numbers& all) {
+  std::uint64_t count = 0;
+  for (auto& [writer, numbers] : all) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    count += numbers.size();
+  }
+  return count;
+}
+
 }  // namespace
 
 double percentile(std::vector<double> values, double share) {
@@ -27,25 +41,22 @@ Spread spread_of(const std::vector<double>& values) {
   return {percentile(values, 0.5), percentile(values, 0.99)};
 }
 
-std::uint64_t lost(const std::vector<Arrival>& arrivals) {
-  struct Span {
-    std::uint64_t first = ~std::uint64_t{0};
-    std::uint64_t last = 0;
-    std::uint64_t count = 0;
+Fates fates_of(const std::vector<Arrival>& live, const std::vector<Arrival>& filled_in) {
+  const auto numbers_of = [](const std::vector<Arrival>& arrivals, Numbers& numbers) {
+    for (const Arrival& one : arrivals) {
+      numbers[{one.topic, one.writer}].push_back(one.sequence);
+    }
   };
-  std::map<std::pair<std::string, std::string>, Span> spans;
-  for (const Arrival& arrival : arrivals) {
-    Span& span = spans[{arrival.topic, arrival.writer}];
-    span.first = std::min(span.first, arrival.sequence);
-    span.last = std::max(span.last, arrival.sequence);
-    ++span.count;
+  Numbers all;
+  numbers_of(live, all);
+  const std::uint64_t came_live = distinct(all);
+  numbers_of(filled_in, all);
+  Fates fates;
+  fates.filled_in = distinct(all) - came_live;
+  for (const auto& [writer, numbers] : all) {
+    fates.lost += numbers.back() - numbers.front() + 1 - numbers.size();
   }
-  std::uint64_t missing = 0;
-  for (const auto& [writer, span] : spans) {
-    const std::uint64_t written = span.last - span.first + 1;
-    missing += written > span.count ? written - span.count : 0;
-  }
-  return missing;
+  return fates;
 }
 
 std::vector<double> ages(std::vector<Arrival> arrivals, double end_s, double step_s) {

@@ -10,10 +10,8 @@ namespace {
 constexpr double age_step_s = 0.1;
 constexpr const char* goal_topic = "goal";
 
-using Topics = std::map<std::string, std::vector<Arrival>>;
-
-Topics by_topic(const std::vector<Arrival>& arrivals) {
-  Topics topics;
+std::map<std::string, std::vector<Arrival>> by_topic(const std::vector<Arrival>& arrivals) {
+  std::map<std::string, std::vector<Arrival>> topics;
   for (const Arrival& arrival : arrivals) topics[arrival.topic].push_back(arrival);
   return topics;
 }
@@ -49,16 +47,24 @@ void collect(const std::vector<Arrival>& arrivals, const Interval& interval, Col
   all.length_s += interval.end_s - interval.begin_s;
 }
 
-Traffic traffic_of(const std::string& name, const std::vector<Arrival>& arrivals,
+/// What came of a class, or of a topic.
+struct Came {
+  std::vector<Arrival> live;
+  std::vector<Arrival> filled_in;
+};
+
+Traffic traffic_of(const std::string& name, const Came& came,
                    const std::vector<Interval>& intervals) {
   Traffic traffic;
   traffic.name = name;
   Collected all;
   for (const Interval& interval : intervals) {
-    const std::vector<Arrival> part = sent_in(arrivals, interval);
-    traffic.received += part.size();
-    traffic.lost += lost(part);
-    collect(part, interval, all);
+    const std::vector<Arrival> live = sent_in(came.live, interval);
+    const Fates fates = fates_of(live, sent_in(came.filled_in, interval));
+    traffic.received += live.size();
+    traffic.filled_in += fates.filled_in;
+    traffic.lost += fates.lost;
+    collect(live, interval, all);
   }
   traffic.latency_s = spread_of(all.latencies_s);
   traffic.age_s = spread_of(all.ages_s);
@@ -66,12 +72,28 @@ Traffic traffic_of(const std::string& name, const std::vector<Arrival>& arrivals
   return traffic;
 }
 
+std::map<LinkClass, Came> came_of(const Recording& recording) {
+  std::map<LinkClass, Came> all;
+  for (const auto& [link_class, arrivals] : recording.arrivals) all[link_class].live = arrivals;
+  for (const auto& [link_class, arrivals] : recording.filled_in) {
+    all[link_class].filled_in = arrivals;
+  }
+  return all;
+}
+
+std::map<std::string, Came> by_topic(const Came& came) {
+  std::map<std::string, Came> topics;
+  for (const Arrival& one : came.live) topics[one.topic].live.push_back(one);
+  for (const Arrival& one : came.filled_in) topics[one.topic].filled_in.push_back(one);
+  return topics;
+}
+
 void add_traffic(const Recording& recording, Summary& summary) {
   const std::vector<Interval> whole{{recording.begin_s, std::nextafter(recording.end_s, HUGE_VAL)}};
   std::vector<Traffic> goals;
-  for (const auto& [link_class, arrivals] : recording.arrivals) {
-    summary.classes.push_back(traffic_of(to_string(link_class), arrivals, whole));
-    for (const auto& [topic, part] : by_topic(arrivals)) {
+  for (const auto& [link_class, came] : came_of(recording)) {
+    summary.classes.push_back(traffic_of(to_string(link_class), came, whole));
+    for (const auto& [topic, part] : by_topic(came)) {
       const std::string sender = to_string(link_class.sender);
       summary.topics.push_back(traffic_of(sender + " " + topic, part, whole));
       if (link_class.sender != Role::gcs || topic != goal_topic) continue;
@@ -85,9 +107,9 @@ void add_traffic(const Recording& recording, Summary& summary) {
 void add_poor_traffic(const Recording& recording, Summary& summary) {
   const std::vector<Interval> poor = poor_intervals(recording);
   for (const Interval& interval : poor) summary.poor_s += interval.end_s - interval.begin_s;
-  for (const auto& [link_class, arrivals] : recording.arrivals) {
-    if (poor.empty()) return;
-    summary.classes.push_back(traffic_of(to_string(link_class) + ", poor", arrivals, poor));
+  if (poor.empty()) return;
+  for (const auto& [link_class, came] : came_of(recording)) {
+    summary.classes.push_back(traffic_of(to_string(link_class) + ", poor", came, poor));
   }
 }
 
@@ -117,7 +139,7 @@ void add_quality(const Recording& recording, Summary& summary) {
 }  // namespace
 
 double Traffic::lost_percent() const {
-  const auto sent = static_cast<double>(received + lost);
+  const auto sent = static_cast<double>(received + filled_in + lost);
   return sent > 0 ? 100 * static_cast<double>(lost) / sent : std::nan("");
 }
 

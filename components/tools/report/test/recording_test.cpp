@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
+#include "bag/bag_writer.hpp"
 #include "foundation/error.hpp"
+#include "idl_support/encode.hpp"
+#include "tocsin_idl/tocsin_msgs.hpp"
 #include "toy_run.hpp"
 
 namespace tocsin::report {
@@ -121,6 +125,65 @@ TEST(Recording, KnowsWhereTheVehicleWas) {
   ASSERT_THAT(sut.path, SizeIs(1));
   EXPECT_EQ(sut.path[0].x_m, 1.5);
   EXPECT_EQ(sut.path[0].y_m, -2);
+}
+
+TEST(Recording, KeepsWhatWasFilledInApart) {
+  const ToyRun run;
+  std::ofstream(run.path("gcs/messages.csv"), std::ios::app)
+      << "1150.0,1002.0,camera/image/filled_in,1,3,1000\n1150,1002,other/filled_in,1,3,1000\n"
+         "1150,1002,/filled_in,1,3,1000\n";
+  const Recording sut = load_recording(run.path());
+  const LinkClass low{Role::uxv, TrafficClass::low};
+  EXPECT_THAT(sut.arrivals.at(low), SizeIs(3));
+  ASSERT_THAT(sut.filled_in, SizeIs(1));
+  ASSERT_THAT(sut.filled_in.at(low), SizeIs(1));
+  EXPECT_EQ(sut.filled_in.at(low)[0].topic, "camera/image");
+  EXPECT_EQ(sut.filled_in.at(low)[0].sequence, 3U);
+  EXPECT_EQ(sut.end_s, 1150);
+}
+
+/// What the vehicle said of its decisions, heard at the station: a gap after the first.
+void write_bag(const std::string& path) {
+  using State = tocsin_msgs::msg::TransmissionState;
+  bag::BagWriter writer(path, {});
+  const auto topic = writer.add(bag::make_topic("rt/transmission_state", type_info<State>().name));
+  for (const std::uint32_t sequence : {1U, 3U, 4U}) {
+    State state;
+    state.role("uxv");
+    state.active(sequence != 3);
+    state.qni(50);
+    const auto bytes = encode(type_info<State>(), &state);
+    const std::int64_t sent_ns = (1000 + sequence) * std::int64_t{1'000'000'000};
+    (void)writer.write(topic,
+                       {sequence, sent_ns + 500'000'000, sent_ns, bytes.data(), bytes.size(), 9});
+  }
+}
+
+TEST(Recording, IsReadFromBagsWhereThereIsNoCsv) {
+  const ToyRun run;
+  run.remove("uxv");
+  run.remove("gcs");
+  write_bag(run.path("gcs/bag"));
+  const Recording sut = load_recording(run.path());
+  const auto& arrivals = sut.arrivals.at({Role::uxv, TrafficClass::critical});
+  ASSERT_THAT(arrivals, SizeIs(3));
+  EXPECT_EQ(arrivals[1].sequence, 3U);
+  EXPECT_EQ(arrivals[1].writer, "9");
+  EXPECT_DOUBLE_EQ(arrivals[1].received_s - arrivals[1].sent_s, 0.5);
+  EXPECT_EQ(fates_of(arrivals).lost, 1U);
+  ASSERT_THAT(sut.decisions, SizeIs(3));
+  EXPECT_FALSE(sut.decisions[1].active);
+}
+
+TEST(Recording, ASideWithCsvIsReadFromItAndTheOtherFromItsBag) {
+  const ToyRun run;
+  write_bag(run.path("uxv/bag"));
+  const Recording sut = load_recording(run.path());
+  EXPECT_THAT(sut.decisions, SizeIs(4)) << "of uxv/transmission_state.csv";
+  run.remove("gcs");
+  write_bag(run.path("gcs/bag"));
+  EXPECT_THAT(load_recording(run.path()).arrivals.at({Role::uxv, TrafficClass::critical}),
+              SizeIs(3));
 }
 
 TEST(Recording, KnowsItsFirstAndLastTime) {

@@ -21,6 +21,8 @@ Arrival arrival(double sent_s, double received_s, std::uint64_t sequence = 1,
   return {sent_s, received_s, topic, writer, sequence, 100};
 }
 
+std::uint64_t lost(const std::vector<Arrival>& live) { return fates_of(live).lost; }
+
 TEST(Percentile, IsANearestRank) {
   EXPECT_EQ(percentile({4, 1, 3, 2}, 0.5), 2);
   EXPECT_EQ(percentile({3, 1, 2}, 0.5), 2);
@@ -56,6 +58,31 @@ TEST(Lost, KeepsTopicsApart) {
   EXPECT_EQ(
       lost({arrival(0, 0, 1, "w", "a"), arrival(0, 0, 3, "w", "a"), arrival(0, 0, 2, "w", "b")}),
       1U);
+}
+
+TEST(Lost, IsNotWhatWasFilledIn) {
+  const std::vector<Arrival> live{arrival(0, 0, 1), arrival(0, 0, 5)};
+  const Fates sut = fates_of(live, {arrival(0, 9, 2), arrival(0, 9, 3)});
+  EXPECT_EQ(sut.filled_in, 2U);
+  EXPECT_EQ(sut.lost, 1U) << "number 4";
+}
+
+TEST(Lost, CountsWhatCameLiveAndWasFilledInOnce) {
+  const Fates sut = fates_of({arrival(0, 0, 1), arrival(0, 0, 2)}, {arrival(0, 9, 2)});
+  EXPECT_EQ(sut.filled_in, 0U);
+  EXPECT_EQ(sut.lost, 0U);
+}
+
+TEST(Lost, ReachesToTheFirstAndLastThatWereFilledIn) {
+  const Fates sut = fates_of({arrival(0, 0, 5)}, {arrival(0, 9, 3), arrival(0, 9, 8)});
+  EXPECT_EQ(sut.filled_in, 2U);
+  EXPECT_EQ(sut.lost, 3U) << "4, 6 and 7";
+}
+
+TEST(Lost, OfAWriterIsNotFilledInByAnother) {
+  const Fates sut =
+      fates_of({arrival(0, 0, 1, "a"), arrival(0, 0, 3, "a")}, {arrival(0, 9, 2, "b")});
+  EXPECT_EQ(sut.lost, 1U);
 }
 
 TEST(Ages, GrowUntilTheNextArrival) {

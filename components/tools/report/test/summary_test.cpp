@@ -103,13 +103,45 @@ TEST(Summary, CountsInPoorIntervalsOnlyWhatWasSentThere) {
   EXPECT_NEAR(sut.latency_s.median, 0.25, 1e-9);
 }
 
+TEST(Summary, WhatWasFilledInIsNotLostAndShownApart) {
+  const ToyRun run;
+  std::ofstream(run.path("gcs/messages.csv"), std::ios::app)
+      << "1050.0,1002.0,camera/image/filled_in,1,3,1000\n"
+         "1050.0,1003.0,camera/image/filled_in,1,4,1000\n";
+  const Summary summary = summarise(load_recording(run.path()));
+  for (const Traffic& sut :
+       {row(summary.classes, "uxv low"), row(summary.topics, "uxv camera/image")}) {
+    EXPECT_EQ(sut.received, 3U) << "live";
+    EXPECT_EQ(sut.filled_in, 2U);
+    EXPECT_EQ(sut.lost, 0U);
+    EXPECT_DOUBLE_EQ(sut.latency_s.median, 0.5) << "of what came live";
+    EXPECT_NEAR(sut.bytes_per_s, 30, 1e-9);
+  }
+  EXPECT_THAT(to_text(summary),
+              HasSubstr("uxv camera/image                        3      2      0    0.0"));
+}
+
+TEST(Summary, WhatWasFilledInIsOfTheIntervalInWhichItWasSent) {
+  const ToyRun run;
+  std::ofstream(run.path("gcs/messages.csv"), std::ios::app)
+      << "1021.25,1021.0,camera/image,1,20,1000\n1023.25,1023.0,camera/image,1,22,1000\n"
+         "1090,1022,camera/image/filled_in,1,21,1000\n"
+         "1090,1050,camera/image/filled_in,1,40,1000\n";
+  const Summary summary = summarise(load_recording(run.path()));
+  const Traffic& sut = row(summary.classes, "uxv low, poor");
+  EXPECT_EQ(sut.received, 2U);
+  EXPECT_EQ(sut.filled_in, 1U);
+  EXPECT_EQ(sut.lost, 0U);
+}
+
 TEST(Summary, HasNoLossWithoutTraffic) { EXPECT_TRUE(std::isnan(Traffic{}.lost_percent())); }
 
 TEST(Print, TellsTheMainFacts) {
   const std::string sut = to_text(toy_summary());
   EXPECT_THAT(sut, HasSubstr("mission_a: done, 9 of 9 waypoints in 99.5 s, 12 goals sent"));
   EXPECT_THAT(sut, HasSubstr("tocp_dsp: 2 pauses, 50.0 s of 100.0 s paused, the longest 40.0 s"));
-  EXPECT_THAT(sut, HasSubstr("uxv low                                 3      2   40.0    500"));
+  EXPECT_THAT(sut,
+              HasSubstr("uxv low                                 3      0      2   40.0    500"));
 }
 
 TEST(Print, SaysWhenNoMissionWasRecorded) {

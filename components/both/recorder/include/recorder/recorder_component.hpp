@@ -33,7 +33,7 @@ class RecorderComponent final : public Component {
       v("filled_in", filled_in,
         "whether of each of these also <topic>/filled_in is, where a router gives stored samples");
       v("topics", topics, "others: names, patterns, or NAME TYPE [QOS [host|link]]");
-      v("csv", csv, "whether CSV files are written, which report, decide and fit read");
+      v("csv", csv, "whether CSV files are written, which other programs read");
       v("bag", bag, "whether a bag is written, which tocsin bag, ros2 bag and Foxglove open");
       v("bag_compression", bag_compression, {"none", "lz4", "zstd"}, "of the bag's chunks");
     }

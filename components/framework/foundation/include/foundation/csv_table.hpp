@@ -44,6 +44,8 @@ class CsvTable {
   /// Of a file that a person gives. Throws ConfigError when it cannot be read, is empty, has a row
   /// of another length, or no row besides the names.
   [[nodiscard]] static CsvTable load(const std::string& path);
+  /// The same of a text that was made of the file `path`.
+  [[nodiscard]] static CsvTable parse(std::string_view text, const std::string& path);
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] std::size_t rows() const { return rows_.size(); }

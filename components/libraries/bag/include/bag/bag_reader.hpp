@@ -60,7 +60,8 @@ class BagReader {
   struct File {
     std::string name;
     std::unique_ptr<mcap::Reader> reader;
-    std::vector<std::size_t> topic_of_channel;  ///< by channel id
+    std::vector<std::size_t> topic_of_channel;     ///< by channel id
+    std::vector<std::uint64_t> writer_of_channel;  ///< 0: not told
   };
 
  private:

@@ -31,6 +31,7 @@ struct Message {
   std::int64_t publish_time_ns = 0;  ///< when it was sent
   const std::uint8_t* data = nullptr;
   std::size_t size = 0;
+  std::uint64_t writer = 0;  ///< who wrote it, a number of the recorder's; 0: not told
 };
 
 }  // namespace tocsin::bag

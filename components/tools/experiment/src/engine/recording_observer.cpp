@@ -44,6 +44,13 @@ report::LinkClass class_of(const simulation::TopicEnd& end) {
   return {end.role, end.traffic_class.value()};
 }
 
+/// It came on `<topic>/filled_in`.
+bool is_filled_in(const simulation::Delivered& delivered) {
+  const std::string& topic = delivered.from.topic;
+  const std::string& given_on = delivered.to.topic;
+  return given_on.size() > topic.size() && given_on.compare(0, topic.size(), topic) == 0;
+}
+
 /// Airtime and bytes of both directions.
 report::LinkState state_of(const radio::LinkReport& report, Time now) {
   const auto& up = report.uplink;
@@ -106,9 +113,11 @@ void RecordingObserver::on_delivered(const simulation::Delivered& delivered) {
   Writer& from = writer(delivered.from);
   if (!from.classified) return;
   if (from.arrivals == nullptr) from.arrivals = &recording_.arrivals[class_of(delivered.from)];
-  from.arrivals->push_back({to_seconds(delivered.sent_at), to_seconds(delivered.received),
-                            delivered.from.topic, delivered.from.process, delivered.sequence,
-                            static_cast<double>(delivered.bytes)});
+  auto& arrivals =
+      is_filled_in(delivered) ? recording_.filled_in[class_of(delivered.from)] : *from.arrivals;
+  arrivals.push_back({to_seconds(delivered.sent_at), to_seconds(delivered.received),
+                      delivered.from.topic, delivered.from.process, delivered.sequence,
+                      static_cast<double>(delivered.bytes)});
 }
 
 void RecordingObserver::on_channel(const radio::LinkReport& report, Time now) {

@@ -80,7 +80,9 @@ struct LinkClass {
 /// A run, as its recorders saw it.
 struct Recording {
   std::string folder;
-  std::map<LinkClass, std::vector<Arrival>> arrivals;  ///< on the other side
+  std::map<LinkClass, std::vector<Arrival>> arrivals;  ///< on the other side, live
+  /// What came there later, on `<topic>/filled_in`; `topic` is the one that was filled in.
+  std::map<LinkClass, std::vector<Arrival>> filled_in;
   std::vector<Decision> decisions;
   std::vector<Quality> qualities;
   /// Samples that its components wrote, sent or held back by the gate.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recorder/csv_file.hpp"
+#include "csv_tables/csv_file.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "foundation/error.hpp"
-#include "small_disk.hpp"
+#include "foundation/small_disk.hpp"
 
 namespace tocsin {
 namespace {

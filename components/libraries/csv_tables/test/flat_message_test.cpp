@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recorder/flat_message.hpp"
+#include "csv_tables/flat_message.hpp"
 
 #include <gtest/gtest.h>
 

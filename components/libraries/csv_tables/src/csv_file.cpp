@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recorder/csv_file.hpp"
+#include "csv_tables/csv_file.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -11,22 +11,13 @@
 #include <fstream>
 #include <string_view>
 
+#include "csv_tables/message_rows.hpp"
 #include "foundation/error.hpp"
-#include "foundation/printable.hpp"
 
 namespace tocsin {
 namespace {
 
 constexpr std::size_t most_waiting = 65536;  // [byte]
-
-std::string row_of(const std::vector<std::string>& cells) {
-  std::string row;
-  for (const std::string& cell : cells) {
-    if (&cell != &cells.front()) row += ',';
-    row += csv_cell(cell, cell.size());
-  }
-  return row + '\n';
-}
 
 /// A process that was killed may have left half a row behind.
 bool ends_with_newline(const std::string& path) {
@@ -43,13 +34,13 @@ CsvFile::CsvFile(const std::string& path, const std::vector<std::string>& column
   if (!file_) throw ConfigError(path + ": cannot be written: " + std::strerror(errno));
   std::error_code none;
   is_cut_ = !ends_with_newline(path);
-  if (std::filesystem::file_size(path, none) == 0 || none) waiting_ = row_of(columns);
+  if (std::filesystem::file_size(path, none) == 0 || none) waiting_ = csv_line(columns);
 }
 
 CsvFile::~CsvFile() { (void)flush(); }
 
 void CsvFile::write(const std::vector<std::string>& cells) {
-  waiting_ += row_of(cells);
+  waiting_ += csv_line(cells);
   if (waiting_.size() >= most_waiting) (void)flush();
 }
 
