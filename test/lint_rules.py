@@ -24,7 +24,7 @@ ANYWHERE = {"tocsin_cmake"}  # builds all of them
 # Lines of test code per line of source code that each package has at least. Those below are named
 # with what they have; a floor only rises, and goes when the package has what all have.
 TEST_RATIO = 0.8
-TEST_RATIO_FLOORS = {"decision_tools": 0.50}
+TEST_RATIO_FLOORS = {"decision_tools": 0.55}
 broken = []
 
 
