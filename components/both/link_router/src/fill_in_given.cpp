@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What peers fill in, and what of it the host is given.
+#include <algorithm>
 #include <utility>
 
 #include "fill_in_link.hpp"
@@ -9,6 +10,12 @@ namespace tocsin {
 namespace {
 
 using FillInMessage = tocsin_msgs::msg::FillIn;
+
+/// Readers of the host find a new writer in milliseconds; when there are none, nobody is waited
+/// for.
+constexpr Duration readers_take = std::chrono::seconds(5);
+/// Batches that wait for them: more than a sender has under way.
+constexpr std::size_t most_early = 16;
 
 /// The name that the stream has at the peer, as stream_rule() makes it.
 std::string stream_name(const FillInMessage& message) {
@@ -26,20 +33,53 @@ bool FillInLink::on_live(const std::string& peer, const router::StreamRule& rule
   return is_new;
 }
 
-void FillInLink::on_batch(const FillInPeer& peer, const CarriedSample& sample) {
-  const auto content = parts_.link.unpack(type_info<FillInMessage>(), sample);
-  const auto* message = static_cast<const FillInMessage*>(content.get());
+std::uint64_t FillInLink::key_of(const Arrived& batch) {
+  return router::FillInReceiver::stream_key(batch.peer.name, stream_name(*batch.message));
+}
+
+void FillInLink::on_batch(const FillInPeer& peer, const CarriedSample& sample, Time now) {
+  auto content = parts_.link.unpack(type_info<FillInMessage>(), sample);
+  const Arrived batch{peer, std::static_pointer_cast<const FillInMessage>(std::move(content))};
+  const FillInMessage* const message = batch.message.get();
   if (message == nullptr || message->to_life() != parts_.link.self() || !is_sound(*message)) return;
-  const auto key = router::FillInReceiver::stream_key(peer.name, stream_name(*message));
-  Flow& flow = given_[key].what;
+  Described& described = given_[key_of(batch)];
+  Flow& flow = described.what;
   flow.topic = message->topic();
   flow.type = message->type();
   flow.user_data = message->user_data();
-  const auto batches = receiver_.on_batch(peer.name, peer.life, to_batch(*message, key));
+  if (!described.on_host) {
+    described.on_host = parts_.link.offer(filled_in(flow));
+    described.may_be_given = now + readers_take;
+  }
+  if (now >= described.may_be_given) return take(batch);
+  if (early_.size() < most_early) early_.push_back(batch);  // else it comes again
+}
+
+void FillInLink::on_host_listens(FlowId on_host, Time now) {
+  for (auto& entry : given_) {
+    if (entry.second.on_host != on_host) continue;
+    entry.second.may_be_given = std::min(entry.second.may_be_given, now);
+  }
+}
+
+void FillInLink::take_early(Time now) {
+  for (const Arrived& batch : std::exchange(early_, {})) {
+    if (now >= given_.at(key_of(batch)).may_be_given) {
+      take(batch);
+    } else {
+      early_.push_back(batch);
+    }
+  }
+}
+
+void FillInLink::take(const Arrived& batch) {
+  const FillInPeer& peer = batch.peer;
+  const auto batches =
+      receiver_.on_batch(peer.name, peer.life, to_batch(*batch.message, key_of(batch)));
   std::vector<sample_log::SampleId> ids = std::exchange(live_, {});
-  for (const router::FillInBatch& batch : batches) {
-    give(batch);
-    for (const sample_log::LogEntry& entry : batch.samples) ids.push_back(entry.id);
+  for (const router::FillInBatch& one : batches) {
+    give(one);
+    for (const sample_log::LogEntry& entry : one.samples) ids.push_back(entry.id);
   }
   if (batches.empty()) return parts_.store.note_given(std::move(ids), std::nullopt);
   saving_[++last_token_] = {peer, receiver_.progress(peer.name, peer.life)};
@@ -47,15 +87,14 @@ void FillInLink::on_batch(const FillInPeer& peer, const CarriedSample& sample) {
 }
 
 void FillInLink::give(const router::FillInBatch& batch) {
-  Described& described = given_.at(batch.stream);
-  if (!described.on_host) described.on_host = parts_.link.offer(filled_in(described.what));
+  const FlowId on_host = *given_.at(batch.stream).on_host;
   for (const sample_log::LogEntry& entry : batch.samples) {
     CarriedSample sample = parts_.link.sample_of(entry.bytes);
     if (!sample.content) continue;
     sample.source = entry.id.source;
     sample.sequence = entry.id.sequence;
     sample.sent_wall_ns = entry.sent_wall_ns;
-    parts_.link.give(*described.on_host, sample);
+    parts_.link.give(on_host, sample);
   }
 }
 

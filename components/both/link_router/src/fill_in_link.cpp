@@ -60,6 +60,9 @@ void FillInLink::on_listener(const FillInPeer& peer, Time now) {
 
 void FillInLink::on_lost(PeerId life) {
   listeners_.erase(life);
+  early_.erase(std::remove_if(early_.begin(), early_.end(),
+                              [life](const Arrived& one) { return one.peer.life == life; }),
+               early_.end());
   if (session_ && session_->life == life) begin_session();
 }
 
@@ -81,8 +84,9 @@ void FillInLink::follow_fates() {
   parts_.store.confirm(std::move(crossed));
 }
 
-void FillInLink::follow() {
+void FillInLink::follow(Time now) {
   follow_fates();
+  take_early(now);
   parts_.store.note_given(std::exchange(live_, {}), std::nullopt);
   while (auto answer = parts_.store.take()) {
     std::visit([this](auto& what) { on(what); }, *answer);
@@ -148,8 +152,10 @@ void FillInLink::on_progress(PeerId from, const router::FillInProgress& progress
 }
 
 Time FillInLink::deadline(Time now) const {
-  const Time next = sender_.deadline(now, parts_.sender.capacity_bytes_per_s(now));
-  return next > now ? next : parts_.sender.fill_in_opens(now);
+  Time next = sender_.deadline(now, parts_.sender.capacity_bytes_per_s(now));
+  if (next <= now) next = parts_.sender.fill_in_opens(now);
+  for (const Arrived& one : early_) next = std::min(next, given_.at(key_of(one)).may_be_given);
+  return next;
 }
 
 std::vector<tocsin_msgs::msg::StoredTopic> FillInLink::report() const {

@@ -50,7 +50,7 @@ class FillInLink {
   void on_listener(const FillInPeer& peer, Time now);
   void on_lost(PeerId life);
   /// What the store has answered, what the sender knows of stored samples, what is to be read.
-  void follow();
+  void follow(Time now);
   /// What there is room for.
   void send(Time now);
   void on_progress(PeerId from, const router::FillInProgress& progress, Time now);
@@ -60,7 +60,9 @@ class FillInLink {
   /// A sample of a stored flow that crossed live. Whether the host was not given it yet.
   [[nodiscard]] bool on_live(const std::string& peer, const router::StreamRule& rule,
                              const CarriedSample& sample);
-  void on_batch(const FillInPeer& peer, const CarriedSample& sample);
+  void on_batch(const FillInPeer& peer, const CarriedSample& sample, Time now);
+  /// A reader of this host hears what is given there.
+  void on_host_listens(FlowId on_host, Time now);
   /// What this life of a peer may be told: it was given, and that is safe.
   [[nodiscard]] router::FillInProgress progress(const FillInPeer& peer) const;
   /// Peers whose progress has changed since the last call.
@@ -70,6 +72,11 @@ class FillInLink {
   struct Described {
     Flow what;                      ///< topic, type and user data
     std::optional<FlowId> on_host;  ///< where its filled-in samples are given
+    Time may_be_given{};            ///< readers have had the time to find it
+  };
+  struct Arrived {
+    FillInPeer peer;
+    std::shared_ptr<const tocsin_msgs::msg::FillIn> message;
   };
   struct Batched {
     FillInPeer peer;
@@ -84,6 +91,9 @@ class FillInLink {
   void follow_fates();
   void begin_session();
   [[nodiscard]] CarriedSample packed(const router::FillInBatch& batch);
+  [[nodiscard]] static std::uint64_t key_of(const Arrived& batch);
+  void take(const Arrived& batch);
+  void take_early(Time now);
   void give(const router::FillInBatch& batch);
 
   Parts parts_;
@@ -97,6 +107,7 @@ class FillInLink {
 
   router::FillInReceiver receiver_;
   std::map<std::uint64_t, Described> given_;  ///< by the key of the peer's stream
+  std::vector<Arrived> early_;                ///< came before the readers of this host were there
   std::vector<sample_log::SampleId> live_;    ///< given, and not noted yet
   std::map<std::uint64_t, Batched> saving_;   ///< by token
   std::uint64_t last_token_ = 0;

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* topic_fact = "tocsin_topic";
 constexpr const char* type_fact = "tocsin_type";
 constexpr const char* user_data_fact = "tocsin_user_data";
-constexpr int filled_in_depth = 100;
+constexpr int filled_in_depth = 1000;
 constexpr std::size_t longest_name = 255;
 
 std::string fact(const sample_log::LoggedStream& stream, const char* key) {

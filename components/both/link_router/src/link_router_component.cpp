@@ -76,9 +76,9 @@ void LinkRouterComponent::tick(Time now) {
   if (now >= next_keep_) keep_store(now);
   follow_gate(now);
   take_events(now);
-  fill_ins_->follow();
+  fill_ins_->follow(now);
   send(now);
-  fill_ins_->follow();
+  fill_ins_->follow(now);
   answer(now);
   if (now >= next_budget_) tell_budgets(now);
   if (now >= next_report_) report(now);
@@ -191,6 +191,10 @@ void LinkRouterComponent::on(const link_event::PeerListens& event, Time now) {
   if (is_stream) sender_.set_wanted(peer->second, event.flow, true, now);
 }
 
+void LinkRouterComponent::on(const link_event::HostListens& event, Time now) {
+  fill_ins_->on_host_listens(event.flow, now);
+}
+
 void LinkRouterComponent::on(const link_event::LinkSample& event, Time now) {
   const auto from = incoming_.find(event.flow);
   if (from == incoming_.end()) return;
@@ -202,7 +206,7 @@ void LinkRouterComponent::on(const link_event::LinkSample& event, Time now) {
       peer->second, {flow.wire_id, event.number, origin_of(event.sample)}, now);
   if (flow.kind == Incoming::Kind::fill_ins) {
     store_->open(now, bus().wall_ns(now));
-    return fill_ins_->on_batch({peer->second, flow.peer}, event.sample);
+    return fill_ins_->on_batch({peer->second, flow.peer}, event.sample, now);
   }
   if (disposition != router::Disposition::deliver) return;
   const bool was_given =

@@ -236,6 +236,46 @@ TEST_F(FillInLinkTest, ABatchIsGivenOnATopicOfItsOwnOnceAndInOrder) {
   EXPECT_EQ(told_number(), 2U);
 }
 
+TEST_F(FillInLinkTest, ABatchWaitsUntilAReaderOfTheHostHearsItsTopic) {
+  script_.host_reads = false;
+  meet_station();
+  begin_peer_flow(fill_in_topic, peer_fill_ins);
+  fill_in(1, {10, 11});
+  fill_in(2, {12});
+  fill_in(1, {10, 11});
+  EXPECT_THAT(given(), IsEmpty());
+  EXPECT_EQ(told_number(), 0U) << "it is not done with";
+  ASSERT_EQ(script_.offered_here.size(), 1U);
+  script_.happen(link_event::HostListens{script_.offered_here.begin()->first});
+  run(0);
+  EXPECT_THAT(given(), ElementsAre(10, 11, 12));
+  EXPECT_EQ(told_number(), 2U);
+  fill_in(3, {13});
+  EXPECT_THAT(given(), ElementsAre(10, 11, 12, 13));
+}
+
+TEST_F(FillInLinkTest, ABatchThatNobodyReadsIsGivenAfterFiveSeconds) {
+  script_.host_reads = false;
+  meet_station();
+  begin_peer_flow(fill_in_topic, peer_fill_ins);
+  fill_in(1, {10, 11});
+  run(4.9);
+  EXPECT_THAT(given(), IsEmpty());
+  run(0.2);
+  EXPECT_THAT(given(), ElementsAre(10, 11));
+  EXPECT_EQ(told_number(), 1U);
+}
+
+TEST_F(FillInLinkTest, ABatchThatWaitsForReadersGoesWithThePeersLife) {
+  script_.host_reads = false;
+  meet_station();
+  begin_peer_flow(fill_in_topic, peer_fill_ins);
+  fill_in(1, {10, 11});
+  script_.happen(link_event::PeerLost{station});
+  run(6);
+  EXPECT_THAT(given(), IsEmpty());
+}
+
 TEST_F(FillInLinkTest, WhatCrossedLiveIsNotGivenAgain) {
   meet_station();
   Flow stored = flow("goal");

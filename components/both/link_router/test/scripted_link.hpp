@@ -60,6 +60,7 @@ class ScriptedLink {
   std::map<FlowId, Flow> offered_here;  ///< flows that are no peer's
   std::vector<bool> gate;               ///< each time that it changed: open
   bool is_up = true;
+  bool host_reads = true;  ///< readers of the host hear at once what is offered there
   TrafficRules rules;
 };
 
@@ -90,6 +91,7 @@ class ScriptedLinkBus final : public LinkBus {
   void offer(FlowId flow) override { script_.offered.push_back(flow); }
   FlowId offer(const Flow& flow) override {
     script_.offered_here[++last_] = flow;
+    if (script_.host_reads) script_.happen(link_event::HostListens{last_});
     return last_;
   }
   void give(FlowId flow, const CarriedSample& sample) override {

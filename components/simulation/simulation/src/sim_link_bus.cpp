@@ -210,8 +210,10 @@ void SimLinkBus::on_arrived(PeerId peer, FlowId flow, std::uint64_t number,
 void SimLinkBus::offer(FlowId) {}
 
 FlowId SimLinkBus::offer(const Flow& flow) {
-  known_[++last_flow_] = flow;
-  return last_flow_;
+  const FlowId id = ++last_flow_;
+  known_[id] = flow;
+  push(link_event::HostListens{id});
+  return id;
 }
 
 void SimLinkBus::give(FlowId flow, const CarriedSample& sample) {

@@ -79,6 +79,7 @@ class LinkRouterComponent final : public Component {
   void on(const link_event::PeerFlow& event, Time now);
   void on(const link_event::PeerFlowGone& event, Time now);
   void on(const link_event::PeerListens& event, Time now);
+  void on(const link_event::HostListens& event, Time now);
   void on(const link_event::LinkSample& event, Time now);
 
   void follow_gate(Time now);

@@ -20,6 +20,8 @@ namespace {
 /// The link's participant of a host has the host's name and this.
 const std::string router_suffix = "_link_router";
 
+constexpr int burst_depth = 32;
+
 Time steady_now() { return std::chrono::steady_clock::now(); }
 
 std::string host_in(const std::string& participant) {
@@ -34,7 +36,9 @@ QosProfile offered(const Flow& flow) {
   profile.reliability = flow.reliable ? Reliability::reliable : Reliability::best_effort;
   profile.durability =
       flow.transient_local ? Durability::transient_local : Durability::volatile_kind;
-  profile.depth = flow.depth;
+  // What came in one burst is not pushed out before the readers have it; who comes late gets no
+  // more of a state than its writer keeps.
+  profile.depth = flow.transient_local ? flow.depth : std::max(flow.depth, burst_depth);
   profile.lifespan_s = flow.lifespan_s;
   profile.user_data = flow.user_data;
   return profile;
@@ -201,11 +205,11 @@ std::optional<std::uint64_t> FastDdsLinkBus::send(FlowId flow, const CarriedSamp
   return found->second.writer->write(sample);
 }
 
-void FastDdsLinkBus::offer(FlowId id, const Flow& flow) {
+void FastDdsLinkBus::offer(FlowId id, const Flow& flow, FlowWriter::OnReader on_reader) {
   const std::string topic = table_.names().on_wire(flow.topic);
   try {
     giving_[id] =
-        std::make_unique<FlowWriter>(host_, topic, flow.type, offered(flow), [](const auto&) {});
+        std::make_unique<FlowWriter>(host_, topic, flow.type, offered(flow), std::move(on_reader));
   } catch (const EnvironmentError& error) {
     log_.error("{}", error.what());
   }
@@ -213,12 +217,12 @@ void FastDdsLinkBus::offer(FlowId id, const Flow& flow) {
 
 void FastDdsLinkBus::offer(FlowId peer_flow) {
   const auto flow = table_.find(peer_flow);
-  if (flow) offer(peer_flow, *flow);  // else it has left meanwhile
+  if (flow) offer(peer_flow, *flow, [](const auto&) {});  // else it has left meanwhile
 }
 
 FlowId FastDdsLinkBus::offer(const Flow& flow) {
   const FlowId id = table_.fresh_id();
-  offer(id, flow);
+  offer(id, flow, [this, id](const auto&) { table_.push(link_event::HostListens{id}); });
   return id;
 }
 

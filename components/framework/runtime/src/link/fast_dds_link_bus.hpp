@@ -54,7 +54,7 @@ class FastDdsLinkBus final : public LinkBus {
   };
   using Readers = std::map<ReaderKey, std::unique_ptr<FlowReader>>;
 
-  void offer(FlowId id, const Flow& flow);
+  void offer(FlowId id, const Flow& flow, FlowWriter::OnReader on_reader);
   [[nodiscard]] ParticipantOptions host_options();
   [[nodiscard]] ParticipantOptions link_options();
   void join_link();

@@ -14,15 +14,17 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
 
-/// Samples of a burst that wait until a thread of Fast DDS has handed them on.
+/// Samples of a burst that wait until a thread of Fast DDS has handed them on. What is repaired
+/// comes in larger ones: all that waited behind a lost sample, or a writer's whole history.
 constexpr int reader_depth = 32;
+constexpr int reliable_reader_depth = 1000;
 
 QosProfile profile_of(const ReaderKey& key) {
   QosProfile profile;
   profile.reliability = key.reliable ? Reliability::reliable : Reliability::best_effort;
   profile.durability =
       key.transient_local ? Durability::transient_local : Durability::volatile_kind;
-  profile.depth = reader_depth;
+  profile.depth = key.reliable ? reliable_reader_depth : reader_depth;
   return profile;
 }
 

@@ -150,6 +150,14 @@ TEST_F(LinkBusTest, AFlowThatIsNoPeersIsGivenFromTheBytesOfALog) {
   again.source = 4711;
   again.sequence = 12;
   again.sent_wall_ns = 1000;
+  bool is_heard = false;
+  EXPECT_TRUE(eventually([&] {
+    while (const auto event = link->take()) {
+      const auto* const listens = std::get_if<link_event::HostListens>(&*event);
+      is_heard = is_heard || (listens != nullptr && listens->flow == on_host);
+    }
+    return is_heard;
+  }));
   link->give(on_host, again);
   ASSERT_TRUE(eventually([&] { return !there.all().empty(); }));
   EXPECT_EQ(there.all().front().source, 4711U);

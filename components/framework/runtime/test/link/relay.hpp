@@ -80,6 +80,7 @@ class Relay {
     gone_.push_back(event.flow);
   }
   void on(LinkBus&, const link_event::PeerListens&) {}
+  void on(LinkBus&, const link_event::HostListens&) {}
   void on(LinkBus& bus, const link_event::LinkSample& event) {
     bus.give(event.flow, event.sample);
     const std::lock_guard<std::mutex> lock(mutex_);

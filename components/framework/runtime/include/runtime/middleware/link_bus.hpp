@@ -80,6 +80,9 @@ struct PeerListens {  ///< a peer's router has begun to read what is sent on a f
   FlowId flow;
   PeerId peer;
 };
+struct HostListens {  ///< a reader of this host hears a flow of `offer(const Flow&)`
+  FlowId flow;
+};
 struct LinkSample {
   FlowId flow;           ///< of the peer
   std::uint64_t number;  ///< of this transmission within the flow, from 1 without gaps
@@ -90,7 +93,8 @@ struct LinkSample {
 using LinkEvent =
     std::variant<link_event::HostFlow, link_event::HostFlowGone, link_event::HostSample,
                  link_event::PeerFound, link_event::PeerLost, link_event::PeerFlow,
-                 link_event::PeerFlowGone, link_event::PeerListens, link_event::LinkSample>;
+                 link_event::PeerFlowGone, link_event::PeerListens, link_event::HostListens,
+                 link_event::LinkSample>;
 
 /// IP packets that a host's router has put on the link since its start, by what is in them.
 struct LinkPackets {
@@ -128,7 +132,8 @@ class LinkBus {
                                                           const CarriedSample& sample) = 0;
   /// Makes the writer on this host of a peer's flow.
   virtual void offer(FlowId peer_flow) = 0;
-  /// Makes a writer on this host of a flow that is no peer's, under a number for `give`.
+  /// Makes a writer on this host of a flow that is no peer's, under a number for `give`. A
+  /// HostListens tells of each reader that hears it from then on.
   virtual FlowId offer(const Flow& flow) = 0;
   /// Writes there, as from the sample's own writer.
   virtual void give(FlowId flow, const CarriedSample& sample) = 0;
