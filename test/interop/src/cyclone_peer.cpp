@@ -28,7 +28,6 @@ class CyclonePeer : public Peer {
     dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_MSECS(100));
     dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 1000);
     reader_ = checked(dds_create_reader(participant_, topic, qos, nullptr));
-    dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 10);
     writer_ = checked(dds_create_writer(participant_, topic, qos, nullptr));
     dds_delete_qos(qos);
   }

@@ -58,12 +58,12 @@ class FastDdsPeer : public Peer {
         participant_->create_topic(topic_on_wire, type_on_wire, dds::TOPIC_QOS_DEFAULT);
     dds::DataReaderQos reader;
     reader.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
-    reader.history().depth = 100;
+    reader.history().depth = 1000;
     reader_ = participant_->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT)
                   ->create_datareader(topic, reader);
     dds::DataWriterQos writer;
     writer.durability().kind = dds::VOLATILE_DURABILITY_QOS;
-    writer.history().depth = 10;
+    writer.history().depth = 1000;
     writer_ = participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT)
                   ->create_datawriter(topic, writer);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// interop_peer MAKER DOMAIN NAME: writes "NAME INSTANT" twenty times a second, until its input
-// ends, and prints each NAME and INSTANT that it hears. Instants are milliseconds of the clock that
-// all processes of a computer share.
+// interop_peer MAKER DOMAIN NAME: writes "NAME INSTANT NUMBER" twenty times a second, until its
+// input ends, and prints each that it hears. Instants are milliseconds of the clock that all
+// processes of a computer share, numbers rise by one.
 #include <poll.h>
 
 #include <chrono>
@@ -29,8 +29,9 @@ bool input_has_ended() {
 
 void run(Peer& peer, const std::string& name) {
   constexpr auto period = std::chrono::milliseconds(50);
+  long long number = 0;
   for (auto next = Clock::now(); !input_has_ended(); next = Clock::now() + period) {
-    peer.write(name + " " + std::to_string(now_ms()));
+    peer.write(name + " " + std::to_string(now_ms()) + " " + std::to_string(++number));
     do {
       for (const std::string& text : peer.take()) std::cout << text << '\n';
       std::cout.flush();

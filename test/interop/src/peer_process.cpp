@@ -42,17 +42,19 @@ void end(pid_t process) {
 
 }  // namespace
 
-PeerProcess::PeerProcess(const std::string& maker, int domain, std::string name, pid_t network)
-    : name_(std::move(name)) {
+PeerProcess::PeerProcess(PeerOptions options) : name_(std::move(options.name)) {
   const Pipe in;
   const Pipe out;
-  const std::string number = std::to_string(domain);
+  const std::string number = std::to_string(options.domain);
+  const std::string loss = std::to_string(options.loss_percent);
   pid_ = fork();
   if (pid_ == 0) {
-    if (network != 0) enter_network_of(network);
+    if (options.network != 0) enter_network_of(options.network);
+    setenv("INTEROP_LOSS", loss.c_str(), 1);
     dup2(in.ends[0], STDIN_FILENO);
     dup2(out.ends[1], STDOUT_FILENO);
-    execl(INTEROP_PEER, INTEROP_PEER, maker.c_str(), number.c_str(), name_.c_str(), nullptr);
+    execl(INTEROP_PEER, INTEROP_PEER, options.maker.c_str(), number.c_str(), name_.c_str(),
+          nullptr);
     _exit(127);
   }
   close(in.ends[0]);
@@ -87,7 +89,13 @@ void PeerProcess::read_output() {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::string name;
     long long written_ms = 0;
-    while (lines >> name >> written_ms) heard_[name] = std::max(heard_[name], written_ms);
+    long long number = 0;
+    while (lines >> name >> written_ms >> number) {
+      Heard& heard = heard_[name];
+      heard.newest_ms = std::max(heard.newest_ms, written_ms);
+      if (heard.in_a_row == 0) heard.first = number;
+      if (number == heard.first + static_cast<long long>(heard.in_a_row)) ++heard.in_a_row;
+    }
   }
 }
 
@@ -97,7 +105,13 @@ bool PeerProcess::has_heard(const PeerProcess& other,
       std::chrono::duration_cast<std::chrono::milliseconds>(since.time_since_epoch()).count();
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = heard_.find(other.name());
-  return found != heard_.end() && found->second > since_ms;
+  return found != heard_.end() && found->second.newest_ms > since_ms;
+}
+
+std::size_t PeerProcess::heard_in_a_row(const PeerProcess& other) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = heard_.find(other.name());
+  return found == heard_.end() ? 0 : found->second.in_a_row;
 }
 
 bool shell(const std::string& command) { return std::system(command.c_str()) == 0; }

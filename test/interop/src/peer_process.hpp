@@ -8,16 +8,26 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace tocsin::interop {
 
+/// How an `interop_peer` is started.
+struct PeerOptions {
+  std::string maker;  ///< cyclone, fast_dds or tocsin
+  int domain = 0;
+  std::string name;
+  pid_t network = 0;     ///< a process in whose network namespace it runs; 0: that of the caller
+  int loss_percent = 0;  ///< [0, 100] of the packets that it sends, and of those that it receives
+};
+
 /// One `interop_peer`. It is killed in the end.
 class PeerProcess {
  public:
-  /// `maker`: cyclone, fast_dds or tocsin. `network`: a process whose network namespace it runs in;
-  /// 0: that of the caller.
-  PeerProcess(const std::string& maker, int domain, std::string name, pid_t network = 0);
+  explicit PeerProcess(PeerOptions options);
+  PeerProcess(const std::string& maker, int domain, std::string name, pid_t network = 0)
+      : PeerProcess(PeerOptions{maker, domain, std::move(name), network, 0}) {}
   ~PeerProcess();
   PeerProcess(const PeerProcess&) = delete;
   PeerProcess& operator=(const PeerProcess&) = delete;
@@ -31,15 +41,22 @@ class PeerProcess {
   /// Whether it has heard a sample of `other` that was written after `since`.
   [[nodiscard]] bool has_heard(const PeerProcess& other,
                                std::chrono::steady_clock::time_point since = {}) const;
+  /// How many samples of `other` have come without a gap, from the first one on.
+  [[nodiscard]] std::size_t heard_in_a_row(const PeerProcess& other) const;
 
  private:
+  struct Heard {
+    long long newest_ms = 0;  ///< instant of writing
+    long long first = 0;      ///< number
+    std::size_t in_a_row = 0;
+  };
   void read_output();
   const std::string name_;
   pid_t pid_ = 0;
   int input_ = -1;
   int output_ = -1;
   mutable std::mutex mutex_;
-  std::map<std::string, long long> heard_;  ///< name to the newest instant of writing, in ms
+  std::map<std::string, Heard> heard_;  ///< by name
   std::thread thread_;
 };
 
