@@ -93,8 +93,8 @@ void PeerProcess::read_output() {
     while (lines >> name >> written_ms >> number) {
       Heard& heard = heard_[name];
       heard.newest_ms = std::max(heard.newest_ms, written_ms);
-      if (heard.in_a_row == 0) heard.first = number;
-      if (number == heard.first + static_cast<long long>(heard.in_a_row)) ++heard.in_a_row;
+      heard.in_a_row = number == heard.last + 1 ? heard.in_a_row + 1 : 1;
+      heard.last = number;
     }
   }
 }

@@ -41,13 +41,14 @@ class PeerProcess {
   /// Whether it has heard a sample of `other` that was written after `since`.
   [[nodiscard]] bool has_heard(const PeerProcess& other,
                                std::chrono::steady_clock::time_point since = {}) const;
-  /// How many samples of `other` have come without a gap, from the first one on.
+  /// How many samples of `other` have come since the last gap. (Who joins may miss one between the
+  /// first that he hears and the first heartbeat.)
   [[nodiscard]] std::size_t heard_in_a_row(const PeerProcess& other) const;
 
  private:
   struct Heard {
     long long newest_ms = 0;  ///< instant of writing
-    long long first = 0;      ///< number
+    long long last = 0;       ///< number
     std::size_t in_a_row = 0;
   };
   void read_output();
