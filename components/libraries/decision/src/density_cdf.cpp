@@ -46,12 +46,15 @@ double real_line_cdf(Family family, const Parameters& p, double x) {
 }
 
 double inverse_gaussian_cdf(double mu, double lambda, double x) {
+  // The textbook's exp(2 lambda / mu) P(Z <= -v), v = root (x / mu + 1), without large exponents.
   const double root = std::sqrt(lambda / x);
-  return normal_cdf(root * (x / mu - 1)) +
-         std::exp(2 * lambda / mu + log_normal_cdf(-root * (x / mu + 1)));
+  const double u = root * (x / mu - 1);
+  return normal_cdf(u) + std::exp(-u * u / 2) * scaled_normal_tail(root * (x / mu + 1));
 }
 
 double rician_cdf(double s, double sigma, double x) {
+  // Normal to within (sigma / s)^2, where Boost counts more terms than an int holds.
+  if (s / sigma > 1e4) return normal_cdf((x - s) / sigma - sigma / (2 * s));
   const double noncentrality = (s / sigma) * (s / sigma);
   const double y = (x / sigma) * (x / sigma);
   return cdf(boost::math::non_central_chi_squared(2, noncentrality), y);

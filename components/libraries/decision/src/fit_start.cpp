@@ -47,7 +47,7 @@ Density::Parameters positive_start(Family family, const Moments& m) {
     case Family::loglogistic:
       return {m.log_mean, m.log_sd * std::sqrt(3) / M_PI, 0};
     case Family::inverse_gaussian:
-      return {m.mean, 1 / (m.reciprocal - 1 / m.mean), 0};
+      return {m.mean, 1 / m.reciprocal_excess, 0};
     case Family::rayleigh:
       return {std::sqrt(m.square / 2), 0, 0};
     case Family::rician:
@@ -74,6 +74,8 @@ Moments::Moments(const std::vector<double>& sorted)
       square(mean_of(sorted, square_of)),
       square_sd(deviation_of(sorted, square, square_of)),
       reciprocal(mean_of(sorted, [](double x) { return 1 / x; })),
+      reciprocal_excess(mean_of(
+          sorted, [this](double x) { return (x - mean) * (x - mean) / (x * mean * mean); })),
       median(middle(sorted)),
       deviation(mean_of(sorted, [this](double x) { return std::abs(x - median); })) {}
 

@@ -13,12 +13,13 @@ struct Moments {
   explicit Moments(const std::vector<double>& sorted);
   double n;
   double mean;
-  double sd;          ///< root of the mean squared deviation
-  double log_mean;    ///< of ln x
-  double log_sd;      ///< of ln x
-  double square;      ///< mean of x^2
-  double square_sd;   ///< of x^2
-  double reciprocal;  ///< mean of 1/x
+  double sd;                 ///< root of the mean squared deviation
+  double log_mean;           ///< of ln x
+  double log_sd;             ///< of ln x
+  double square;             ///< mean of x^2
+  double square_sd;          ///< of x^2
+  double reciprocal;         ///< mean of 1/x
+  double reciprocal_excess;  ///< mean of 1/x above 1/mean, as the sum of squares that it is
   double median;
   double deviation;  ///< mean |x - median|
 };

@@ -18,8 +18,13 @@ double normal_quantile(double p) {
 
 double log_normal_cdf(double z) {
   if (z > -35) return std::log(normal_cdf(z));
+  return -z * z / 2 + std::log(scaled_normal_tail(-z));
+}
+
+double scaled_normal_tail(double z) {
+  if (z < 35) return normal_cdf(-z) * std::exp(z * z / 2);
   const double i = 1 / (z * z);  // Abramowitz & Stegun 26.2.12
-  return -z * z / 2 - std::log(-z * std::sqrt(2 * M_PI)) + std::log1p(-i + 3 * i * i);
+  return (1 - i + 3 * i * i) / (z * std::sqrt(2 * M_PI));
 }
 
 double log_gamma_half_step(double x) { return -std::log(boost::math::tgamma_delta_ratio(x, 0.5)); }

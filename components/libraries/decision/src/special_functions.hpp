@@ -20,6 +20,8 @@ inline double normal_density(double z) { return std::exp(-z * z / 2) / std::sqrt
 double normal_quantile(double p);
 /// ln P(Z <= z), without underflow.
 double log_normal_cdf(double z);
+/// exp(z^2 / 2) P(Z > z) for z >= 0, without underflow.
+double scaled_normal_tail(double z);
 /// ln(Gamma(x + 1/2) / Gamma(x)), without the cancellation of two large logarithms.
 double log_gamma_half_step(double x);
 /// ln(exp(-z) I_0(z)) for z >= 0.
