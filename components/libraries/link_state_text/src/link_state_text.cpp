@@ -9,6 +9,7 @@
 
 #include "foundation/printable.hpp"
 #include "foundation/role.hpp"
+#include "foundation/traffic_class.hpp"
 
 namespace tocsin::link_text {
 namespace {
@@ -36,13 +37,13 @@ std::string loss(const LinkState& state) { return number(100.0 * state.loss(), 0
 /// "12+4": of class critical and of class high.
 template <class Count>
 std::string urgent(const LinkState& state, const Count& count) {
-  const auto of = [&](const char* name) -> std::uint64_t {
+  const auto of = [&](TrafficClass wanted) -> std::uint64_t {
     for (const LinkClass& one : state.classes()) {
-      if (one.traffic_class() == name) return count(one);
+      if (traffic_class_of(one.traffic_class()) == wanted) return count(one);
     }
     return 0;
   };
-  return fmt::format("{}+{}", of("critical"), of("high"));
+  return fmt::format("{}+{}", of(TrafficClass::critical), of(TrafficClass::high));
 }
 
 std::string discovery_share(const LinkState& state) {

@@ -16,6 +16,19 @@ using decision::Evidence;
 using decision::Policy;
 using decision::State;
 
+bool at_deadline(const QualityTrace& trace, std::size_t row) {
+  return !trace.recorded.empty() && trace.recorded[row].at_deadline;
+}
+
+/// The truth of the rows that are samples, which a recorded end of a pause is not.
+std::vector<bool> truth_of_samples(const QualityTrace& trace) {
+  std::vector<bool> bad;
+  for (std::size_t row = 0; row < trace.bad.size(); ++row) {
+    if (!at_deadline(trace, row)) bad.push_back(trace.bad[row]);
+  }
+  return bad;
+}
+
 std::unique_ptr<Policy> policy_for(const QualityTrace& trace, const std::string& policy,
                                    const PolicySettings& settings) {
   const decision::PolicyParams& params = settings.params;
@@ -23,8 +36,8 @@ std::unique_ptr<Policy> policy_for(const QualityTrace& trace, const std::string&
     if (trace.bad.empty()) {
       throw ConfigError(trace.path + ": policy oracle needs the truth, a column state of 0 and 1");
     }
-    return decision::make_oracle(slots_of(trace.bad, params.costs()), params.cost_change,
-                                 params.th_max_samples);
+    return decision::make_oracle(slots_of(truth_of_samples(trace), params.costs()),
+                                 params.cost_change, params.th_max_samples);
   }
   try {
     return decision::make_policy(params);
@@ -38,12 +51,22 @@ bool forced(decision::Reason reason) {
          reason == decision::Reason::forced_resume_time;
 }
 
+bool is_sample(const Step& step, const QualityTrace& trace) {
+  return step.row && !at_deadline(trace, *step.row);
+}
+
 void add_costs(const DecidedTrace& decided, DecisionSummary& summary) {
-  if (decided.trace.bad.size() < 2) return;
-  const std::vector<bool> bad(decided.trace.bad.begin() + 1, decided.trace.bad.end());
+  std::vector<bool> bad = truth_of_samples(decided.trace);
+  if (bad.size() < 2) return;
+  bad.erase(bad.begin());
   std::vector<bool> send;
   for (const Step& step : decided.steps) {
-    if (step.row) send.push_back(step.evidence.state == State::active);
+    const bool active = step.evidence.state == State::active;
+    if (is_sample(step, decided.trace)) {
+      send.push_back(active);
+    } else if (active && !send.empty()) {
+      send.back() = true;  // it spoke from the deadline on
+    }
   }
   send.pop_back();
   const decision::PolicyParams& params = decided.settings.params;
@@ -68,7 +91,7 @@ class Decider {
   void take(std::size_t row) {
     const Time now{seconds(trace_.time_s[row])};
     const bool recorded = !trace_.recorded.empty();
-    if (recorded && trace_.recorded[row].at_deadline) {
+    if (at_deadline(trace_, row)) {
       if (deadline_ && now >= *deadline_) end_pause(row, now);
       return;
     }
@@ -99,10 +122,6 @@ class Decider {
   std::optional<Time> deadline_;
 };
 
-bool is_sample(const Step& step, const QualityTrace& trace) {
-  return step.row && (trace.recorded.empty() || !trace.recorded[*step.row].at_deadline);
-}
-
 bool equal(const RecordedDecision& recorded, const Evidence& evidence) {
   return recorded.active == (evidence.state == State::active) &&
          recorded.reason == to_string(evidence.reason) && recorded.pause_samples == evidence.age;
@@ -116,7 +135,7 @@ DecidedTrace decide_again(const QualityTrace& trace, const std::string& policy,
   Decider decider(trace, decided);
   for (std::size_t row = 0; row < trace.qni.size(); ++row) {
     const bool restarted = !trace.recorded.empty() && trace.recorded[row].restarted;
-    if (row == 0 || restarted) {
+    if (row == 0 || (restarted && policy != "oracle")) {
       auto made = policy_for(trace, policy, settings);
       decided.policy = made->name();
       decider.begin_with(std::move(made));

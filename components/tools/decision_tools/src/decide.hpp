@@ -44,7 +44,9 @@ struct DecisionSummary {
   double mean_qni_active = 0;
   double mean_qni_passive = 0;
   bool has_truth = false;  ///< the rest needs the truth
-  double cost = 0;         ///< of slots 1 to the last, row n deciding slot n + 1
+  /// Of slots 1 to the last, sample n deciding slot n + 1; one in which a pause ended at its
+  /// deadline counts as spoken in.
+  double cost = 0;
   double oracle_cost = 0;
 };
 

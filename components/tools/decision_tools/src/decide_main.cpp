@@ -35,13 +35,17 @@ void declare(CLI::App& app, Request& request) {
       ->take_all();
   app.add_option("--table", request.table, "CSV file to write, a row per sample; - prints it");
   app.add_option("--plot", request.plot, "draw PREFIX.png and PREFIX.svg");
-  app.add_flag("--json", request.json, "print JSON");
-  app.add_flag("--rows", request.rows, "with --json: every row, not only changes");
+  CLI::Option* json = app.add_flag("--json", request.json, "print JSON");
+  app.add_flag("--rows", request.rows, "with --json: every row, not only changes")->needs(json);
   request.trace.topic = "transmission_state";
   declare_trace_options(app, request.trace);
 }
 
 int decide(const Request& request) {
+  const bool print_table = request.table == "-";
+  if (print_table && request.json) {
+    throw ConfigError("--table -: prints the table in place of the JSON; leave one of them out");
+  }
   const QualityTrace trace = read_quality_trace(request.file, request.trace);
   const PolicySettings settings =
       load_settings({trace.controller, request.model, request.set, request.policy});
@@ -51,7 +55,6 @@ int decide(const Request& request) {
                       ", oracle");
   }
   const DecidedTrace decided = decide_again(trace, request.policy, settings);
-  const bool print_table = request.table == "-";
   if (!request.table.empty() && !print_table) write_text(request.table, to_csv(decided));
   if (!request.plot.empty()) draw(decide_plot(decided), request.plot);
   if (print_table) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -63,6 +64,11 @@ std::string series(const DecidedTrace& decided) {
          << value(one.threshold) << ' ' << (one.state == State::passive ? 100 : 0) << '\n';
   }
   return text.str();
+}
+
+/// Empty sets of samples have no mean.
+std::string mean_text(double mean) {
+  return std::isnan(mean) ? "none" : fmt::format("{:.1f}", mean);
 }
 
 std::string words_of(bool active, const std::string& reason) {
@@ -142,6 +148,7 @@ void add_recording(const DecidedTrace& decided, nlohmann::json& out) {
 
 std::string to_text(const DecidedTrace& decided) {
   const DecisionSummary s = summarize(decided);
+  const auto samples = static_cast<double>(std::max<std::size_t>(s.samples, 1));
   const auto role = decided.trace.role;
   std::ostringstream text;
   text << changes_text(decided) << std::fixed << std::setprecision(1);
@@ -150,9 +157,9 @@ std::string to_text(const DecidedTrace& decided) {
        << to_text(decided.settings) << s.samples << " samples, " << s.missing
        << " without measurement; " << s.pauses << " pauses, " << s.forced
        << " ended by a limit, longest " << s.longest_pause << " samples; silent "
-       << 100.0 * static_cast<double>(s.passive) / static_cast<double>(s.samples)
-       << " %\nmean QNI while active " << s.mean_qni_active << ", while passive "
-       << s.mean_qni_passive << '\n';
+       << 100.0 * static_cast<double>(s.passive) / samples << " %\nmean QNI while active "
+       << mean_text(s.mean_qni_active) << ", while passive " << mean_text(s.mean_qni_passive)
+       << '\n';
   text << comparison_text(decided);
   if (decided.learned) text << laws_text(*decided.learned);
   if (s.has_truth) {
@@ -192,12 +199,14 @@ std::string to_csv(const DecidedTrace& decided) {
   const std::vector<bool>& bad = decided.trace.bad;
   std::string text = "time_s,qni,active,reason,statistic,threshold,age";
   text += bad.empty() ? "\n" : ",state\n";
+  std::size_t row = 0;
   for (const Step& step : decided.steps) {
     const Evidence& one = step.evidence;
     text += cell(step.time_s) + ',' + cell(one.sample) + ',' +
             (one.state == State::active ? "1," : "0,") + to_string(one.reason) + ',' +
             cell(one.statistic) + ',' + cell(one.threshold) + ',' + std::to_string(one.age);
-    if (!bad.empty()) text += !step.row ? "," : bad[*step.row] ? ",1" : ",0";
+    row = step.row.value_or(row);  // a pause that ended between two rows: as at the one before
+    if (!bad.empty()) text += bad[row] ? ",1" : ",0";
     text += '\n';
   }
   return text;

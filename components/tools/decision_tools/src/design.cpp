@@ -66,13 +66,14 @@ nlohmann::json to_json(const TradeOff& one) {
 }  // namespace
 
 Design design(const DesignRequest& request) {
-  Design result{request, trade_off(request, request.false_alarm_s), table_of(request), {}, {}};
-  result.shifts = shifts_of(request, result.wanted.alpha);
+  Design result{request, trade_off(request, request.false_alarm_s), {}, {}, {}};
   if (request.recording) {
     result.calibration =
         calibrate_on(*request.recording, {request.params, request.false_alarm_s, request.block_s,
                                           request.seed, request.replicates, request.paths});
   }
+  result.table = table_of(request);
+  result.shifts = shifts_of(request, result.wanted.alpha);
   return result;
 }
 

@@ -2,7 +2,6 @@
 #include <cstdio>
 
 #include "command_line/command.hpp"
-#include "decision/llr.hpp"
 #include "fit_report.hpp"
 #include "foundation/error.hpp"
 #include "model_file.hpp"
@@ -32,10 +31,9 @@ void declare(CLI::App& app, Request& request) {
   declare_trace_options(app, request.trace);
 }
 
-/// Laws the wrong way round, or without mass on the scale, make no detector.
-void check_pair(const Request& request, const FitReport& good, const FitReport& bad) {
+void check(const Request& request, const std::string& model) {
   try {
-    (void)decision::DensityLlr(good.chosen, bad.chosen, 0);
+    check_model(model);
   } catch (const ConfigError& error) {
     throw ConfigError(request.good + " (good), " + request.bad + " (bad): " + error.what());
   }
@@ -44,9 +42,9 @@ void check_pair(const Request& request, const FitReport& good, const FitReport& 
 int fit(const Request& request) {
   const FitReport good = fit_trace(read_quality_trace(request.good, request.trace), request.family);
   const FitReport bad = fit_trace(read_quality_trace(request.bad, request.trace), request.family);
-  check_pair(request, good, bad);
   const std::string text = model_text(good.chosen, bad.chosen,
                                       "fitted by tocsin fit " + request.good + " " + request.bad);
+  check(request, text);
   if (!request.model.empty()) write_text(request.model, text);
   if (!request.plot.empty()) draw(fit_plot(good, bad), request.plot);
   if (request.json) {

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model_file.hpp"
 
+#include <yaml-cpp/yaml.h>
+
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
 
+#include "decision/policy_params.hpp"
 #include "foundation/error.hpp"
+#include "foundation/parameters.hpp"
+#include "foundation/printable.hpp"
+#include "foundation/yaml_file.hpp"
 
 namespace tocsin::tools {
 namespace {
@@ -35,7 +41,12 @@ std::string law_text(const std::string& which, const decision::Density& law) {
 
 std::string model_text(const decision::Density& good, const decision::Density& bad,
                        const std::string& origin) {
-  return "# " + origin + "\n" + law_text("good", good) + law_text("bad", bad);
+  return "# " + printable(origin, 4096) + "\n" + law_text("good", good) + law_text("bad", bad);
+}
+
+void check_model(const std::string& text) {
+  const std::string name = "the model";
+  check(load_parameters<decision::PolicyParams>(read_yaml_text(text, name), "policy", name));
 }
 
 void write_text(const std::string& path, const std::string& text) {

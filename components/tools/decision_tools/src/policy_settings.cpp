@@ -38,7 +38,7 @@ class Names {
 };
 
 bool names(const YAML::Node& values, const char* key) {
-  return values.IsMap() && values[key].IsDefined();
+  return values.IsDefined() && values.IsMap() && values[key].IsDefined();
 }
 
 /// A key of this source that another key of an earlier source would silence.
@@ -52,6 +52,8 @@ void forget_replaced(const YAML::Node& values, PolicyParams& params) {
     params.bad_parameters.clear();
   }
   if (names(values, "alpha")) params.false_alarm_samples = 0;
+  if (names(values, "alpha") || names(values, "false_alarm_samples")) params.detector_threshold = 0;
+  if (names(values, "mild_alpha")) params.mild_share = 0;
   if (names(values, "reverse_alpha")) params.false_resume_samples = 0;
 }
 

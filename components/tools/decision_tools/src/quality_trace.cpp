@@ -110,6 +110,9 @@ void from_wifi(const CsvTable& table, QualityTrace& trace) {
   double probes = 0;
   double lost = 0;
   for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (scale[i] <= 0) {
+      table.reject(i, "link_quality_scale", shortest_text(scale[i]) + " must be above 0");
+    }
     const double full_scale = quality[i] / scale[i] * params.quality_best;
     const double qni = model.evaluate({loss_percent(delay[i]), rssi[i], full_scale}).value;
     if (!std::isnan(qni)) sum += qni;
@@ -143,6 +146,19 @@ void read_network_quality(const CsvTable& table, const TraceOptions& options, Qu
   trace.qni = from_network_quality(
       table, trace.controller ? trace.controller->quality() : decision::QualityIndexParams{});
   trace.time_s = times(table, options.period_s);
+}
+
+std::vector<bool> truth_in(const CsvTable& table) {
+  const std::vector<double> states = table.numbers("state");
+  std::vector<bool> bad;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i] != 0 && states[i] != 1) {
+      table.reject(i, "state",
+                   "'" + printable(table.texts("state")[i]) + "' is not 0 (good) or 1 (bad)");
+    }
+    bad.push_back(states[i] == 1);
+  }
+  return bad;
 }
 
 [[noreturn]] void reject(const CsvTable& table) {
@@ -199,7 +215,7 @@ QualityTrace read_quality_trace(const std::string& path, const TraceOptions& opt
                       ": the file has no column role and no deployment.yaml beside it");
   }
   if (trace.bad.empty() && table.has("state") && trace.qni.size() == table.rows()) {
-    for (const double state : table.numbers("state")) trace.bad.push_back(state > 0.5);
+    trace.bad = truth_in(table);
   }
   return trace;
 }

@@ -9,6 +9,7 @@
 #include "decision/policy_model.hpp"
 #include "foundation/error.hpp"
 #include "foundation/numbers.hpp"
+#include "foundation/printable.hpp"
 
 namespace tocsin::tools {
 namespace {
@@ -62,6 +63,17 @@ std::string extrapolation_text(const Calibration& c) {
          "threshold rests on the\n  model's tail and not on false alarms that were seen\n";
 }
 
+/// [samples]; 0 when the calibration is to choose it.
+int block_of(const CalibrationWish& wish, double period_s, std::size_t samples) {
+  if (!(wish.block_s > 0)) return 0;
+  const double block = std::round(wish.block_s / period_s);
+  if (block >= 1 && block <= static_cast<double>(samples)) return static_cast<int>(block);
+  throw ConfigError(fmt::format(
+      "--block: {} s must be at least one sample, {} s, and at most the recording, {} s",
+      shortest_text(wish.block_s), shortest_text(period_s),
+      shortest_text(static_cast<double>(samples) * period_s)));
+}
+
 }  // namespace
 
 RecordingCalibration calibrate_on(const QualityTrace& recording, const CalibrationWish& wish) {
@@ -69,7 +81,7 @@ RecordingCalibration calibrate_on(const QualityTrace& recording, const Calibrati
   if (!(period_s > 0)) throw ConfigError(recording.path + ": its time does not advance");
   decision::CalibrationRequest request{qualities_of(recording, period_s), detector_of(wish.params),
                                        wish.false_alarm_s / period_s};
-  request.block = static_cast<int>(std::lround(wish.block_s / period_s));
+  request.block = block_of(wish, period_s, recording.qni.size());
   request.seed = wish.seed;
   request.replicates = wish.replicates;
   request.paths = wish.paths;

@@ -25,10 +25,12 @@ double parse_duration_s(const std::string& name, const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const auto unit = units.find(std::string(end, text.data() + text.size()));
-  if (error != std::errc{} || unit == units.end() || !std::isfinite(value) || value <= 0) {
+  const bool read = error == std::errc{} && unit != units.end();
+  const double seconds = read ? value * unit->second : 0;
+  if (!std::isfinite(seconds) || seconds <= 0) {
     throw ConfigError(name + ": '" + text + "' is not a duration such as 90s, 5min, 1h, 2d");
   }
-  return value * unit->second;
+  return seconds;
 }
 
 }  // namespace tocsin::tools

@@ -75,6 +75,63 @@ TEST(PolicySettings, AThresholdReplacesARunLengthOfAnEarlierSource) {
   EXPECT_EQ(reverse.false_resume_samples, 0);
 }
 
+TEST(PolicySettings, AThresholdOfAnEarlierDetectorGivesWayToAlphaAndToARunLength) {
+  const auto run = run_with("{detector: focus, detector_threshold: 12}");
+  EXPECT_EQ(load_settings({run, "", {"bad_mean=30"}, ""}).params.detector_threshold, 12);
+  EXPECT_EQ(load_settings({run, "", {"alpha=3"}, ""}).params.detector_threshold, 0);
+  EXPECT_EQ(load_settings({run, "", {"false_alarm_samples=900"}, ""}).params.detector_threshold, 0);
+  const auto both = load_settings({run, "", {"alpha=3", "detector_threshold=9"}, ""}).params;
+  EXPECT_EQ(both.detector_threshold, 9);
+}
+
+TEST(PolicySettings, AMildThresholdReplacesTheShareOfAnEarlierSource) {
+  const auto run = run_with("{mild_share: 0.8, mild_mean: 70}");
+  const auto sut = load_settings({run, "", {"mild_alpha=5"}, ""}).params;
+  EXPECT_EQ(sut.mild_share, 0);
+  EXPECT_EQ(sut.mild_alpha, 5);
+  EXPECT_EQ(load_settings({run, "", {"mild_mean=65"}, ""}).params.mild_share, 0.8);
+}
+
+TEST(PolicySettings, ARunWhoseControllerNamesNoParameterHasTheDefaults) {
+  const YAML::Node controller = YAML::Load("{component: transmission_controller}");
+  const ControllerParameters run{"run/deployment.yaml",
+                                 {Role::gcs},
+                                 std::make_shared<const YAML::Node>(controller["parameters"])};
+  const PolicySettings sut = load_settings({run, "", {"alpha=3"}, ""});
+  EXPECT_EQ(sut.params.alpha, 3);
+  EXPECT_THAT(to_text(sut), HasSubstr("transmission_controller of gcs: none\n"));
+}
+
+TEST(PolicySettings, AKeyThatIsSetTwiceHasItsLastValue) {
+  const PolicySettings sut = load_settings({{}, "", {"alpha=1", "bad_mean=20", "alpha=2"}, ""});
+  EXPECT_EQ(sut.params.alpha, 2);
+  EXPECT_THAT(to_text(sut), HasSubstr("parameters from --set: "));
+  EXPECT_THAT(to_text(sut), ::testing::Not(HasSubstr("alpha 1")));
+}
+
+TEST(PolicySettings, TakeListsAndWordsByOption) {
+  const auto sut =
+      load_settings({{}, "", {"good_family=beta", "good_parameters=[10, 2]"}, ""}).params;
+  EXPECT_EQ(sut.good_family, "beta");
+  EXPECT_EQ(sut.good_parameters, (std::vector<double>{10, 2}));
+}
+
+TEST(PolicySettings, KnowWhetherSomebodyNamedThePolicy) {
+  EXPECT_FALSE(names_policy(load_settings({})));
+  EXPECT_FALSE(names_policy(load_settings({{}, "", {"alpha=1"}, ""})));
+  EXPECT_TRUE(names_policy(load_settings({{}, "", {"policy=tocp"}, ""})));
+  EXPECT_TRUE(names_policy(load_settings({run_with("{policy: none}"), "", {}, ""})));
+  const PolicySettings oracle = load_settings({{}, "", {}, "oracle"});
+  EXPECT_TRUE(names_policy(oracle));
+  EXPECT_EQ(oracle.params.policy, "none") << "it is no policy of a vehicle";
+}
+
+TEST(PolicySettings, NameAllTheirSourcesForAnErrorAcrossThem) {
+  EXPECT_EQ(source_names(load_settings({})), "the defaults");
+  EXPECT_EQ(source_names(load_settings({run_with("{alpha: 1}"), "", {"alpha=2"}, "tocp"})),
+            "run/deployment.yaml, transmission_controller of uxv, --set, --policy");
+}
+
 TEST(PolicySettings, NameTheSourceOfEveryMistake) {
   const TemporaryFolder folder;
   const std::string model = folder.write("m.yaml", "\nalpha: -1\n");
@@ -84,6 +141,11 @@ TEST(PolicySettings, NameTheSourceOfEveryMistake) {
   EXPECT_THAT(error_of({{}, "", {"alfa=1"}, ""}), HasSubstr("policy.alfa"));
   EXPECT_THAT(error_of({{}, "", {"alpha"}, ""}), HasSubstr("must be key=value"));
   EXPECT_THAT(error_of({{}, "", {"alpha=[1"}, ""}), HasSubstr("not valid YAML"));
+  EXPECT_THAT(error_of({{}, "", {"=3"}, ""}), HasSubstr("--set: '=3' must be key=value"));
+  EXPECT_THAT(error_of({{}, "", {"alpha="}, ""}), HasSubstr("policy.alpha"));
+  EXPECT_THAT(error_of({{}, "", {"policy=magic"}, ""}), HasSubstr("'magic' is not one of"));
+  const std::string list = folder.write("list.yaml", "[alpha, 1]");
+  EXPECT_THAT(error_of({{}, list, {}, ""}), HasSubstr("must be a map of parameters"));
   EXPECT_THAT(error_of({{}, "/nonexistent.yaml", {}, ""}), HasSubstr("/nonexistent.yaml"));
 }
 

@@ -120,6 +120,51 @@ TEST_F(Programs, HaveOneLineForEveryBadInput) {
   expect_error(DESIGN_PROGRAM " --false-alarm soon", "'soon' is not a duration");
 }
 
+TEST_F(Programs, FitRefusesARecordingWithHardlyAnySpreadAndLeavesTheOldModel) {
+  std::string still = "qni\n";
+  for (int i = 0; i < 20; ++i) still += i % 2 == 0 ? "90.001\n" : "90.002\n";
+  folder.write("still.csv", still);
+  folder.write("m.yaml", "alpha: 3\n");
+  expect_error(FIT_PROGRAM " still.csv bad.csv --family normal --model m.yaml",
+               "still.csv (good), bad.csv (bad): policy.good_sd: 0.0005 is outside");
+  EXPECT_EQ(folder.read("m.yaml"), "alpha: 3\n");
+}
+
+TEST_F(Programs, DecidePrintsItsTableOrItsJson) {
+  const std::string decide = DECIDE_PROGRAM " trace.csv --policy tocp";
+  ASSERT_EQ(run(decide + " --table -"), 0) << error;
+  EXPECT_EQ(std::count(output.begin(), output.end(), '\n'), 201);
+  EXPECT_THAT(output, ::testing::StartsWith("time_s,qni,active,reason,"));
+  expect_error(decide + " --table - --json", "--table -: prints the table in place of the JSON");
+  expect_error(decide + " --rows", "--rows requires --json");
+  expect_error(decide + " --table no/t.csv", "no/t.csv: cannot be written: No such file");
+  expect_error(decide + " --table /dev/full", "No space left on device");
+  expect_error(decide + " --plot no/p", "--plot: folder no does not exist");
+}
+
+TEST_F(Programs, DecideTakesTheColumnTheStepAndTheTruthOfAForeignFile) {
+  std::string foreign = "quality,state\n";
+  for (int i = 0; i < 60; ++i) foreign += i < 20 ? "90,0\n" : "20,1\n";
+  folder.write("foreign.csv", foreign);
+  const std::string decide = DECIDE_PROGRAM " foreign.csv --column quality --period 6 --json ";
+  ASSERT_EQ(run(decide + "--policy oracle"), 0) << error;
+  const auto oracle = nlohmann::json::parse(output);
+  EXPECT_EQ(oracle["cost"], oracle["oracle_cost"]);
+  ASSERT_EQ(run(decide + "--policy threshold --rows"), 0) << error;
+  const auto threshold = nlohmann::json::parse(output);
+  EXPECT_EQ(threshold["oracle_cost"], oracle["cost"]);
+  EXPECT_GT(threshold["cost"], oracle["cost"]);
+  EXPECT_EQ(threshold["rows"][1]["time_s"], 6);
+}
+
+TEST_F(Programs, DesignRefusesBlocksAndSeedsThatAreNone) {
+  const std::string design =
+      DESIGN_PROGRAM " --false-alarm 5min --period 1 --set bad_mean=60 --recording good.csv";
+  expect_error(design + " --block 0.2", "--block: 0.2 s must be at least one sample, 1 s");
+  expect_error(design + " --block 0", "--block");
+  expect_error(design + " --seed -1", "--seed");
+}
+
 TEST_F(Programs, ExplainThemselves) {
   for (const char* program : {FIT_PROGRAM, DECIDE_PROGRAM, DESIGN_PROGRAM}) {
     EXPECT_EQ(run(std::string(program) + " --help"), 0);

@@ -58,6 +58,38 @@ TEST_F(QualityTraceTest, ReadsTheTruthWhereItIsGiven) {
   EXPECT_EQ(read("n,state,qni\n0,0,80\n1,1,30\n").bad, (std::vector<bool>{false, true}));
 }
 
+TEST_F(QualityTraceTest, TheTruthIsGoodOrBadInEveryRow) {
+  EXPECT_THAT(error_of("state,qni\n0,80\n2,30\n"),
+              EndsWith("a.csv:3: state: '2' is not 0 (good) or 1 (bad)"));
+  EXPECT_THAT(error_of("state,qni\n,80\n"),
+              EndsWith("a.csv:2: state: '' is not 0 (good) or 1 (bad)"));
+  EXPECT_THAT(error_of("state,qni\nbad,80\n"), EndsWith("state: 'bad' is not a number"));
+}
+
+TEST_F(QualityTraceTest, TheTruthOfAveragedRowsIsOfTheirProbesAndOfNoColumn) {
+  const QualityTrace sut = read(
+      "time_s,state,rssi_dbm,link_quality,link_quality_scale,ping_delay_ms\n"
+      "0.1,0,-45,70,70,10\n0.6,1,-45,70,70,10\n");
+  EXPECT_EQ(sut.qni, std::vector<double>{100});
+  EXPECT_EQ(sut.bad, std::vector<bool>{false});
+}
+
+TEST_F(QualityTraceTest, ALinkQualityWithoutAScaleIsRefused) {
+  const std::string head = "time_s,rssi_dbm,link_quality,link_quality_scale,ping_delay_ms\n";
+  EXPECT_THAT(error_of(head + "0,-60,50,70,9\n1,-60,50,0,9\n"),
+              EndsWith("a.csv:3: link_quality_scale: 0 must be above 0"));
+  EXPECT_THAT(error_of(head + "0,-60,50,-70,9\n"), EndsWith("-70 must be above 0"));
+  EXPECT_NEAR(read(head + "0,-45,,,9\n").qni[0], 100, 1e-9) << "not told is left out";
+}
+
+TEST_F(QualityTraceTest, SecondsWithoutARowAreLeftOut) {
+  const QualityTrace sut = read(
+      "time_s,rssi_dbm,link_quality,link_quality_scale,ping_delay_ms\n"
+      "10.0,-45,70,70,9\n10.9,-99,0,70,\n14.5,-45,70,70,9\n");
+  EXPECT_EQ(sut.time_s, (std::vector<double>{0, 4}));
+  EXPECT_NEAR(sut.qni[0], 50, 1e-9);
+}
+
 TEST_F(QualityTraceTest, ReadsRecordedNetworkQuality) {
   const QualityTrace sut =
       read("receive_s,per_percent,signal_dbm,quality_percent\n5,0,-45,100\n6,100,-99,0\n7,50,,\n");
