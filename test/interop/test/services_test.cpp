@@ -8,9 +8,7 @@
 #include <deque>
 #include <mutex>
 
-#include "cyclone_service.hpp"
-#include "fast_dds_service.hpp"
-#include "headed_services.h"
+#include "lamp_service.hpp"
 #include "ros_idl/std_srvs.hpp"
 #include "runtime/middleware/host_graph.hpp"
 #include "within.hpp"
@@ -18,16 +16,10 @@
 namespace tocsin::interop {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
 using Request = std_srvs::srv::SetBool_Request;
 using Response = std_srvs::srv::SetBool_Response;
 
-const FastDdsService::Half requests{"rq/lamp/setRequest", "std_srvs::srv::dds_::SetBool_Request_"};
-const FastDdsService::Half replies{"rr/lamp/setReply", "std_srvs::srv::dds_::SetBool_Response_"};
 const ServiceEndpoint lamp{"lamp/set", &type_info<Request>(), &type_info<Response>()};
-const Bytes request_bytes{0, 1, 0, 0, 1};
-/// success, then the text "on" with its length.
-const Bytes response_bytes{0, 1, 0, 0, 1, 0, 0, 0, 3, 0, 0, 0, 'o', 'n', 0};
 
 int next_domain() {
   static int last = 119;
@@ -94,20 +86,6 @@ class Asker : public ClientReceiver {
   std::mutex mutex_;
   std::vector<ServiceReply> replies_;
   std::unique_ptr<ClientEnd> end_;
-};
-
-class CycloneClient : public CycloneService<headed_SetBoolResponse, headed_SetBoolRequest> {
- public:
-  explicit CycloneClient(int domain)
-      : CycloneService(domain, headed_SetBoolRequest_desc, requests.topic, requests.type.c_str(),
-                       headed_SetBoolResponse_desc, replies.topic, replies.type.c_str()) {}
-};
-
-class CycloneServer : public CycloneService<headed_SetBoolRequest, headed_SetBoolResponse> {
- public:
-  explicit CycloneServer(int domain)
-      : CycloneService(domain, headed_SetBoolResponse_desc, replies.topic, replies.type.c_str(),
-                       headed_SetBoolRequest_desc, requests.topic, requests.type.c_str()) {}
 };
 
 TEST(Services, AClientOfRmwFastrtpsIsAnsweredByTheIdentityOfItsRequest) {

@@ -14,10 +14,11 @@ namespace {
 using FillInMessage = tocsin_msgs::msg::FillIn;
 
 std::optional<FlowId> open_flow(LinkBus& link) {
-  const auto& rules = link.rules().all();
-  const bool stores =
-      std::any_of(rules.begin(), rules.end(), [](const auto& rule) { return rule.second.stored; });
-  if (!stores) return std::nullopt;
+  const auto stores = [](const auto& rules) {
+    return std::any_of(rules.begin(), rules.end(),
+                       [](const auto& rule) { return rule.second.stored; });
+  };
+  if (!stores(link.rules().all()) && !stores(link.rules().patterns())) return std::nullopt;
   Flow flow;
   flow.topic = fill_in_topic;
   flow.type = type_info<FillInMessage>().name;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fill_in_messages.hpp"
 
-#include <algorithm>
-#include <cctype>
-
 #include "foundation/ros_names.hpp"
 #include "idl_support/type_definition.hpp"
+#include "wire_names.hpp"
 
 namespace tocsin {
 namespace {
@@ -14,19 +12,10 @@ constexpr const char* topic_fact = "tocsin_topic";
 constexpr const char* type_fact = "tocsin_type";
 constexpr const char* user_data_fact = "tocsin_user_data";
 constexpr int filled_in_depth = 1000;
-constexpr std::size_t longest_name = 255;
 
 std::string fact(const sample_log::LoggedStream& stream, const char* key) {
   const auto found = stream.facts.find(key);
   return found == stream.facts.end() ? "" : found->second;
-}
-
-bool is_name(const std::string& text, const char* also) {
-  const std::string others = also;
-  return !text.empty() && text.size() <= longest_name &&
-         std::all_of(text.begin(), text.end(), [&](unsigned char c) {
-           return std::isalnum(c) != 0 || others.find(static_cast<char>(c)) != std::string::npos;
-         });
 }
 
 }  // namespace
@@ -56,7 +45,7 @@ router::FillInBatch to_batch(const tocsin_msgs::msg::FillIn& message, std::uint6
 }
 
 bool is_sound(const tocsin_msgs::msg::FillIn& message) {
-  return is_name(message.topic(), "_/") && is_name(message.type(), "_:");
+  return is_wire_name(message.topic(), "_/") && is_wire_name(message.type(), "_:");
 }
 
 sample_log::LoggedStream logged_stream(const std::string& name, const Flow& flow) {

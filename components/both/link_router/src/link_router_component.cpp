@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "call_link.hpp"
 #include "fill_in_link.hpp"
 #include "foundation/error.hpp"
 #include "router_messages.hpp"
@@ -68,7 +69,14 @@ LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
           context.devices, store_folder(context, params.store_directory), limits_of(params),
           [this] { schedule().input_arrived(); })),
       fill_ins_(std::make_unique<FillInLink>(FillInLink::Parts{*link_, sender_, *store_, log()},
-                                             params.link)) {}
+                                             params.link)),
+      calls_(std::make_unique<CallLink>(CallLink::Parts{
+          *link_, sender_, log(), [this](Time now) { return bus().wall_ns(now); }})) {
+  for (const auto& [flow, rule] : calls_->flows()) {
+    own_[flow] = {flow, rule.name, rule};
+    by_link_[flow] = &own_[flow];
+  }
+}
 
 LinkRouterComponent::~LinkRouterComponent() = default;
 
@@ -76,6 +84,7 @@ void LinkRouterComponent::tick(Time now) {
   if (now >= next_keep_) keep_store(now);
   follow_gate(now);
   take_events(now);
+  calls_->follow(now);
   fill_ins_->follow(now);
   send(now);
   fill_ins_->follow(now);
@@ -83,7 +92,8 @@ void LinkRouterComponent::tick(Time now) {
   if (now >= next_budget_) tell_budgets(now);
   if (now >= next_report_) report(now);
   wake_at(std::min({sender_.deadline(now), receiver_.deadline(), keeper_.deadline(now),
-                    fill_ins_->deadline(now), next_budget_, next_report_, next_keep_}));
+                    fill_ins_->deadline(now), calls_->deadline(now), next_budget_, next_report_,
+                    next_keep_}));
 }
 
 void LinkRouterComponent::follow_gate(Time now) {
@@ -105,11 +115,11 @@ void LinkRouterComponent::take_events(Time now) {
 void LinkRouterComponent::on(const link_event::HostFlow& event, Time) {
   const TrafficRule& rule = link_->rules().of(event.what.topic);
   Outgoing& flow = outgoing_[event.flow];
-  Flow on_link = event.what;
-  on_link.stored = rule.stored;
-  flow.on_link = link_->open(on_link, rule.traffic_class);
+  const Flow sent = on_link(event.what, rule);
+  flow.on_link = link_->open(sent, rule.traffic_class);
   flow.topic = event.what.topic;
-  flow.rule = stream_rule(event.what, rule);
+  flow.rule = stream_rule(sent, rule);
+  if (rule.max_rate_hz > 0) flow.interval = seconds(1 / rule.max_rate_hz);
   by_link_[flow.on_link] = &flow;
   sender_.add_stream(flow.on_link, flow.rule);
   if (rule.stored) fill_ins_->add(flow.on_link, event.what, flow.rule);
@@ -126,9 +136,14 @@ void LinkRouterComponent::on(const link_event::HostFlowGone& event, Time now) {
   outgoing_.erase(found);
 }
 
+bool LinkRouterComponent::passes(Outgoing& flow, std::uint64_t writer, Time now) {
+  if (flow.interval == Duration::zero()) return true;
+  return flow.limits.try_emplace(writer, flow.interval).first->second.pass(now);
+}
+
 void LinkRouterComponent::on(const link_event::HostSample& event, Time now) {
   const auto found = outgoing_.find(event.flow);
-  if (found == outgoing_.end()) return;
+  if (found == outgoing_.end() || !passes(found->second, event.sample.source, now)) return;
   if (found->second.rule.stored) {
     fill_ins_->offer(found->second.on_link, event.sample, now, bus().wall_ns(now));
   }
@@ -155,22 +170,24 @@ void LinkRouterComponent::on(const link_event::PeerLost& event, Time now) {
   }
   peers_.erase(found);
   fill_ins_->on_lost(event.peer);
+  calls_->on_lost(event.peer);
+}
+
+LinkRouterComponent::Incoming::Kind LinkRouterComponent::kind_of(const std::string& topic) {
+  if (topic == link_receipt_topic) return Incoming::Kind::receipts;
+  if (topic == fill_in_topic) return Incoming::Kind::fill_ins;
+  if (topic == link_services_topic) return Incoming::Kind::services;
+  return CallLink::carries(topic) ? Incoming::Kind::calls : Incoming::Kind::samples;
 }
 
 void LinkRouterComponent::on(const link_event::PeerFlow& event, Time now) {
   const auto peer = peers_.find(event.peer);
   if (peer == peers_.end()) return;
   Incoming& flow = incoming_[event.flow];
-  flow = {event.peer, event.wire_id, Incoming::Kind::samples, stream_rule(event.what, {})};
-  if (event.what.topic == link_receipt_topic) {
-    flow.kind = Incoming::Kind::receipts;
-    return;
-  }
+  flow = {event.peer, event.wire_id, kind_of(event.what.topic), stream_rule(event.what, {})};
+  if (flow.kind == Incoming::Kind::receipts) return;
   receiver_.on_stream(peer->second, event.wire_id, flow.rule);
-  if (event.what.topic == fill_in_topic) {
-    flow.kind = Incoming::Kind::fill_ins;
-    return;
-  }
+  if (flow.kind != Incoming::Kind::samples) return;
   if (event.what.stored) store_->open(now, bus().wall_ns(now));
   link_->offer(event.flow);
 }
@@ -209,6 +226,8 @@ void LinkRouterComponent::on(const link_event::LinkSample& event, Time now) {
     return fill_ins_->on_batch({peer->second, flow.peer}, event.sample, now);
   }
   if (disposition != router::Disposition::deliver) return;
+  if (flow.kind == Incoming::Kind::services) return calls_->on_services(flow.peer, event.sample);
+  if (flow.kind == Incoming::Kind::calls) return calls_->on_call(event.sample, now);
   const bool was_given =
       flow.rule.stored && !fill_ins_->on_live(peer->second, flow.rule, event.sample);
   // Late readers ask for the last sample of a state, whoever has it already.

@@ -55,6 +55,13 @@ tocsin_msgs::msg::LinkClass to_message(TrafficClass traffic_class,
 
 }  // namespace
 
+Flow on_link(Flow flow, const TrafficRule& rule) {
+  flow.stored = rule.stored;
+  flow.depth = std::max(flow.depth, rule.depth);
+  flow.lifespan_s = std::min(flow.lifespan_s, rule.lifespan_s);
+  return flow;
+}
+
 router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule) {
   router::StreamRule stream;
   stream.name = flow.topic + "|" + flow.user_data;

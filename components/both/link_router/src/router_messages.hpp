@@ -13,6 +13,8 @@
 
 namespace tocsin {
 
+/// What a flow of the host is on the link, by the rule for it.
+[[nodiscard]] Flow on_link(Flow flow, const TrafficRule& rule);
 /// What the configuration and its writers say of a flow. `rule` of the host that sends it.
 [[nodiscard]] router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule);
 

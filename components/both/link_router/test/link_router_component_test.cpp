@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
 #include "link_router_fixture.hpp"
 
 namespace tocsin {
@@ -24,6 +25,22 @@ TEST_F(LinkRouterTest, ASampleOfTheHostGoesOnTheLinkAsItIs) {
   EXPECT_EQ(sample.sequence, 5U);
   EXPECT_EQ(sample.bytes, 100U);
   EXPECT_EQ(*static_cast<const int*>(sample.content.get()), 5);
+}
+
+TEST_F(LinkRouterTest, AClassLimitsRateLifespanAndDepthOfAForeignTopic) {
+  const TemporaryFolder folder;
+  script_.rules = TrafficRules(
+      folder.write("traffic.yaml",
+                   "uxv: {low: {topics: ['*'], max_rate_hz: 10, lifespan_s: 0.5, depth: 10}}\n"),
+      Role::uxv);
+  const FlowId on_link = begin("robot/points");
+  EXPECT_EQ(script_.opened.at(on_link).flow.depth, 10);
+  EXPECT_EQ(script_.opened.at(on_link).flow.lifespan_s, 0.5);
+  for (std::uint64_t i = 1; i <= 100; ++i) {
+    write(i);
+    run(0.01);
+  }
+  EXPECT_NEAR(static_cast<double>(script_.sent_on(on_link)), 10, 1);
 }
 
 TEST_F(LinkRouterTest, AFlowThatHasLeftIsClosed) {

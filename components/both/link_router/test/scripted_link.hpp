@@ -12,6 +12,7 @@
 
 #include "runtime/middleware/link_bus.hpp"
 #include "runtime/sim_bus.hpp"
+#include "scripted_services.hpp"
 
 namespace tocsin {
 
@@ -62,6 +63,7 @@ class ScriptedLink {
   bool is_up = true;
   bool host_reads = true;  ///< readers of the host hear at once what is offered there
   TrafficRules rules;
+  ScriptedServices services;
 };
 
 /// What a router holds of it.
@@ -118,6 +120,9 @@ class ScriptedLinkBus final : public LinkBus {
     return sample.content;
   }
   void on_gate(bool open) override { script_.gate.push_back(open); }
+  [[nodiscard]] HostServices* services() override {
+    return script_.rules.call_classes().empty() ? nullptr : &script_.services;
+  }
   [[nodiscard]] const TrafficRules& rules() const override { return script_.rules; }
   [[nodiscard]] LinkPackets packets() const override { return {7, 700, 2, 200, {400, 0, 0, 100}}; }
 

@@ -3,6 +3,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <map>
 #include <set>
 
 #include "foundation/yaml_extends.hpp"
@@ -10,29 +11,35 @@
 namespace tocsin::deployment {
 namespace {
 
-/// `topics` of a class come after those that the base has there.
+/// What a class lists by name; each is in one class of a role.
+const std::set<std::string> name_lists{"topics", "services", "actions"};
+
+/// The names of a class come after those that the base has there.
 ListMerge traffic_lists(const YamlPath& path) {
-  return path.size() == 3 && path[2] == "topics" ? ListMerge::append : ListMerge::replace;
+  return path.size() == 3 && name_lists.count(path[2]) != 0 ? ListMerge::append
+                                                            : ListMerge::replace;
 }
 
-/// The topics that the classes of a role name.
-std::set<std::string> topics_of(const YAML::Node& classes) {
-  std::set<std::string> topics;
-  if (!classes.IsDefined() || !classes.IsMap()) return topics;
+/// The names that the classes of a role have, by list.
+std::map<std::string, std::set<std::string>> names_of(const YAML::Node& classes) {
+  std::map<std::string, std::set<std::string>> names;
+  if (!classes.IsDefined() || !classes.IsMap()) return names;
   for (const auto& entry : classes) {
     if (!entry.second.IsMap()) continue;
-    for (const YAML::Node& topic : entry.second["topics"]) {
-      if (topic.IsScalar()) topics.insert(topic.Scalar());
+    for (const std::string& list : name_lists) {
+      for (const YAML::Node& name : entry.second[list]) {
+        if (name.IsScalar()) names[list].insert(name.Scalar());
+      }
     }
   }
-  return topics;
+  return names;
 }
 
-/// The list without `topics`.
-YAML::Node without(const YAML::Node& list, const std::set<std::string>& topics) {
+/// The list without `names`.
+YAML::Node without(const YAML::Node& list, const std::set<std::string>& names) {
   YAML::Node kept(YAML::NodeType::Sequence);
-  for (const YAML::Node& topic : list) {
-    if (!topic.IsScalar() || topics.count(topic.Scalar()) == 0) kept.push_back(topic);
+  for (const YAML::Node& name : list) {
+    if (!name.IsScalar() || names.count(name.Scalar()) == 0) kept.push_back(name);
   }
   return kept;
 }
@@ -47,14 +54,15 @@ YAML::Node changed(const YAML::Node& map, Change change) {
   return copy;
 }
 
-/// The base without the topics that `own` names: a topic is in the class that was said last.
+/// The base without what `own` names: a name is in the class that was said last.
 YAML::Node without_moved(const YAML::Node& base, const YAML::Node& own) {
   if (!own.IsMap()) return base;
   return changed(base, [&](const std::string& role, const YAML::Node& classes) {
-    const auto moved = topics_of(own[role]);
+    auto moved = names_of(own[role]);
     return changed(classes, [&](const std::string&, const YAML::Node& one) {
       return changed(one, [&](const std::string& key, const YAML::Node& value) {
-        return key == "topics" && value.IsSequence() ? without(value, moved) : value;
+        return name_lists.count(key) != 0 && value.IsSequence() ? without(value, moved[key])
+                                                                : value;
       });
     });
   });

@@ -42,6 +42,18 @@ TEST_F(TrafficFileTest, ANamedTopicComesToItsClassAndLeavesTheOtherOfItsRole) {
   EXPECT_THAT(topics("gcs", "high"), ElementsAre("goal", "picture"));
 }
 
+TEST_F(TrafficFileTest, ServicesAndActionsMoveAsTopicsDo) {
+  folder_.write("config/traffic.yaml",
+                "uxv:\n  high: {services: [dock, map], actions: [drive]}\n"
+                "  low: {topics: [dock]}\n");
+  read("extends: traffic.yaml\nuxv: {low: {services: [dock, lamp], actions: [drive]}}");
+  EXPECT_THAT(file_["uxv"]["high"]["services"].as<std::vector<std::string>>(), ElementsAre("map"));
+  EXPECT_THAT(file_["uxv"]["high"]["actions"].as<std::vector<std::string>>(), IsEmpty());
+  EXPECT_THAT(file_["uxv"]["low"]["services"].as<std::vector<std::string>>(),
+              ElementsAre("dock", "lamp"));
+  EXPECT_THAT(topics("uxv", "low"), ElementsAre("dock")) << "a topic of that name is another thing";
+}
+
 TEST_F(TrafficFileTest, ATopicThatStaysInItsClassIsNamedOnce) {
   read("extends: traffic.yaml\nuxv: {low: {topics: [battery]}}");
   EXPECT_THAT(topics("uxv", "low"), ElementsAre("picture", "battery"));

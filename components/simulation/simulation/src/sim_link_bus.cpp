@@ -246,7 +246,7 @@ Flow SimLinkBus::flow_of(const SimProcess::Topic& topic) {
 
 void SimLinkBus::on_writer(const SimProcess::Topic& topic) {
   const Flow flow = flow_of(topic);
-  if (host_.rules().all().count(flow.topic) == 0) return;
+  if (host_.rules().find(flow.topic) == nullptr) return;
   HostFlow& known = host_flows_[key_of(flow)];
   known.writers.push_back(&topic);
   if (known.writers.size() == 1) known.id = ++last_flow_;

@@ -113,13 +113,11 @@ std::unique_ptr<Publication> SimProcess::advertise(const Endpoint& endpoint) {
 }
 
 void SimProcess::begin_to_write(Topic& its) {
-  const auto& rules = host_.rules().all();
-  const auto rule = rules.find(its.endpoint.topic.name);
-  if (rule != rules.end()) {
-    its.end.traffic_class = rule->second.traffic_class;
-    its.end.pausable = rule->second.while_poor != WhilePoor::send;
-    its.end.drops = rule->second.while_poor == WhilePoor::drop;
-    its.end.stored = rule->second.stored;
+  if (const TrafficRule* const rule = host_.rules().find(its.endpoint.topic.name)) {
+    its.end.traffic_class = rule->traffic_class;
+    its.end.pausable = rule->while_poor != WhilePoor::send;
+    its.end.drops = rule->while_poor == WhilePoor::drop;
+    its.end.stored = rule->stored;
     its.end.durable = its.keeps_last;
   }
   if (std::exchange(its.writes, true)) return;

@@ -12,11 +12,13 @@
 #include "link_router/link_sender.hpp"
 #include "runtime/component.hpp"
 #include "runtime/middleware/link_bus.hpp"
+#include "runtime/middleware/thinning.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
 
+class CallLink;
 class FillInLink;
 class RouterStore;
 
@@ -61,16 +63,21 @@ class LinkRouterComponent final : public Component {
     std::string topic;
     router::StreamRule rule;
     std::uint64_t sent_bytes = 0;
+    Duration interval{0};                         ///< of each writer's samples at least; zero: any
+    std::map<std::uint64_t, RateLimit> limits{};  ///< by writer
   };
   /// A flow of a peer on its way to the host.
   struct Incoming {
     PeerId peer = 0;
     std::uint32_t wire_id = 0;
-    enum class Kind : std::uint8_t { samples, receipts, fill_ins } kind = Kind::samples;
+    enum class Kind : std::uint8_t { samples, receipts, fill_ins, services, calls };
+    Kind kind = Kind::samples;
     router::StreamRule rule;
   };
 
   void take_events(Time now);
+  /// Whether the traffic file lets this sample of a flow cross.
+  [[nodiscard]] static bool passes(Outgoing& flow, std::uint64_t writer, Time now);
   void on(const link_event::HostFlow& event, Time now);
   void on(const link_event::HostFlowGone& event, Time now);
   void on(const link_event::HostSample& event, Time now);
@@ -82,6 +89,7 @@ class LinkRouterComponent final : public Component {
   void on(const link_event::HostListens& event, Time now);
   void on(const link_event::LinkSample& event, Time now);
 
+  [[nodiscard]] static Incoming::Kind kind_of(const std::string& topic);
   void follow_gate(Time now);
   void send(Time now);
   void answer(Time now);
@@ -104,7 +112,9 @@ class LinkRouterComponent final : public Component {
   FlowId receipts_;
   std::unique_ptr<RouterStore> store_;
   std::unique_ptr<FillInLink> fill_ins_;
+  std::unique_ptr<CallLink> calls_;
   std::map<FlowId, Outgoing> outgoing_;  ///< by the flow on the host
+  std::map<FlowId, Outgoing> own_;       ///< what routers tell each other, by the flow on the link
   std::map<FlowId, Outgoing*> by_link_;  ///< by the flow on the link
   std::map<FlowId, Incoming> incoming_;  ///< by the peer's flow
   std::map<PeerId, std::string> peers_;

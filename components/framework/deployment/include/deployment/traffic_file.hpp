@@ -7,8 +7,9 @@
 
 namespace tocsin::deployment {
 
-/// Reads a file of traffic classes, role by role, with the files that it extends: the topics of a
-/// class come to those that the base has there, and leave the class that they have had. `share` is
+/// Reads a file of traffic classes, role by role, with the files that it extends: the topics,
+/// services and actions of a class come to those that the base has there, and leave the class that
+/// they have had. `share` is
 /// the installed share/tocsin folder. Throws ConfigError.
 [[nodiscard]] YAML::Node read_traffic_file(const std::string& path, const std::string& share,
                                            YamlSources& sources);

@@ -9,14 +9,19 @@ namespace {
 constexpr std::size_t encapsulation_bytes = 4;
 constexpr std::size_t call_header_bytes = 16;
 
+bool is_little_endian(const std::vector<std::uint8_t>& bytes) { return (bytes[1] & 1U) != 0; }
+
+/// In the byte order that the encapsulation in front tells.
 void append(std::vector<std::uint8_t>& bytes, std::uint64_t value) {
-  for (unsigned shift = 0; shift < 64; shift += 8) {
-    bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+  constexpr unsigned highest = 56;
+  const bool little = is_little_endian(bytes);
+  for (unsigned shift = 0; shift <= highest; shift += 8) {
+    bytes.push_back(static_cast<std::uint8_t>(value >> (little ? shift : highest - shift)));
   }
 }
 
 std::uint64_t number_at(const std::vector<std::uint8_t>& bytes, std::size_t at) {
-  const bool little = (bytes[1] & 1U) != 0;
+  const bool little = is_little_endian(bytes);
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < sizeof value; ++i) {
     value = value << 8U | bytes[little ? at + sizeof value - 1 - i : at + i];

@@ -27,7 +27,7 @@ struct CycloneHeader {
   std::uint64_t client = 0;
   std::int64_t number = 0;
 };
-/// `bytes`: an encoded message with its encapsulation, little endian. Its alignment stays.
+/// `bytes`: an encoded message with its encapsulation. Its alignment and byte order stay.
 [[nodiscard]] std::vector<std::uint8_t> with_header(const std::vector<std::uint8_t>& bytes,
                                                     const CycloneHeader& header);
 

@@ -67,7 +67,9 @@ FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> 
     : options_(with_sound_identity(options)),
       rules_(options.traffic_file, options.role),
       table_(options.ros_namespace, rules_, std::move(on_event)),
-      host_(host_options()) {
+      service_table_(options.ros_namespace, [this] { table_.wake(); }),
+      host_(host_options()),
+      services_(host_, options.ros_namespace, service_table_, log_) {
   if (interface_is_running(options_.link_address)) {
     join_link();
     return;
@@ -86,6 +88,7 @@ ParticipantOptions FastDdsLinkBus::host_options() {
   host.domain = options_.host_domain;
   host.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_host_end(guid, end, there);
+    service_table_.on_end(guid, end, there);
   };
   return host;
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "foundation/error.hpp"
+#include "link/fast_dds_host_services.hpp"
 #include "link/flow_ends.hpp"
 #include "link/flow_table.hpp"
 #include "link/late_interface.hpp"
@@ -43,6 +44,9 @@ class FastDdsLinkBus final : public LinkBus {
                                    std::shared_ptr<const void> message) const override;
   [[nodiscard]] std::shared_ptr<const void> unpack(const TypeInfo& type,
                                                    const CarriedSample& sample) const override;
+  [[nodiscard]] HostServices* services() override {
+    return rules_.call_classes().empty() ? nullptr : &services_;
+  }
   [[nodiscard]] const TrafficRules& rules() const override { return rules_; }
   [[nodiscard]] LinkPackets packets() const override { return marks_->packets(); }
 
@@ -70,10 +74,12 @@ class FastDdsLinkBus final : public LinkBus {
   Logger log_{"link"};
   const TrafficRules rules_;
   FlowTable table_;
+  ServiceTable service_table_;
   const std::shared_ptr<RadioMarks> marks_ = std::make_shared<RadioMarks>();
   std::atomic<bool> interface_is_up_{false};
   FastDdsParticipant host_;
   std::unique_ptr<FastDdsParticipant> link_;
+  FastDdsHostServices services_;
   Readers host_readers_;  // after the participants: destroyed first
   Readers link_readers_;
   std::map<FlowId, Sending> sending_;

@@ -2,22 +2,35 @@
 #include "runtime/middleware/link_permissions.hpp"
 
 #include "link/flow_table.hpp"
-#include "runtime/middleware/traffic_rules.hpp"
 
 namespace tocsin {
 namespace {
+
+std::string topic_of(const std::string& start, const CallClass& calls) {
+  return start + to_string(calls.server) + "_" + to_string(calls.traffic_class);
+}
 
 std::vector<std::string> topics_of(Role role, const LinkSide& side) {
   const TopicNames names(side.ros_namespace);
   std::vector<std::string> topics;
   const TrafficRules rules(side.traffic_file, role);
   for (const auto& entry : rules.all()) topics.push_back(names.on_wire(entry.first));
+  for (const auto& entry : rules.patterns()) topics.push_back(names.on_wire(entry.first));
+  if (!rules.call_classes().empty()) topics.push_back(names.on_wire(link_services_topic));
+  for (const CallClass& one : rules.call_classes()) {
+    topics.push_back(names.on_wire(link_calls_topic(one)));
+    topics.push_back(names.on_wire(link_results_topic(one)));
+  }
   topics.push_back(names.on_wire(link_receipt_topic));
   topics.push_back(names.on_wire(fill_in_topic));
   return topics;
 }
 
 }  // namespace
+
+std::string link_calls_topic(const CallClass& calls) { return topic_of("link_calls_", calls); }
+
+std::string link_results_topic(const CallClass& calls) { return topic_of("link_results_", calls); }
 
 keystore::Permissions link_permissions(const LinkSide& side) {
   const Role other = side.role == Role::uxv ? Role::gcs : Role::uxv;

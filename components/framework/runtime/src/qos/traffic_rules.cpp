@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/middleware/traffic_rules.hpp"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "foundation/parameters.hpp"
 #include "foundation/spelling.hpp"
 #include "foundation/yaml_file.hpp"
+#include "runtime/middleware/action_ports.hpp"
 
 namespace tocsin {
 namespace {
@@ -20,18 +23,36 @@ struct ClassEntry {
   std::vector<std::string> topics;
   std::vector<std::string> adaptive;
   std::vector<std::string> store;
+  std::vector<std::string> services;
+  std::vector<std::string> actions;
   double min_rate_hz = 0;
+  double max_rate_hz = 0;
+  double lifespan_s = 0;
+  int depth = 1;
+  double call_deadline_s = 5;
   template <class Visitor>
   void visit(Visitor& v) {
     v("while_poor", while_poor, {"send", "latest", "drop", "store"},
       "what the gate does with new samples");
-    v("topics", topics, "ROS names of the topics of this class");
+    v("topics", topics, "ROS names of the topics of this class, or patterns with * and ?");
     v("adaptive", adaptive, "those of them whose writers follow the link's budget");
     v("store", store, "those of them of which nothing is lost: a log keeps what does not cross");
     v("min_rate_hz", min_rate_hz, {0, 1000},
       "[1/s] its topics may be thinned to this while the budget is short; 0: never");
+    v("max_rate_hz", max_rate_hz, {0, 1000},
+      "[1/s] of each writer of its topics at most so many samples cross; 0: all");
+    v("lifespan_s", lifespan_s, {0, 1e6},
+      "[s] older samples do not cross; 0: what their writers offer");
+    v("depth", depth, {1, 10000}, "[1] newest samples of each writer that count on the link");
+    v("services", services, "ROS names of services that this side serves for the other");
+    v("actions", actions, "ROS names of actions that this side serves for the other");
+    v("call_deadline_s", call_deadline_s, {0.1, 600},
+      "[s] a call of these without a reply is given up; not the wait for an action's result");
   }
 };
+
+/// What a role says beside its classes.
+const std::string stays_key = "stays";
 
 /// The file's map `dscp`.
 struct DscpEntry {
@@ -70,14 +91,15 @@ void refuse_unknown_maps(const YAML::Node& file, const YamlSources& sources) {
 
 /// A topic that its class calls adaptive or stored, and no class of the role has, is misspelt.
 void refuse_unknown_topics(const YAML::Node& classes, const std::string& role,
-                           const std::map<std::string, TrafficRule>& rules,
-                           const YamlSources& sources) {
+                           const NameRules<TrafficRule>& rules, const YamlSources& sources) {
   std::vector<std::string> known;
-  for (const auto& rule : rules) known.push_back(rule.first);
+  for (const auto& rule : rules.names()) known.push_back(rule.first);
+  for (const auto& rule : rules.patterns()) known.push_back(rule.first);
   for (const auto& entry : classes) {
+    if (!entry.second.IsMap()) continue;
     for (const char* const list : {"adaptive", "store"}) {
       for (const YAML::Node& topic : entry.second[list]) {
-        if (rules.count(topic.Scalar()) != 0) continue;
+        if (std::count(known.begin(), known.end(), topic.Scalar()) != 0) continue;
         throw ConfigError(role + "." + entry.first.Scalar() + "." + list + ": " + topic.Scalar() +
                           " is in no class of this role" +
                           did_you_mean(known, topic.Scalar(), "topics") +
@@ -106,39 +128,132 @@ WhilePoor to_while_poor(const std::string& word) {
   return word == "drop" ? WhilePoor::drop : WhilePoor::send;
 }
 
+TrafficRule rule_of(const std::string& topic, TrafficClass traffic_class, const ClassEntry& entry) {
+  TrafficRule rule;
+  rule.traffic_class = traffic_class;
+  rule.while_poor = to_while_poor(entry.while_poor);
+  rule.adaptive = names(entry.adaptive, topic);
+  rule.min_rate_hz = entry.min_rate_hz;
+  rule.stored = entry.while_poor == "store" || names(entry.store, topic);
+  rule.max_rate_hz = entry.max_rate_hz;
+  rule.depth = entry.depth;
+  if (entry.lifespan_s > 0) rule.lifespan_s = entry.lifespan_s;
+  return rule;
+}
+
+/// What a class of a role says, and where.
+struct NamedClass {
+  Role role;
+  TrafficClass traffic_class;
+  ClassEntry entry;
+  std::string key;    ///< `uxv.high`
+  std::string place;  ///< in the file, for messages
+
+  [[nodiscard]] CallClass calls() const { return {role, traffic_class, entry.call_deadline_s}; }
+  template <class Rule>
+  void add(NameRules<Rule>& rules, const char* list, const std::string& name,
+           const Rule& rule) const {
+    if (rules.add(name, rule)) return;
+    throw ConfigError(key + "." + list + ": " + name + " is in two classes" + place);
+  }
+};
+
+std::vector<NamedClass> classes_in(const YAML::Node& classes, Role role,
+                                   const YamlSources& sources) {
+  std::vector<NamedClass> all;
+  for (const auto& entry : classes) {
+    if (entry.first.Scalar() == stays_key) continue;
+    const TrafficClass one = class_named(entry.first, to_string(role), sources);
+    const std::string key = std::string(to_string(role)) + "." + to_string(one);
+    all.push_back({role, one, load_parameters<ClassEntry>(entry.second, key, sources), key,
+                   yaml_place(sources, entry.first)});
+  }
+  return all;
+}
+
+/// The list `stays` of a role; none: it says nothing.
+std::vector<std::string> names_in(const YAML::Node& list, const std::string& role,
+                                  const YamlSources& sources) {
+  if (!list.IsDefined()) return {};
+  std::vector<std::string> listed;
+  for (std::size_t i = 0; list.IsSequence() && i < list.size(); ++i) {
+    if (list[i].IsScalar()) listed.push_back(list[i].Scalar());
+  }
+  if (list.IsSequence() && listed.size() == list.size()) return listed;
+  throw ConfigError(role + "." + stays_key + ": is no list of names of topics" +
+                    yaml_place(sources, list));
+}
+
+/// Of its topics, and of those of its actions.
+void add_topics(const NamedClass& from, NameRules<TrafficRule>& rules) {
+  for (const std::string& topic : from.entry.topics) {
+    from.add(rules, "topics", topic, rule_of(topic, from.traffic_class, from.entry));
+  }
+  for (const std::string& action : from.entry.actions) {
+    for (const char* const end : {"feedback", "status"}) {
+      const std::string topic = action_end(action, end);
+      from.add(rules, "actions", topic, rule_of(topic, from.traffic_class, from.entry));
+    }
+  }
+}
+
+/// Of its services, and of those of its actions.
+void add_services(const NamedClass& from, NameRules<CallRule>& rules) {
+  CallRule rule{from.calls()};
+  for (const std::string& service : from.entry.services) {
+    rule.on_demand = is_pattern(service);
+    from.add(rules, "services", service, rule);
+  }
+  for (const std::string& action : from.entry.actions) {
+    rule.on_demand = is_pattern(action);
+    for (const char* const end : {"send_goal", "cancel_goal", "get_result"}) {
+      from.add(rules, "actions", action_end(action, end), rule);
+    }
+  }
+}
+
 }  // namespace
 
+bool is_pattern(const std::string& name) { return name.find_first_of("*?[") != std::string::npos; }
+
+bool fits(const std::string& pattern, const std::string& name) {
+  return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
+
 TrafficRules::TrafficRules(const std::string& path, Role of) : path_(path), role_(of) {
-  const std::string role = to_string(of);
   YamlSources sources;
   const YAML::Node file =
       deployment::read_traffic_file(path, share_folder(own_program()).string(), sources);
-  const YAML::Node classes = file.IsMap() ? file[role] : YAML::Node();
-  if (!classes.IsDefined() || !classes.IsMap()) {
-    throw ConfigError(path + ": has no map for the role '" + role + "'");
+  const YAML::Node own = file.IsMap() ? file[to_string(of)] : YAML::Node();
+  if (!own.IsDefined() || !own.IsMap()) {
+    throw ConfigError(path + ": has no map for the role '" + to_string(of) + "'");
   }
   refuse_unknown_maps(file, sources);
   dscp_ = to_dscp(load_parameters<DscpEntry>(file["dscp"], "dscp", sources));
-  for (const auto& entry : classes) {
-    const TrafficClass traffic_class = class_named(entry.first, role, sources);
-    const std::string name = to_string(traffic_class);
-    const auto loaded = load_parameters<ClassEntry>(entry.second, role + "." + name, sources);
-    for (const std::string& topic : loaded.topics) {
-      const TrafficRule rule{traffic_class, to_while_poor(loaded.while_poor),
-                             names(loaded.adaptive, topic), loaded.min_rate_hz,
-                             loaded.while_poor == "store" || names(loaded.store, topic)};
-      if (!rules_.insert({topic, rule}).second) {
-        throw ConfigError(role + "." + name + ".topics: " + topic + " is in two classes" +
-                          yaml_place(sources, entry.first));
-      }
+  for (const std::string& name : names_in(own[stays_key], std::string(to_string(of)), sources)) {
+    (void)stays_.add(name, {});
+  }
+  for (const Role role : roles) {
+    const YAML::Node classes = file[to_string(role)];
+    if (!classes.IsDefined() || !classes.IsMap()) continue;
+    for (const NamedClass& one : classes_in(classes, role, sources)) {
+      if (role == of) add_topics(one, rules_);
+      add_services(one, role == of ? served_ : called_);
+      const bool has_calls = !one.entry.services.empty() || !one.entry.actions.empty();
+      if (has_calls) call_classes_.push_back(one.calls());
     }
   }
-  refuse_unknown_topics(classes, role, rules_, sources);
+  refuse_unknown_topics(own, to_string(of), rules_, sources);
+}
+
+const TrafficRule* TrafficRules::find(const std::string& topic) const {
+  const auto named = rules_.names().find(topic);
+  if (named != rules_.names().end()) return &named->second;
+  return stays_.find(topic) == nullptr ? rules_.find(topic) : nullptr;
 }
 
 const TrafficRule& TrafficRules::of(const std::string& topic) const {
-  const auto found = rules_.find(topic);
-  if (found != rules_.end()) return found->second;
+  if (const TrafficRule* const found = find(topic)) return *found;
   static const TrafficRule never_paused;
   if (path_.empty()) return never_paused;
   throw ConfigError("topic " + topic + ": crosses the link, but has no traffic class for role " +

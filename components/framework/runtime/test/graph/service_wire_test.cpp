@@ -37,6 +37,7 @@ TEST(ServiceWire, AHeaderHasTheByteOrderOfItsMessage) {
   EXPECT_EQ(taken->header.client, 0x1122334455667788U);
   EXPECT_EQ(taken->header.number, 5);
   EXPECT_EQ(taken->bytes, (Bytes{0, 0, 0, 0}));
+  EXPECT_EQ(with_header(taken->bytes, taken->header), headed);
 }
 
 TEST(ServiceWire, ANumberMayBeAnyOf64Bits) {

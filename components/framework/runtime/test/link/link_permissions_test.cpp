@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "foundation/error.hpp"
+#include "qos/config_file.hpp"
 
 namespace tocsin {
 namespace {
@@ -41,6 +42,21 @@ TEST(LinkPermissions, WhatOneSendsTheOtherHears) {
   EXPECT_THAT(station.subscribe, UnorderedElementsAreArray(vehicle.publish));
   EXPECT_THAT(vehicle.publish, Contains("rt/link_receipt"));
   EXPECT_THAT(vehicle.publish, Contains("rt/link_fill_in"));
+}
+
+TEST(LinkPermissions, CallsGoBothWaysWhereTheFileNamesServices) {
+  for (const Role role : roles) {
+    const auto sut = link_permissions({role, shipped, ""});
+    for (const char* topic :
+         {"rt/link_services", "rt/link_calls_uxv_high", "rt/link_results_uxv_high"}) {
+      EXPECT_THAT(sut.publish, Contains(topic));
+      EXPECT_THAT(sut.subscribe, Contains(topic));
+    }
+  }
+  const ConfigFile file("uxv: {high: {topics: ['arm/*']}}\ngcs: {}\n");
+  const auto without = link_permissions({Role::uxv, file.path(), ""});
+  EXPECT_THAT(without.publish, Not(Contains("rt/link_services")));
+  EXPECT_THAT(without.publish, Contains("rt/arm/*"));
 }
 
 TEST(LinkPermissions, AreOfTheNamespace) {

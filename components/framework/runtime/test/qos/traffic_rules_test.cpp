@@ -112,6 +112,105 @@ TEST(TrafficRules, WithoutAFileNothingIsPaused) {
   EXPECT_TRUE(sut.all().empty());
 }
 
+TEST(TrafficRules, ANameGoesBeforeAPatternAndALongerPatternBeforeAShorterOne) {
+  const ConfigFile file(
+      "uxv:\n  high: {topics: [arm/tool, 'arm/*']}\n  low: {topics: ['*']}\n"
+      "  critical: {topics: ['arm/*/stop']}\n");
+  const TrafficRules sut(file.path(), Role::uxv);
+  EXPECT_EQ(sut.of("arm/tool").traffic_class, TrafficClass::high);
+  EXPECT_EQ(sut.of("arm/joint/1").traffic_class, TrafficClass::high);
+  EXPECT_EQ(sut.of("arm/joint/stop").traffic_class, TrafficClass::critical);
+  EXPECT_EQ(sut.of("scan").traffic_class, TrafficClass::low);
+  EXPECT_EQ(sut.all().size(), 1U);
+  EXPECT_EQ(sut.patterns().size(), 3U);
+}
+
+TEST(TrafficRules, WhatStaysIsTakenByNoPatternButByItsName) {
+  const ConfigFile file(
+      "uxv:\n  low: {topics: ['*', secret/door]}\n  stays: [rosout, 'secret/*']\n");
+  const TrafficRules sut(file.path(), Role::uxv);
+  EXPECT_EQ(sut.find("rosout"), nullptr);
+  EXPECT_EQ(sut.find("secret/key"), nullptr);
+  EXPECT_NE(sut.find("secret/door"), nullptr);
+  EXPECT_NE(sut.find("scan"), nullptr);
+  const ConfigFile wrong("uxv:\n  low: {topics: ['*']}\n  stays: {a: b}\n");
+  EXPECT_THAT(error_of([&] { TrafficRules(wrong.path(), Role::uxv); }),
+              AllOf(HasSubstr("uxv.stays: is no list of names"), HasSubstr(":3)")));
+}
+
+TEST(TrafficRules, AClassLimitsRateAgeAndDepthOfItsTopics) {
+  const ConfigFile file(
+      "uxv:\n  low: {topics: ['*'], max_rate_hz: 5, lifespan_s: 0.5, depth: 10}\n"
+      "  high: {topics: [odom]}\n");
+  const TrafficRules sut(file.path(), Role::uxv);
+  EXPECT_EQ(sut.of("scan").max_rate_hz, 5);
+  EXPECT_EQ(sut.of("scan").lifespan_s, 0.5);
+  EXPECT_EQ(sut.of("scan").depth, 10);
+  EXPECT_EQ(sut.of("odom").max_rate_hz, 0);
+  EXPECT_EQ(sut.of("odom").lifespan_s, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(sut.of("odom").depth, 1);
+}
+
+TEST(TrafficRules, ServicesAreServedByTheSideThatNamesThemAndCalledByTheOther) {
+  const ConfigFile file(
+      "uxv:\n  high: {services: [dock, '*/get_parameters'], call_deadline_s: 2}\n"
+      "gcs:\n  low: {services: [alarm]}\n");
+  const TrafficRules uxv(file.path(), Role::uxv);
+  ASSERT_NE(uxv.served("dock"), nullptr);
+  EXPECT_EQ(uxv.served("dock")->how.traffic_class, TrafficClass::high);
+  EXPECT_EQ(uxv.served("dock")->how.deadline_s, 2);
+  EXPECT_FALSE(uxv.served("dock")->on_demand);
+  ASSERT_NE(uxv.served("arm/get_parameters"), nullptr);
+  EXPECT_TRUE(uxv.served("arm/get_parameters")->on_demand);
+  EXPECT_EQ(uxv.called("dock"), nullptr);
+  ASSERT_NE(uxv.called("alarm"), nullptr);
+  EXPECT_EQ(uxv.called("alarm")->how.deadline_s, 5);
+  const TrafficRules gcs(file.path(), Role::gcs);
+  EXPECT_NE(gcs.called("dock"), nullptr);
+  EXPECT_NE(gcs.served("alarm"), nullptr);
+  EXPECT_EQ(gcs.served("dock"), nullptr);
+  EXPECT_EQ(gcs.call_classes().size(), 2U);
+}
+
+TEST(TrafficRules, AnActionIsItsThreeServicesAndItsTwoTopics) {
+  const ConfigFile file("uxv: {high: {actions: [drive]}}\ngcs: {}\n");
+  const TrafficRules sut(file.path(), Role::uxv);
+  for (const char* service : {"send_goal", "cancel_goal", "get_result"}) {
+    EXPECT_NE(sut.served("drive/_action/" + std::string(service)), nullptr) << service;
+  }
+  EXPECT_EQ(sut.of("drive/_action/feedback").traffic_class, TrafficClass::high);
+  EXPECT_EQ(sut.of("drive/_action/status").traffic_class, TrafficClass::high);
+  const TrafficRules gcs(file.path(), Role::gcs);
+  EXPECT_EQ(gcs.find("drive/_action/feedback"), nullptr);
+  EXPECT_NE(gcs.called("drive/_action/send_goal"), nullptr);
+}
+
+TEST(TrafficRules, AServiceInTwoClassesIsAnErrorOfEitherSide) {
+  const ConfigFile file("uxv:\n  high: {services: [dock]}\n  low: {services: [dock]}\ngcs: {}\n");
+  for (const Role role : roles) {
+    EXPECT_THAT(error_of([&] { TrafficRules(file.path(), role); }),
+                AllOf(HasSubstr("uxv.low.services: dock is in two classes"), HasSubstr(":3)")));
+  }
+}
+
+TEST(TrafficRules, ShippedFilesLetTheStationCallActionsAndParametersOfTheVehicle) {
+  const TrafficRules mission(config + "/traffic.yaml", Role::gcs);
+  EXPECT_NE(mission.called("navigate_to_pose/_action/send_goal"), nullptr);
+  EXPECT_NE(mission.called("navigator/set_parameters"), nullptr);
+  EXPECT_EQ(mission.called("navigator/change_state"), nullptr);
+  const TrafficRules gateway(config + "/traffic_gateway.yaml", Role::gcs);
+  EXPECT_NE(gateway.called("anything"), nullptr);
+}
+
+TEST(TrafficRules, OfAGatewayInternalsOfTheStackStayOnTheirHost) {
+  const TrafficRules sut(config + "/traffic_gateway.yaml", Role::uxv);
+  EXPECT_EQ(sut.of("camera/image_raw/compressed").traffic_class, TrafficClass::low);
+  EXPECT_EQ(sut.of("robot1/odom").traffic_class, TrafficClass::high);
+  for (const char* const topic : {"rosout", "parameter_events", "container_command"}) {
+    EXPECT_EQ(sut.find(topic), nullptr) << topic;
+  }
+}
+
 TEST(TrafficRules, ATopicInTwoClassesIsAnError) {
   const ConfigFile file("uxv:\n  low: {topics: [a]}\n  high: {topics: [a]}\n");
   EXPECT_THAT(error_of([&] { TrafficRules(file.path(), Role::uxv); }),

@@ -13,6 +13,7 @@
 #include "foundation/time.hpp"
 #include "foundation/traffic_class.hpp"
 #include "idl_support/type_info.hpp"
+#include "runtime/middleware/host_services.hpp"
 #include "runtime/middleware/traffic_rules.hpp"
 
 namespace tocsin {
@@ -150,6 +151,8 @@ class LinkBus {
                                                            const CarriedSample& sample) const = 0;
   /// The gate of this router has opened or closed: what a simulation tells those who watch.
   virtual void on_gate(bool /*open*/) {}
+  /// The services of this host; null where none cross: in a simulation, or by the rules.
+  [[nodiscard]] virtual HostServices* services() { return nullptr; }
   /// The topics of this host that cross, and how.
   [[nodiscard]] virtual const TrafficRules& rules() const = 0;
   [[nodiscard]] virtual LinkPackets packets() const = 0;

@@ -5,6 +5,7 @@
 
 #include "foundation/role.hpp"
 #include "keystore/permissions.hpp"
+#include "runtime/middleware/traffic_rules.hpp"
 
 namespace tocsin {
 
@@ -12,6 +13,11 @@ namespace tocsin {
 inline constexpr const char* link_receipt_topic = "link_receipt";
 /// On which they send each other what did not cross at first.
 inline constexpr const char* fill_in_topic = "link_fill_in";
+/// On which they tell each other what services their hosts have and want.
+inline constexpr const char* link_services_topic = "link_services";
+/// On which calls of a class cross, and those that end with an action.
+[[nodiscard]] std::string link_calls_topic(const CallClass& calls);
+[[nodiscard]] std::string link_results_topic(const CallClass& calls);
 
 /// Whose permissions on a secured link are meant.
 struct LinkSide {
@@ -21,7 +27,7 @@ struct LinkSide {
 };
 
 /// What a router of this side needs: it publishes what its role sends, hears what the other sends,
-/// receipts and fill-ins go both ways. Throws ConfigError for the traffic file.
+/// receipts, fill-ins and calls go both ways. Throws ConfigError for the traffic file.
 [[nodiscard]] keystore::Permissions link_permissions(const LinkSide& side);
 
 }  // namespace tocsin

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "foundation/role.hpp"
 #include "foundation/traffic_class.hpp"
+#include "runtime/middleware/name_rules.hpp"
 
 namespace tocsin {
 
@@ -22,11 +25,31 @@ struct TrafficRule {
   bool adaptive = false;   ///< its writer follows the link's budget
   double min_rate_hz = 0;  ///< [1/s] may be thinned to this while the budget is short; 0: never
   bool stored = false;     ///< what does not cross at first is kept in a log and filled in later
+  double max_rate_hz = 0;  ///< [1/s] of each writer cross at most so many; 0: all
+  int depth = 1;           ///< [1, 10000] newest samples of each writer that count
+  /// Older samples do not cross; what their writer offers, if that is less.
+  double lifespan_s = std::numeric_limits<double>::infinity();
+};
+
+/// Services that hosts of one role serve for the others in one class.
+struct CallClass {
+  Role server = Role::uxv;
+  TrafficClass traffic_class = TrafficClass::normal;
+  double deadline_s = 5;  ///< without a reply a call is given up then, but for an action's result
+};
+
+/// How calls of a service cross.
+struct CallRule {
+  CallClass how;
+  /// It is shown to the peers' hosts while somebody there calls it, and not before: a pattern
+  /// named it.
+  bool on_demand = false;
 };
 
 /// A file such as config/traffic.yaml for one role: which class each link topic is in, and the DSCP
-/// of each class. It may `extends` others; a topic that it names leaves the class that it has
-/// there. A bare name that is not beside it is a file of share/config.
+/// of each class, and which services and actions the sides serve each other. Names may be patterns.
+/// It may `extends` others; a name leaves the class that it has there. A bare name that is not
+/// beside it is a file of share/config.
 class TrafficRules {
  public:
   /// Without a file: everything is of class normal and never paused.
@@ -34,10 +57,25 @@ class TrafficRules {
   /// Throws ConfigError with file and line: unreadable file, no map for the role, unknown class or
   /// key, a DSCP above 63, a topic named twice.
   TrafficRules(const std::string& path, Role role);
-  /// Throws ConfigError when the role's rules do not name the topic.
+  /// Throws ConfigError when no rule of the role fits the topic.
   [[nodiscard]] const TrafficRule& of(const std::string& topic) const;
-  /// By topic.
-  [[nodiscard]] const std::map<std::string, TrafficRule>& all() const { return rules_; }
+  /// Null when no rule of the role fits the topic, or the file says that it stays on its host.
+  [[nodiscard]] const TrafficRule* find(const std::string& topic) const;
+  /// By topic, those of patterns left out.
+  [[nodiscard]] const std::map<std::string, TrafficRule>& all() const { return rules_.names(); }
+  [[nodiscard]] const std::map<std::string, TrafficRule>& patterns() const {
+    return rules_.patterns();
+  }
+  /// Of a service that this role serves for the peers; null: none of these.
+  [[nodiscard]] const CallRule* served(const std::string& service) const {
+    return served_.find(service);
+  }
+  /// Of a service that another role serves for this one; null: none of these.
+  [[nodiscard]] const CallRule* called(const std::string& service) const {
+    return called_.find(service);
+  }
+  /// In which calls cross, of all roles.
+  [[nodiscard]] const std::vector<CallClass>& call_classes() const { return call_classes_; }
   /// Of the packets of a class, 0 to 63: the same for all roles of the file.
   [[nodiscard]] std::uint8_t dscp(TrafficClass traffic_class) const {
     return dscp_.of(traffic_class);
@@ -46,7 +84,12 @@ class TrafficRules {
  private:
   std::string path_;  ///< empty: without a file
   Role role_ = Role::uxv;
-  std::map<std::string, TrafficRule> rules_;
+  struct Stays {};
+  NameRules<TrafficRule> rules_;
+  NameRules<Stays> stays_;  ///< go before the patterns of rules_
+  NameRules<CallRule> served_;
+  NameRules<CallRule> called_;
+  std::vector<CallClass> call_classes_;
   DscpOfClass dscp_;
 };
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link_router/service_directory.hpp"
+
+#include <algorithm>
+
+namespace tocsin::router {
+namespace {
+
+/// A container makes the servers of a node within some milliseconds after somebody calls one.
+constexpr Duration own_host_first = std::chrono::milliseconds(500);
+
+bool has_name(const std::set<ServiceName>& services, const std::string& name) {
+  return std::any_of(services.begin(), services.end(),
+                     [&](const ServiceName& one) { return one.name == name; });
+}
+
+/// Without a second one of a name.
+void add(std::set<ServiceName>& services, const ServiceName& one) {
+  if (!has_name(services, one.name)) services.insert(one);
+}
+
+}  // namespace
+
+void ServiceDirectory::on_server(const ServiceName& service, bool there) {
+  if (there) {
+    servers_.insert(service);
+  } else {
+    servers_.erase(service);
+  }
+}
+
+void ServiceDirectory::on_client(const ServiceName& service, bool there, Time now) {
+  if (there) {
+    clients_.try_emplace(service, now);
+  } else {
+    clients_.erase(service);
+  }
+}
+
+bool ServiceDirectory::is_served_here(const std::string& name) const {
+  return has_name(servers_, name);
+}
+
+bool ServiceDirectory::is_wanted_there(const std::string& name) const {
+  return std::any_of(peers_.begin(), peers_.end(),
+                     [&](const auto& peer) { return has_name(peer.second.wanted, name); });
+}
+
+bool ServiceDirectory::is_wanted_here(const std::string& name, Time now) const {
+  return std::any_of(clients_.begin(), clients_.end(), [&](const auto& client) {
+    return client.first.name == name && client.second + own_host_first <= now;
+  });
+}
+
+ServiceLists ServiceDirectory::told(Time now) const {
+  ServiceLists lists;
+  for (const ServiceName& server : servers_) {
+    const Crossing crossing = rules_.served(server.name);
+    const bool offered = crossing == Crossing::always ||
+                         (crossing == Crossing::on_demand && is_wanted_there(server.name));
+    if (offered) lists.offered.insert(server);
+  }
+  for (const auto& [client, since] : clients_) {
+    const bool wanted = since + own_host_first <= now && !is_served_here(client.name) &&
+                        rules_.called(client.name) != Crossing::no;
+    if (wanted) lists.wanted.insert(client);
+  }
+  return lists;
+}
+
+std::set<ServiceName> ServiceDirectory::shown(Time now) const {
+  std::set<ServiceName> services;
+  for (const auto& [peer, lists] : peers_) {
+    for (const ServiceName& offered : lists.offered) {
+      const Crossing crossing = rules_.called(offered.name);
+      const bool is_due = crossing == Crossing::always ||
+                          (crossing == Crossing::on_demand && is_wanted_here(offered.name, now));
+      if (is_due && !is_served_here(offered.name)) add(services, offered);
+    }
+  }
+  return services;
+}
+
+std::set<ServiceName> ServiceDirectory::asked() const {
+  std::set<ServiceName> services;
+  for (const auto& [peer, lists] : peers_) {
+    for (const ServiceName& wanted : lists.wanted) {
+      if (rules_.served(wanted.name) != Crossing::no) add(services, wanted);
+    }
+  }
+  return services;
+}
+
+Time ServiceDirectory::deadline(Time now) const {
+  Time next = never;
+  for (const auto& [client, since] : clients_) {
+    if (since + own_host_first > now) next = std::min(next, since + own_host_first);
+  }
+  return next;
+}
+
+}  // namespace tocsin::router

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calls through a router on a scripted link and a scripted host, in virtual time.
+#include <gmock/gmock.h>
+
+#include <memory>
+#include <vector>
+
+#include "foundation/temporary_folder.hpp"
+#include "link_router_fixture.hpp"
+#include "runtime/middleware/link_permissions.hpp"
+#include "tocsin_idl/link_calls.hpp"
+
+namespace tocsin {
+namespace {
+
+using CallMessage = tocsin_msgs::msg::LinkCall;
+using ServicesMessage = tocsin_msgs::msg::LinkServices;
+using Bytes = std::vector<std::uint8_t>;
+using ::testing::Contains;
+using ::testing::IsEmpty;
+using ::testing::Key;
+using ::testing::Not;
+
+constexpr FlowId peer_services = 700;
+constexpr FlowId peer_calls = 800;
+const HostService dock{"dock", "std_srvs/srv/Trigger"};
+const Bytes question{0, 1, 0, 0, 1, 2};
+const Bytes answer{0, 1, 0, 0, 7};
+const std::string rules =
+    "uxv:\n  high: {services: [dock, '*/get_parameters'], actions: [drive], call_deadline_s: 2}\n"
+    "gcs:\n  high: {topics: [goal]}\n";
+
+class CallLinkTest : public LinkRouterTest {
+ protected:
+  /// A router of the vehicle, which serves, or of the station, which calls.
+  void begin_as(Role role) {
+    host_.reset();
+    script_.opened.clear();
+    script_.rules = TrafficRules(folder_.write("traffic.yaml", rules), role);
+    start({}, real_devices());
+    meet();
+    begin_peer_flow(link_services_topic, peer_services);
+    begin_peer_flow("link_calls_uxv_high", peer_calls);
+  }
+  void happen(HostServiceEvent event) {
+    script_.services.events.push_back(std::move(event));
+    script_.on_event();
+    run(0);
+  }
+  template <class Message>
+  void hear(FlowId flow, const Message& message) {
+    CarriedSample sample;
+    sample.content = std::make_shared<Message>(message);
+    sample.bytes = 100;
+    sample.source = flow;
+    sample.sequence = ++heard_;
+    sample.sent_wall_ns = host_->bus.wall_ns(host_->bus.now());
+    script_.happen(link_event::LinkSample{flow, heard_, sample, host_->bus.now()});
+    run(0);
+  }
+  /// The peer's host has or wants these.
+  void hear_of(const std::vector<HostService>& offered, const std::vector<HostService>& wanted) {
+    ServicesMessage message;
+    const auto add = [](auto& list, const HostService& one) {
+      list.emplace_back();
+      list.back().name(one.name);
+      list.back().type(one.type);
+    };
+    for (const HostService& one : offered) add(message.offered(), one);
+    for (const HostService& one : wanted) add(message.wanted(), one);
+    hear(peer_services, message);
+  }
+  static CallMessage call(std::uint64_t caller, std::uint64_t number, bool reply,
+                          const Bytes& data) {
+    CallMessage message;
+    message.caller(caller);
+    message.number(number);
+    message.reply(reply);
+    message.service(dock.name);
+    message.data(data);
+    return message;
+  }
+  template <class Message>
+  [[nodiscard]] std::vector<Message> sent(const std::string& topic) const {
+    std::vector<Message> messages;
+    for (const ScriptedLink::Sent& one : script_.sent) {
+      if (script_.opened.at(one.flow).flow.topic != topic) continue;
+      messages.push_back(*static_cast<const Message*>(one.sample.content.get()));
+    }
+    return messages;
+  }
+  [[nodiscard]] std::vector<CallMessage> sent_calls() const {
+    return sent<CallMessage>("link_calls_uxv_high");
+  }
+  static CallId id(std::uint8_t client) {
+    CallId id;
+    id.client[0] = client;
+    id.number = 5;
+    return id;
+  }
+
+  const TemporaryFolder folder_;
+
+ private:
+  std::uint64_t heard_ = 0;
+};
+
+TEST_F(CallLinkTest, WithoutServicesInTheTrafficFileNothingIsOpenedForThem) {
+  host_.reset();
+  script_.opened.clear();
+  script_.rules =
+      TrafficRules(folder_.write("traffic.yaml", "uxv: {high: {topics: [goal]}}\n"), Role::uxv);
+  start({}, real_devices());
+  EXPECT_EQ(script_.opened_for(link_services_topic), 0U);
+}
+
+TEST_F(CallLinkTest, AServerOfTheHostIsToldAndShownOnThePeersHost) {
+  begin_as(Role::uxv);
+  happen(host_service_event::Server{dock, true});
+  const auto told = sent<ServicesMessage>(link_services_topic);
+  ASSERT_FALSE(told.empty());
+  ASSERT_EQ(told.back().offered().size(), 1U);
+  EXPECT_EQ(told.back().offered()[0].name(), "dock");
+  begin_as(Role::gcs);
+  hear_of({dock}, {});
+  EXPECT_EQ(script_.services.served.at("dock"), dock);
+  hear_of({}, {});
+  EXPECT_THAT(script_.services.served, IsEmpty());
+}
+
+TEST_F(CallLinkTest, ARequestCrossesAndItsReplyReachesTheClientThatAsked) {
+  begin_as(Role::gcs);
+  hear_of({dock}, {});
+  happen(host_service_event::Request{"dock", id(1), question});
+  happen(host_service_event::Request{"dock", id(2), answer});
+  const auto sent = sent_calls();
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_FALSE(sent[0].reply());
+  EXPECT_EQ(sent[0].caller(), ScriptedLink::own_life);
+  EXPECT_EQ(sent[0].service(), "dock");
+  EXPECT_EQ(sent[0].data(), question);
+  hear(peer_calls, call(ScriptedLink::own_life, sent[1].number(), true, answer));
+  ASSERT_EQ(script_.services.replied.size(), 1U);
+  EXPECT_EQ(script_.services.replied[0].id.client, id(2).client);
+  EXPECT_EQ(script_.services.replied[0].message, answer);
+}
+
+TEST_F(CallLinkTest, ARequestOfAPeerIsAskedOnceAndItsReplyCrosses) {
+  begin_as(Role::uxv);
+  hear_of({}, {dock});
+  EXPECT_THAT(script_.services.called, Contains(Key("dock")));
+  hear(peer_calls, call(station, 9, false, question));
+  ASSERT_EQ(script_.services.asked.size(), 1U);
+  EXPECT_EQ(script_.services.asked[0].message, question);
+  happen(host_service_event::Reply{"dock", 1, answer});
+  happen(host_service_event::Reply{"dock", 1, answer});
+  const auto sent = sent_calls();
+  ASSERT_EQ(sent.size(), 1U);
+  EXPECT_TRUE(sent[0].reply());
+  EXPECT_EQ(sent[0].caller(), station);
+  EXPECT_EQ(sent[0].number(), 9U);
+  EXPECT_EQ(sent[0].data(), answer);
+}
+
+TEST_F(CallLinkTest, ARequestWaitsForItsServerUntilTheDeadline) {
+  begin_as(Role::uxv);
+  script_.services.has_server = false;
+  hear_of({}, {dock});
+  hear(peer_calls, call(station, 1, false, question));
+  run(1.5);
+  EXPECT_THAT(script_.services.asked, IsEmpty());
+  script_.services.has_server = true;
+  happen(host_service_event::Changed{"dock"});
+  EXPECT_EQ(script_.services.asked.size(), 1U);
+  script_.services.has_server = false;
+  hear(peer_calls, call(station, 2, false, question));
+  run(2.1);
+  script_.services.has_server = true;
+  happen(host_service_event::Changed{"dock"});
+  EXPECT_EQ(script_.services.asked.size(), 1U);
+}
+
+TEST_F(CallLinkTest, AReplyAfterTheDeadlineOfItsCallReachesNobody) {
+  begin_as(Role::gcs);
+  hear_of({dock}, {});
+  happen(host_service_event::Request{"dock", id(1), question});
+  run(2.1);
+  hear(peer_calls, call(ScriptedLink::own_life, 1, true, answer));
+  EXPECT_THAT(script_.services.replied, IsEmpty());
+}
+
+TEST_F(CallLinkTest, WhatTheRulesDoNotNameIsNotAsked) {
+  begin_as(Role::uxv);
+  CallMessage message = call(station, 1, false, question);
+  message.service("self_destruct");
+  hear_of({}, {{"self_destruct", "std_srvs/srv/Trigger"}});
+  EXPECT_THAT(script_.services.called, IsEmpty());
+  hear(peer_calls, message);
+  EXPECT_THAT(script_.services.asked, IsEmpty());
+}
+
+TEST_F(CallLinkTest, RepliesToAnotherLifeAreIgnored) {
+  begin_as(Role::gcs);
+  hear_of({dock}, {});
+  happen(host_service_event::Request{"dock", id(1), question});
+  hear(peer_calls, call(ScriptedLink::own_life + 1, 1, true, answer));
+  EXPECT_THAT(script_.services.replied, IsEmpty());
+}
+
+TEST_F(CallLinkTest, ARequestThatIsNotAcknowledgedIsSentAgainAndNotAfterItsDeadline) {
+  begin_as(Role::gcs);
+  hear_of({dock}, {});
+  listen(script_.opened_for("link_calls_uxv_high"));
+  happen(host_service_event::Request{"dock", id(1), question});
+  run(1.9);
+  const std::size_t before = sent_calls().size();
+  EXPECT_GE(before, 3U);
+  run(0.2);
+  const std::size_t at_its_end = sent_calls().size();
+  run(5);
+  EXPECT_EQ(sent_calls().size(), at_its_end);
+}
+
+TEST_F(CallLinkTest, TheResultOfAnActionIsWaitedForLongerThanACall) {
+  begin_as(Role::gcs);
+  const HostService result{"drive/_action/get_result", "nav2_msgs/action/Drive_GetResult"};
+  hear_of({result}, {});
+  happen(host_service_event::Request{result.name, id(1), question});
+  EXPECT_EQ(sent<CallMessage>("link_results_uxv_high").size(), 1U);
+  run(600);
+  begin_peer_flow("link_results_uxv_high", peer_calls + 10);
+  CallMessage reply = call(ScriptedLink::own_life, 1, true, answer);
+  reply.service(result.name);
+  hear(peer_calls + 10, reply);
+  EXPECT_EQ(script_.services.replied.size(), 1U);
+}
+
+TEST_F(CallLinkTest, WhatOnlyAPatternNamesIsShownToWhoCallsIt) {
+  begin_as(Role::gcs);
+  const HostService parameters{"arm/get_parameters", "rcl_interfaces/srv/GetParameters"};
+  hear_of({parameters}, {});
+  EXPECT_THAT(script_.services.served, IsEmpty());
+  happen(host_service_event::Client{parameters, true});
+  run(0.6);
+  EXPECT_THAT(script_.services.served, Contains(Key(parameters.name)));
+  const auto told = sent<ServicesMessage>(link_services_topic);
+  ASSERT_FALSE(told.empty());
+  ASSERT_EQ(told.back().wanted().size(), 1U);
+  EXPECT_EQ(told.back().wanted()[0].name(), parameters.name);
+}
+
+TEST_F(CallLinkTest, APeerThatLeavesTakesItsServicesWithIt) {
+  begin_as(Role::gcs);
+  hear_of({dock}, {});
+  script_.happen(link_event::PeerLost{station});
+  run(0);
+  EXPECT_THAT(script_.services.served, Not(Contains(Key("dock"))));
+}
+
+TEST_F(CallLinkTest, NamesOfAPeerThatCanBeNoneAreIgnored) {
+  begin_as(Role::gcs);
+  hear_of({{"dock\n", dock.type}, {"dock", "std_srvs::srv"}, {"", ""}}, {});
+  EXPECT_THAT(script_.services.served, IsEmpty());
+}
+
+}  // namespace
+}  // namespace tocsin

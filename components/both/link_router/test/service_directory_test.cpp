@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link_router/service_directory.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tocsin::router {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr Duration patience = std::chrono::milliseconds(500);
+const ServiceName dock{"dock", "std_srvs/srv/Trigger"};
+const ServiceName parameters{"arm/set_parameters", "rcl_interfaces/srv/SetParameters"};
+const ServiceName secret{"secret", "std_srvs/srv/Trigger"};
+
+/// `dock` is named by the rules, `arm/...` fits a pattern of theirs.
+Crossing rule(const std::string& name) {
+  if (name == dock.name) return Crossing::always;
+  return name.compare(0, 4, "arm/") == 0 ? Crossing::on_demand : Crossing::no;
+}
+Crossing nothing(const std::string&) { return Crossing::no; }
+
+/// The directory of the host that has the servers, and of the one that calls them.
+struct ServiceDirectoryTest : ::testing::Test {
+  ServiceDirectory server{{rule, nothing}};
+  ServiceDirectory client{{nothing, rule}};
+  const Time t0{std::chrono::seconds(100)};
+};
+
+TEST_F(ServiceDirectoryTest, AServerThatTheRulesNameIsOfferedAndShownOnThePeersHost) {
+  server.on_server(dock, true);
+  EXPECT_THAT(server.told(t0).offered, ElementsAre(dock));
+  client.on_peer(1, server.told(t0));
+  EXPECT_THAT(client.shown(t0), ElementsAre(dock));
+  client.forget_peer(1);
+  EXPECT_THAT(client.shown(t0), IsEmpty());
+}
+
+TEST_F(ServiceDirectoryTest, AServerThatLeavesIsNotOfferedAnyMore) {
+  server.on_server(dock, true);
+  server.on_server(dock, false);
+  EXPECT_THAT(server.told(t0).offered, IsEmpty());
+}
+
+TEST_F(ServiceDirectoryTest, WhatNoRuleNamesIsNeitherOfferedNorWantedNorShownNorAsked) {
+  server.on_server(secret, true);
+  EXPECT_THAT(server.told(t0).offered, IsEmpty());
+  client.on_client(secret, true, t0);
+  EXPECT_THAT(client.told(t0 + patience).wanted, IsEmpty());
+  client.on_peer(1, {{secret}, {}});
+  EXPECT_THAT(client.shown(t0 + patience), IsEmpty());
+  server.on_peer(1, {{}, {secret}});
+  EXPECT_THAT(server.asked(), IsEmpty());
+}
+
+TEST_F(ServiceDirectoryTest, AClientIsWantingWhenNobodyOnItsHostHasBegunToServeForHalfASecond) {
+  client.on_client(dock, true, t0);
+  EXPECT_EQ(client.deadline(t0), t0 + patience);
+  EXPECT_THAT(client.told(t0 + patience - Duration(1)).wanted, IsEmpty());
+  EXPECT_THAT(client.told(t0 + patience).wanted, ElementsAre(dock));
+  EXPECT_EQ(client.deadline(t0 + patience), never);
+  client.on_client(dock, false, t0 + patience);
+  EXPECT_THAT(client.told(t0 + patience).wanted, IsEmpty());
+}
+
+TEST_F(ServiceDirectoryTest, WhatAPeerWantsIsAskedOnTheHostOfTheServer) {
+  server.on_peer(1, {{}, {dock, parameters}});
+  EXPECT_THAT(server.asked(), ElementsAre(parameters, dock));
+  server.on_peer(1, {});
+  EXPECT_THAT(server.asked(), IsEmpty());
+}
+
+TEST_F(ServiceDirectoryTest, WhatAPatternNamesIsOfferedAndShownToWhoWantsItOnly) {
+  server.on_server(parameters, true);
+  EXPECT_THAT(server.told(t0).offered, IsEmpty());
+  client.on_client(parameters, true, t0);
+  server.on_peer(1, client.told(t0 + patience));
+  EXPECT_THAT(server.told(t0).offered, ElementsAre(parameters));
+  client.on_peer(2, server.told(t0));
+  EXPECT_THAT(client.shown(t0), IsEmpty()) << "the own host has its turn";
+  EXPECT_THAT(client.shown(t0 + patience), ElementsAre(parameters));
+  client.on_client(parameters, false, t0 + patience);
+  EXPECT_THAT(client.shown(t0 + patience), IsEmpty());
+}
+
+TEST_F(ServiceDirectoryTest, AServerOnTheOwnHostGoesBeforeThoseOfThePeers) {
+  client.on_client(dock, true, t0);
+  client.on_peer(1, {{dock}, {}});
+  client.on_server(dock, true);
+  EXPECT_THAT(client.shown(t0 + patience), IsEmpty());
+  EXPECT_THAT(client.told(t0 + patience).wanted, IsEmpty());
+  client.on_server(dock, false);
+  EXPECT_THAT(client.shown(t0 + patience), ElementsAre(dock));
+}
+
+TEST_F(ServiceDirectoryTest, OfTwoPeersThatOfferOneNameOneIsShown) {
+  const ServiceName other{"dock", "other_msgs/srv/Dock"};
+  client.on_peer(1, {{dock}, {}});
+  client.on_peer(2, {{other}, {}});
+  EXPECT_EQ(client.shown(t0).size(), 1U);
+}
+
+}  // namespace
+}  // namespace tocsin::router

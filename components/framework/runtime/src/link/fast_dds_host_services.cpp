@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/fast_dds_host_services.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "foundation/ros_names.hpp"
+#include "link/raw_type.hpp"
+
+namespace tocsin {
+namespace {
+
+/// As the queues of ROS 2's services.
+constexpr int raw_service_depth = 10;
+
+ServiceEndpoint raw_endpoint(const HostService& service) {
+  return {service.name, &raw_type(wire_type(service.type + "_Request")),
+          &raw_type(wire_type(service.type + "_Response")), "", raw_service_depth};
+}
+
+std::vector<std::uint8_t> bytes_in(const std::shared_ptr<const void>& message) {
+  return static_cast<const EncodedMessage*>(message.get())->bytes;
+}
+
+std::shared_ptr<const void> encoded(std::vector<std::uint8_t> bytes) {
+  return std::make_shared<const EncodedMessage>(EncodedMessage{std::move(bytes)});
+}
+
+}  // namespace
+
+class FastDdsHostServices::Serving final : public ServerReceiver {
+ public:
+  Serving(FastDdsHostServices& home, const HostService& service)
+      : table_(home.table_),
+        name_(service.name),
+        end_(home.participant_, home.ros_namespace_, raw_endpoint(service), *this) {}
+  void receive(ServiceRequest&& request) override {
+    table_.push(host_service_event::Request{name_, request.id, bytes_in(request.message)});
+  }
+  void wake() override { table_.push(host_service_event::Changed{name_}); }
+  [[nodiscard]] DdsServer& end() { return end_; }
+
+ private:
+  ServiceTable& table_;
+  const std::string name_;
+  DdsServer end_;  // last: destroyed first, it calls back
+};
+
+class FastDdsHostServices::Calling final : public ClientReceiver {
+ public:
+  Calling(FastDdsHostServices& home, const HostService& service)
+      : table_(home.table_),
+        name_(service.name),
+        end_(home.participant_, home.ros_namespace_, raw_endpoint(service), *this) {}
+  void receive(ServiceReply&& reply) override {
+    table_.push(host_service_event::Reply{name_, reply.number, bytes_in(reply.message)});
+  }
+  void wake() override { table_.push(host_service_event::Changed{name_}); }
+  [[nodiscard]] DdsClient& end() { return end_; }
+
+ private:
+  ServiceTable& table_;
+  const std::string name_;
+  DdsClient end_;  // as above
+};
+
+std::optional<HostServiceEvent> FastDdsHostServices::take() {
+  auto event = table_.pop();
+  if (!event) return event;
+  if (const auto* changed = std::get_if<host_service_event::Changed>(&*event)) {
+    const auto server = servers_.find(changed->service);
+    if (server != servers_.end()) server->second->end().flush();
+  }
+  return event;
+}
+
+void FastDdsHostServices::serve(const HostService& service) {
+  try {
+    servers_[service.name] = std::make_shared<Serving>(*this, service);
+  } catch (const std::runtime_error& error) {
+    servers_.erase(service.name);
+    log_.error("service /{}: {}", service.name, error.what());
+  }
+}
+
+void FastDdsHostServices::reply(const std::string& service, const CallId& id,
+                                std::vector<std::uint8_t> message) {
+  const auto server = servers_.find(service);
+  if (server != servers_.end()) server->second->end().reply(id, encoded(std::move(message)));
+}
+
+void FastDdsHostServices::call(const HostService& service) {
+  try {
+    clients_[service.name] = std::make_shared<Calling>(*this, service);
+  } catch (const std::runtime_error& error) {
+    clients_.erase(service.name);
+    log_.error("service /{}: {}", service.name, error.what());
+  }
+}
+
+std::optional<std::int64_t> FastDdsHostServices::ask(const std::string& service,
+                                                     std::vector<std::uint8_t> message) {
+  const auto client = clients_.find(service);
+  if (client == clients_.end()) return std::nullopt;
+  return client->second->end().send(encoded(std::move(message)));
+}
+
+}  // namespace tocsin

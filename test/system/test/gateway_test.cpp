@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// bringup/gateway.yaml, shipped: what peers that are no part of it write on one host arrives on the
+// other, over the emulated radio.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "foundation/temporary_folder.hpp"
+#include "peer.hpp"
+#include "runtime/middleware/host_graph.hpp"
+#include "stack.hpp"
+
+namespace tocsin {
+namespace {
+
+using std::chrono::seconds;
+using ::testing::StartsWith;
+
+constexpr auto patience = seconds(60);
+/// Nobody here knows it.
+const RawTopic never{"rt/robot/never", "nobody_msgs::msg::dds_::Never_", true};
+/// Domains of gateway.yaml.
+constexpr int robot_domain = 0;
+constexpr int station_domain = 1;
+
+std::vector<std::uint8_t> never_message() {
+  std::vector<std::uint8_t> bytes{0, 1, 0, 0};
+  for (int i = 0; i < 251; ++i) bytes.push_back(static_cast<std::uint8_t>(7 * i));
+  return bytes;
+}
+
+std::string to_hex(const std::vector<std::uint8_t>& bytes) {
+  const std::string digits = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : bytes) {
+    text += digits[byte / digits.size()];
+    text += digits[byte % digits.size()];
+  }
+  return text;
+}
+
+BusOptions on(int domain) {
+  BusOptions options;
+  options.name = "robot";
+  options.host_domain = domain;
+  return options;
+}
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(file);
+  std::string text;
+  std::getline(in, text);
+  return text;
+}
+
+TEST(Gateway, AMessageOfATypeThatNobodyKnowsArrivesByteForByte) {
+  const TemporaryFolder folder;
+  const Stack stack({folder.write("gateway_on_one_computer.yaml",
+                                  "extends: gateway.yaml\n"
+                                  "radio:\n"
+                                  "  channel: ${share}/config/radio/open.yaml\n"
+                                  "  walls: ${share}/config/maps/classroom.walls.yaml\n"),
+                     "--seed", "1"});
+  const auto runs = [&] { return stack.pid("uxv/link") != 0 && stack.pid("gcs/link") != 0; };
+  ASSERT_TRUE(Stack::eventually(patience, runs)) << stack.output();
+  EXPECT_THAT(stack.processes(),
+              ::testing::IsSupersetOf({"uxv/link", "uxv/recorder", "gcs/link", "gcs/recorder"}));
+  const std::string file = folder.path("came");
+  const Peer reader(stack.pid("gcs/link"), [&] {
+    const auto graph = make_host_graph(on(station_domain));
+    const auto reading = graph->read(
+        never, [&](RawSample&& sample) { std::ofstream(file) << to_hex(*sample.bytes) << '\n'; });
+    for (;;) pause();
+  });
+  const Peer writer(stack.pid("uxv/link"), [] {
+    const auto graph = make_host_graph(on(robot_domain));
+    const auto writing = graph->write(never);
+    for (;;) {
+      (void)writing->write(never_message());
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    }
+  });
+  const std::string expected = to_hex(never_message());
+  EXPECT_TRUE(Stack::eventually(patience, [&] { return text_of(file).size() >= expected.size(); }))
+      << stack.output();
+  // RTPS pads to a multiple of four.
+  EXPECT_THAT(text_of(file), StartsWith(expected));
+  EXPECT_LE(text_of(file).size(), expected.size() + 6);
+}
+
+}  // namespace
+}  // namespace tocsin
