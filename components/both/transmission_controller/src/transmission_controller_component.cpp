@@ -15,9 +15,9 @@ std::optional<double> measured(float value) {
 }
 
 decision::QualityMeasurement to_measurement(const tocsin_msgs::msg::NetworkQuality& quality) {
-  return {measured(quality.per_percent()), measured(quality.signal_dbm()),
+  return {measured(quality.per_percent()),     measured(quality.signal_dbm()),
           measured(quality.quality_percent()), measured(quality.retry_percent()),
-          measured(quality.busy_percent())};
+          measured(quality.busy_percent()),    measured(quality.rtt_mean_ms())};
 }
 
 float remaining_s(const std::optional<Time>& deadline, Time now) {

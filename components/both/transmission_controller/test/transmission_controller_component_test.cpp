@@ -92,6 +92,27 @@ TEST_F(TransmissionControllerComponentTest, WeighsTheChannelWhenThatIndexIsChose
   EXPECT_EQ(states.take().at(0).reason(), "focus_alarm");
 }
 
+TEST_F(TransmissionControllerComponentTest, WeighsTheRoundTripTimeWhenTheJointIndexIsChosen) {
+  TransmissionControllerComponent::Params params;
+  params.controller.quality.quality_index = "joint";
+  SimBus bus;
+  Context context{bus, "transmission_controller", Role::uxv};
+  TransmissionControllerComponent sut{context, params};
+  bus.add(sut);
+  SimReader<topic::TransmissionState> states{bus};
+  auto message = quality(0, -70, 60);
+  message.retry_percent(10);
+  message.busy_percent(21);
+  message.rtt_mean_ms(1.3F);
+  bus.publish<topic::NetworkQuality>(message);
+  bus.run_for(Duration::zero());
+  const float quick = states.take().at(0).qni();
+  message.rtt_mean_ms(200);
+  bus.publish<topic::NetworkQuality>(message);
+  bus.run_for(Duration::zero());
+  EXPECT_LT(states.take().at(0).qni(), quick - 5);
+}
+
 TEST_F(TransmissionControllerComponentTest, DoesNotPauseUnlessAPolicyIsChosen) {
   SimBus bus;
   Context context{bus, "transmission_controller", Role::uxv};

@@ -19,15 +19,23 @@ std::optional<double> retries_per_frame(const std::optional<double>& percent) {
 
 }  // namespace
 
+JointIndexInput joint_input(const QualityMeasurement& measured) {
+  return {measured.per_percent, measured.rtt_ms, measured.retry_percent, measured.busy_percent,
+          measured.signal_dbm};
+}
+
 QualityIndex::QualityIndex(const QualityIndexParams& params) {
   if (params.quality_index == "channel") {
     channel_.emplace(channel_params(params));
+  } else if (params.quality_index == "joint") {
+    joint_.emplace(params.joint);
   } else {
     thesis_.emplace(params.thesis);
   }
 }
 
 double QualityIndex::evaluate(const QualityMeasurement& measured) const {
+  if (joint_) return joint_->evaluate(joint_input(measured));
   if (channel_) {
     std::optional<double> busy;
     if (measured.busy_percent) busy = *measured.busy_percent / 100;

@@ -113,16 +113,20 @@ TEST(Allocation, DoesNotHappenInAnyDetector) {
   EXPECT_EQ(allocations - before, 0);
 }
 
-TEST(Allocation, DoesNotHappenInEitherQualityIndex) {
+TEST(Allocation, DoesNotHappenInAnyQualityIndex) {
   const QniModel first{QniParams{}};
   const ChannelQniModel second{ChannelQniParams{}};
   const QualityIndex index{QualityIndexParams{}};
+  QualityIndexParams params;
+  params.quality_index = "joint";
+  const QualityIndex joint{params};
   const long before = allocations;
   double sum = 0;
   for (int n = 0; n < 1000; ++n) {
     sum += first.evaluate({n % 100 * 1.0, -60, {}}).value;
     sum += second.evaluate({n % 100 * 1.0, -60, 0.5, {}}).value;
     sum += index.evaluate({n % 100 * 1.0, -60, 80, 10, 20});
+    sum += joint.evaluate({n % 100 * 1.0, -60, 80, 10, 20, 12});
   }
   EXPECT_GT(sum, 0);
   EXPECT_EQ(allocations - before, 0);

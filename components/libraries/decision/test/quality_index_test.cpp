@@ -39,6 +39,19 @@ TEST(QualityIndex, SeesCongestionThatTheThesisIndexDoesNot) {
   EXPECT_LT(sut.evaluate(busy), sut.evaluate(idle) - 20);
 }
 
+TEST(QualityIndex, WeighsAllReadingsTogetherWhenThatIsChosen) {
+  QualityIndexParams params;
+  params.quality_index = "joint";
+  const QualityIndex sut{params};
+  const JointIndex same{params.joint};
+  EXPECT_EQ(sut.evaluate({10, -72, 50, 30, 20, 12}), same.evaluate({10, 12, 30, 20, -72}));
+  EXPECT_GT(sut.evaluate({0, -60, {}, 2, {}, 3}), sut.evaluate({0, -60, {}, 2, {}, 60}));
+  params.joint.joint_fall.clear();
+  EXPECT_THROW(QualityIndex{params}, ConfigError);
+  params.quality_index = "thesis";
+  EXPECT_NO_THROW(QualityIndex{params});
+}
+
 TEST(QualityIndex, LeavesOutWhatTheHardwareDoesNotTell) {
   const QualityIndex sut{channel()};
   EXPECT_DOUBLE_EQ(sut.evaluate({10, -72, {}, {}, {}}), (0.4 * 90 + 0.3 * 50) / 0.7);
