@@ -13,6 +13,8 @@
 namespace tocsin {
 namespace {
 
+constexpr Duration try_again_period = std::chrono::seconds(2);
+
 /// Of each topic of the link, where a router gives what did not cross at first.
 void add_filled_in(std::vector<ChosenTopic>& chosen) {
   std::vector<ChosenTopic> filled_in;
@@ -36,9 +38,6 @@ std::vector<ChosenTopic> chosen_topics(const std::string& name,
 std::vector<std::unique_ptr<Recording>> recordings_of(const std::string& name,
                                                       const RecorderComponent::Params& params,
                                                       const std::string& directory, Logger& log) {
-  if (!params.csv && !params.bag) {
-    throw ConfigError(name + ": nothing would be recorded, since neither csv nor bag is true");
-  }
   std::vector<std::unique_ptr<Recording>> recordings;
   if (params.csv) recordings.push_back(std::make_unique<CsvRecording>(name, directory, log));
   if (params.bag) {
@@ -53,17 +52,56 @@ std::vector<std::unique_ptr<Recording>> recordings_of(const std::string& name,
 
 RecorderComponent::RecorderComponent(Context& context, const Params& params)
     : Component(context),
+      params_(params),
       directory_(params.directory.empty() ? context.run_dir + "/" + to_string(context.role)
                                           : params.directory),
       flush_period_(seconds(params.flush_period_s)),
       topics_(chosen_topics(context.name, params)),
-      recordings_(recordings_of(context.name, params, directory_, log())) {
+      wanted_(params.recording) {
+  if (!params.csv && !params.bag) {
+    throw ConfigError(name() + ": nothing would be recorded, since neither csv nor bag is true");
+  }
+  if (wanted_) begin(bus().now());
+}
+
+void RecorderComponent::begin(Time now) {
+  began_ = now;
+  began_wall_ns_ = bus().wall_ns(now);
+  recordings_ = recordings_of(name(), params_, directory_, log());
   for (const ChosenTopic& topic : topics_) {
     auto input = listen_to(topic);
     if (!input) continue;
     std::vector<std::size_t> numbers;
     for (const auto& recording : recordings_) numbers.push_back(recording->add(topic));
     tracks_.push_back({std::move(numbers), std::move(input)});
+  }
+}
+
+void RecorderComponent::end() {
+  tracks_.clear();
+  recordings_.clear();
+  lost_ = 0;
+  disk_full_ = false;
+}
+
+/// In motion nothing throws: what cannot begin now is tried again.
+void RecorderComponent::follow_wish(Time now) {
+  if (wanted_ == !recordings_.empty()) return;
+  if (!wanted_) {
+    end();
+    log().info("records no more");
+    return;
+  }
+  if (now < next_try_) return wake_at(next_try_);
+  try {
+    begin(now);
+    said_fault_ = false;
+    log().info("records to {}", directory_);
+  } catch (const ConfigError& error) {
+    end();
+    if (!std::exchange(said_fault_, true)) log().error("does not record: {}", error.what());
+    next_try_ = now + try_again_period;
+    wake_at(next_try_);
   }
 }
 
@@ -81,15 +119,23 @@ std::unique_ptr<InputPort> RecorderComponent::listen_to(const ChosenTopic& topic
 }
 
 void RecorderComponent::tick(Time now) {
+  take_samples();
+  follow_wish(now);
+  if (recordings_.empty()) return;
+  if (now >= next_flush_) flush(now);
+  wake_at(next_flush_);
+}
+
+void RecorderComponent::take_samples() {
   for (const Track& track : tracks_) {
-    while (const auto sample = track.input->take_sample()) {
+    while (auto sample = track.input->take_sample()) {
+      // What was there before, as the last one of a state, comes into the recording as it begins.
+      if (sample->received < began_) sample->received_wall_ns = began_wall_ns_;
       for (std::size_t i = 0; i < recordings_.size(); ++i) {
         recordings_[i]->write(track.numbers[i], *sample);
       }
     }
   }
-  if (now >= next_flush_) flush(now);
-  wake_at(next_flush_);
 }
 
 void RecorderComponent::flush(Time now) {

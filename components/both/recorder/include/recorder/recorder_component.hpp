@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "foundation/parameters.hpp"
 #include "recorder/recording.hpp"
 #include "recorder/topic_choice.hpp"
 #include "runtime/component.hpp"
@@ -13,10 +14,12 @@
 
 namespace tocsin {
 
-/// Records every link topic that reaches its process, and any other topic that it is told to.
+/// Records every link topic that reaches its process, and any other topic that it is told to, while
+/// it is told to.
 class RecorderComponent final : public Component {
  public:
   struct Params {
+    bool recording = true;
     std::string directory;
     double flush_period_s = 0.5;
     bool link_topics = true;
@@ -27,6 +30,8 @@ class RecorderComponent final : public Component {
     std::string bag_compression = "zstd";
     template <class Visitor>
     void visit(Visitor& v) {
+      live(v)("recording", recording,
+              "whether it records now; each time it begins, a bag of its own");
       v("directory", directory, "folder of the files; made when absent; empty: run folder/role");
       v("flush_period_s", flush_period_s, {0.05, 60}, "[s] between writes to the disk");
       v("link_topics", link_topics, "whether every topic that crosses the link is recorded");
@@ -41,8 +46,15 @@ class RecorderComponent final : public Component {
 
   RecorderComponent(Context& context, const Params& params);
   void tick(Time now) override;
+  /// Begins or ends at the next tick.
+  void set_parameters(const Params& params) { wanted_ = params.recording; }
 
  private:
+  /// Throws ConfigError when a recording cannot be made, or a topic has no QoS profile.
+  void begin(Time now);
+  void end();
+  void follow_wish(Time now);
+  void take_samples();
   [[nodiscard]] std::unique_ptr<InputPort> listen_to(const ChosenTopic& topic);
   /// One topic: where it comes from, and its number in each recording.
   struct Track {
@@ -51,11 +63,17 @@ class RecorderComponent final : public Component {
   };
   void flush(Time now);
 
+  const Params params_;
   const std::string directory_;
   const Duration flush_period_;
   Time next_flush_{};
+  Time next_try_{};
   const std::vector<ChosenTopic> topics_;
-  const std::vector<std::unique_ptr<Recording>> recordings_;
+  bool wanted_;
+  Time began_{};
+  std::int64_t began_wall_ns_ = 0;
+  bool said_fault_ = false;
+  std::vector<std::unique_ptr<Recording>> recordings_;  ///< none: it does not record
   std::vector<Track> tracks_;
   bool disk_full_ = false;
   std::uint64_t lost_ = 0;
