@@ -138,7 +138,8 @@ void add_recording(const DecidedTrace& decided, nlohmann::json& out) {
   const auto compared = compare_with_recording(decided);
   if (!compared) return;
   if (const auto role = decided.trace.role) out["role"] = to_string(*role);
-  out["recorded"] = {{"decisions", compared->recorded},
+  out["recorded"] = {{"began_s", decided.trace.began_s},
+                     {"decisions", compared->recorded},
                      {"pauses", compared->recorded_pauses},
                      {"same", compared->same},
                      {"unrecorded", decided.trace.unrecorded}};

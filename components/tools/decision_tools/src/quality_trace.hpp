@@ -30,7 +30,8 @@ struct QualityTrace {
   /// probes had no answer; else empty.
   std::vector<bool> bad;
   std::vector<RecordedDecision> recorded;  ///< one per row of a transmission_state.csv; else empty
-  std::size_t unrecorded = 0;              ///< decisions that did not reach that recording
+  double began_s = 0;          ///< [s since the Unix epoch] when the first of these was made
+  std::size_t unrecorded = 0;  ///< decisions that did not reach that recording
   /// Of the run that the file was recorded in, when its deployment.yaml is there.
   std::optional<ControllerParameters> controller;
   /// The values that are numbers.

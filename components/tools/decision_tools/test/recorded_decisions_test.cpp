@@ -247,9 +247,10 @@ TEST_F(RecordedDecisionsTest, NameFileLineAndValueOfBadRows) {
 
 TEST_F(RecordedDecisionsTest, AreComparedInJson) {
   Recorder run;
-  run.sample(0, 80);
+  run.sample(1500.25, 80);
   const auto sut = to_json(decide(run.text()), false);
   EXPECT_EQ(sut["role"], "uxv");
+  EXPECT_EQ(sut["recorded"]["began_s"], 1500.25);
   EXPECT_EQ(sut["recorded"]["same"], 1);
   EXPECT_EQ(sut["parameters"].size(), 1U);  // --policy
 }
