@@ -41,16 +41,10 @@ bool same_secret(const std::string& one, const std::string& other) {
   return difference == 0;
 }
 
-/// The value of `token` in `/?token=abc&x=1`, as it stands.
-std::string token_in(const std::string& target) {
-  std::size_t at = target.find('?');
-  while (at != std::string::npos) {
-    const std::size_t end = target.find('&', at + 1);
-    const std::string pair = target.substr(at + 1, end - at - 1);
-    if (pair.rfind("token=", 0) == 0) return pair.substr(6);
-    at = end;
-  }
-  return {};
+/// What stands behind the question mark of `/?token=abc&x=1`.
+std::string query_of(const std::string& target) {
+  const std::size_t mark = target.find('?');
+  return mark == std::string::npos ? std::string() : target.substr(mark + 1);
 }
 
 std::string token_of(const RequestFacts& request) {
@@ -58,7 +52,9 @@ std::string token_of(const RequestFacts& request) {
   if (request.authorization.rfind(bearer, 0) == 0) {
     return request.authorization.substr(bearer.size());
   }
-  return token_in(request.target);
+  const auto values = query_values(query_of(request.target));
+  const auto token = values.find("token");
+  return token == values.end() ? std::string() : token->second;
 }
 
 /// The one that both ends know, the newer name before the older one; they mean the same.
@@ -84,7 +80,8 @@ bool is_own_page(const AccessRules& rules, const RequestFacts& request) {
   return request.origin.empty() || request.origin == own;
 }
 
-Verdict judge_socket(const AccessRules& rules, const RequestFacts& request) {
+/// Why it may not have what is not the same everywhere; none: it may.
+std::optional<Refuse> refusal_of(const AccessRules& rules, const RequestFacts& request) {
   const bool is_named =
       std::any_of(rules.origins.begin(), rules.origins.end(), [&](const std::string& origin) {
         return origin == "*" || (!request.origin.empty() && origin == request.origin);
@@ -97,6 +94,11 @@ Verdict judge_socket(const AccessRules& rules, const RequestFacts& request) {
   if (!rules.token.empty() && !same_secret(rules.token, token_of(request))) {
     return Refuse{401, "the token is missing or wrong: give it as ?token=... or as Bearer"};
   }
+  return std::nullopt;
+}
+
+Verdict judge_socket(const AccessRules& rules, const RequestFacts& request) {
+  if (const auto refusal = refusal_of(rules, request)) return *refusal;
   const auto protocol = choose_protocol(request.protocols);
   if (!protocol) {
     return Refuse{400, "subprotocol '" + printable(request.protocols) +
@@ -110,14 +112,37 @@ bool is_plain(char c) {
          c == '_' || c == '-' || c == '/';
 }
 
-/// The names of our files have no other characters, and no part that begins with a point.
-bool is_file_name(const std::string& path) {
-  return std::all_of(path.begin(), path.end(), is_plain) && path.find("//") == std::string::npos &&
-         path.find("/.") == std::string::npos && !path.empty() && path.front() != '.' &&
-         path.front() != '/';
+/// A request for what only this run has; none: it is for a file of the page.
+std::optional<Verdict> verdict_of_run(const std::string& path, const RequestFacts& request) {
+  const std::string folder = "bags/";
+  if (path == "bags") return ListBags{};
+  if (path == "what_if") return AskWhatIf{query_of(request.target)};
+  if (path.rfind(folder, 0) != 0) return std::nullopt;
+  const std::string file = path.substr(folder.size());
+  if (!is_file_name(file)) return Refuse{404, "there is no such recording"};
+  return ServeBag{file};
 }
 
 }  // namespace
+
+bool is_file_name(std::string_view path) {
+  return std::all_of(path.begin(), path.end(), is_plain) &&
+         path.find("//") == std::string_view::npos && path.find("/.") == std::string_view::npos &&
+         !path.empty() && path.front() != '.' && path.front() != '/';
+}
+
+std::map<std::string, std::string> query_values(const std::string& query) {
+  std::map<std::string, std::string> values;
+  for (std::size_t begin = 0; begin < query.size();) {
+    const std::size_t end = std::min(query.find('&', begin), query.size());
+    const std::string pair = query.substr(begin, end - begin);
+    const std::size_t equals = std::min(pair.find('='), pair.size());
+    const std::size_t value = std::min(equals + 1, pair.size());
+    if (equals > 0) values[pair.substr(0, equals)] = pair.substr(value);
+    begin = end + 1;
+  }
+  return values;
+}
 
 bool is_loopback(const std::string& address) {
   in_addr four{};
@@ -148,6 +173,10 @@ Verdict judge(const AccessRules& rules, const RequestFacts& request) {
     return Refuse{400, "the target does not begin with /"};
   }
   std::string path = request.target.substr(1, request.target.find('?') - 1);
+  if (const auto verdict = verdict_of_run(path, request)) {
+    const auto refusal = refusal_of(rules, request);
+    return refusal ? *refusal : *verdict;
+  }
   if (path.empty() || path.back() == '/') path += "index.html";
   if (!is_file_name(path)) return Refuse{404, "there is no such file"};
   return ServeFile{path};

@@ -10,25 +10,24 @@
 #include <boost/beast/websocket.hpp>
 #include <boost/beast/websocket/ssl.hpp>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "answers.hpp"
 #include "web_server.hpp"
 
 namespace tocsin::foxglove {
 
 namespace asio = boost::asio;
 namespace beast = boost::beast;
-namespace http = beast::http;
 namespace websocket = beast::websocket;
 
 using PlainStream = beast::tcp_stream;
 using TlsStream = beast::ssl_stream<beast::tcp_stream>;
-using Request = http::request<http::string_body>;
-using Response = http::response<http::string_body>;
 
 /// A client as the server knows it.
 class Socket {
@@ -45,9 +44,9 @@ class Home {
   virtual ~Home() = default;
   [[nodiscard]] virtual const WebSettings& settings() const = 0;
   [[nodiscard]] virtual const WebEvents& events() const = 0;
-  /// The file or refusal that a request gets; nothing: it may open a socket.
-  [[nodiscard]] virtual std::optional<Response> answer(const Request& request, bool wants_socket,
-                                                       std::string& protocol) = 0;
+  [[nodiscard]] virtual Answer answer(const Request& request, bool wants_socket) = 0;
+  /// Calls `done` with what `make` has made, later.
+  virtual void make_slowly(SlowResponse make, std::function<void(Response&&)> done) = 0;
   [[nodiscard]] virtual ClientId add(const std::shared_ptr<Socket>& socket) = 0;
   virtual void remove(ClientId client, const std::string& why) = 0;
 };
@@ -195,20 +194,44 @@ class HttpConnection final : public std::enable_shared_from_this<HttpConnection<
   }
 
   void answer() {
-    const Request& request = parser_->get();
-    const bool wants_socket = websocket::is_upgrade(request);
-    std::string protocol;
-    auto response = home_.answer(request, wants_socket, protocol);
-    if (!response) {
-      auto socket = std::make_shared<SocketConnection<Stream>>(home_, std::move(stream_), lease_);
-      return socket->open(request, protocol);
-    }
-    response_ = std::move(*response);
+    const bool wants_socket = websocket::is_upgrade(parser_->get());
+    std::visit([this](auto&& one) { give(std::forward<decltype(one)>(one)); },
+               home_.answer(parser_->get(), wants_socket));
+  }
+
+  void give(const OpenSocket& socket) {
+    auto made = std::make_shared<SocketConnection<Stream>>(home_, std::move(stream_), lease_);
+    made->open(parser_->get(), socket.protocol);
+  }
+  void give(SlowResponse&& make) {
+    beast::get_lowest_layer(stream_).expires_never();
+    home_.make_slowly(std::move(make), [self = this->shared_from_this()](Response&& response) {
+      self->give(std::move(response));
+    });
+  }
+  template <class Body>
+  void give(http::response<Body>&& response) {
+    write_on(std::make_shared<Outgoing<Body>>(std::move(response)));
+  }
+
+  /// An answer while it is sent.
+  template <class Body>
+  struct Outgoing {
+    explicit Outgoing(http::response<Body>&& response) : message(std::move(response)) {}
+    http::response<Body> message;
+    http::response_serializer<Body> serializer{message};
+  };
+  /// Part by part: a file may take as long as it likes, but none of its parts.
+  template <class Body>
+  void write_on(const std::shared_ptr<Outgoing<Body>>& outgoing) {
     set_deadline();
-    http::async_write(stream_, response_,
-                      [self = this->shared_from_this()](beast::error_code error, std::size_t) {
-                        if (!error && self->response_.keep_alive()) self->read();
-                      });
+    http::async_write_some(
+        stream_, outgoing->serializer,
+        [self = this->shared_from_this(), outgoing](beast::error_code error, std::size_t) {
+          if (error) return;
+          if (!outgoing->serializer.is_done()) return self->write_on(outgoing);
+          if (outgoing->message.keep_alive()) self->read();
+        });
   }
 
   Home& home_;
@@ -216,7 +239,6 @@ class HttpConnection final : public std::enable_shared_from_this<HttpConnection<
   Stream stream_;
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
-  Response response_;
 };
 
 }  // namespace tocsin::foxglove

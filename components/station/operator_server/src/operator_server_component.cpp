@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "operator_server/operator_server_component.hpp"
 
-#include <unistd.h>
-
-#include <filesystem>
 #include <utility>
 
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
 #include "foundation/printable.hpp"
-#include "foundation/read_file.hpp"
 #include "listening_socket.hpp"
 #include "operator_server/parameter_value.hpp"
 #include "runtime/component_entry.hpp"
-#include "runtime/middleware/component_index.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
+#include "server_settings.hpp"
 #include "web_server.hpp"
 
 namespace tocsin {
@@ -30,59 +26,6 @@ constexpr std::size_t bytes_at_once = std::size_t{64} << 10U;  ///< under way to
 
 /// What `ros2 param` hears of changes, in no namespace.
 constexpr TopicInfo parameter_events{"/parameter_events", "event", Scope::host};
-
-foxglove::HubSettings hub_settings(const Context& context,
-                                   const OperatorServerComponent::Params& params) {
-  foxglove::HubSettings settings;
-  settings.server.name = "Tocsin";
-  settings.server.session =
-      std::to_string(context.bus.wall_ns(context.bus.now())) + "-" + std::to_string(::getpid());
-  settings.server.metadata = {{"tocsin", TOCSIN_VERSION}, {"host", to_string(context.role)}};
-  if (!params.vehicle.empty()) settings.server.metadata["vehicle"] = params.vehicle;
-  settings.backlog = static_cast<std::size_t>(params.backlog);
-  settings.writable = params.writable;
-  return settings;
-}
-
-/// The folder where the package with the page has put it; empty: it is not installed.
-std::string installed_page() {
-  std::error_code ignored;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  for (const auto& prefix : package_prefixes(prefix_paths(), program)) {
-    for (const auto& folder : {prefix / "share/operator_page",
-                               prefix.parent_path() / "operator_page/share/operator_page"}) {
-      if (std::filesystem::exists(folder / "index.html", ignored)) return folder.string();
-    }
-  }
-  return {};
-}
-
-std::string token_in(const std::string& owner, const std::string& file) {
-  if (file.empty()) return {};
-  constexpr std::size_t longest = 4096;
-  std::string token = read_file(file, longest);
-  token.erase(token.find_last_not_of(" \r\n") + 1);
-  if (token.empty()) throw ConfigError(owner + ".token_file: " + file + " is empty");
-  return token;
-}
-
-foxglove::WebSettings web_settings(const std::string& owner,
-                                   const OperatorServerComponent::Params& params) {
-  if (params.certificate.empty() != params.key.empty()) {
-    throw ConfigError(owner + ": certificate and key belong together; only one of them is given");
-  }
-  foxglove::WebSettings settings;
-  settings.access = {params.address, token_in(owner, params.token_file),
-                     !params.certificate.empty(), params.origins};
-  foxglove::check_access(owner, settings.access);
-  settings.page = params.page.empty() ? installed_page() : params.page;
-  settings.certificate = params.certificate;
-  settings.key = params.key;
-  settings.most_connections = static_cast<std::size_t>(params.most_connections);
-  settings.most_frame_bytes = static_cast<std::size_t>(params.frame_mib * 1024 * 1024);
-  settings.ping_s = params.ping_s;
-  return settings;
-}
 
 /// Looks at the host's domain by a participant of its own, which is made at the first look.
 foxglove::LookAtHost look_at(const Bus& bus) {
@@ -107,7 +50,7 @@ OperatorServerComponent::OperatorServerComponent(Context& context, const Params&
     : Component(context),
       params_(params),
       look_(std::move(look)),
-      hub_(hub_settings(context, params)),
+      hub_(foxglove::hub_settings(context, params)),
       services_(*this, seconds(params.service_timeout_s)),
       parameters_(*this, seconds(params.service_timeout_s)) {
   // Each event is dealt with on this component's thread, before its next tick.
@@ -125,8 +68,8 @@ OperatorServerComponent::OperatorServerComponent(Context& context, const Params&
   events.refused = [this](const std::string& what) {
     post([this, what] { log().warn("refused a connection: {}", what); });
   };
-  web_ =
-      std::make_unique<foxglove::WebServer>(web_settings(context.name, params), std::move(events));
+  web_ = std::make_unique<foxglove::WebServer>(foxglove::web_settings(context, params),
+                                               std::move(events));
 }
 
 OperatorServerComponent::~OperatorServerComponent() = default;

@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "web_server.hpp"
 
+#include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/ssl/context.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/asio/thread_pool.hpp>
 #include <map>
 #include <thread>
 
 #include "connections.hpp"
 #include "foundation/error.hpp"
-#include "page_files.hpp"
 
 namespace tocsin::foxglove {
 namespace {
 
 using asio::ip::tcp;
-
-std::string field(const Request& request, http::field name) {
-  const auto found = request.find(name);
-  return found == request.end() ? std::string() : std::string(found->value());
-}
 
 RequestFacts facts_of(const Request& request, bool wants_socket) {
   return {std::string(request.method_string()),
@@ -31,19 +27,6 @@ RequestFacts facts_of(const Request& request, bool wants_socket) {
           field(request, http::field::authorization),
           field(request, http::field::sec_websocket_protocol),
           wants_socket};
-}
-
-Response respond(const Request& request, unsigned status, const char* type, std::string body) {
-  Response response{static_cast<http::status>(status), request.version()};
-  response.set(http::field::content_type, type);
-  response.set(http::field::cache_control, "no-cache");
-  response.set("X-Content-Type-Options", "nosniff");
-  response.set("Referrer-Policy", "no-referrer");
-  response.set("X-Frame-Options", "DENY");
-  response.keep_alive(request.keep_alive() && status < 400);
-  response.content_length(body.size());
-  if (request.method() != http::verb::head) response.body() = std::move(body);
-  return response;
 }
 
 std::optional<asio::ssl::context> tls_of(const WebSettings& settings) {
@@ -66,8 +49,11 @@ class WebServer::Core final : public Home {
   Core(const WebSettings& settings, WebEvents events)
       : settings_(settings), events_(std::move(events)), tls_(tls_of(settings)) {}
   ~Core() override {
+    ends_ = true;
     io_.stop();
     if (thread_.joinable()) thread_.join();
+    if (slow_) slow_->stop();
+    if (slow_) slow_->join();
   }
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
@@ -100,28 +86,47 @@ class WebServer::Core final : public Home {
     if (sockets_.erase(client) != 0) events_.closed(client, why);
   }
 
-  [[nodiscard]] std::optional<Response> answer(const Request& request, bool wants_socket,
-                                               std::string& protocol) override {
+  [[nodiscard]] Answer answer(const Request& request, bool wants_socket) override {
     const Verdict verdict = judge(settings_.access, facts_of(request, wants_socket));
-    if (const auto* open = std::get_if<OpenSocket>(&verdict)) {
-      protocol = open->protocol;
-      return std::nullopt;
+    if (wants_socket && std::holds_alternative<Refuse>(verdict)) {
+      events_.refused(std::get<Refuse>(verdict).reason);
     }
-    if (const auto* refusal = std::get_if<Refuse>(&verdict)) {
-      if (wants_socket) events_.refused(refusal->reason);
-      return respond(request, refusal->status, "text/plain; charset=utf-8", refusal->reason + "\n");
-    }
-    const std::string& path = std::get<ServeFile>(verdict).path;
-    PageFile file =
-        page_file(settings_.page, path,
-                  field(request, http::field::accept_encoding).find("gzip") != std::string::npos);
-    Response response = respond(request, file.status, file.type, std::move(file.bytes));
-    if (file.zipped) response.set(http::field::content_encoding, "gzip");
-    response.set("Content-Security-Policy", page_policy);
-    return response;
+    return std::visit(AnswerTo{*this, request}, verdict);
+  }
+  void make_slowly(SlowResponse make, std::function<void(Response&&)> done) override {
+    if (!slow_) slow_.emplace(1);
+    asio::post(*slow_, [this, make = std::move(make), done = std::move(done)]() mutable {
+      asio::post(io_, [done = std::move(done), made = std::make_shared<Response>(make())] {
+        done(std::move(*made));
+      });
+    });
   }
 
  private:
+  /// What a verdict comes to.
+  struct AnswerTo {
+    Core& core;
+    const Request& request;
+    Answer operator()(const OpenSocket& socket) const { return socket; }
+    Answer operator()(const Refuse& refusal) const { return respond(request, refusal); }
+    Answer operator()(const ServeFile& wanted) const {
+      return page_answer(core.settings_.page, wanted.path, request);
+    }
+    Answer operator()(const ListBags&) const {
+      return SlowResponse([&settings = core.settings_, asked = request] {
+        return bag_list_answer(settings.bags, asked);
+      });
+    }
+    Answer operator()(const ServeBag& wanted) const {
+      return bag_answer(core.settings_.bags, wanted.path, request);
+    }
+    Answer operator()(const AskWhatIf& question) const {
+      return SlowResponse([&self = core, query = question.query, asked = request] {
+        return what_if_answer(self.settings_.what_if, query, asked, self.ends_);
+      });
+    }
+  };
+
   void accept() {
     acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
@@ -166,6 +171,8 @@ class WebServer::Core final : public Home {
   ClientId last_ = 0;
   std::map<ClientId, std::shared_ptr<Socket>> sockets_;
   std::thread thread_;
+  std::atomic<bool> ends_{false};
+  std::optional<asio::thread_pool> slow_;  ///< since it was first needed
 };
 
 WebServer::WebServer(const WebSettings& settings, WebEvents events)

@@ -13,9 +13,17 @@
 
 namespace tocsin::foxglove {
 
+/// How a recording is decided again.
+struct WhatIfTool {
+  std::string program = {};    ///< `tocsin-decide`; empty: it is not installed
+  std::string recording = {};  ///< of the run's decisions, CSV; empty: there is none
+};
+
 struct WebSettings {
   AccessRules access;
-  std::string page;         ///< folder of the page's files; empty: there is none
+  std::string page;       ///< folder of the page's files; empty: there is none
+  std::string bags = {};  ///< folder of the recordings; empty: there is none
+  WhatIfTool what_if = {};
   std::string certificate;  ///< PEM file with the chain; empty: no TLS
   std::string key;          ///< PEM file
   std::size_t most_connections = 64;

@@ -138,5 +138,58 @@ TEST(AccessTest, FilesHaveTheirTypes) {
   EXPECT_STREQ(content_type("noending"), "application/octet-stream");
 }
 
+RequestFacts request_for(const std::string& target) {
+  RequestFacts request;
+  request.method = "GET";
+  request.target = target;
+  request.host = "127.0.0.1:8765";
+  return request;
+}
+
+TEST(AccessTest, RecordingsAndWhatIfAreOfTheRunAndNotOfThePage) {
+  const AccessRules rules = open_rules();
+  EXPECT_TRUE(std::holds_alternative<ListBags>(judge(rules, request_for("/bags?x=1"))));
+  EXPECT_EQ(std::get<ServeBag>(judge(rules, request_for("/bags/gcs/bag/bag_0.mcap"))).path,
+            "gcs/bag/bag_0.mcap");
+  EXPECT_EQ(std::get<AskWhatIf>(judge(rules, request_for("/what_if?host=uxv&policy=tocp"))).query,
+            "host=uxv&policy=tocp");
+  for (const char* target : {"/bags/", "/bags/../x.mcap", "/bags//etc/x.mcap", "/bags/.git/x.mcap",
+                             "/bags/%2e%2e/x.mcap"}) {
+    EXPECT_EQ(status_of(judge(rules, request_for(target))), 404U) << target;
+  }
+  RequestFacts post = request_for("/bags");
+  post.method = "POST";
+  EXPECT_EQ(status_of(judge(rules, post)), 405U);
+}
+
+TEST(AccessTest, WhatIsOfTheRunNeedsTheTokenAndOurOwnPage) {
+  for (const std::string target : {"/bags", "/bags/bag_0.mcap", "/what_if"}) {
+    RequestFacts request = request_for(target);
+    EXPECT_EQ(status_of(judge(guarded_rules(), request)), 401U) << target;
+    request.target = target + "?token=" + secret;
+    EXPECT_EQ(status_of(judge(guarded_rules(), request)), 200U) << target;
+    request.target = target + "?token=0123456789abcdeX";
+    EXPECT_EQ(status_of(judge(guarded_rules(), request)), 401U) << target;
+    request.target = target;
+    request.authorization = std::string("Bearer ") + secret;
+    EXPECT_EQ(status_of(judge(guarded_rules(), request)), 200U) << target;
+    request.origin = "https://evil.example";
+    EXPECT_EQ(status_of(judge(guarded_rules(), request)), 403U) << target;
+    RequestFacts rebound = request_for(target);
+    rebound.host = "evil.example:8765";
+    EXPECT_EQ(status_of(judge(open_rules(), rebound)), 403U) << target;
+  }
+}
+
+TEST(AccessTest, AQueryIsReadByItsKeys) {
+  const auto values = query_values("a=1&b=&=3&c&a=2&d=x=y&");
+  EXPECT_EQ(values.size(), 4U);
+  EXPECT_EQ(values.at("a"), "2");
+  EXPECT_EQ(values.at("b"), "");
+  EXPECT_EQ(values.at("c"), "");
+  EXPECT_EQ(values.at("d"), "x=y");
+  EXPECT_TRUE(query_values("").empty());
+}
+
 }  // namespace
 }  // namespace tocsin::foxglove

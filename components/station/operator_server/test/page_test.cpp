@@ -86,6 +86,75 @@ TEST_F(PageTest, AHeadOfRequestThatIsTooLongIsRefused) {
   EXPECT_EQ(fetch(facts).status, 200);
 }
 
+class RunFilesTest : public PageTest {
+ protected:
+  RunFilesTest() {
+    params_.bags = folder_.path();
+    (void)folder_.write("gcs/bag_0.mcap", "0123456789");
+  }
+  static HttpAnswer get(const Served& sut, const std::string& target,
+                        const std::string& range = "") {
+    ClientFacts facts = sut.facts();
+    facts.target = target;
+    if (!range.empty()) facts.headers["Range"] = range;
+    return fetch(facts);
+  }
+};
+
+TEST_F(RunFilesTest, TheRecordingsAreListedAndServed) {
+  const Served sut(params_);
+  const HttpAnswer list = get(sut, "/bags");
+  EXPECT_EQ(list.status, 200);
+  EXPECT_EQ(list.body, R"({"bags":[{"bytes":10,"path":"gcs/bag_0.mcap"}]})");
+  HttpAnswer whole = get(sut, "/bags/gcs/bag_0.mcap");
+  EXPECT_EQ(whole.status, 200);
+  EXPECT_EQ(whole.body, "0123456789");
+  EXPECT_EQ(whole.headers["Accept-Ranges"], "bytes");
+  EXPECT_EQ(get(sut, "/bags/gcs/none.mcap").status, 404);
+  EXPECT_EQ(get(sut, "/bags/secret.txt").status, 404);
+}
+
+TEST_F(RunFilesTest, ARecordingIsServedInParts) {
+  const Served sut(params_);
+  HttpAnswer part = get(sut, "/bags/gcs/bag_0.mcap", "bytes=3-5");
+  EXPECT_EQ(part.status, 206);
+  EXPECT_EQ(part.body, "345");
+  EXPECT_EQ(part.headers["Content-Range"], "bytes 3-5/10");
+  EXPECT_EQ(get(sut, "/bags/gcs/bag_0.mcap", "bytes=-2").body, "89");
+  HttpAnswer none = get(sut, "/bags/gcs/bag_0.mcap", "bytes=10-");
+  EXPECT_EQ(none.status, 416);
+  EXPECT_EQ(none.headers["Content-Range"], "bytes */10");
+}
+
+TEST_F(RunFilesTest, ALargeRecordingComesWhole) {
+  std::string large(3'000'000, 'x');
+  for (std::size_t i = 0; i < large.size(); i += 1000) large[i] = static_cast<char>('a' + i % 23);
+  (void)folder_.write("gcs/large.mcap", large);
+  const Served sut(params_);
+  EXPECT_EQ(get(sut, "/bags/gcs/large.mcap").body, large);
+  ClientFacts facts = sut.facts();
+  facts.target = "/bags/gcs/large.mcap";
+  HttpAnswer head = fetch(facts, "HEAD");
+  EXPECT_EQ(head.headers["Content-Length"], "3000000");
+  EXPECT_EQ(head.body, "");
+}
+
+TEST_F(RunFilesTest, APageOfAnotherOriginGetsNone) {
+  const Served sut(params_);
+  for (const char* target : {"/bags", "/bags/gcs/bag_0.mcap", "/what_if?host=uxv"}) {
+    ClientFacts facts = sut.facts();
+    facts.target = target;
+    facts.headers["Origin"] = "https://evil.example";
+    EXPECT_EQ(fetch(facts).status, 403) << target;
+  }
+}
+
+TEST_F(RunFilesTest, WithoutARunThereIsNothingToDecideAgain) {
+  const Served sut(params_);
+  EXPECT_EQ(get(sut, "/what_if?host=moon").status, 400);
+  EXPECT_EQ(get(sut, "/what_if?host=uxv").status, 404);
+}
+
 TEST(OperatorServerReadme, HasTheParameters) {
   std::ostringstream readme;
   readme << std::ifstream(std::string(TOCSIN_SOURCE_DIR) + "/README.md").rdbuf();

@@ -2,6 +2,7 @@
 // Who may open the page and connect. Pure.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -41,16 +42,32 @@ struct OpenSocket {
 struct ServeFile {
   std::string path;  ///< below the folder of the page, relative: `index.html`
 };
+/// The recordings of this computer, as JSON.
+struct ListBags {};
+struct ServeBag {
+  std::string path;  ///< below the folder of the recordings, relative: `gcs/bag/bag_0.mcap`
+};
+/// What another policy would have decided, as JSON.
+struct AskWhatIf {
+  std::string query;  ///< what stands behind the question mark
+};
 /// `reason` is the body of the answer: one line.
 struct Refuse {
   unsigned status;
   std::string reason;
 };
-using Verdict = std::variant<OpenSocket, ServeFile, Refuse>;
+using Verdict = std::variant<OpenSocket, ServeFile, ListBags, ServeBag, AskWhatIf, Refuse>;
 
-/// Files of the page need no token: they are the same everywhere. A socket needs it, and must come
-/// from our own page, from one of `origins`, or from a program that is no browser.
+/// Files of the page need no token: they are the same everywhere. A socket needs it, and so do
+/// `/bags`, `/bags/PATH` and `/what_if`; each must come from our own page, from one of `origins`,
+/// or from a program that is no browser.
 [[nodiscard]] Verdict judge(const AccessRules& rules, const RequestFacts& request);
+
+/// Whether it is a relative path of plain characters without a part that begins with a point.
+[[nodiscard]] bool is_file_name(std::string_view path);
+
+/// The values of a query, `a=1&b=2`, by key, as they stand; of a key that is there twice the last.
+[[nodiscard]] std::map<std::string, std::string> query_values(const std::string& query);
 
 /// `text/html; charset=utf-8` of `index.html`.
 [[nodiscard]] const char* content_type(std::string_view path);

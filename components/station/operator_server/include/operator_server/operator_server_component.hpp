@@ -47,6 +47,8 @@ class OperatorServerComponent final : public Component {
     double time_s = 0.1;
     double service_timeout_s = 5;
     std::string vehicle;
+    std::string bags;
+    std::vector<double> access_point;
     template <class Visitor>
     void visit(Visitor& v) {
       v("address", address, "IP address to listen at; beyond loopback a token and TLS are needed");
@@ -64,6 +66,9 @@ class OperatorServerComponent final : public Component {
       v("time_s", time_s, {0.02, 60}, "[s] between the times that clients are told");
       v("service_timeout_s", service_timeout_s, {0.1, 600}, "[s] for services and parameters");
       v("vehicle", vehicle, "name of the vehicle, for the page; empty: none");
+      v("bags", bags, "folder whose bags the page can open; empty: that of the run");
+      v("access_point", access_point, {-1e5, 1e5},
+        "[m] x and y on the map, for the page; empty: that of the run's emulated radio");
     }
   };
 

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server_settings.hpp"
+
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "access_point.hpp"
+#include "foundation/error.hpp"
+#include "foundation/printable.hpp"
+#include "foundation/read_file.hpp"
+#include "runtime/middleware/component_index.hpp"
+
+namespace tocsin::foxglove {
+namespace {
+
+/// `1.8 1` for the page; empty: it is not known.
+std::string access_point_text(const Context& context,
+                              const OperatorServerComponent::Params& params) {
+  const std::vector<double>& given = params.access_point;
+  if (!given.empty() && given.size() != 2) {
+    throw ConfigError(context.name + ".access_point: " + std::to_string(given.size()) +
+                      " numbers are no place; x and y, or none");
+  }
+  if (!given.empty()) return shortest_text(given[0]) + " " + shortest_text(given[1]);
+  const auto point = access_point_of(context.run_dir);
+  return point ? shortest_text(point->x_m) + " " + shortest_text(point->y_m) : std::string();
+}
+
+/// A file of another package, if that is installed; empty: it is not.
+std::filesystem::path installed(const std::string& package, const std::string& file) {
+  std::error_code ignored;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  for (const auto& prefix : package_prefixes(prefix_paths(), program)) {
+    for (const auto& path : {prefix / file, prefix.parent_path() / package / file}) {
+      if (std::filesystem::exists(path, ignored)) return path;
+    }
+  }
+  return {};
+}
+
+std::string token_in(const std::string& owner, const std::string& file) {
+  if (file.empty()) return {};
+  constexpr std::size_t longest = 4096;
+  std::string token = read_file(file, longest);
+  token.erase(token.find_last_not_of(" \r\n") + 1);
+  if (token.empty()) throw ConfigError(owner + ".token_file: " + file + " is empty");
+  return token;
+}
+
+}  // namespace
+
+HubSettings hub_settings(const Context& context, const OperatorServerComponent::Params& params) {
+  HubSettings settings;
+  settings.server.name = "Tocsin";
+  settings.server.session =
+      std::to_string(context.bus.wall_ns(context.bus.now())) + "-" + std::to_string(::getpid());
+  settings.server.metadata = {{"tocsin", TOCSIN_VERSION}, {"host", to_string(context.role)}};
+  if (!params.vehicle.empty()) settings.server.metadata["vehicle"] = params.vehicle;
+  const std::string access_point = access_point_text(context, params);
+  if (!access_point.empty()) settings.server.metadata["access_point"] = access_point;
+  settings.backlog = static_cast<std::size_t>(params.backlog);
+  settings.writable = params.writable;
+  return settings;
+}
+
+WebSettings web_settings(const Context& context, const OperatorServerComponent::Params& params) {
+  const std::string& owner = context.name;
+  if (params.certificate.empty() != params.key.empty()) {
+    throw ConfigError(owner + ": certificate and key belong together; only one of them is given");
+  }
+  WebSettings settings;
+  settings.access = {params.address, token_in(owner, params.token_file),
+                     !params.certificate.empty(), params.origins};
+  check_access(owner, settings.access);
+  settings.page =
+      params.page.empty()
+          ? installed("operator_page", "share/operator_page/index.html").parent_path().string()
+          : params.page;
+  settings.bags = params.bags.empty() ? context.run_dir : params.bags;
+  if (!context.run_dir.empty()) {
+    settings.what_if = {
+        installed("decision_tools", "bin/tocsin-decide").string(),
+        context.run_dir + "/" + to_string(context.role) + "/transmission_state.csv"};
+  }
+  settings.certificate = params.certificate;
+  settings.key = params.key;
+  settings.most_connections = static_cast<std::size_t>(params.most_connections);
+  settings.most_frame_bytes = static_cast<std::size_t>(params.frame_mib * 1024 * 1024);
+  settings.ping_s = params.ping_s;
+  return settings;
+}
+
+}  // namespace tocsin::foxglove
