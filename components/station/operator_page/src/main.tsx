@@ -16,7 +16,7 @@ function serverUrl(): string {
 
 const place = document.getElementById("page");
 if (place !== null) {
-  const operator = new Operator(serverUrl());
+  const operator = new Operator(serverUrl(), window.location.href);
   setInterval(() => operator.tick(pageNow()), 50);
   render(<Page operator={operator} />, place);
 }

@@ -8,12 +8,17 @@ import { Station } from "./model/station.ts";
 import { type DriveConditions, DriverSeat, whyNotDrive } from "./orders/driver_seat.ts";
 import { EmergencyStopOrder, type StopHeard } from "./orders/emergency_stop.ts";
 import { MissionOrder, leads } from "./orders/mission_order.ts";
+import { RecordOrder, recorderNode, recordingParameter } from "./orders/record_order.ts";
 import { OperatorGoal } from "./orders/operator_goal.ts";
 import { type Speeds, keysVelocity, padVelocity, speedChoices, stickVelocity } from "./orders/stick.ts";
 import { TeleopSender, type Velocity } from "./orders/teleop_sender.ts";
+import { WhatIfQuery } from "./orders/what_if_query.ts";
 import { BagFile } from "./replay/bag_file.ts";
+import { BagList } from "./replay/bag_list.ts";
 import { BagPlayer } from "./replay/bag_player.ts";
+import type { BagSource } from "./replay/bag_source.ts";
 import { Connection, type ServerInfo } from "./protocol/connection.ts";
+import { type StationBag, StationFiles } from "./protocol/station_files.ts";
 import { driverRequest, emergencyStopRequest, goal, missionCommand, teleopVelocity } from "./protocol/published.ts";
 
 const random64 = (): bigint => crypto.getRandomValues(new BigUint64Array(1))[0] ?? 1n;
@@ -34,6 +39,9 @@ export class Operator {
   readonly stop = new EmergencyStopOrder();
   readonly goal = new OperatorGoal(random64);
   readonly missionOrder = new MissionOrder();
+  readonly record = new RecordOrder();
+  readonly bags: BagList;
+  readonly whatIf: WhatIfQuery;
   readonly seat = new DriverSeat(`page_${random64().toString(36).slice(0, 4)}`);
   server: ServerInfo | undefined;
   /** Messages that came; whoever draws compares it. */
@@ -48,13 +56,26 @@ export class Operator {
   hands: "keys" | "touch" | "gamepad" = "keys";
   #sender = new TeleopSender();
   #waiting: readonly Waypoint[] | undefined;
+  #files: StationFiles;
+  /** Process of the recorder that is watched. */
+  #recorder: number | undefined;
 
-  constructor(url: string) {
+  /** `url`: of the socket; `page`: of the page. Both with the token. */
+  constructor(url: string, page: string) {
+    this.#files = new StationFiles(page);
+    this.bags = new BagList(() => this.#files.bags());
+    this.whatIf = new WhatIfQuery((query) => this.#files.whatIf(query), (host) => {
+      const last = this.live.side(host).decisions.decisions.at(-1);
+      return last?.made === undefined ? undefined : last.at - last.made;
+    });
     this.connection = new Connection({
       url,
       topics: topicsRead,
       onMessage: (topic, message) => this.#onMessage(topic, message),
       onServer: (server) => (this.server = server),
+      onParameter: (name, value) => {
+        if (name === recordingParameter) this.record.onValue(value);
+      },
       onTrouble: (text) => this.#say("warning", "server", text),
       now: pageNow,
       openSocket: (address, subprotocols) => new WebSocket(address, subprotocols) as unknown as IWebSocket,
@@ -77,13 +98,18 @@ export class Operator {
   }
 
   /** Shows a bag in place of what is; the emergency stop stays what it is. */
-  async openBag(file: File): Promise<void> {
+  async openBag(source: BagSource): Promise<void> {
     try {
-      this.player = new BagPlayer(await BagFile.open(file), file.name);
+      this.player = new BagPlayer(await BagFile.open(source), source.name);
       this.draft = undefined;
+      this.bags.show(false);
     } catch (error) {
-      this.#say("error", "recording", `${file.name} cannot be shown: ${String(error)}`);
+      this.#say("error", "recording", `${source.name} cannot be shown: ${String(error)}`);
     }
+  }
+
+  openStationBag(bag: StationBag): Promise<void> {
+    return this.openBag(this.#files.source(bag));
   }
 
   closeBag(): void {
@@ -101,6 +127,15 @@ export class Operator {
     this.#tickStop(now);
     this.#tickMission(now);
     this.#tickDriving(now);
+    this.#tickRecording(now);
+    this.bags.tick(now);
+    if (this.player === undefined) this.whatIf.tick(now);
+  }
+
+  /** The place of the access point on the map; undefined: the station does not know it. */
+  get accessPoint(): Point | undefined {
+    const [x, y] = (this.server?.metadata.access_point ?? "").split(" ").map(Number);
+    return x !== undefined && y !== undefined && Number.isFinite(x + y) ? { x, y } : undefined;
   }
 
   stopHeard(): StopHeard {
@@ -199,11 +234,32 @@ export class Operator {
     });
   }
 
+  #tickRecording(now: number): void {
+    if (this.connection.state.phase !== "open") {
+      this.#recorder = undefined;
+      this.record.forget();
+    }
+    const wanted = this.record.due(now);
+    if (wanted !== undefined && !this.connection.setParameter(recordingParameter, wanted)) this.record.notSent();
+    if (!this.record.unheeded) return;
+    this.record.unheeded = false;
+    this.#say("error", "recording", "the station's recorder has not done what was asked");
+  }
+
+  /** Hears what the recorder does as soon as there is one, and anew when it was restarted. */
+  #watchRecorder({ components, pid }: Topics["container_state"]): void {
+    if (pid === this.#recorder || !components.some(({ name }) => name === recorderNode)) return;
+    this.#recorder = pid;
+    this.record.forget();
+    this.connection.watchParameters([recordingParameter]);
+  }
+
   #onMessage(topic: string, message: unknown): void {
     if (!isTopicRead(topic)) return;
     this.live.onMessage(topic, message as Topics[Topic], pageNow());
     ++this.version;
     if (topic === "navigation_status") this.goal.onStatus(message as Topics["navigation_status"]);
+    if (topic === "container_state") this.#watchRecorder(message as Topics["container_state"]);
     if (topic === "teleop/driver") {
       const { driver, asked_by } = message as Topics["teleop/driver"];
       this.seat.onWheel({ driver, askedBy: asked_by });

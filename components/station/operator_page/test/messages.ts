@@ -121,4 +121,5 @@ export const linkState = (classes: m.LinkClass[]): m.LinkState => ({
   bytes: 0n,
   classes,
   capacity_measured: true,
+  stored: [],
 });

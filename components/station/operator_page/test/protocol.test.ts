@@ -76,12 +76,14 @@ function setUp() {
   const sockets: FakeSocket[] = [];
   const heard: { topic: string; message: unknown; logTimeMs: number }[] = [];
   const troubles: string[] = [];
+  const parameters: [string, unknown][] = [];
   const time = { now: 1000 };
   const sut = new Connection({
     url: "ws://test",
     topics: new Set(["lamp", "bell"]),
     onMessage: (topic, message, logTimeMs) => heard.push({ topic, message, logTimeMs }),
     onServer: () => undefined,
+    onParameter: (name, value) => parameters.push([name, value]),
     onTrouble: (text) => troubles.push(text),
     now: () => time.now,
     openSocket: () => {
@@ -90,10 +92,22 @@ function setUp() {
     },
   });
   const last = (): FakeSocket => sockets.at(-1) as FakeSocket;
-  return { sut, sockets, heard, troubles, time, last };
+  return { sut, sockets, heard, troubles, parameters, time, last };
 }
 
 describe("Connection", () => {
+  it("watches a parameter and sets it", () => {
+    const { sut, last, parameters } = setUp();
+    assert.equal(sut.setParameter("/lamp.on", true), false, "nobody is there yet");
+    last().onopen?.({});
+    sut.watchParameters(["/lamp.on"]);
+    assert.deepEqual(last().ops().slice(-2), ["subscribeParameterUpdates", "getParameters"]);
+    assert.ok(sut.setParameter("/lamp.on", true));
+    const said = JSON.parse(String(last().sent.at(-1)));
+    assert.deepEqual([said.op, said.parameters], ["setParameters", [{ name: "/lamp.on", value: true }]]);
+    last().says({ op: "parameterValues", parameters: [{ name: "/lamp.on", value: true }] });
+    assert.deepEqual(parameters, [["/lamp.on", true]]);
+  });
   it("subscribes to what it reads, by the name without the slash, and to nothing else", () => {
     const { last, heard } = setUp();
     last().onopen?.({});

@@ -7,6 +7,7 @@ import { type IWritable, McapWriter } from "@mcap/core";
 import { encoderOf } from "../src/protocol/codec.ts";
 import { BagFile } from "../src/replay/bag_file.ts";
 import { BagPlayer } from "../src/replay/bag_player.ts";
+import { type BagSource, sourceOfFile, sourceOfUrl } from "../src/replay/bag_source.ts";
 
 const separator = `\n${"=".repeat(80)}\n`;
 const time = "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec";
@@ -18,7 +19,7 @@ const texts: Record<string, string> = {
 };
 
 /** A bag with a message of each topic each second from 100 s to 119 s. */
-async function makeBag(topics = Object.keys(texts)): Promise<Blob> {
+async function makeBag(topics = Object.keys(texts)): Promise<BagSource> {
   const parts: Uint8Array<ArrayBuffer>[] = [];
   let size = 0;
   const writable: IWritable = {
@@ -43,7 +44,7 @@ async function makeBag(topics = Object.keys(texts)): Promise<Blob> {
     }
   }
   await writer.end();
-  return new Blob(parts);
+  return sourceOfFile(new Blob(parts), "bag");
 }
 
 /** Lets promises run until `look` is true. */
@@ -66,7 +67,7 @@ describe("BagFile", () => {
     assert.equal(await bag.pictureAt(99_000), undefined);
   });
   it("says that a file is no bag, or shows nothing here", async () => {
-    await assert.rejects(BagFile.open(new Blob(["no bag at all"])));
+    await assert.rejects(BagFile.open(sourceOfFile(new Blob(["no bag at all"]), "none")));
     await assert.rejects(BagFile.open(await makeBag(["/other"])), /no topic that the page shows/);
   });
 });
@@ -111,5 +112,46 @@ describe("BagPlayer", () => {
     sut.tick(0);
     sut.tick(1100);
     await until(() => load(sut) === 6);
+  });
+});
+
+describe("BagSource", () => {
+  /** A server that gives parts of ten bytes, or says why not. */
+  function server(refusal?: string) {
+    const asked: { url: string; range: string; word: string }[] = [];
+    const get = async (url: string, { headers }: { headers: Record<string, string> }) => {
+      asked.push({ url, range: headers.Range ?? "", word: headers.Authorization ?? "" });
+      if (refusal !== undefined) return new Response(refusal, { status: 404 });
+      const [first, last] = /bytes=(\d+)-(\d+)/.exec(headers.Range ?? "")?.slice(1).map(Number) ?? [];
+      return new Response(new TextEncoder().encode("0123456789").slice(first, (last ?? 0) + 1), { status: 206 });
+    };
+    return { asked, get: get as unknown as typeof fetch };
+  }
+  const text = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
+
+  it("gets a small recording of the station once", async () => {
+    const { asked, get } = server();
+    const sut = sourceOfUrl("bag", "http://x/bags/b.mcap", 10, get, "secret");
+    assert.equal(text(await sut.read(2, 5)), "234");
+    assert.equal(text(await sut.read(0, 10)), "0123456789");
+    assert.deepEqual(asked, [{ url: "http://x/bags/b.mcap", range: "bytes=0-9", word: "Bearer secret" }]);
+  });
+  it("gets only the wanted parts of a large one", async () => {
+    const { asked, get } = server();
+    const sut = sourceOfUrl("bag", "http://x/b", 1e9, get, "");
+    assert.equal(text(await sut.read(2, 5)), "234");
+    assert.equal((await sut.read(5, 5)).length, 0);
+    assert.deepEqual(asked, [{ url: "http://x/b", range: "bytes=2-4", word: "" }]);
+  });
+  it("says why it cannot be read", async () => {
+    const gone = sourceOfUrl("bag", "http://x/b", 1e9, server("there is no such recording\n").get, "");
+    await assert.rejects(gone.read(0, 5), /^Error: there is no such recording$/);
+    const shorter = sourceOfUrl("bag", "http://x/b", 1e9, server().get, "");
+    await assert.rejects(shorter.read(8, 20), /it gave 2 of 12 bytes/);
+  });
+  it("plays a bag that comes in parts", async () => {
+    const whole = await makeBag();
+    const bag = await BagFile.open({ ...whole, name: "parts" });
+    assert.deepEqual([bag.begin, bag.end], [100_000, 119_000]);
   });
 });

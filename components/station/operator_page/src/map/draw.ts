@@ -88,6 +88,27 @@ export function drawRoute(sheet: Sheet, route: readonly RoutePoint[], from: Poin
   }
 }
 
+/** The access point of the radio: a mast with waves. */
+export function drawAccessPoint(sheet: Sheet, place: Point): void {
+  const { context, theme } = sheet;
+  at(sheet, place, 0, () => {
+    for (const [colour, width] of [[theme.halo, 5], [theme.text, 2]] as const) {
+      context.strokeStyle = colour;
+      context.lineWidth = width;
+      context.beginPath();
+      context.moveTo(0, -4);
+      context.lineTo(0, 8);
+      for (const radius of [5, 9]) {
+        for (const side of [0, Math.PI]) {
+          context.moveTo(radius * Math.cos(side - 0.8), -4 + radius * Math.sin(side - 0.8));
+          context.arc(0, -4, radius, side - 0.8, side + 0.8);
+        }
+      }
+      context.stroke();
+    }
+  });
+}
+
 export function drawLine(sheet: Sheet, points: readonly Point[], colour: string, width: number, dash: number[]): void {
   const { context, view, size } = sheet;
   if (points.length < 2) return;

@@ -4,7 +4,7 @@ import { type Freshness, freshness } from "../model/freshness.ts";
 import type { Point } from "../model/geometry.ts";
 import type { OccupancyGrid, Waypoint } from "../model/messages.ts";
 import type { Operator } from "../operator.ts";
-import { drawEllipse, drawGoal, drawGrid, drawLine, drawRoute, drawScale, drawTrail, drawVehicle } from "./draw.ts";
+import { drawAccessPoint, drawEllipse, drawGoal, drawGrid, drawLine, drawRoute, drawScale, drawTrail, drawVehicle } from "./draw.ts";
 import { gridPixels, knownBounds } from "./grid.ts";
 import { MapHands } from "./map_hands.ts";
 import { type Theme, readTheme } from "./theme.ts";
@@ -128,6 +128,8 @@ export class MapCanvas {
     if (this.follows && station.location) this.#view = this.#view.centredAt(station.location.value);
     const sheet = { context: this.#context, view: this.#view, size, theme: this.#theme };
     if (map) drawGrid(sheet, map, this.#picture(map));
+    const { accessPoint } = this.operator;
+    if (accessPoint) drawAccessPoint(sheet, accessPoint);
     this.#trail.update(station.trail);
     drawTrail(sheet, this.#trail);
     const place = station.location?.value;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What pointers, wheel and keys do on the map: move it, and choose places with headings.
+import { isWriting } from "../keys.ts";
 import { type Point, distance } from "../model/geometry.ts";
 import type { Waypoint } from "../model/messages.ts";
 import { type Operator, pageNow } from "../operator.ts";
@@ -113,6 +114,7 @@ export class MapHands {
   #key = (event: KeyboardEvent): void => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     if (event.key === "Enter" && event.target instanceof HTMLButtonElement) return;
+    if (isWriting(event.target)) return;
     if (!this.#obey(event)) return;
     event.preventDefault();
     this.map.touch();

@@ -162,6 +162,16 @@ export interface LinkState {
   readonly bytes: bigint;
   readonly classes: readonly LinkClass[];
   readonly capacity_measured: boolean;
+  readonly stored: readonly StoredTopic[];
+}
+
+export interface StoredTopic {
+  readonly topic: string;
+  readonly stored: bigint;
+  readonly filled_in: bigint;
+  readonly expired: bigint;
+  readonly refused: bigint;
+  readonly waiting: number;
 }
 
 export interface SafetyStatus {
@@ -194,6 +204,7 @@ export interface ContainerState {
   readonly stamp: Stamp;
   readonly host: string;
   readonly container: string;
+  readonly pid: number;
   readonly components: readonly {
     readonly library: string;
     readonly name: string;

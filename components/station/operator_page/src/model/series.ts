@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { TransmissionState } from "./messages.ts";
+import { stampMs } from "./source_clock.ts";
 
 /** One decision, as it is plotted. */
 export interface Decision {
   readonly at: number;
+  /** By the clock of who made it [ms]; undefined: it did not say. */
+  readonly made: number | undefined;
   readonly qni: number | null;
   readonly statistic: number | null;
   readonly threshold: number | null;
@@ -22,6 +25,7 @@ export class DecisionSeries {
     if (last !== undefined && now <= last.at) return; // the same one, repeated
     this.decisions.push({
       at: now,
+      made: stampMs(state.stamp),
       qni: finite(state.qni),
       statistic: finite(state.statistic),
       threshold: finite(state.threshold),

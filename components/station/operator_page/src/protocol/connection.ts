@@ -38,6 +38,8 @@ export interface ConnectionOptions {
   /** A message; `logTimeMs`: when the server got it, by its clock [ms]. */
   readonly onMessage: (topic: string, message: unknown, logTimeMs: number) => void;
   readonly onServer: (server: ServerInfo) => void;
+  /** A parameter that is watched, and each time that it changes. */
+  readonly onParameter: (name: string, value: unknown) => void;
   /** What the server or a broken message has to say. */
   readonly onTrouble: (text: string) => void;
   readonly now: () => number;
@@ -91,6 +93,19 @@ export class Connection {
     }
   }
 
+  /** Asks for parameters, `/node.parameter`, and for their changes as long as this connection is there. */
+  watchParameters(names: string[]): void {
+    this.#client?.subscribeParameterUpdates(names);
+    this.#client?.getParameters(names, "watched");
+  }
+
+  /** False when it could not be sent. What came of it is told as a change. */
+  setParameter(name: string, value: boolean): boolean {
+    if (this.#client === undefined || this.state.phase !== "open") return false;
+    this.#client.setParameters([{ name, value, type: undefined }], "set");
+    return true;
+  }
+
   /** A topic that nobody looks at need not come. */
   want(topic: string, wanted: boolean): void {
     if (wanted !== this.#paused.has(topic)) return;
@@ -131,6 +146,9 @@ export class Connection {
     client.on("advertise", mine((channels) => this.#subscribe(channels)));
     client.on("unadvertise", mine((ids) => ids.forEach((id) => this.#unadvertised(id))));
     client.on("time", mine(() => undefined));
+    client.on("parameterValues", mine(({ parameters }) => {
+      for (const { name, value } of parameters) options.onParameter(name, value);
+    }));
     client.on("message", mine(({ subscriptionId, timestamp, data }) => {
       this.#message(subscriptionId, Number(timestamp / 1000n) / 1000, data);
     }));

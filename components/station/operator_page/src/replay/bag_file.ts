@@ -6,6 +6,7 @@ import { decompress as decompressZstd } from "fzstd";
 import { camera, topicsRead } from "../model/messages.ts";
 import { type Decode, decoderOf } from "../protocol/codec.ts";
 import { plainTopic } from "../protocol/topic_name.ts";
+import type { BagSource } from "./bag_source.ts";
 
 /** A message as it was recorded; `at`: when [ms since the Unix epoch]. */
 export interface BagMessage {
@@ -14,7 +15,6 @@ export interface BagMessage {
   readonly message: unknown;
 }
 
-const mostHeldBytes = 256e6;
 const toMs = (ns: bigint): number => Number(ns / 1000n) / 1000;
 const toNs = (ms: number): bigint => BigInt(Math.round(ms * 1000)) * 1000n;
 
@@ -42,15 +42,10 @@ export class BagFile {
   }
 
   /** Throws with a text for people when it is no bag, or holds nothing that the page shows. */
-  static async open(file: Blob): Promise<BagFile> {
-    // Each read of a browser's file goes through another process: what fits is read once.
-    const held = file.size <= mostHeldBytes ? new Uint8Array(await file.arrayBuffer()) : undefined;
+  static async open(source: BagSource): Promise<BagFile> {
     const readable: IReadable = {
-      size: async () => BigInt(file.size),
-      read: async (offset, length) => {
-        const [begin, end] = [Number(offset), Number(offset + length)];
-        return held?.subarray(begin, end) ?? new Uint8Array(await file.slice(begin, end).arrayBuffer());
-      },
+      size: async () => BigInt(source.size),
+      read: (offset, length) => source.read(Number(offset), Number(offset + length)),
     };
     const decompressHandlers = { zstd: (bytes: Uint8Array, size: bigint) => inflated(bytes, size) };
     const bag = new BagFile(await McapIndexedReader.Initialize({ readable, decompressHandlers }));

@@ -2,26 +2,43 @@
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 
-import { readTheme } from "../map/theme.ts";
+import { type Theme, readTheme } from "../map/theme.ts";
 import { type Decision, pauses } from "../model/series.ts";
 import type { Side } from "../model/station.ts";
+import type { WhatIf } from "../model/what_if.ts";
 
 const shownS = 300;
 const heightPx = 150;
+const laneShare = 0.09;
 
-/** QNI of both sides and the vehicle's statistic against its threshold; grey: the gate was closed. */
-export function DecisionChart({ uxv, gcs, now }: { uxv: Side; gcs: Side; now: () => number }) {
+interface Shown {
+  readonly uxv: Side;
+  readonly gcs: Side;
+  readonly now: () => number;
+  readonly whatIf: () => WhatIf | undefined;
+}
+
+/**
+ * QNI of both sides and the vehicle's statistic against its threshold; grey: its gate was closed. A lane at the
+ * bottom has what another policy would have done.
+ */
+export function DecisionChart({ uxv, gcs, now, whatIf }: Shown) {
   const element = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const frame = element.current;
     if (frame === null) return;
-    const plot = new uPlot(options(frame.clientWidth, () => uxv.decisions.decisions), [[], [], [], [], []], frame);
+    const shade = (plot: uPlot, theme: Theme): void => {
+      shadePauses(plot, uxv.decisions.decisions, theme.muted, 1);
+      drawLane(plot, whatIf(), theme);
+    };
+    const plot = new uPlot(options(frame.clientWidth, shade), [[], [], [], [], [], []], frame);
     const renew = (): void => {
       const right = now() / 1000;
-      plot.setData(aligned(uxv.decisions.decisions, gcs.decisions.decisions), false);
+      plot.setData(aligned(uxv.decisions.decisions, gcs.decisions.decisions, whatIf()?.decisions ?? []), false);
       plot.setScale("x", { min: right - shownS, max: right });
       plot.setScale("y", { min: 0, max: 100 });
-      plot.setScale("statistic", { min: 0, max: topStatistic(uxv.decisions.decisions) });
+      const statistics = [...uxv.decisions.decisions, ...(whatIf()?.decisions ?? [])];
+      plot.setScale("statistic", { min: 0, max: topStatistic(statistics.filter(({ at }) => at > (right - shownS) * 1000)) });
     };
     renew();
     const timer = setInterval(renew, 1000);
@@ -32,12 +49,16 @@ export function DecisionChart({ uxv, gcs, now }: { uxv: Side; gcs: Side; now: ()
       resize.disconnect();
       plot.destroy();
     };
-  }, [uxv, gcs, now]);
+  }, [uxv, gcs, now, whatIf]);
   return <div ref={element} class="chart" aria-label="QNI and statistic of the last five minutes" />;
 }
 
-/** The columns of both sides over one time axis [s]. */
-export function aligned(uxv: readonly Decision[], gcs: readonly Decision[]): uPlot.AlignedData {
+/** The columns of both sides, and of what another policy would have done, over one time axis [s]. */
+export function aligned(
+  uxv: readonly Decision[],
+  gcs: readonly Decision[],
+  other: readonly Decision[],
+): uPlot.AlignedData {
   const column = (of: readonly Decision[], pick: (one: Decision) => number | null) =>
     [of.map(({ at }) => at / 1000), of.map(pick)] as uPlot.AlignedData;
   return uPlot.join([
@@ -45,15 +66,16 @@ export function aligned(uxv: readonly Decision[], gcs: readonly Decision[]): uPl
     column(gcs, ({ qni }) => qni),
     column(uxv, ({ statistic }) => statistic),
     column(uxv, ({ threshold }) => threshold),
+    column(other, ({ statistic }) => statistic),
   ]);
 }
 
 function topStatistic(decisions: readonly Decision[]): number {
   const values = decisions.flatMap(({ statistic, threshold }) => [statistic ?? 0, 1.3 * (threshold ?? 0)]);
-  return Math.max(1, ...values.slice(-600));
+  return Math.max(1, ...values);
 }
 
-function options(width: number, decisions: () => readonly Decision[]): uPlot.Options {
+function options(width: number, shade: (plot: uPlot, theme: Theme) => void): uPlot.Options {
   const theme = readTheme();
   const axis = {
     stroke: theme.muted,
@@ -79,23 +101,40 @@ function options(width: number, decisions: () => readonly Decision[]): uPlot.Opt
       { ...line, label: "QNI station", stroke: theme.muted, width: 1.5 },
       { ...line, label: "statistic", scale: "statistic", stroke: theme.warning, width: 2 },
       { ...line, label: "threshold", scale: "statistic", stroke: theme.warning, width: 1, dash: [5, 4] },
+      { ...line, label: "what if", scale: "statistic", stroke: theme.goal, width: 1.5, dash: [2, 3] },
     ],
-    hooks: { drawClear: [(plot) => shadePauses(plot, decisions(), theme.muted)] },
+    hooks: { drawClear: [(plot) => shade(plot, theme)] },
   };
 }
 
 const clockText = (second: number): string => new Date(second * 1000).toLocaleTimeString("en-GB");
 
-function shadePauses(plot: uPlot, decisions: readonly Decision[], colour: string): void {
+/** Shades pauses from the bottom up to a share of the height. */
+function shadePauses(plot: uPlot, decisions: readonly Decision[], colour: string, share: number): void {
   const { ctx, bbox } = plot;
   ctx.save();
-  ctx.globalAlpha = 0.22;
+  ctx.globalAlpha = share === 1 ? 0.22 : 0.85;
   ctx.fillStyle = colour;
+  const end = (decisions.at(-1)?.at ?? 0) / 1000;
   for (const [from, to] of pauses(decisions)) {
-    const at = (ms: number): number =>
-      Math.min(bbox.left + bbox.width, Math.max(bbox.left, plot.valToPos(ms / 1000, "x", true)));
-    const [left, right] = [at(from), to === Infinity ? bbox.left + bbox.width : at(to)];
-    if (right > left) ctx.fillRect(left, bbox.top, right - left, bbox.height);
+    const at = (second: number): number =>
+      Math.min(bbox.left + bbox.width, Math.max(bbox.left, plot.valToPos(second, "x", true)));
+    const goesOn = share === 1 ? bbox.left + bbox.width : at(end);
+    const [left, right] = [at(from / 1000), to === Infinity ? goesOn : at(to / 1000)];
+    if (right > left) ctx.fillRect(left, bbox.top + bbox.height * (1 - share), right - left, bbox.height * share);
   }
   ctx.restore();
+}
+
+/** The lane of what another policy would have done: filled where it would have paused. */
+function drawLane(plot: uPlot, whatIf: WhatIf | undefined, theme: Theme): void {
+  if (whatIf === undefined) return;
+  const { ctx, bbox } = plot;
+  const height = bbox.height * laneShare;
+  ctx.save();
+  ctx.strokeStyle = theme.goal;
+  ctx.globalAlpha = 0.6;
+  ctx.strokeRect(bbox.left, bbox.top + bbox.height - height, bbox.width, height);
+  ctx.restore();
+  shadePauses(plot, whatIf.decisions, theme.goal, laneShare);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { type Alert, alertOf } from "../model/alerts.ts";
 import { type Operator, pageNow } from "../operator.ts";
-import { OpenBag } from "./replay_bar.tsx";
+import { RecordingsButton } from "./recordings.tsx";
 import { StopButton } from "./stop_button.tsx";
 
 export function PageHeader({ operator }: { operator: Operator }) {
@@ -14,7 +14,7 @@ export function PageHeader({ operator }: { operator: Operator }) {
         <strong>Tocsin</strong>
         <span class={`connection ${phase}`}>{name ? `${name}, ` : ""}{words}</span>
       </div>
-      <OpenBag operator={operator} />
+      <RecordingsButton operator={operator} />
       <StopButton operator={operator} now={pageNow()} />
     </header>
   );

@@ -10,11 +10,13 @@ import type { Side } from "../model/station.ts";
 import type { Operator } from "../operator.ts";
 import { DecisionChart } from "./decision_chart.tsx";
 import { Age, Panel, Value, number } from "./parts.tsx";
+import { WhatIfBar } from "./what_if_bar.tsx";
 
 /** The radio as it was measured, and what both sides decide by it. */
 export function LinkPanel({ operator, now }: { operator: Operator; now: number }) {
   const { quality, uxv, gcs } = operator.station;
   const time = useCallback(() => operator.now(), [operator]);
+  const whatIf = useCallback(() => (operator.player ? undefined : operator.whatIf.result), [operator]);
   return (
     <Panel name="link" title="Link">
       <dl class="values">
@@ -28,7 +30,8 @@ export function LinkPanel({ operator, now }: { operator: Operator; now: number }
         <SideView name="Vehicle" way="Uplink" side={uxv} now={now} />
         <SideView name="Station" way="Downlink" side={gcs} now={now} />
       </div>
-      <DecisionChart uxv={uxv} gcs={gcs} now={time} />
+      <DecisionChart uxv={uxv} gcs={gcs} now={time} whatIf={whatIf} />
+      <WhatIfBar operator={operator} />
     </Panel>
   );
 }

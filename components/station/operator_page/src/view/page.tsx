@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useState } from "preact/hooks";
 
+import { isWriting } from "../keys.ts";
 import { type Operator, pageNow } from "../operator.ts";
 import { isDrivingKey } from "../orders/stick.ts";
 import { CameraPanel } from "./camera_panel.tsx";
@@ -10,6 +11,7 @@ import { LinkPanel } from "./link_panel.tsx";
 import { LogPanel } from "./log_panel.tsx";
 import { MapPanel } from "./map_panel.tsx";
 import { MissionPanel } from "./mission_panel.tsx";
+import { RecordingsBar } from "./recordings.tsx";
 import { ReplayBar } from "./replay_bar.tsx";
 import { TrafficPanel } from "./traffic_panel.tsx";
 import { VehiclePanel } from "./vehicle_panel.tsx";
@@ -33,6 +35,7 @@ export function Page({ operator }: { operator: Operator }) {
     <>
       <PageHeader operator={operator} />
       <AlertLine {...looks} />
+      {operator.bags.shown && <RecordingsBar operator={operator} />}
       {operator.player && <ReplayBar operator={operator} player={operator.player} />}
       <main class={`board tab-${tab.toLowerCase()}`}>
         <MapPanel operator={operator} />
@@ -60,6 +63,8 @@ function listenToKeys(operator: Operator): () => void {
       event.preventDefault();
       event.stopPropagation();
       if (!event.repeat) operator.stop.press(pageNow());
+    } else if (isWriting(event.target)) {
+      return; // letters are letters there
     } else if (event.code === "KeyM" && !event.repeat && !event.ctrlKey && !event.metaKey) {
       if (operator.seat.taken) operator.seat.leave();
       else operator.seat.take();

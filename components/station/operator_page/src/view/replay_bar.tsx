@@ -6,21 +6,6 @@ import type { BagPlayer } from "../replay/bag_player.ts";
 
 const speeds = [1, 2, 5, 20];
 
-/** Chooses a bag from this computer. */
-export function OpenBag({ operator }: { operator: Operator }) {
-  const open = (event: TargetedEvent<HTMLInputElement>): void => {
-    const file = event.currentTarget.files?.[0];
-    event.currentTarget.value = "";
-    if (file) void operator.openBag(file);
-  };
-  return (
-    <label class="open-bag">
-      Open a recording
-      <input type="file" accept=".mcap" onChange={open} />
-    </label>
-  );
-}
-
 /** Goes through the bag that is shown. */
 export function ReplayBar({ operator, player }: { operator: Operator; player: BagPlayer }) {
   const { bag, position } = player;

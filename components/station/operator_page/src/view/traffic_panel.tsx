@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { ageText, freshness } from "../model/freshness.ts";
 import type { ClassRow } from "../model/link_classes.ts";
+import type { StoredTopic } from "../model/messages.ts";
 import type { Side } from "../model/station.ts";
 import type { TrafficRow } from "../model/traffic.ts";
 import type { Operator } from "../operator.ts";
@@ -15,6 +16,8 @@ export function TrafficPanel({ operator, now }: { operator: Operator; now: numbe
         <ClassTable name="Uplink, by class" side={uxv} now={now} />
         <ClassTable name="Downlink, by class" side={gcs} now={now} />
         <TopicTable rows={traffic.rows(now)} />
+        <StoredTable name="Stored, from the vehicle" side={uxv} now={now} />
+        <StoredTable name="Stored, from the station" side={gcs} now={now} />
       </div>
     </Panel>
   );
@@ -56,6 +59,39 @@ function ClassLine({ row }: { row: ClassRow }) {
       <td>{count(row.repaired)}</td>
       <td class={row.paused > 0 ? "notable" : ""}>{count(row.paused)}</td>
       <td class="minor">{count(row.otherDropped)}</td>
+    </tr>
+  );
+}
+
+/** Topics of which nothing is to be lost: what did not cross is kept, and filled in when the link has room. */
+function StoredTable({ name, side, now }: { name: string; side: Side; now: number }) {
+  const stored = side.link?.value.stored ?? [];
+  if (stored.length === 0) return null;
+  return (
+    <table class={`stored ${freshness(side.link?.at, now)}`}>
+      <thead>
+        <tr>
+          <th scope="col">{name}<Age at={side.link?.at} now={now} /></th>
+          <th scope="col">stored</th>
+          <th scope="col">filled in</th>
+          <th scope="col">waiting</th>
+          <th scope="col" title="the log had no room for it, or not for long enough">lost</th>
+        </tr>
+      </thead>
+      <tbody>{stored.map((topic) => <StoredLine key={topic.topic} topic={topic} />)}</tbody>
+    </table>
+  );
+}
+
+function StoredLine({ topic }: { topic: StoredTopic }) {
+  const lost = Number(topic.expired + topic.refused);
+  return (
+    <tr>
+      <th scope="row" title={topic.topic}>{topic.topic}</th>
+      <td>{count(Number(topic.stored))}</td>
+      <td>{count(Number(topic.filled_in))}</td>
+      <td class={topic.waiting > 0 ? "notable" : ""}>{count(topic.waiting)}</td>
+      <td class={lost > 0 ? "notable" : ""}>{count(lost)}</td>
     </tr>
   );
 }

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { TargetedEvent } from "preact";
+
+import { type Operator, pageNow } from "../operator.ts";
+import type { StationBag } from "../protocol/station_files.ts";
+import { bagText } from "../replay/bag_list.ts";
+import { sourceOfFile } from "../replay/bag_source.ts";
+
+/** Opens the list; says when the station records. */
+export function RecordingsButton({ operator }: { operator: Operator }) {
+  const { bags, record } = operator;
+  return (
+    <button type="button" class="recordings-button" aria-expanded={bags.shown} onClick={() => bags.show(!bags.shown)}>
+      {record.recording && <i class="rec" aria-hidden="true">●</i>}
+      {record.recording ? "Recording" : "Recordings"}
+    </button>
+  );
+}
+
+/** Record now, the station's recordings, and files of this computer. */
+export function RecordingsBar({ operator }: { operator: Operator }) {
+  const { bags } = operator.bags;
+  return (
+    <section class="recordings" aria-label="Recordings">
+      <div class="buttons">
+        <RecordNow operator={operator} />
+        <OpenFile operator={operator} />
+        <button type="button" onClick={() => operator.bags.show(false)}>Close</button>
+      </div>
+      {operator.bags.trouble && <p class="refused">The station's recordings: {operator.bags.trouble}</p>}
+      <ul>
+        {bags?.map((bag) => <BagLine key={bag.path} bag={bag} operator={operator} />)}
+        {bags?.length === 0 && <li class="muted">The station has no recording.</li>}
+      </ul>
+    </section>
+  );
+}
+
+function RecordNow({ operator: { record } }: { operator: Operator }) {
+  const { recording, pending } = record;
+  if (recording === undefined) return <span class="muted">No recorder of the station can be told to record.</span>;
+  return (
+    <button type="button" class={recording ? "stop-recording" : "go"} disabled={pending}
+      onClick={() => record.ask(!recording, pageNow())}>
+      {recording ? "End recording" : "Record now"}
+    </button>
+  );
+}
+
+/** Chooses a bag from this computer. */
+function OpenFile({ operator }: { operator: Operator }) {
+  const open = (event: TargetedEvent<HTMLInputElement>): void => {
+    const file = event.currentTarget.files?.[0];
+    event.currentTarget.value = "";
+    if (file) void operator.openBag(sourceOfFile(file, file.name));
+  };
+  return (
+    <label class="open-bag">
+      Open a file of this computer
+      <input type="file" accept=".mcap" onChange={open} />
+    </label>
+  );
+}
+
+function BagLine({ bag, operator }: { bag: StationBag; operator: Operator }) {
+  const isWhole = bag.end_s !== undefined;
+  return (
+    <li>
+      <button type="button" disabled={!isWhole} title={isWhole ? "Show it" : "It can be shown when it has ended"}
+        onClick={() => void operator.openStationBag(bag)}>
+        Open
+      </button>
+      <span>
+        <b>{bag.path}</b> <span class="muted">{bagText(bag)}</span>
+      </span>
+    </li>
+  );
+}
