@@ -212,7 +212,8 @@ describe("Page in Chromium", { concurrency: false }, () => {
   });
 
   it("plays a recording in place of the vehicle, and stops the vehicle all the same", async () => {
-    const input = await page.$(".open-bag input");
+    await press("Recordings");
+    const input = await page.waitForSelector(".open-bag input");
     await input.uploadFile(options.bag);
     await reads(".alert", "This is the recording");
     await page.click(".replay button"); // pause

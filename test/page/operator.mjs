@@ -7,8 +7,11 @@ import puppeteer from "puppeteer-core";
 
 export const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
+/** Far more than anything takes: tests also run on computers that are busy with something else. */
+const patienceMs = 60_000;
+
 /** Waits until `look` is true; says what it waited for. */
-export async function eventually(what, look, limitMs = 10_000) {
+export async function eventually(what, look, limitMs = patienceMs) {
   const end = Date.now() + limitMs;
   while (Date.now() < end) {
     if (await look()) return;
@@ -48,7 +51,7 @@ export class Operator {
 
   /** Waits until `look`, evaluated in the page, is true. */
   async until(what, look, ...args) {
-    const options = { timeout: 10_000, polling: 50 };
+    const options = { timeout: patienceMs, polling: 50 };
     await this.page.waitForFunction(look, options, ...args).catch(() => assert.fail(`never: ${what}`));
   }
 

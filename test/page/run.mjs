@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the installed page in Chromium: over a bag of a simulated mission (browser), or over a whole
-// mission with the real server (mission).
-// usage: node run.mjs browser|mission --install=PREFIX [--pictures=FOLDER] [--gtest_output=xml:FILE]
+// mission with the real server (mission), or measures how fast it is (measure).
+// usage: node run.mjs browser|mission|measure --install=PREFIX [--pictures=FOLDER] [--gtest_output=xml:FILE]
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -52,7 +52,7 @@ function makeBag() {
 process.env.PAGE_TEST = JSON.stringify({
   ...{ chromium, tocsin, folder },
   page: path.dirname(index),
-  bag: which === "browser" ? makeBag() : undefined,
+  bag: which === "mission" ? undefined : makeBag(),
   map: installed("bringup", "share/tocsin/config/maps/classroom.pgm"),
   pictures: option("pictures"),
 });

@@ -97,7 +97,7 @@ const stamp = () => ({ sec: Math.floor(Date.now() / 1000), nanosec: 0 });
 const nowNs = () => BigInt(Date.now()) * 1_000_000n;
 
 /** Starts it. `commands`: what clients have published, as { topic, at, message }. */
-export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
+export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS = 0 }) {
   const { channels, messages } = await readBag(bag);
   const files = http.createServer((request, response) => {
     const name = new URL(request.url, "http://x").pathname.replace(/^\/$/, "/index.html");
@@ -149,6 +149,7 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
   }
   sendOwn("/emergency_stop/state", { stamp: stamp(), asked: "never", vehicle: "may_drive", stopped_by: [] });
 
+  const longTrail = trailOf(trailS, channels.get("/location"));
   const begin = messages[0].at + from * 1000;
   const started = Date.now();
   const bagNow = () => begin + Date.now() - started;
@@ -166,6 +167,7 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
   const asked = new Set();
   let history;
   const tellHistory = () => {
+    if (asked.has("/location")) for (const data of longTrail) server.sendMessage(ids.get("/location"), nowNs(), data);
     for (const { topic, data } of messages.slice(0, state.position)) {
       if (!asked.has(topic) || topic.includes("image")) continue;
       server.sendMessage(ids.get(topic), nowNs(), rewritten(topic, data));
@@ -215,6 +217,17 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map }) {
     sendOwn("/teleop/driver", { stamp: stamp(), driver, asked_by: askedBy, refused: 0 });
   const playedS = () => (bagNow() - messages[0].at) / 1000;
   return { port: files.address().port, state, close, sayDriver, playedS };
+}
+
+/** So many seconds of a vehicle that drives round and round, ten places a second. */
+function trailOf(seconds, channel) {
+  const writer = new MessageWriter(parse(channel.schema, { ros2: true }));
+  return Array.from({ length: seconds * 10 }, (_, index) => {
+    const angle = index * 0.02;
+    const position = { x: 3 + 2.5 * Math.cos(angle) + 0.5 * Math.cos(angle * 0.13), y: -1 + 1.5 * Math.sin(angle * 1.01), z: 0 };
+    const pose = { position, orientation: { x: 0, y: 0, z: 0, w: 1 } };
+    return writer.writeMessage({ header: { stamp: { sec: 0, nanosec: 0 }, frame_id: "map" }, pose: { pose, covariance: new Float64Array(36) } });
+  });
 }
 
 /** What the vehicle and mission_control would say differently of what was ordered here. */

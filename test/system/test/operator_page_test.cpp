@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -89,6 +90,28 @@ TEST(OperatorPageTest, ClientsReadPublishSetAndCallFromOutsideOfTheEmulatedNetwo
   EXPECT_TRUE(Stack::eventually(seconds(10), [&] {
     return goal_came("900001") && goal_came("900002");
   })) << text;
+}
+
+/// For ten minutes by hand: README of test/foxglove_peer.
+TEST(OperatorPageTest, OneOfTwentyClientsThatReadsNothingHoldsUpNobody) {
+  if (!std::filesystem::exists(peer + "/node_modules/@foxglove/ws-protocol")) {
+    GTEST_SKIP() << "@foxglove/ws-protocol is not installed: npm ci in test/foxglove_peer";
+  }
+  if (output_of("node --version 2>/dev/null").empty()) GTEST_SKIP() << "there is no node";
+  const TemporaryFolder folder;
+  const Stack stack({bringup_in(folder), "--without", "gcs/view"});
+  const auto is_there = [&] { return !stack.read("gcs/location.csv").empty(); };
+  ASSERT_TRUE(Stack::eventually(seconds(60), is_there)) << stack.output();
+  const std::string text = output_of("node " + peer + "/crowd.mjs " + port + " 5 --pid " +
+                                     std::to_string(stack.pid("gcs/page")));
+  std::cout << text;
+  const auto said = nlohmann::json::parse(text, nullptr, false);
+  ASSERT_FALSE(said.is_discarded()) << text;
+  EXPECT_EQ(said.at("ended"), 0) << "of those that read";
+  EXPECT_GT(said.at("messages").at("least"), 0);
+  EXPECT_GT(said.at("location_ms").at("count"), 0);
+  const auto& memory = said.at("memory_mib");
+  EXPECT_LT(memory.at("most").get<double>(), memory.at("first").get<double>() + 64);
 }
 
 TEST(OperatorPageTest, ASecondRunOnTheSamePortSaysSoAndRuns) {

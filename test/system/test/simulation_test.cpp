@@ -179,6 +179,21 @@ TEST_F(SimulationTest, SameSeedGivesTheSameSamplesOnTwoThreadsAndInAnotherProces
   }
 }
 
+/// A recorder reads there what the operator's page reads, from the station's own copies.
+TEST_F(SimulationTest, WhoeverReadsAtTheStationCostsTheRadioNotAByte) {
+  const std::string mission = "mission.yaml --seed 3 --duration 60";
+  const Ended without = sim(mission);
+  const Ended with = sim(mission + " --set operator_recorder.recording=true");
+  ASSERT_EQ(without.digests.size(), 1U) << without.output;
+  EXPECT_EQ(with.digests, without.digests);
+  for (const char* side : {"uxv", "gcs"}) {  // with the bytes of each class that left the router
+    const std::string told = read("1/" + std::string(side) + "/link_state.csv");
+    EXPECT_GT(told.size(), 1000U);
+    EXPECT_EQ(read("2/" + std::string(side) + "/link_state.csv"), told) << side;
+  }
+  EXPECT_TRUE(fs::exists(folder_ + "/2/gcs/operator/bag")) << "it has read";
+}
+
 TEST_F(SimulationTest, EverySeedGivesARunOfItsOwn) {
   std::set<std::string> digests;
   for (const char* seed : {"1", "2", "3", "4"}) {
