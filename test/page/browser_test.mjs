@@ -166,6 +166,11 @@ describe("Page in Chromium", { concurrency: false }, () => {
         await operator.picture(`page_${width}${tab && "_"}${tab.toLowerCase()}`, { fullPage: !tab });
       }
       if (width < 700) await press("Map");
+      await press("Recordings");
+      await reads(".recordings", "still being written");
+      assert.deepEqual(await page.evaluate(misplaced), [], "recordings");
+      await operator.picture(`recordings_${width}`);
+      await press("Close");
     });
   }
 

@@ -99,8 +99,13 @@ const nowNs = () => BigInt(Date.now()) * 1_000_000n;
 /** Starts it. `commands`: what clients have published, as { topic, at, message }. */
 export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS = 0 }) {
   const { channels, messages } = await readBag(bag);
+  const [first, last] = [messages[0].at / 1000, messages.at(-1).at / 1000];
+  const bags = [{ path: "gcs/bag/bag_0.mcap", bytes: fs.statSync(bag).size, begin_s: first, end_s: last },
+    { path: "gcs/operator/bag/bag_0.mcap", bytes: 4096 }];
   const files = http.createServer((request, response) => {
     const name = new URL(request.url, "http://x").pathname.replace(/^\/$/, "/index.html");
+    if (name === "/bags") return response.end(JSON.stringify({ bags }));
+    if (name === `/bags/${bags[0].path}`) return sendPart(bag, request, response);
     const file = path.join(page, path.normalize(name));
     if (!fs.existsSync(file)) return response.writeHead(404).end();
     response.writeHead(200, {
@@ -217,6 +222,13 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS 
     sendOwn("/teleop/driver", { stamp: stamp(), driver, asked_by: askedBy, refused: 0 });
   const playedS = () => (bagNow() - messages[0].at) / 1000;
   return { port: files.address().port, state, close, sayDriver, playedS };
+}
+
+/** The part of a file that a request names. */
+function sendPart(file, request, response) {
+  const [, start, end] = /bytes=(\d+)-(\d+)/.exec(request.headers.range).map(Number);
+  response.writeHead(206, { "content-range": `bytes ${start}-${end}/${fs.statSync(file).size}` });
+  return fs.createReadStream(file, { start, end }).pipe(response);
 }
 
 /** So many seconds of a vehicle that drives round and round, ten places a second. */

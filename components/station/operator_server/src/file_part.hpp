@@ -19,14 +19,14 @@ namespace tocsin::foxglove {
 /// A part of an open file, as the body of an answer (Beast's concept Body): read while it is sent.
 /// The file may grow; when it became shorter the answer ends in an error.
 struct FilePart {
-  struct value_type {
+  struct value_type {  // NOLINT: Beast knows it by this name
     FileDescriptor file;
     std::uint64_t at = 0;      ///< [byte] in the file
     std::uint64_t length = 0;  ///< [byte] still to be sent
   };
   static std::uint64_t size(const value_type& part) { return part.length; }
 
-  class writer {
+  class writer {  // NOLINT: the same
    public:
     using const_buffers_type = boost::asio::const_buffer;
     template <bool is_request, class Fields>
