@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "foundation/error.hpp"
+#include "foundation/ownership.hpp"
 
 namespace tocsin::deployment {
 namespace {
@@ -47,6 +48,10 @@ RunFolder::RunFolder(const std::string& wanted, const std::string& unnamed) {
   } else {
     fs::create_directories(path_, error);
     require(error, path_);
+  }
+  if (const auto reason = changeable_by_others(path_)) {
+    throw ConfigError("--run-dir " + path_.string() + ": " + *reason +
+                      "; what a run keeps there decides what it does after a restart");
   }
   lock_.emplace(path_);
   const bool is_empty = fs::is_empty(path_, error);

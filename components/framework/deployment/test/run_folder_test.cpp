@@ -43,6 +43,15 @@ TEST_F(RunFolderTest, RefusesAUsedOneAndLeavesItAsItIs) {
   EXPECT_EQ(folder_.read("run/processes.json"), "{\"uxv/drive\": 7}");
 }
 
+TEST_F(RunFolderTest, RefusesOneThatOthersMayWriteTo) {
+  fs::create_directory(folder_.path("run"));
+  fs::permissions(folder_.path("run"), fs::perms::all);
+  EXPECT_THAT([&] { RunFolder{folder_.path("run")}; },
+              Throws<ConfigError>(
+                  Property(&ConfigError::what, HasSubstr("--run-dir " + folder_.path("run") +
+                                                         ": may be written by everybody"))));
+}
+
 TEST_F(RunFolderTest, RefusesOneThatAnotherRunHasJustTaken) {
   const RunFolder first(folder_.path("run"));
   EXPECT_THAT([&] { RunFolder{folder_.path("run")}; },

@@ -24,6 +24,7 @@ std::string_view to_text(DropReason reason) {
                                                                     "forged_source",
                                                                     "forged_disposal",
                                                                     "unknown_source",
+                                                                    "other_user",
                                                                     "too_many_participants",
                                                                     "too_many_endpoints",
                                                                     "too_many_announcements",

@@ -132,14 +132,19 @@ RtpsFilter::~RtpsFilter() = default;
 RtpsFilter::RtpsFilter(RtpsFilter&&) noexcept = default;
 RtpsFilter& RtpsFilter::operator=(RtpsFilter&&) noexcept = default;
 
-Inspection RtpsFilter::inspect(const std::uint8_t* bytes, std::size_t size, Source from, Time now) {
+Inspection RtpsFilter::inspect(const std::uint8_t* bytes, std::size_t size, Source from, Time now,
+                               Sender sender) {
   const Limits& limits = state_->limits;
+  if (sender == Sender::other) return dropped(DropReason::other_user);
   if (limits.hears && !limits.hears(from.address)) return dropped(DropReason::unknown_source);
   if (const Wrong wrong = state_->sources.packet(from, size, now)) return dropped(*wrong);
   const auto header = read_header(bytes, size);
   if (!header) return dropped(DropReason::not_rtps);
   const Survey found = survey(bytes, size, *header, limits);
   if (found.wrong) return dropped(*found.wrong);
+  if (sender == Sender::gone && !says_goodbye(bytes, size, {*header, limits, bytes, false})) {
+    return dropped(DropReason::other_user);
+  }
   if (const Wrong wrong = state_->participants.heard(header->prefix, from, now))
     return dropped(*wrong);
   if (!found.needs_memory) return {};

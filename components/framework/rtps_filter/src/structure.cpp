@@ -177,6 +177,14 @@ bool needs_memory(const Submessage& submessage) {
   return purpose == Purpose::participants || purpose == Purpose::endpoints;
 }
 
+/// Whether a DATA tells that a participant leaves.
+bool is_departure(const Data& data, const Context& context) {
+  if (purpose_of(data.reader, data.writer) != Purpose::participants) return false;
+  const auto read = read_announcement(data, context);
+  const auto* const announcement = std::get_if<Announcement>(&read);
+  return announcement != nullptr && announcement->leaves;
+}
+
 }  // namespace
 
 Survey survey(const std::uint8_t* bytes, std::size_t size, const Header& header,
@@ -192,6 +200,27 @@ Survey survey(const std::uint8_t* bytes, std::size_t size, const Header& header,
   }
   if (submessages.wrong()) found.wrong = DropReason::submessage_length;
   return found;
+}
+
+bool says_goodbye(const std::uint8_t* bytes, std::size_t size, const Context& context) {
+  bool leaves = false;
+  Submessages submessages(bytes, size);
+  while (const auto submessage = submessages.next()) {
+    switch (submessage->kind) {
+      case kind::pad:
+      case kind::info_ts:
+      case kind::info_dst:
+      case kind::statistics:
+        break;
+      case kind::data:
+        leaves = is_departure(std::get<Data>(read_data(*submessage)), context);
+        if (!leaves) return false;
+        break;
+      default:
+        return false;
+    }
+  }
+  return leaves;
 }
 
 }  // namespace tocsin::rtps_filter

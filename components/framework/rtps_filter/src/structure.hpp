@@ -13,6 +13,10 @@ struct Survey {
 [[nodiscard]] Survey survey(const std::uint8_t* bytes, std::size_t size, const Header& header,
                             const Limits& limits);
 
+/// Whether a message of sound structure says that its participants leave, and nothing else.
+[[nodiscard]] bool says_goodbye(const std::uint8_t* bytes, std::size_t size,
+                                const Context& context);
+
 /// Whether a submessage lies between the seals of DDS Security, of which it is told one by one.
 class Seals {
  public:

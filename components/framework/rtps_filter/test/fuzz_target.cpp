@@ -43,7 +43,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t length = std::min(wanted, size - at - 2);
     const std::uint8_t* packet = data + at + 2;
     const Source from{ipv4(127, 0, 0, 1), static_cast<std::uint16_t>(length % 3)};
-    const Inspection inspection = sut.inspect(packet, length, from, now);
+    const auto sender = length % 16 == 15 ? Sender::gone : Sender::trusted;
+    const Inspection inspection = sut.inspect(packet, length, from, now, sender);
     if (!inspection.drop) check_strips(packet, length, inspection);
     assert(inspection.drop || length >= 20);
     assert(sut.participants() <= limits.participants);

@@ -151,6 +151,13 @@ inline std::optional<DropReason> drop_of(const Bytes& bytes) {
   return drop_of(sut, bytes);
 }
 
+/// What a new filter that knows the participant `a` says of a packet of `sender`.
+inline std::optional<DropReason> drop_of(const Bytes& bytes, Sender sender) {
+  RtpsFilter sut{Limits{}};
+  (void)inspect(sut, announcement('a'));
+  return sut.inspect(bytes.data(), bytes.size(), alice, t0, sender).drop;
+}
+
 inline constexpr std::nullopt_t passes = std::nullopt;
 
 /// So that a failed comparison tells the reason's name.

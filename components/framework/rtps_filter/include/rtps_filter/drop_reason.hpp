@@ -28,13 +28,14 @@ enum class DropReason : std::uint8_t {
   forged_source,           ///< a known participant's name from another address
   forged_disposal,         ///< says that a participant has left, from another address
   unknown_source,          ///< comes from an address that the configuration does not name
+  other_user,              ///< comes from a socket of another user of this computer
   too_many_participants,   ///< more participants than are admitted
   too_many_endpoints,      ///< more endpoints than are admitted
   too_many_announcements,  ///< more discovery a second than a source may send
   too_many_bytes,          ///< more bytes a second than a source may send
 };
 
-inline constexpr std::size_t drop_reasons = 22;
+inline constexpr std::size_t drop_reasons = 23;
 
 /// The enumerator's name, as in diagnostics and logs.
 [[nodiscard]] std::string_view to_text(DropReason reason);

@@ -41,9 +41,10 @@ class RtpsFilter {
   RtpsFilter(RtpsFilter&&) noexcept;
   RtpsFilter& operator=(RtpsFilter&&) noexcept;
 
-  /// Takes a UDP payload that has arrived at `now`. An ordinary packet allocates nothing.
+  /// Takes a UDP payload that has arrived at `now`. An ordinary packet allocates nothing. Of a
+  /// `sender` that is gone only the departure of a participant is believed: it is true.
   [[nodiscard]] Inspection inspect(const std::uint8_t* bytes, std::size_t size, Source from,
-                                   Time now);
+                                   Time now, Sender sender = Sender::trusted);
   /// Participants that are admitted now, the ones whose lease ran out unnoticed included.
   [[nodiscard]] std::size_t participants() const;
 

@@ -24,6 +24,13 @@ struct Source {
   return std::uint32_t{a} << 24U | std::uint32_t{b} << 16U | std::uint32_t{c} << 8U | d;
 }
 
+/// Whose socket a packet came from that was sent on this computer.
+enum class Sender : std::uint8_t {
+  trusted,  ///< of a user who may speak, or of another computer
+  other,    ///< of somebody else
+  gone,     ///< nobody has the socket any more, or somebody who hides it
+};
+
 /// Dotted: "127.0.0.1".
 [[nodiscard]] std::string to_text(std::uint32_t address);
 

@@ -172,7 +172,8 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   rtps_filter::Limits limits =
       limits_in({options.address, options.peers, options.marks != nullptr});
   limits.secured = !options.enclave.empty();
-  auto filter = std::make_shared<PacketFilter>(std::move(limits));
+  auto filter = std::make_shared<PacketFilter>(
+      std::move(limits), local_in({options.address, options.peers, is_on_link(options)}));
   if (!options.enclave.empty()) secure(options.enclave, qos);
   qos.transport().user_transports = {
       hold(transport_of(options), options.reception, std::move(filter))};

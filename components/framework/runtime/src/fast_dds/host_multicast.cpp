@@ -15,6 +15,7 @@
 #include <system_error>
 #include <utility>
 
+#include "fast_dds/udp_sockets.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin {
@@ -151,7 +152,7 @@ void HostMulticastReceiver::run(const OnDatagram& on_datagram) const {
 }
 
 HostMulticastSender::HostMulticastSender()
-    : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)), loopback_(loopback_index()) {
+    : socket_(sole_udp_socket()), loopback_(loopback_index()) {
   constexpr unsigned char this_host = 0;
   if (!set(socket_, IPPROTO_IP, IP_MULTICAST_TTL, this_host)) socket_.reset();
 }

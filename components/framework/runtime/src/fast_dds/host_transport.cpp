@@ -7,14 +7,23 @@
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPFinder.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <net/if.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <mutex>
+#include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "fast_dds/acknack_counts.hpp"
 #include "fast_dds/host_multicast.hpp"
+#include "fast_dds/udp_sockets.hpp"
+#include "foundation/error.hpp"
+#include "foundation/file_descriptor.hpp"
 #include "watch/activity.hpp"
 
 namespace tocsin {
@@ -27,36 +36,62 @@ using rtps::IPLocator;
 
 const char* const loopback = "127.0.0.1";
 
-/// What goes to the discovery group also goes to interfaces other than loopback.
-class AnnouncementSender : public rtps::SenderResource {
+/// Sends to the peers and to the discovery group on loopback, and to the group also where another
+/// program of this host has joined it.
+class HostSender : public rtps::SenderResource {
  public:
-  AnnouncementSender() : SenderResource(LOCATOR_KIND_UDPv4) {
+  explicit HostSender(std::uint32_t socket_bytes)
+      : SenderResource(LOCATOR_KIND_UDPv4), loopback_(sole_udp_socket()) {
+    const ip_mreqn lo{{}, {}, static_cast<int>(if_nametoindex("lo"))};
+    if (::setsockopt(loopback_.get(), IPPROTO_IP, IP_MULTICAST_IF, &lo, sizeof lo) != 0) {
+      throw EnvironmentError("no announcements on loopback: " +
+                             std::generic_category().message(errno));
+    }
+    // The kernel may give less: a burst of large samples waits then.
+    (void)::setsockopt(loopback_.get(), SOL_SOCKET, SO_SNDBUF, &socket_bytes, sizeof socket_bytes);
     send_lambda_ = [this](const rtps::octet* bytes, std::uint32_t size,
                           rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
                           const Deadline&) {
+      bool all_sent = true;
       for (; *first != *last; ++*first) {
         const rtps::Locator_t& to = **first;
-        if (to.kind != LOCATOR_KIND_UDPv4 || !IPLocator::isMulticast(to)) continue;
-        const ActivityTurn turn(*timer_);  // nothing but announcements goes by multicast
-        socket_.send(bytes, size, IPLocator::getPhysicalPort(to));
+        if (to.kind == LOCATOR_KIND_UDPv4) all_sent = send(bytes, size, to) && all_sent;
       }
-      return true;
+      return all_sent;
     };
   }
 
  private:
-  HostMulticastSender socket_;
+  bool send(const rtps::octet* bytes, std::uint32_t size, const rtps::Locator_t& to) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(IPLocator::getPhysicalPort(to));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);  // whatever it says: nothing leaves the host
+    std::optional<ActivityTurn> turn;
+    if (IPLocator::isMulticast(to)) {  // nothing but announcements goes by multicast
+      turn.emplace(*timer_);
+      inet_pton(AF_INET, discovery_group, &address.sin_addr);
+      elsewhere_.send(bytes, size, IPLocator::getPhysicalPort(to));
+    }
+    return ::sendto(loopback_.get(), bytes, size, 0, reinterpret_cast<const sockaddr*>(&address),
+                    sizeof address) == static_cast<ssize_t>(size);
+  }
+
+  const FileDescriptor loopback_;
+  HostMulticastSender elsewhere_;
   const std::shared_ptr<Activity> timer_ =
       watched_activity(Duty::announcements, "timer of the host's participant");
 };
 
 struct HostDescriptor : ChainingTransportDescriptor {
-  HostDescriptor(std::shared_ptr<TransportDescriptorInterface> low, std::uint16_t group_port)
-      : ChainingTransportDescriptor(std::move(low)),
+  HostDescriptor(const std::shared_ptr<UDPv4TransportDescriptor>& low, std::uint16_t group_port)
+      : ChainingTransportDescriptor(low),
         port(group_port),
+        socket_bytes(low->sendBufferSize),
         group(std::make_shared<HostMulticastReceiver>(group_port)) {}
   [[nodiscard]] TransportInterface* create_transport() const override;
   std::uint16_t port;
+  std::uint32_t socket_bytes;
   std::shared_ptr<HostMulticastReceiver> group;
 };
 
@@ -148,14 +183,13 @@ void HostTransport::receive(TransportReceiverInterface* next, const rtps::octet*
   next->OnDataReceived(message.first, static_cast<std::uint32_t>(message.second), local, remote);
 }
 
+/// Not chained: what the lower transport sends from has not its port alone, see sole_udp_socket.
 bool HostTransport::OpenOutputChannel(SendResourceList& channels, const rtps::Locator_t& to) {
-  // Not chained: the lower transport would not know its own channel again, and open another for
-  // each peer.
-  if (!low_level_transport_->OpenOutputChannel(channels, to)) return false;
+  if (to.kind != LOCATOR_KIND_UDPv4) return false;
   const bool there = std::any_of(channels.begin(), channels.end(), [](const auto& one) {
-    return dynamic_cast<const AnnouncementSender*>(one.get()) != nullptr;
+    return dynamic_cast<const HostSender*>(one.get()) != nullptr;
   });
-  if (!there) channels.push_back(std::make_unique<AnnouncementSender>());
+  if (!there) channels.push_back(std::make_unique<HostSender>(descriptor_.socket_bytes));
   return true;
 }
 

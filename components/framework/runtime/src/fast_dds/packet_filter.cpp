@@ -99,12 +99,23 @@ Limits limits_in(const Surroundings& surroundings) {
   return surroundings.radio ? limits_on_radio(configured) : limits_on_host(configured);
 }
 
+std::function<bool(std::uint32_t)> local_in(const Surroundings& surroundings) {
+  if (!surroundings.radio) return [](std::uint32_t) { return true; };
+  return [own = address_of(surroundings.address)](std::uint32_t address) { return address == own; };
+}
+
+rtps_filter::Sender PacketFilter::sender(const rtps_filter::Source& source) {
+  const bool has_user = is_local_ && is_local_(source.address);
+  return has_user ? users_.sender(source) : rtps_filter::Sender::trusted;
+}
+
 rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::size_t size,
                                               const rtps::Locator_t& from) {
   const rtps_filter::Source source = source_in(from);
+  const rtps_filter::Sender whose = sender(source);
   const Time now = std::chrono::steady_clock::now();
   std::unique_lock<std::mutex> lock(mutex_);
-  rtps_filter::Inspection inspection = filter_.inspect(bytes, size, source, now);
+  rtps_filter::Inspection inspection = filter_.inspect(bytes, size, source, now, whose);
   lock.unlock();
   if (inspection.drop) count_dropped_packet(*inspection.drop, source.address);
   return inspection;

@@ -5,10 +5,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <vector>
 
+#include "fast_dds/sender_users.hpp"
 #include "link/message_pieces.hpp"
 #include "rtps_filter/rtps_filter.hpp"
 
@@ -23,13 +25,19 @@ struct Surroundings {
 /// What a participant is shown there: on the radio, packets of its peers only; on the host, those
 /// of all. Locators of others than these, of the computer itself on the host, are not answered.
 [[nodiscard]] rtps_filter::Limits limits_in(const Surroundings& surroundings);
+/// Whether a packet from an address was sent on this computer: on the host always, on the radio
+/// when it is our own address.
+[[nodiscard]] std::function<bool(std::uint32_t address)> local_in(const Surroundings& surroundings);
 
 /// Shows a participant what the filter lets through, and counts the rest (`dropped_packets`). Any
 /// thread.
 class PacketFilter {
  public:
-  explicit PacketFilter(rtps_filter::Limits limits)
-      : secured_(limits.secured), filter_(std::move(limits)) {}
+  using IsLocal = std::function<bool(std::uint32_t address)>;
+
+  /// `is_local`: whether an address is of this computer, so that it has users.
+  explicit PacketFilter(rtps_filter::Limits limits, IsLocal is_local = {})
+      : secured_(limits.secured), is_local_(std::move(is_local)), filter_(std::move(limits)) {}
 
   /// Calls `show(bytes, size)` with the packet, or a copy without what must not be read, and before
   /// it with an announcement that it completes; or does not.
@@ -56,7 +64,11 @@ class PacketFilter {
                                            const rtps_filter::Inspection& inspection);
   PieceAssembly::Result assemble(const std::uint8_t* bytes, std::size_t size,
                                  const eprosima::fastrtps::rtps::Locator_t& from);
+  [[nodiscard]] rtps_filter::Sender sender(const rtps_filter::Source& source);
+
   const bool secured_;
+  const IsLocal is_local_;
+  SenderUsers users_;
   std::mutex mutex_;
   rtps_filter::RtpsFilter filter_;
   PieceAssembly pieces_;

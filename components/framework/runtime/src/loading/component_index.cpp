@@ -71,7 +71,7 @@ InstalledComponent read_line(const std::string& line, const fs::path& prefix, co
     throw ConfigError(index.string() + ":" + std::to_string(number) + ": '" + line +
                       "' is not name;library, with the path of a library below " + prefix.string());
   }
-  return {name, index.filename().string(), prefix / inside};
+  return {name, index.filename().string(), prefix / inside, prefix};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "command_line/programs.hpp"
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
+#include "foundation/ownership.hpp"
 #include "foundation/printable.hpp"
 
 namespace tocsin {
@@ -23,7 +24,13 @@ fs::path library_of(const std::string& name) {
     throw ConfigError("component '" + printable(name) + "': is not a name (" + name_rule + ")");
   }
   for (InstalledComponent& component : installed_components()) {
-    if (component.name == name) return std::move(component.library);
+    if (component.name != name) continue;
+    if (const auto reason = changeable_by_others_below(component.prefix, component.library)) {
+      throw ConfigError("component '" + name + "': " + *reason +
+                        "; what is loaded must belong to this user or root, and nobody else may "
+                        "write there");
+    }
+    return std::move(component.library);
   }
   throw ConfigError("component '" + name +
                     "': no installed package has one of this name; see tocsin component types, and "

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "command_line/programs.hpp"
+#include "foundation/ownership.hpp"
 #include "loading/sorted_entries.hpp"
 
 namespace tocsin {
@@ -45,6 +46,7 @@ std::vector<fs::path> idl_libraries_in(const std::vector<fs::path>& prefixes) {
     for (const fs::path& package : sorted_entries(prefix / "share")) {
       const fs::path library = prefix / "lib" / ("lib" + package.filename().string() + ".so");
       if (!fs::is_directory(package / "idl", ignored) || !fs::exists(library, ignored)) continue;
+      if (changeable_by_others_below(prefix, library)) continue;
       const bool known = std::find(libraries.begin(), libraries.end(), library) != libraries.end();
       if (!known) libraries.push_back(library);
     }

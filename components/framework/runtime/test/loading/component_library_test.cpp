@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -56,6 +58,36 @@ std::string refusal_of(const std::string& name) {
 TEST(ComponentLibrary, AComponentThatIsNotInstalledIsRefused) {
   EXPECT_THAT(refusal_of("no_such_component"),
               HasSubstr("component 'no_such_component': no installed package has one"));
+}
+
+/// A workspace that is sourced, with the components `odd_lamp` and `given_lamp`.
+class SourcedWorkspace : public ::testing::Test {
+ protected:
+  SourcedWorkspace() {
+    namespace fs = std::filesystem;
+    folder_.write(std::string("ws/") + component_index + "/lamps",
+                  "odd_lamp;lib/libodd_lamp.so\ngiven_lamp;lib/libodd_lamp.so\n");
+    fs::create_directory(folder_.path("ws/lib"));
+    fs::copy(README_LIBRARY, folder_.path("ws/lib/libodd_lamp.so"));
+    setenv("AMENT_PREFIX_PATH", folder_.path("ws").c_str(), 1);
+  }
+  ~SourcedWorkspace() override { unsetenv("AMENT_PREFIX_PATH"); }
+  const TemporaryFolder folder_;
+};
+
+TEST_F(SourcedWorkspace, ALibraryThatOthersMayReplaceIsRefusedUntilTheyMayNot) {
+  std::filesystem::permissions(folder_.path("ws/lib"), std::filesystem::perms::all);
+  EXPECT_THAT(refusal_of("odd_lamp"),
+              HasSubstr("component 'odd_lamp': " + folder_.path("ws/lib") +
+                        " may be written by everybody; what is loaded must belong to this user"));
+  std::filesystem::permissions(folder_.path("ws/lib"), std::filesystem::perms::owner_all);
+  EXPECT_EQ(refusal_of("odd_lamp"), "accepted");
+}
+
+TEST_F(SourcedWorkspace, ALibraryOfAnotherUserIsRefused) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can give a file away";
+  ASSERT_EQ(::chown(folder_.path("ws/lib/libodd_lamp.so").c_str(), 65'534, 65'534), 0);
+  EXPECT_THAT(refusal_of("given_lamp"), HasSubstr("/libodd_lamp.so belongs to user 65534"));
 }
 
 // A container gets the name from a message of any peer.

@@ -25,5 +25,16 @@ TEST(IdlLibraries, AreThoseOfPackagesWithIdlFiles) {
       ElementsAre(folder.path("one/lib/liba_msgs.so"), folder.path("one/lib/libb_msgs.so")));
 }
 
+TEST(IdlLibraries, ThatOthersMayReplaceAreLeftOut) {
+  const TemporaryFolder folder;
+  for (const char* file : {"one/share/a_msgs/idl/a.idl", "one/lib/liba_msgs.so",
+                           "one/share/b_msgs/idl/b.idl", "one/lib/libb_msgs.so"}) {
+    (void)folder.write(file, "");
+  }
+  std::filesystem::permissions(folder.path("one/lib/liba_msgs.so"), std::filesystem::perms::all);
+  EXPECT_THAT(idl_libraries_in({folder.path("one")}),
+              ElementsAre(folder.path("one/lib/libb_msgs.so")));
+}
+
 }  // namespace
 }  // namespace tocsin

@@ -16,6 +16,7 @@ struct InstalledComponent {
   std::string name;
   std::string package;
   std::filesystem::path library;  ///< absolute
+  std::filesystem::path prefix;   ///< that it was installed to
 };
 
 /// The variables that a workspace's setup.bash sets: folders, separated by ':'.

@@ -12,7 +12,8 @@ namespace tocsin {
 
 /// The entry of a component that is installed. Its library stays loaded for the life of the
 /// process. Throws ConfigError naming the component when `name` is no name (so that no path gets
-/// here), when no package has registered it, or when its library is not a component. Any thread.
+/// here), when no package has registered it, when others than this user and root may
+/// change its library, or when that is not a component. Any thread.
 [[nodiscard]] const ComponentEntry& load_component(const std::string& name);
 
 /// The same for the library `file`. Throws ConfigError, too, when it was built with other headers.

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// A whole launch of an ordinary user without any capability, and others beside it.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "foundation/temporary_folder.hpp"
+#include "operator_process.hpp"
+#include "stack.hpp"
+
+namespace tocsin {
+namespace {
+
+using std::chrono::seconds;
+using ::testing::HasSubstr;
+
+constexpr int domain = 216;
+constexpr uid_t user = 65'533;
+constexpr uid_t other_user = 65'532;
+
+/// As config/tocsin.service starts it.
+std::string as(uid_t who) {
+  return fmt::format(
+      "setpriv --reuid={0} --regid={0} --clear-groups --no-new-privs --bounding-set=-all ", who);
+}
+
+class OrdinaryUser : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (::geteuid() != 0) GTEST_SKIP() << "only root can become other users";
+    ASSERT_EQ(::chown(folder_.path().c_str(), user, user), 0);
+    launch_ = std::make_unique<OperatorProcess>(
+        std::vector<std::string>{
+            "/bin/bash", "-c",
+            fmt::format("source {} && exec {} tocsin launch {}/greetings.yaml --domain {} "
+                        "--run-dir {}",
+                        Stack::setup(), as(user), TOCSIN_REPOSITORY "/components/examples/bringup",
+                        domain, folder_.path("run"))},
+        log_.path("launch"));
+    ASSERT_TRUE(Stack::eventually(seconds(60), [this] {
+      return folder_.read("run/log/uxv.listener.log").find("heard") != std::string::npos;
+    })) << log_.read("launch");
+  }
+  /// What `tocsin component list` says to a user.
+  [[nodiscard]] static Ended list(uid_t who, const std::string& options) {
+    return run_to_end("bash -c 'source " + Stack::setup() + " && " + as(who) +
+                          " tocsin component list " + options,
+                      "'");
+  }
+  const TemporaryFolder folder_;
+  const TemporaryFolder log_;
+  std::unique_ptr<OperatorProcess> launch_;
+};
+
+TEST_F(OrdinaryUser, RunsAHostWithoutAnyRightAndOthersDoNotReachIt) {
+  const std::string by_domain = fmt::format("--domain {}", domain);
+  EXPECT_THAT(list(user, by_domain).output, HasSubstr("/uxv/talker  process"));
+  const Ended refused = list(other_user, by_domain);
+  EXPECT_EQ(refused.code, 1) << refused.output;
+  EXPECT_THAT(refused.output, HasSubstr("no container runs on this host"));
+  const Ended root = run_to_end(Stack::program("runtime", "tocsin-component"),
+                                "list --run-dir " + folder_.path("run"));
+  EXPECT_THAT(root.output, HasSubstr("/uxv/talker  process")) << "root becomes the user of the run";
+}
+
+}  // namespace
+}  // namespace tocsin
