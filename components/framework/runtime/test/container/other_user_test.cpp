@@ -5,6 +5,7 @@
 #include "container/staged_process.hpp"
 #include "fast_dds/bus_fixture.hpp"
 #include "fast_dds/other_user.hpp"
+#include "fast_dds/udp_sockets.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "runtime/middleware/container_client.hpp"
@@ -44,6 +45,7 @@ int reach(Duration time) {
 
 TEST(OtherUser, NeitherSeesAContainerNorLoadsIntoItWhileTheSameUserDoes) {
   if (!can_become_stranger()) GTEST_SKIP() << "only root can become another user";
+  if (!UdpSockets().answers()) GTEST_SKIP() << "this kernel does not tell whose sockets are";
   const TemporaryFolder folder;
   Process container({bin + "tocsin-run", "link_lamp", "--host", "gcs", "--name", "drive",
                      "--domain", std::to_string(domain), "--run-dir", folder.path(), "--qos",
