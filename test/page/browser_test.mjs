@@ -63,6 +63,9 @@ describe("Page in Chromium", { concurrency: false }, () => {
     await reads(".link", "tocp_dsp");
     await reads(".traffic", "location");
     await reads(".vehicle", "nothing hinders");
+    const cells = () => [...document.querySelectorAll(".stored tbody tr")].map((one) => [...one.children].map((cell) => cell.textContent).join(" "));
+    await until("a stored topic", () => document.querySelector(".stored tbody tr") !== null);
+    assert.deepEqual(await page.evaluate(cells), ["battery_state 120 30 4 2"]);
     const painted = await page.$eval(".map canvas", (canvas) => {
       const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
       return new Set(new Uint32Array(data.buffer)).size;

@@ -2,7 +2,7 @@
 // How fast the page is, with a trail of an hour: prints figures, and checks only what holds on any computer. run.mjs
 // starts it: `node run.mjs measure --install=PREFIX`.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
+import { afterEach, beforeEach, describe, it } from "node:test";
 
 import { Operator, wait } from "./operator.mjs";
 import { startStandIn } from "./stand_in_server.mjs";
@@ -27,11 +27,11 @@ async function firstPicture(operator) {
 }
 
 describe("How fast the page is", { concurrency: false }, () => {
-  before(async () => {
+  beforeEach(async () => {
     const map = { image: options.map, resolution: 0.05, x: -19, y: -8 };
-    standIn = await startStandIn({ page: options.page, bag: options.bag, from: 36, map, trailS: 3600 });
+    standIn = await startStandIn({ page: options.page, bag: options.bag, from: 10, map, trailS: 3600 });
   });
-  after(() => standIn?.close());
+  afterEach(() => standIn?.close());
 
   it("shows the map", async () => {
     const times = [];

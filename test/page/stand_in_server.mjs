@@ -242,6 +242,9 @@ function trailOf(seconds, channel) {
   });
 }
 
+/** A topic of which nothing is to be lost, though the mission has none. */
+const storedTopic = { topic: "battery_state", stored: 120n, filled_in: 30n, expired: 0n, refused: 2n, waiting: 4 };
+
 /** What the vehicle and mission_control would say differently of what was ordered here. */
 function rewrite(topic, data, channel, state) {
   const changes = {
@@ -250,6 +253,7 @@ function rewrite(topic, data, channel, state) {
       emergency_stop: state.stopped,
       stopped_by: state.stopped ? ["station"] : [],
     }),
+    "/link_state": (message) => ({ ...message, stored: message.role === "uxv" ? [storedTopic] : [] }),
     "/mission_status": (message) => (state.paused ? { ...message, state: "paused" } : message),
   };
   const change = changes[topic];
