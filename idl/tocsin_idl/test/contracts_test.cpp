@@ -70,6 +70,18 @@ TEST(TrafficFiles, NameTopicsThatCrossTheLinkAndNoOthers) {
   }
 }
 
+TEST(TrafficFiles, LogTopicsThatThereAre) {
+  auto known = scopes_of(topic::AllLinkTopics{});
+  known.merge(scopes_of(topic::AllHostTopics{}));
+  const std::string rules = std::regex_replace(text_of("traffic_log.yaml"), std::regex("#.*"), "");
+  std::smatch list;
+  ASSERT_TRUE(std::regex_search(rules, list, std::regex(R"(log: \[([^\]]*)\])")));
+  std::istringstream words(list[1]);
+  for (std::string word; std::getline(words >> std::ws, word, ',');) {
+    EXPECT_EQ(known.count(word), 1U) << word;
+  }
+}
+
 /// An order that waited out an outage must not move the vehicle: profile command has a lifespan and
 /// keeps the newest only.
 TEST(TopicLists, WhatMovesTheVehicleIsNeverDeliveredLate) {

@@ -235,6 +235,16 @@ TEST_F(SimulationTest, SeedsOfRandomFaultsLoseNothingOfStoredTopics) {
   EXPECT_THAT(some.output, HasSubstr("0 runs broke a promise"));
 }
 
+TEST_F(SimulationTest, SeedsOfRandomFaultsBreakNoPromiseWhileTopicsAreLoggedAndStopsAreFetched) {
+  std::ofstream(folder_ + "/local.yaml") << "extends: traffic_log.yaml\n";
+  std::ofstream(folder_ + "/log.yaml") << "extends: mission.yaml\ntraffic: local.yaml\n";
+  const Ended some = run(folder_ +
+                         "/log.yaml --faults random --seeds 1..2 --jobs 2 "
+                         "--set uxv/link_router.fetch_around_stop_s=10");
+  EXPECT_EQ(some.code, 0) << some.output;
+  EXPECT_THAT(some.output, HasSubstr("0 runs broke a promise"));
+}
+
 TEST_F(SimulationTest, RefusesAnUnknownParameter) {
   const Ended run = sim("mission.yaml --set navigator.speeed=1");
   EXPECT_EQ(run.code, 2);

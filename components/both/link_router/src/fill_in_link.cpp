@@ -16,7 +16,7 @@ using FillInMessage = tocsin_msgs::msg::FillIn;
 std::optional<FlowId> open_flow(LinkBus& link) {
   const auto stores = [](const auto& rules) {
     return std::any_of(rules.begin(), rules.end(),
-                       [](const auto& rule) { return rule.second.stored; });
+                       [](const auto& rule) { return rule.second.stored || rule.second.logged; });
   };
   if (!stores(link.rules().all()) && !stores(link.rules().patterns())) return std::nullopt;
   Flow flow;
@@ -42,6 +42,7 @@ void FillInLink::add(FlowId on_link, const Flow& flow, const router::StreamRule&
 void FillInLink::remove(FlowId on_link) {
   follow_fates();
   keys_.erase(on_link);
+  logged_live_.erase(on_link);
 }
 
 void FillInLink::offer(FlowId on_link, const CarriedSample& sample, Time now,
@@ -77,22 +78,39 @@ void FillInLink::begin_session() {
 void FillInLink::follow_fates() {
   std::vector<sample_log::SampleId> crossed;
   for (const router::StoredFate& one : parts_.sender.take_fates()) {
-    const auto key = keys_.find(one.stream);
-    if (key == keys_.end()) continue;
+    const auto logged = logged_live_.find(one.stream);
+    const auto key = logged == logged_live_.end() ? keys_.find(one.stream) : logged;
+    if (logged == logged_live_.end() && key == keys_.end()) continue;
     const sample_log::SampleId id{key->second, one.origin.source, one.origin.sequence};
-    if (sender_.on_fate(id, one.fate)) crossed.push_back(id);
+    const bool was_waited_for = sender_.on_fate(id, one.fate);
+    const bool is_news = logged != logged_live_.end() && one.fate == router::LiveFate::crossed;
+    if (was_waited_for || is_news) crossed.push_back(id);
   }
-  parts_.store.confirm(std::move(crossed));
+  confirm(crossed);
 }
 
-void FillInLink::follow(Time now) {
+void FillInLink::confirm(const std::vector<sample_log::SampleId>& ids) {
+  std::vector<sample_log::SampleId> stored;
+  std::vector<sample_log::SampleId> logged;
+  for (const sample_log::SampleId& id : ids) (is_logged(id) ? logged : stored).push_back(id);
+  parts_.store.confirm(std::move(stored));
+  requests_.on_given(logged);
+  parts_.history.confirm(std::move(logged));
+}
+
+void FillInLink::follow(Time now, std::int64_t wall_ns) {
   follow_fates();
   take_early(now);
   parts_.store.note_given(std::exchange(live_, {}), std::nullopt);
   while (auto answer = parts_.store.take()) {
     std::visit([this](auto& what) { on(what); }, *answer);
   }
-  parts_.store.read(sender_.take_wanted());
+  follow_history(now, wall_ns);
+  std::vector<sample_log::SampleId> stored;
+  std::vector<sample_log::SampleId> logged;
+  for (const auto& id : sender_.take_wanted()) (is_logged(id) ? logged : stored).push_back(id);
+  parts_.store.read(std::move(stored));
+  parts_.history.read(std::move(logged));
 }
 
 void FillInLink::on(store_answer::Opened& answer) {
@@ -116,7 +134,7 @@ void FillInLink::on(store_answer::Read& answer) {
 }
 
 void FillInLink::on(store_answer::Retired& answer) {
-  for (const sample_log::SampleId& id : answer.ids) sender_.on_retired(id);
+  for (const sample_log::SampleId& id : answer.ids) (void)sender_.on_retired(id);
 }
 
 void FillInLink::on(store_answer::Problem& answer) { parts_.log.error("{}", answer.text); }
@@ -147,9 +165,7 @@ void FillInLink::send(Time now) {
 }
 
 void FillInLink::on_progress(PeerId from, const router::FillInProgress& progress, Time now) {
-  if (session_ && session_->life == from) {
-    parts_.store.confirm(sender_.on_progress(progress, now));
-  }
+  if (fills(from)) confirm(sender_.on_progress(progress, now));
 }
 
 Time FillInLink::deadline(Time now) const {
@@ -159,11 +175,10 @@ Time FillInLink::deadline(Time now) const {
   return next;
 }
 
-std::vector<tocsin_msgs::msg::StoredTopic> FillInLink::report() const {
-  std::vector<tocsin_msgs::msg::StoredTopic> topics;
+void FillInLink::report(tocsin_msgs::msg::LinkState& message) const {
   for (const auto& [key, counts] : sender_.counts()) {
     const auto described = sent_.find(key);
-    if (described == sent_.end()) continue;
+    if (described == sent_.end() || logged_streams_.count(key) != 0) continue;
     tocsin_msgs::msg::StoredTopic topic;
     topic.topic(described->second.what.topic);
     topic.stored(counts.stored);
@@ -171,9 +186,9 @@ std::vector<tocsin_msgs::msg::StoredTopic> FillInLink::report() const {
     topic.expired(counts.expired);
     topic.refused(counts.refused);
     topic.waiting(static_cast<std::uint32_t>(counts.waiting));
-    topics.push_back(std::move(topic));
+    message.stored().push_back(std::move(topic));
   }
-  return topics;
+  add_fetches(message);
 }
 
 }  // namespace tocsin

@@ -10,6 +10,7 @@
 
 #include "link_router/fill_in_receiver.hpp"
 #include "link_router/fill_in_sender.hpp"
+#include "link_router/history_requests.hpp"
 #include "link_router/link_sender.hpp"
 #include "router_store.hpp"
 #include "runtime/logger.hpp"
@@ -34,11 +35,12 @@ class FillInLink {
     LinkBus& link;
     router::LinkSender& sender;
     RouterStore& store;
+    RouterStore& history;  ///< of what crosses when it is asked for
     Logger& log;
   };
   FillInLink(const Parts& parts, const router::LinkRouterParams& params);
 
-  /// The link's flow of batches; empty when the traffic file stores nothing of this host.
+  /// The link's flow of batches; empty when the traffic file stores and logs nothing of this host.
   [[nodiscard]] std::optional<FlowId> flow() const { return flow_; }
 
   /// A stored flow of this host, by its number on the link.
@@ -46,16 +48,36 @@ class FillInLink {
   /// After its stream was removed from the sender.
   void remove(FlowId on_link);
   void offer(FlowId on_link, const CarriedSample& sample, Time now, std::int64_t wall_ns);
+  /// A logged flow of this host, by its number there, and on the link where it crosses live, too.
+  void add_logged(FlowId on_host, std::optional<FlowId> on_link, const Flow& flow);
+  void remove_logged(FlowId on_host) { logged_.erase(on_host); }
+  /// Keeps it when it is of a logged flow.
+  void log(FlowId on_host, const CarriedSample& sample, Time now, std::int64_t wall_ns);
+  /// A wish for what this host has logged; it stands for half a minute, unless it is said again.
+  void request(const router::HistoryRange& range, Time now);
+  /// The peer that batches go to, whose wishes count.
+  [[nodiscard]] bool fills(PeerId peer) const { return session_ && session_->life == peer; }
+  /// A wish of the configuration's, which stands for a day, until its end is past and all of it has
+  /// crossed.
+  void request_by_rule(const router::HistoryRange& range, Time now);
+  /// Whether the traffic file logs anything of this host.
+  [[nodiscard]] bool logs() const;
+  [[nodiscard]] bool logs(const std::string& topic) const;
+  /// Those of which something was or may be logged.
+  [[nodiscard]] std::set<std::string> logged_topics() const;
+
   /// A peer takes batches, or has gone.
   void on_listener(const FillInPeer& peer, Time now);
   void on_lost(PeerId life);
-  /// What the store has answered, what the sender knows of stored samples, what is to be read.
-  void follow(Time now);
+  /// What the stores have answered, what the sender knows of stored samples, what is to be read.
+  /// `wall_ns` of `now`.
+  void follow(Time now, std::int64_t wall_ns);
   /// What there is room for.
   void send(Time now);
   void on_progress(PeerId from, const router::FillInProgress& progress, Time now);
   [[nodiscard]] Time deadline(Time now) const;
-  [[nodiscard]] std::vector<tocsin_msgs::msg::StoredTopic> report() const;
+  /// Adds what is stored, what is logged, and the requests for it.
+  void report(tocsin_msgs::msg::LinkState& message) const;
 
   /// A sample of a stored flow that crossed live. Whether the host was not given it yet.
   [[nodiscard]] bool on_live(const std::string& peer, const router::StreamRule& rule,
@@ -89,6 +111,24 @@ class FillInLink {
   void on(store_answer::Saved& answer);
   void on(store_answer::Problem& answer);
   void follow_fates();
+  void follow_history(Time now, std::int64_t wall_ns);
+  void on_history(store_answer::Opened& answer);
+  void on_history(store_answer::Read& answer);
+  void on_history(store_answer::Retired& answer);
+  void on_history(store_answer::Found& answer);
+  void on_history(store_answer::Contents& answer) { contents_ = std::move(answer.spans); }
+  void on_history(store_answer::Problem& answer) { on(answer); }
+  void on_history(store_answer::Appended&) {}  // what is refused is told as a problem
+  void on_history(store_answer::Saved&) {}
+  void on(store_answer::Found&) {}
+  void on(store_answer::Contents&) {}
+  /// Of a stream that is in the history.
+  [[nodiscard]] bool is_logged(const sample_log::SampleId& id) const {
+    return logged_streams_.count(id.stream) != 0;
+  }
+  /// Tells the log and the requests which of these are on the other side.
+  void confirm(const std::vector<sample_log::SampleId>& ids);
+  void add_fetches(tocsin_msgs::msg::LinkState& message) const;
   void begin_session();
   [[nodiscard]] CarriedSample packed(const router::FillInBatch& batch);
   [[nodiscard]] static std::uint64_t key_of(const Arrived& batch);
@@ -104,6 +144,12 @@ class FillInLink {
   std::map<PeerId, FillInPeer> listeners_;
   std::optional<FillInPeer> session_;
   std::uint64_t batches_ = 0;
+
+  std::map<FlowId, std::uint64_t> logged_;       ///< streams by flow on the host
+  std::map<FlowId, std::uint64_t> logged_live_;  ///< those that cross live, by flow on the link
+  std::set<std::uint64_t> logged_streams_;       ///< also those that earlier lives have logged
+  router::HistoryRequests requests_;
+  std::vector<sample_log::LoggedSpan> contents_;
 
   router::FillInReceiver receiver_;
   std::map<std::uint64_t, Described> given_;  ///< by the key of the peer's stream

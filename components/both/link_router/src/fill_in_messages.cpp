@@ -48,6 +48,20 @@ bool is_sound(const tocsin_msgs::msg::FillIn& message) {
   return is_wire_name(message.topic(), "_/") && is_wire_name(message.type(), "_:");
 }
 
+tocsin_msgs::msg::LogRequest to_message(const router::HistoryRange& range) {
+  tocsin_msgs::msg::LogRequest message;
+  message.id(range.id);
+  message.topic(range.topic);
+  message.from_ns(range.from_ns);
+  message.to_ns(range.to_ns);
+  return message;
+}
+
+std::optional<router::HistoryRange> to_range(const tocsin_msgs::msg::LogRequest& message) {
+  if (!is_wire_name(message.topic(), "_/")) return std::nullopt;
+  return router::HistoryRange{message.id(), message.topic(), message.from_ns(), message.to_ns()};
+}
+
 sample_log::LoggedStream logged_stream(const std::string& name, const Flow& flow) {
   sample_log::LoggedStream stream;
   stream.name = name;

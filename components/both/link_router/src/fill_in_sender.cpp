@@ -2,6 +2,8 @@
 // What is stored and what became of it; what is sent is in fill_in_window.cpp.
 #include "link_router/fill_in_sender.hpp"
 
+#include <iterator>
+
 namespace tocsin::router {
 namespace {
 
@@ -93,17 +95,30 @@ bool FillInSender::on_fate(const SampleId& id, LiveFate fate) {
   return false;
 }
 
-void FillInSender::on_retired(const SampleId& id) {
+bool FillInSender::on_retired(const SampleId& id) {
   const auto known = orders_.find(id);
-  if (known == orders_.end()) return;
+  if (known == orders_.end()) return false;
   Item& item = items_.at(known->second);
   if (item.state == State::live) {
     item.refused = true;  // lost only if it does not cross
-    return;
+    return false;
   }
-  if (item.state == State::ready || item.state == State::under_way) return;  // still in memory
+  const bool in_memory = item.state == State::ready || item.state == State::under_way;
+  if (in_memory) return false;
   ++counts_[id.stream].expired;
   erase(known->second);
+  return true;
+}
+
+void FillInSender::request(const SampleId& id) {
+  (void)counts_[id.stream];
+  if (orders_.count(id) == 0) add(++last_requested_, id, State::waiting);
+}
+
+void FillInSender::withdraw(const SampleId& id) {
+  const auto known = orders_.find(id);
+  if (known == orders_.end() || known->second <= first_requested) return;
+  if (items_.at(known->second).state != State::under_way) erase(known->second);
 }
 
 bool FillInSender::is_blocked(Order order, const SampleId& id) const {
@@ -113,7 +128,10 @@ bool FillInSender::is_blocked(Order order, const SampleId& id) const {
 
 std::vector<FillInSender::SampleId> FillInSender::take_wanted() {
   std::vector<SampleId> wanted;
-  if (!in_session_ || asked_ > 0 || ready_.size() > most_read / 2) return wanted;
+  if (!in_session_ || asked_ > 0 || waiting_.empty()) return wanted;
+  const auto first = ready_.begin();
+  const auto before = std::distance(first, ready_.lower_bound(*waiting_.begin()));
+  if (static_cast<std::size_t>(before) > most_read / 2) return wanted;
   std::vector<Order> chosen;
   std::size_t looked_at = 0;
   for (const Order order : waiting_) {

@@ -6,11 +6,13 @@
 
 #include "call_link.hpp"
 #include "fill_in_link.hpp"
+#include "fill_in_messages.hpp"
 #include "foundation/error.hpp"
 #include "router_messages.hpp"
 #include "router_store.hpp"
 #include "runtime/component_entry.hpp"
 #include "runtime/middleware/link_permissions.hpp"
+#include "store_places.hpp"
 
 namespace tocsin {
 namespace {
@@ -43,18 +45,6 @@ std::unique_ptr<LinkBus> open_link(Bus& bus, Schedule& schedule) {
   return link;
 }
 
-/// Between what the store keeps up besides: ages, and what a power cut may take.
-constexpr Duration keep_period = std::chrono::seconds(5);
-
-std::string store_folder(const Context& context, const std::string& directory) {
-  if (!directory.empty() || context.run_dir.empty()) return directory;
-  return context.run_dir + "/" + to_string(context.role) + "/store";
-}
-
-sample_log::LogLimits limits_of(const LinkRouterComponent::Params& params) {
-  return {static_cast<std::uint64_t>(params.store_bytes), seconds(params.store_age_s)};
-}
-
 }  // namespace
 
 LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
@@ -65,17 +55,19 @@ LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
       receiver_(params.link, this_life),
       link_(open_link(bus(), schedule())),
       receipts_(link_->open(receipt_flow(), TrafficClass::critical)),
-      store_(std::make_unique<RouterStore>(
-          context.devices, store_folder(context, params.store_directory), limits_of(params),
-          [this] { schedule().input_arrived(); })),
-      fill_ins_(std::make_unique<FillInLink>(FillInLink::Parts{*link_, sender_, *store_, log()},
-                                             params.link)),
+      store_(std::make_unique<RouterStore>(context.devices, store_place(context, params),
+                                           [this] { schedule().input_arrived(); })),
+      history_(std::make_unique<RouterStore>(context.devices, history_place(context, params),
+                                             [this] { schedule().input_arrived(); })),
+      fill_ins_(std::make_unique<FillInLink>(
+          FillInLink::Parts{*link_, sender_, *store_, *history_, log()}, params.link)),
       calls_(std::make_unique<CallLink>(CallLink::Parts{
           *link_, sender_, log(), [this](Time now) { return bus().wall_ns(now); }})) {
   for (const auto& [flow, rule] : calls_->flows()) {
     own_[flow] = {flow, rule.name, rule};
     by_link_[flow] = &own_[flow];
   }
+  if (params.fetch_around_stop_s > 0 && fill_ins_->logs()) stop_.emplace(*this);
 }
 
 LinkRouterComponent::~LinkRouterComponent() = default;
@@ -83,11 +75,12 @@ LinkRouterComponent::~LinkRouterComponent() = default;
 void LinkRouterComponent::tick(Time now) {
   if (now >= next_keep_) keep_store(now);
   follow_gate(now);
+  take_requests(now);
   take_events(now);
   calls_->follow(now);
-  fill_ins_->follow(now);
+  fill_ins_->follow(now, bus().wall_ns(now));
   send(now);
-  fill_ins_->follow(now);
+  fill_ins_->follow(now, bus().wall_ns(now));
   answer(now);
   if (now >= next_budget_) tell_budgets(now);
   if (now >= next_report_) report(now);
@@ -114,6 +107,7 @@ void LinkRouterComponent::take_events(Time now) {
 
 void LinkRouterComponent::on(const link_event::HostFlow& event, Time) {
   const TrafficRule& rule = link_->rules().of(event.what.topic);
+  if (!rule.live) return fill_ins_->add_logged(event.flow, std::nullopt, event.what);
   Outgoing& flow = outgoing_[event.flow];
   const Flow sent = on_link(event.what, rule);
   flow.on_link = link_->open(sent, rule.traffic_class);
@@ -123,9 +117,11 @@ void LinkRouterComponent::on(const link_event::HostFlow& event, Time) {
   by_link_[flow.on_link] = &flow;
   sender_.add_stream(flow.on_link, flow.rule);
   if (rule.stored) fill_ins_->add(flow.on_link, event.what, flow.rule);
+  if (rule.logged) fill_ins_->add_logged(event.flow, flow.on_link, event.what);
 }
 
 void LinkRouterComponent::on(const link_event::HostFlowGone& event, Time now) {
+  fill_ins_->remove_logged(event.flow);
   const auto found = outgoing_.find(event.flow);
   if (found == outgoing_.end()) return;
   send(now);  // the last words of who left
@@ -142,6 +138,7 @@ bool LinkRouterComponent::passes(Outgoing& flow, std::uint64_t writer, Time now)
 }
 
 void LinkRouterComponent::on(const link_event::HostSample& event, Time now) {
+  fill_ins_->log(event.flow, event.sample, now, bus().wall_ns(now));
   const auto found = outgoing_.find(event.flow);
   if (found == outgoing_.end() || !passes(found->second, event.sample.source, now)) return;
   if (found->second.rule.stored) {
@@ -244,6 +241,10 @@ void LinkRouterComponent::take_receipt(const Incoming& from, const CarriedSample
   receipt->from = from.peer;
   receipt->to = this_life;
   sender_.on_receipt(peers_.at(from.peer), *receipt, now);
+  for (const auto& request : message->requests()) {
+    const auto range = to_range(request);
+    if (range && fill_ins_->fills(from.peer)) fill_ins_->request(*range, now);
+  }
   fill_ins_->on_progress(from.peer, {message->fill_in_session(), message->fill_in_number()}, now);
 }
 
@@ -276,15 +277,11 @@ void LinkRouterComponent::answer(Time now) {
     const auto progress = fill_ins_->progress({due->peer, lives_[due->peer]});
     message->fill_in_session(progress.session);
     message->fill_in_number(progress.number);
+    for (const auto& range : standing_.take_for(due->peer, now)) {
+      message->requests().push_back(to_message(range));
+    }
     (void)link_->send(receipts_, link_->pack(type_info<Receipt>(), std::move(message)));
   }
-}
-
-/// What an earlier life has left crosses though nobody writes it now.
-void LinkRouterComponent::keep_store(Time now) {
-  next_keep_ = next_instant(keep_period, now);
-  if (fill_ins_->flow()) store_->open(now, bus().wall_ns(now));
-  store_->keep(now);
 }
 
 }  // namespace tocsin

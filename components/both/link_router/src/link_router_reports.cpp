@@ -30,7 +30,7 @@ void LinkRouterComponent::report(Time now) {
   tocsin_msgs::msg::LinkState message = to_message(sender_.state(now), link_->packets());
   message.stamp(wall(now));
   message.role(to_string(context().role));
-  message.stored(fill_ins_->report());
+  fill_ins_->report(message);
   if (link_state_.write(std::move(message)) == Status::failed) {
     log().warn("the state of the link was not told");
   }

@@ -56,7 +56,7 @@ tocsin_msgs::msg::LinkClass to_message(TrafficClass traffic_class,
 }  // namespace
 
 Flow on_link(Flow flow, const TrafficRule& rule) {
-  flow.stored = rule.stored;
+  flow.stored = rule.stored || rule.logged;
   flow.depth = std::max(flow.depth, rule.depth);
   flow.lifespan_s = std::min(flow.lifespan_s, rule.lifespan_s);
   return flow;
@@ -73,7 +73,7 @@ router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule) {
   stream.durable = flow.transient_local;
   stream.adaptive = rule.adaptive;
   stream.min_rate_hz = rule.min_rate_hz;
-  stream.stored = rule.stored || flow.stored;
+  stream.stored = rule.stored || rule.logged || flow.stored;
   return stream;
 }
 

@@ -13,12 +13,8 @@ constexpr std::size_t most_waiting = 4096;
 
 }  // namespace
 
-RouterStore::RouterStore(Devices& devices, std::string folder, const sample_log::LogLimits& limits,
-                         std::function<void()> on_answer)
-    : devices_(devices),
-      folder_(std::move(folder)),
-      limits_(limits),
-      on_answer_(std::move(on_answer)) {}
+RouterStore::RouterStore(Devices& devices, StorePlace place, std::function<void()> on_answer)
+    : devices_(devices), place_(std::move(place)), on_answer_(std::move(on_answer)) {}
 
 RouterStore::~RouterStore() { background_.reset(); }
 
@@ -31,9 +27,10 @@ void RouterStore::open(Time now, std::int64_t wall_ns) {
 void RouterStore::open_files(Time now, std::int64_t wall_ns) {
   store_answer::Opened opened;
   try {
-    if (folder_.empty()) throw ConfigError("there is no folder for stored samples");
-    files_.folder = std::make_unique<sample_log::FolderFiles>(folder_);
-    files_.log = std::make_unique<sample_log::SampleLog>(*files_.folder, limits_, now, wall_ns);
+    if (place_.folder.empty()) throw ConfigError("there is no folder for stored samples");
+    files_.folder = std::make_unique<sample_log::FolderFiles>(place_.folder);
+    files_.log = std::make_unique<sample_log::SampleLog>(*files_.folder, place_.limits, now,
+                                                         wall_ns, place_.use);
     files_.given = std::make_unique<sample_log::Ledger>(*files_.folder, "given");
     opened.waiting = files_.log->waiting();
     for (const auto& entry : files_.log->streams()) opened.streams.push_back(entry.second);
@@ -58,7 +55,7 @@ void RouterStore::append(sample_log::LogEntry entry, Time now, std::int64_t wall
     return post(
         [this, entry = std::move(entry), now, wall_ns] { append_now(entry, now, wall_ns); });
   }
-  if (!was_behind) answer(store_answer::Problem{folder_ + ": the disk does not keep up"});
+  if (!was_behind) answer(store_answer::Problem{place_.folder + ": the disk does not keep up"});
   answer(store_answer::Appended{{{entry.id, sample_log::Logged::refused}}});
 }
 
@@ -86,6 +83,22 @@ void RouterStore::read(std::vector<sample_log::SampleId> ids) {
   });
 }
 
+void RouterStore::find(std::uint64_t search, sample_log::LogQuery query) {
+  post([this, search, query = std::move(query)] {
+    store_answer::Found found{search, {}};
+    if (files_.log) found.finding = files_.log->find(query);
+    answer(std::move(found));
+    tell_problems();
+  });
+}
+
+void RouterStore::forget(std::vector<sample_log::SampleId> ids) {
+  if (ids.empty()) return;
+  post([this, ids = std::move(ids)] {
+    if (files_.log) files_.log->forget(ids);
+  });
+}
+
 void RouterStore::note_given(std::vector<sample_log::SampleId> ids,
                              std::optional<std::uint64_t> token) {
   if (ids.empty() && !token) return;
@@ -103,6 +116,9 @@ void RouterStore::keep(Time now) {
     if (!files_.log) return;
     store_answer::Retired retired{files_.log->retire(now)};
     if (!retired.ids.empty()) answer(std::move(retired));
+    if (place_.use == sample_log::LogUse::history) {
+      answer(store_answer::Contents{files_.log->contents()});
+    }
     files_.log->sync();
     files_.given->sync();
   });
@@ -111,7 +127,7 @@ void RouterStore::keep(Time now) {
 void RouterStore::tell_problems() {
   if (!files_.log) return;
   for (std::string& text : files_.log->take_problems()) {
-    answer(store_answer::Problem{folder_ + ": " + std::move(text)});
+    answer(store_answer::Problem{place_.folder + ": " + std::move(text)});
   }
 }
 

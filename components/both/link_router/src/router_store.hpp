@@ -39,23 +39,36 @@ struct Retired {
 struct Saved {  ///< what was given to the host up to here is safe
   std::uint64_t token;
 };
+struct Found {  ///< of a search
+  std::uint64_t search;
+  sample_log::LogFinding finding;
+};
+struct Contents {  ///< of a history, now and then
+  std::vector<sample_log::LoggedSpan> spans;
+};
 struct Problem {
   std::string text;
 };
 }  // namespace store_answer
 using StoreAnswer = std::variant<store_answer::Opened, store_answer::Appended, store_answer::Read,
-                                 store_answer::Retired, store_answer::Saved, store_answer::Problem>;
+                                 store_answer::Retired, store_answer::Saved, store_answer::Found,
+                                 store_answer::Contents, store_answer::Problem>;
 
-/// The log of what a router sends and the ledger of what it has given, in one folder, used in the
+/// Where a store is and how it is used.
+struct StorePlace {
+  std::string folder;  ///< empty: there is none
+  sample_log::LogLimits limits;
+  sample_log::LogUse use = sample_log::LogUse::queue;
+};
+
+/// A log of what a router sends, and the ledger of what it has given, in one folder, used in the
 /// background: nothing here waits for a disk. A folder that cannot be used, a full disk and a disk
 /// that does not answer cost what would have been stored, and one line of a Problem.
 ///
 /// One thread calls everything. `on_answer` is called by any thread when `take` has something.
 class RouterStore {
  public:
-  /// `folder` empty: there is none.
-  RouterStore(Devices& devices, std::string folder, const sample_log::LogLimits& limits,
-              std::function<void()> on_answer);
+  RouterStore(Devices& devices, StorePlace place, std::function<void()> on_answer);
   /// Waits until all that was asked for is done.
   ~RouterStore();
   RouterStore(const RouterStore&) = delete;
@@ -67,6 +80,10 @@ class RouterStore {
   void append(sample_log::LogEntry entry, Time now, std::int64_t wall_ns);
   void confirm(std::vector<sample_log::SampleId> ids);
   void read(std::vector<sample_log::SampleId> ids);
+  /// Of a history: what is answered by Found with this number waits in the log from then on.
+  void find(std::uint64_t search, sample_log::LogQuery query);
+  /// Of a history: what was found is not wanted any more.
+  void forget(std::vector<sample_log::SampleId> ids);
   /// The host was given these. A token is answered when that is safe.
   void note_given(std::vector<sample_log::SampleId> ids, std::optional<std::uint64_t> token);
   /// To be called now and then: what is too old goes, and power cuts take nothing older.
@@ -90,8 +107,7 @@ class RouterStore {
   void answer(StoreAnswer answer);
 
   Devices& devices_;
-  const std::string folder_;
-  const sample_log::LogLimits limits_;
+  const StorePlace place_;
   const std::function<void()> on_answer_;
   bool is_behind_ = false;  ///< more waits than may
   Files files_;

@@ -46,8 +46,8 @@ class SlowDisk final : public AbsentDevices {
 
 class RouterStoreTest : public ::testing::Test {
  protected:
-  void start(const std::string& folder) {
-    sut_.emplace(disk_, folder, sample_log::LogLimits{}, [this] { ++told_; });
+  void start(const std::string& folder, sample_log::LogUse use = sample_log::LogUse::queue) {
+    sut_.emplace(disk_, StorePlace{folder, {}, use}, [this] { ++told_; });
     sut_->open(t0, 1000);
     sut_->add({"battery|", "/battery", {0, "Battery", "", ""}, {}});
   }
@@ -157,6 +157,36 @@ TEST_F(RouterStoreTest, AFolderThatCannotBeMadeIsOneProblemAndEverythingIsRefuse
   }
   EXPECT_EQ(problems, 1U);
   EXPECT_TRUE(saved) << "what comes is given all the same";
+}
+
+TEST_F(RouterStoreTest, AHistoryTellsWhatItHasAndFindsIt) {
+  start(folder_.path("history"), sample_log::LogUse::history);
+  append(1);
+  append(2);
+  sut_->confirm({id(1)});
+  sut_->keep(t0);
+  sut_->find(41, {"/battery", 0, 2000});
+  sut_->forget({id(2)});
+  sut_->read({id(2)});
+  disk_.work();
+  bool told = false;
+  bool found = false;
+  while (const auto answer = sut_->take()) {
+    if (const auto* one = std::get_if<store_answer::Contents>(&*answer)) {
+      told = true;
+      ASSERT_EQ(one->spans.size(), 1U);
+      EXPECT_EQ(one->spans[0].samples, 2U);
+    }
+    if (const auto* one = std::get_if<store_answer::Found>(&*answer)) {
+      found = true;
+      EXPECT_EQ(one->search, 41U);
+      EXPECT_THAT(one->finding.ids, ElementsAre(id(2))) << "the other one is on the other side";
+    }
+    if (const auto* one = std::get_if<store_answer::Read>(&*answer)) {
+      EXPECT_TRUE(one->read.empty()) << "forgotten";
+    }
+  }
+  EXPECT_TRUE(told && found);
 }
 
 TEST_F(RouterStoreTest, WhatIsTooOldIsTold) {

@@ -6,10 +6,11 @@
 #include "mcap/reader.hpp"
 #include "sample_channel.hpp"
 #include "sample_log/sample_log.hpp"
+#include "span.hpp"
 
 namespace tocsin::sample_log {
 
-void SampleLog::index(std::unique_ptr<mcap::ByteSource> source, const Segment& segment) {
+void SampleLog::index(std::unique_ptr<mcap::ByteSource> source, Segment& segment) {
   mcap::Reader reader(std::move(source), segment.file);
   const auto& channels = reader.summary().channels;
   const auto& schemas = reader.summary().schemas;
@@ -26,6 +27,8 @@ void SampleLog::index(std::unique_ptr<mcap::ByteSource> source, const Segment& s
     const auto key = channel == channels.end() ? std::nullopt : key_of(channel->second);
     if (!key) continue;
     last_log_time_ns_ = std::max(last_log_time_ns_, message->log_time_ns);
+    extend(segment.spans, channel->second.topic, message->log_time_ns);
+    if (use_ == LogUse::history) continue;
     const SampleId id = sample_id(*key, message->sequence);
     if (!confirmed_.done().contains(id)) waiting_[id] = {segment.number, message->log_time_ns};
   }
@@ -42,6 +45,62 @@ std::vector<SampleId> SampleLog::waiting() const {
   std::vector<SampleId> ids;
   for (const auto& entry : by_time) ids.push_back(entry.second);
   return ids;
+}
+
+std::vector<LoggedSpan> SampleLog::contents() const {
+  std::map<std::string, LoggedSpan> all;
+  for (const Segment& segment : segments_) {
+    for (const auto& [topic, span] : segment.spans) {
+      LoggedSpan& sum =
+          all.try_emplace(topic, LoggedSpan{topic, 0, span.first_ns, 0}).first->second;
+      sum.samples += span.samples;
+      sum.first_ns = std::min(sum.first_ns, span.first_ns);
+      sum.last_ns = std::max(sum.last_ns, span.last_ns);
+    }
+  }
+  std::vector<LoggedSpan> list;
+  for (auto& entry : all) list.push_back(std::move(entry.second));
+  return list;
+}
+
+LogFinding SampleLog::find(const LogQuery& query) {
+  LogFinding finding;
+  for (const Segment& segment : segments_) {
+    const auto span = segment.spans.find(query.topic);
+    const bool overlaps = span != segment.spans.end() && span->second.first_ns <= query.to_ns &&
+                          span->second.last_ns >= query.from_ns;
+    if (overlaps) find(segment, query, finding);
+    if (finding.next_ns) break;
+  }
+  return finding;
+}
+
+void SampleLog::find(const Segment& segment, const LogQuery& query, LogFinding& finding) {
+  try {
+    mcap::Reader reader(files_.open(segment.file), segment.file);
+    const auto& channels = reader.summary().channels;
+    mcap::Query in_time{query.from_ns, query.to_ns, {}, mcap::Order::file};
+    in_time.wanted = [&query](const mcap::Channel& one) { return one.topic == query.topic; };
+    const auto messages = reader.messages(in_time);
+    while (const auto message = messages->next()) {
+      const auto key = key_of(channels.at(message->channel_id));
+      if (!key) continue;
+      const SampleId id = sample_id(*key, message->sequence);
+      if (confirmed_.done().contains(id)) continue;
+      if (finding.ids.size() >= query.most) {
+        finding.next_ns = message->log_time_ns;
+        return;
+      }
+      // A sample that a writer gave again to a restarted process is in the log twice.
+      const bool is_new =
+          waiting_.insert_or_assign(id, Place{segment.number, message->log_time_ns}).second;
+      if (is_new || std::find(finding.ids.begin(), finding.ids.end(), id) == finding.ids.end()) {
+        finding.ids.push_back(id);
+      }
+    }
+  } catch (const ConfigError& error) {
+    problems_.emplace_back(error.what());
+  }
 }
 
 std::vector<LogEntry> SampleLog::read(const std::vector<SampleId>& ids) {

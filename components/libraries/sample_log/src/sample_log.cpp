@@ -9,6 +9,7 @@
 #include "active_segment.hpp"
 #include "foundation/error.hpp"
 #include "numbered.hpp"
+#include "span.hpp"
 
 namespace tocsin::sample_log {
 namespace {
@@ -20,8 +21,9 @@ constexpr std::uint64_t segments_of_a_log = 16;
 
 }  // namespace
 
-SampleLog::SampleLog(LogFiles& files, const LogLimits& limits, Time now, std::int64_t wall_ns)
-    : files_(files), limits_(limits), confirmed_(files, "confirmed") {
+SampleLog::SampleLog(LogFiles& files, const LogLimits& limits, Time now, std::int64_t wall_ns,
+                     LogUse use)
+    : files_(files), limits_(limits), use_(use), confirmed_(files, "confirmed") {
   for (const std::string& file : files_.names()) {
     const auto number = number_in(file, segment_name, extension);
     if (number) recover(file, *number, now, wall_ns);
@@ -46,7 +48,7 @@ bool SampleLog::begin_segment() {
     if (!refuses_) problems_.emplace_back(error.what());
     return false;
   }
-  segments_.push_back({file, ++last_number_, 0, {}});
+  segments_.push_back({file, ++last_number_, 0, {}, {}});
   return true;
 }
 
@@ -77,7 +79,7 @@ std::vector<Logged> SampleLog::append(const std::vector<LogEntry>& entries, Time
   }
   if (was_refusing) problems_.emplace_back("samples can be stored again");
   last_log_time_ns_ = log_time_ns;
-  for (const auto& [entry, time_ns] : fresh) waiting_[entry->id] = {last_number_, time_ns};
+  for (const auto& [entry, time_ns] : fresh) note(entry->id, time_ns);
   std::replace(logged.begin(), logged.end(), Logged::refused, Logged::kept);
   const bool full = active_->bytes() >= limits_.bytes / segments_of_a_log;
   if (full) active_->close();
@@ -87,12 +89,21 @@ std::vector<Logged> SampleLog::append(const std::vector<LogEntry>& entries, Time
   return logged;
 }
 
+void SampleLog::note(const SampleId& id, std::uint64_t log_time_ns) {
+  if (use_ == LogUse::queue) waiting_[id] = {last_number_, log_time_ns};
+  extend(segments_.back().spans, streams_.at(id.stream).topic, log_time_ns);
+}
+
 void SampleLog::confirm(const std::vector<SampleId>& ids) {
   for (const SampleId& id : ids) {
     waiting_.erase(id);
     (void)confirmed_.add(id);
   }
   (void)confirmed_.save();  // what fails is tried again with the next
+}
+
+void SampleLog::forget(const std::vector<SampleId>& ids) {
+  for (const SampleId& id : ids) waiting_.erase(id);
 }
 
 void SampleLog::remove_oldest(std::vector<SampleId>& retired) {
@@ -134,7 +145,7 @@ void SampleLog::sync() {
 
 void SampleLog::recover(const std::string& file, std::uint64_t number, Time now,
                         std::int64_t wall_ns) {
-  Segment segment{file, number, 0, now};
+  Segment segment{file, number, 0, now, {}};
   last_number_ = std::max(last_number_, number);
   try {
     auto source = files_.open(file);

@@ -113,7 +113,8 @@ std::unique_ptr<Publication> SimProcess::advertise(const Endpoint& endpoint) {
 }
 
 void SimProcess::begin_to_write(Topic& its) {
-  if (const TrafficRule* const rule = host_.rules().find(its.endpoint.topic.name)) {
+  const TrafficRule* const rule = host_.rules().find(its.endpoint.topic.name);
+  if (rule != nullptr && rule->live) {
     its.end.traffic_class = rule->traffic_class;
     its.end.pausable = rule->while_poor != WhilePoor::send;
     its.end.drops = rule->while_poor == WhilePoor::drop;

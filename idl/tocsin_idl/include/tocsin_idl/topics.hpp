@@ -226,6 +226,11 @@ struct LinkBudget {
   using Message = tocsin_msgs::msg::LinkBudget;
   static constexpr TopicInfo info{"link_budget", "state", Scope::host};
 };
+/// To the host's router: what somebody on this host wants of logs, on whatever host they are.
+struct LogRequest {
+  using Message = tocsin_msgs::msg::LogRequest;
+  static constexpr TopicInfo info{"log_request", "event", Scope::host};
+};
 
 // Of every container process.
 
@@ -247,6 +252,6 @@ using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation, CmdVelDocking,
          CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs, MuxSetInputs,
          SafetyEnable, EmergencyStopRequest, EmergencyStopState, MissionCommand, Map, LinkBudget,
-         ContainerCommand, ContainerState>;
+         LogRequest, ContainerCommand, ContainerState>;
 
 }  // namespace tocsin::topic

@@ -26,7 +26,8 @@ namespace tocsin::router {
 /// numbered; the peer confirms them in their order, at most `window` are unconfirmed, and the first
 /// of them is repeated until it is. A session is one meeting of two lives: a new one sends what was
 /// not confirmed again. All within a share of the capacity; when the link has room at all,
-/// LinkSender::may_fill_in tells. Pure; `now` never decreases.
+/// LinkSender::may_fill_in tells. What somebody requests of a history goes the same way, behind
+/// all else. Pure; `now` never decreases.
 class FillInSender {
  public:
   using SampleId = sample_log::SampleId;
@@ -40,8 +41,13 @@ class FillInSender {
   void on_logged(const SampleId& id, sample_log::Logged logged);
   /// Whether the log must be told that it crossed: once for each.
   [[nodiscard]] bool on_fate(const SampleId& id, LiveFate fate);
-  /// The log's bounds took it.
-  void on_retired(const SampleId& id);
+  /// The log's bounds took it. Whether it will not be sent for that.
+  bool on_retired(const SampleId& id);
+
+  /// Somebody wants one that the log has and that nothing else sends: behind all others.
+  void request(const SampleId& id);
+  /// Nobody wants it any more; one that is under way stays what it is.
+  void withdraw(const SampleId& id);
 
   /// A peer that takes batches is there. Before, batches are neither read nor sent.
   void begin_session();
@@ -63,8 +69,10 @@ class FillInSender {
   [[nodiscard]] const std::map<std::uint64_t, StoredCounts>& counts() const { return counts_; }
 
  private:
-  /// Rises in the order in which samples came; those of earlier lives come before.
+  /// Rises in the order in which samples came; those of earlier lives come before, those that were
+  /// requested behind all.
   using Order = std::uint64_t;
+  static constexpr Order first_requested = Order{1} << 56U;
   enum class State : std::uint8_t {
     live,       ///< may still cross live
     waiting,    ///< is to be filled in
@@ -104,6 +112,7 @@ class FillInSender {
   std::size_t asked_ = 0;
   Order last_recovered_ = 0;
   Order last_offered_ = Order{1} << 48U;
+  Order last_requested_ = first_requested;
   std::map<std::uint64_t, StoredCounts> counts_;
 
   bool in_session_ = false;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "link_router/gate_keeper.hpp"
+#include "link_router/history_requests.hpp"
 #include "link_router/link_receiver.hpp"
 #include "link_router/link_sender.hpp"
 #include "runtime/component.hpp"
@@ -36,6 +37,9 @@ class LinkRouterComponent final : public Component {
     std::string store_directory;
     int store_bytes = 64'000'000;
     double store_age_s = 86'400;
+    int history_bytes = 256'000'000;
+    double history_age_s = 86'400;
+    double fetch_around_stop_s = 0;
     template <class Visitor>
     void visit(Visitor& v) {
       link.visit(v);
@@ -48,6 +52,12 @@ class LinkRouterComponent final : public Component {
         "runs do not see");
       v("store_bytes", store_bytes, {100'000, 2e9}, "[B] of it at most; the oldest goes");
       v("store_age_s", store_age_s, {1, 1e8}, "[s] what is older goes");
+      v("history_bytes", history_bytes, {100'000, 2e9},
+        "[B] of the log of what crosses when it is asked for, folder history of store_directory");
+      v("history_age_s", history_age_s, {1, 1e8}, "[s] what is older goes there");
+      v("fetch_around_stop_s", fetch_around_stop_s, {0, 600},
+        "[s] before and after an emergency stop, of which all that is logged crosses by itself; 0: "
+        "none");
     }
   };
 
@@ -94,6 +104,8 @@ class LinkRouterComponent final : public Component {
   void send(Time now);
   void answer(Time now);
   void keep_store(Time now);
+  void take_requests(Time now);
+  void fetch_around(Time stop);
   void take_receipt(const Incoming& from, const CarriedSample& sample, Time now);
   void tell_budgets(Time now);
   void report(Time now);
@@ -101,6 +113,8 @@ class LinkRouterComponent final : public Component {
   [[nodiscard]] std::optional<router::StreamId> stream_of(std::uint32_t wire_id) const;
 
   OptionalInput<topic::TransmissionState> state_{*this};
+  OptionalInput<topic::LogRequest> log_requests_{*this};
+  std::optional<OptionalInput<topic::EmergencyStop>> stop_;  ///< when something follows from it
   Output<topic::LinkState> link_state_{*this};
   Output<topic::LinkBudget> budget_{*this};
   Output<topic::TrafficReport> traffic_{*this};
@@ -111,6 +125,7 @@ class LinkRouterComponent final : public Component {
   std::unique_ptr<LinkBus> link_;
   FlowId receipts_;
   std::unique_ptr<RouterStore> store_;
+  std::unique_ptr<RouterStore> history_;
   std::unique_ptr<FillInLink> fill_ins_;
   std::unique_ptr<CallLink> calls_;
   std::map<FlowId, Outgoing> outgoing_;  ///< by the flow on the host
@@ -119,7 +134,9 @@ class LinkRouterComponent final : public Component {
   std::map<FlowId, Incoming> incoming_;  ///< by the peer's flow
   std::map<PeerId, std::string> peers_;
   std::map<std::string, PeerId> lives_;
+  router::StandingRequests standing_;  ///< of this host, for logs of others
   bool open_ = true;
+  Time stop_heard_{};  ///< that the vehicle is to stop
   Time next_report_{};
   Time next_budget_{};
   Time next_keep_{};

@@ -14,8 +14,11 @@ std::vector<std::string> topics_of(Role role, const LinkSide& side) {
   const TopicNames names(side.ros_namespace);
   std::vector<std::string> topics;
   const TrafficRules rules(side.traffic_file, role);
-  for (const auto& entry : rules.all()) topics.push_back(names.on_wire(entry.first));
-  for (const auto& entry : rules.patterns()) topics.push_back(names.on_wire(entry.first));
+  for (const auto* of : {&rules.all(), &rules.patterns()}) {
+    for (const auto& [topic, rule] : *of) {
+      if (rule.live) topics.push_back(names.on_wire(topic));
+    }
+  }
   if (!rules.call_classes().empty()) topics.push_back(names.on_wire(link_services_topic));
   for (const CallClass& one : rules.call_classes()) {
     topics.push_back(names.on_wire(link_calls_topic(one)));

@@ -23,6 +23,7 @@ struct ClassEntry {
   std::vector<std::string> topics;
   std::vector<std::string> adaptive;
   std::vector<std::string> store;
+  std::vector<std::string> log;
   std::vector<std::string> services;
   std::vector<std::string> actions;
   double min_rate_hz = 0;
@@ -37,6 +38,8 @@ struct ClassEntry {
     v("topics", topics, "ROS names of the topics of this class, or patterns with * and ?");
     v("adaptive", adaptive, "those of them whose writers follow the link's budget");
     v("store", store, "those of them of which nothing is lost: a log keeps what does not cross");
+    v("log", log,
+      "topics of this class, or of none, that a log keeps: what did not cross does when asked for");
     v("min_rate_hz", min_rate_hz, {0, 1000},
       "[1/s] its topics may be thinned to this while the budget is short; 0: never");
     v("max_rate_hz", max_rate_hz, {0, 1000},
@@ -135,6 +138,7 @@ TrafficRule rule_of(const std::string& topic, TrafficClass traffic_class, const 
   rule.adaptive = names(entry.adaptive, topic);
   rule.min_rate_hz = entry.min_rate_hz;
   rule.stored = entry.while_poor == "store" || names(entry.store, topic);
+  rule.logged = names(entry.log, topic);
   rule.max_rate_hz = entry.max_rate_hz;
   rule.depth = entry.depth;
   if (entry.lifespan_s > 0) rule.lifespan_s = entry.lifespan_s;
@@ -197,6 +201,25 @@ void add_topics(const NamedClass& from, NameRules<TrafficRule>& rules) {
   }
 }
 
+/// What its list `log` names: topics of this class, or of none. One that a pattern fits goes on
+/// crossing by that.
+void add_logged(const NamedClass& from, NameRules<TrafficRule>& rules) {
+  for (const std::string& topic : from.entry.log) {
+    const TrafficRule* const known = rules.find(topic);
+    if (known != nullptr && known->stored) {
+      throw ConfigError(from.key + ".log: " + topic +
+                        " is stored, so that all of it crosses anyway" + from.place);
+    }
+    if (names(from.entry.topics, topic)) continue;  // its rule says so already
+    TrafficRule rule;
+    rule.traffic_class = from.traffic_class;
+    if (known != nullptr) rule = *known;
+    rule.logged = true;
+    rule.live = known != nullptr;
+    from.add(rules, "log", topic, rule);
+  }
+}
+
 /// Of its services, and of those of its actions.
 void add_services(const NamedClass& from, NameRules<CallRule>& rules) {
   CallRule rule{from.calls()};
@@ -244,6 +267,7 @@ TrafficRules::TrafficRules(const std::string& path, Role of) : path_(path), role
     }
   }
   refuse_unknown_topics(own, to_string(of), rules_, sources);
+  for (const NamedClass& one : classes_in(own, of, sources)) add_logged(one, rules_);
 }
 
 const TrafficRule* TrafficRules::find(const std::string& topic) const {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
 #include "qos/config_file.hpp"
 
 namespace tocsin {
@@ -57,6 +58,15 @@ TEST(LinkPermissions, CallsGoBothWaysWhereTheFileNamesServices) {
   const auto without = link_permissions({Role::uxv, file.path(), ""});
   EXPECT_THAT(without.publish, Not(Contains("rt/link_services")));
   EXPECT_THAT(without.publish, Contains("rt/arm/*"));
+}
+
+TEST(LinkPermissions, OfATopicThatIsOnlyLoggedThereAreNone) {
+  const TemporaryFolder folder;
+  const std::string traffic = folder.write(
+      "traffic.yaml", "uxv:\n  low: {topics: [camera], log: [odom]}\ngcs:\n  low: {topics: []}\n");
+  const auto vehicle = link_permissions({Role::uxv, traffic, ""});
+  EXPECT_THAT(vehicle.publish, Contains("rt/camera"));
+  EXPECT_THAT(vehicle.publish, Not(Contains("rt/odom")));
 }
 
 TEST(LinkPermissions, AreOfTheNamespace) {

@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,32 @@ struct LogLimits {
   Duration age = std::chrono::hours(24);
 };
 
+/// What a log is for.
+enum class LogUse : std::uint8_t {
+  queue,   ///< what comes waits until it is confirmed
+  history  ///< what comes is kept, and waits from the time that `find` has named it
+};
+
+/// What is in a log of a topic.
+struct LoggedSpan {
+  std::string topic;
+  std::uint64_t samples = 0;
+  std::uint64_t first_ns = 0;  ///< when the oldest came, since the Unix epoch; rises
+  std::uint64_t last_ns = 0;
+};
+
+/// Samples of a topic that came in a time.
+struct LogQuery {
+  std::string topic;
+  std::uint64_t from_ns = 0;  ///< since the Unix epoch, both included
+  std::uint64_t to_ns = 0;
+  std::size_t most = 4096;  ///< samples that are named at once
+};
+struct LogFinding {
+  std::vector<SampleId> ids;             ///< in the order of the log
+  std::optional<std::uint64_t> next_ns;  ///< from where to look on, when there were too many
+};
+
 /// What became of an entry.
 enum class Logged : std::uint8_t {
   kept,
@@ -48,13 +75,17 @@ enum class Logged : std::uint8_t {
 /// oldest goes when there are too many bytes or it is too old. It knows which samples have been
 /// confirmed, over all lives; what was appended and confirmed survives a kill -9.
 ///
+/// A queue has an index of what waits in memory; a history, which may hold very many samples, only
+/// of what `find` has named.
+///
 /// Segments are never changed: one that was cut is read up to the cut, a damaged chunk is left out
 /// with a line in problems(). Ages of this life's segments are counted by the steady clock, so that
 /// a set clock takes nothing away. Nothing throws. One thread.
 class SampleLog {
  public:
   /// Reads what earlier lives left. `wall_ns` [ns] since the Unix epoch, `now` of the same moment.
-  SampleLog(LogFiles& files, const LogLimits& limits, Time now, std::int64_t wall_ns);
+  SampleLog(LogFiles& files, const LogLimits& limits, Time now, std::int64_t wall_ns,
+            LogUse use = LogUse::queue);
   ~SampleLog();
   SampleLog(const SampleLog&) = delete;
   SampleLog& operator=(const SampleLog&) = delete;
@@ -69,7 +100,13 @@ class SampleLog {
                                            std::int64_t wall_ns);
   /// These are on the other side. They stay in their segments, but are not waited for any more.
   void confirm(const std::vector<SampleId>& ids);
-  /// Those that are not confirmed, in the order in which they came.
+  /// Those of a query that are not confirmed; they wait from then on. Reads files.
+  [[nodiscard]] LogFinding find(const LogQuery& query);
+  /// These are not waited for any more, though nobody has confirmed them.
+  void forget(const std::vector<SampleId>& ids);
+  /// By topic.
+  [[nodiscard]] std::vector<LoggedSpan> contents() const;
+  /// Those that are waited for and not confirmed, in the order in which they came.
   [[nodiscard]] std::vector<SampleId> waiting() const;
   /// In the order of the log; those that are gone or damaged are left out.
   [[nodiscard]] std::vector<LogEntry> read(const std::vector<SampleId>& ids);
@@ -89,7 +126,8 @@ class SampleLog {
     std::string file;
     std::uint64_t number = 0;
     std::uint64_t bytes = 0;
-    Time written{};  ///< when something was appended last
+    Time written{};                           ///< when something was appended last
+    std::map<std::string, LoggedSpan> spans;  ///< by topic
   };
   struct Place {
     std::uint64_t segment = 0;
@@ -98,14 +136,18 @@ class SampleLog {
   class Active;
   void recover(const std::string& file, std::uint64_t number, Time now, std::int64_t wall_ns);
   /// Throws ConfigError when it is no MCAP file.
-  void index(std::unique_ptr<mcap::ByteSource> source, const Segment& segment);
+  void index(std::unique_ptr<mcap::ByteSource> source, Segment& segment);
   [[nodiscard]] bool begin_segment();
+  /// One that was appended to the last segment.
+  void note(const SampleId& id, std::uint64_t log_time_ns);
   void read(const Segment& segment, const std::map<std::uint64_t, SampleId>& wanted,
             std::vector<LogEntry>& found);
+  void find(const Segment& segment, const LogQuery& query, LogFinding& finding);
   void remove_oldest(std::vector<SampleId>& retired);
 
   LogFiles& files_;
   const LogLimits limits_;
+  const LogUse use_;
   Ledger confirmed_;
   std::map<std::uint64_t, LoggedStream> streams_;
   std::deque<Segment> segments_;

@@ -25,6 +25,8 @@ struct TrafficRule {
   bool adaptive = false;   ///< its writer follows the link's budget
   double min_rate_hz = 0;  ///< [1/s] may be thinned to this while the budget is short; 0: never
   bool stored = false;     ///< what does not cross at first is kept in a log and filled in later
+  bool logged = false;     ///< a log keeps it, and what did not cross does so when it is asked for
+  bool live = true;        ///< crosses as it is written; false: it is logged only
   double max_rate_hz = 0;  ///< [1/s] of each writer cross at most so many; 0: all
   int depth = 1;           ///< [1, 10000] newest samples of each writer that count
   /// Older samples do not cross; what their writer offers, if that is less.
@@ -55,7 +57,7 @@ class TrafficRules {
   /// Without a file: everything is of class normal and never paused.
   TrafficRules() = default;
   /// Throws ConfigError with file and line: unreadable file, no map for the role, unknown class or
-  /// key, a DSCP above 63, a topic named twice.
+  /// key, a DSCP above 63, a topic named twice, one that is both stored and logged.
   TrafficRules(const std::string& path, Role role);
   /// Throws ConfigError when no rule of the role fits the topic.
   [[nodiscard]] const TrafficRule& of(const std::string& topic) const;

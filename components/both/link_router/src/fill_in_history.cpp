@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// What this host logs, and what of it somebody wants.
+#include <algorithm>
+#include <utility>
+
+#include "fill_in_link.hpp"
+#include "fill_in_messages.hpp"
+#include "foundation/enum_words.hpp"
+#include "router_messages.hpp"
+
+namespace tocsin {
+namespace {
+
+/// What somebody wants stands for so long after it was said last: over short outages.
+constexpr Duration lease = std::chrono::seconds(30);
+
+/// A topic in the log has the name that other tools show.
+std::string name_in_log(const std::string& topic) { return "/" + topic; }
+
+std::uint64_t at_least_zero(std::int64_t ns) {
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(ns, 0));
+}
+
+}  // namespace
+
+bool FillInLink::logs() const {
+  const auto any = [](const auto& rules) {
+    return std::any_of(rules.begin(), rules.end(),
+                       [](const auto& one) { return one.second.logged; });
+  };
+  return any(parts_.link.rules().all()) || any(parts_.link.rules().patterns());
+}
+
+bool FillInLink::logs(const std::string& topic) const {
+  const TrafficRule* const rule = parts_.link.rules().find(topic);
+  return rule != nullptr && rule->logged;
+}
+
+std::set<std::string> FillInLink::logged_topics() const {
+  std::set<std::string> topics;
+  for (const std::uint64_t key : logged_streams_) topics.insert(sent_.at(key).what.topic);
+  return topics;
+}
+
+void FillInLink::add_logged(FlowId on_host, std::optional<FlowId> on_link, const Flow& flow) {
+  const std::string name = stream_rule(flow, {}).name;
+  const std::uint64_t key = sample_log::stream_key(name);
+  logged_[on_host] = key;
+  if (on_link) logged_live_[*on_link] = key;
+  logged_streams_.insert(key);
+  sent_[key].what = flow;
+  parts_.history.add(logged_stream(name, flow));
+}
+
+void FillInLink::log(FlowId on_host, const CarriedSample& sample, Time now, std::int64_t wall_ns) {
+  const auto key = logged_.find(on_host);
+  if (key == logged_.end()) return;
+  const sample_log::SampleId id{key->second, sample.source, sample.sequence};
+  parts_.history.append({id, sample.sent_wall_ns, parts_.link.bytes_of(sample)}, now, wall_ns);
+}
+
+void FillInLink::request(const router::HistoryRange& range, Time now) {
+  if (logs(range.topic)) requests_.on_request(range, now + lease);
+}
+
+void FillInLink::request_by_rule(const router::HistoryRange& range, Time now) {
+  requests_.on_request(range, now + std::chrono::hours(24));
+}
+
+void FillInLink::follow_history(Time now, std::int64_t wall_ns) {
+  while (auto answer = parts_.history.take()) {
+    std::visit([this](auto& what) { on_history(what); }, *answer);
+  }
+  std::vector<sample_log::SampleId> unwanted = requests_.expire(now);
+  for (const sample_log::SampleId& id : unwanted) sender_.withdraw(id);
+  parts_.history.forget(std::move(unwanted));
+  for (const router::HistoryRange& range : requests_.take_searches(wall_ns)) {
+    parts_.history.find(range.id, {name_in_log(range.topic), at_least_zero(range.from_ns),
+                                   at_least_zero(range.to_ns)});
+  }
+}
+
+void FillInLink::on_history(store_answer::Opened& answer) {
+  for (const sample_log::LoggedStream& stream : answer.streams) {
+    if (!logs(flow_of(stream).topic)) continue;  // it was, in an earlier life
+    const std::uint64_t key = sample_log::stream_key(stream.name);
+    logged_streams_.insert(key);
+    Described& described = sent_[key];
+    if (described.what.topic.empty()) described.what = flow_of(stream);
+  }
+}
+
+void FillInLink::on_history(store_answer::Found& answer) {
+  requests_.on_found(answer.search, answer.finding.ids, answer.finding.next_ns);
+  for (const sample_log::SampleId& id : answer.finding.ids) sender_.request(id);
+}
+
+void FillInLink::on_history(store_answer::Read& answer) {
+  std::set<sample_log::SampleId> gone(answer.asked.begin(), answer.asked.end());
+  for (const sample_log::LogEntry& entry : answer.read) gone.erase(entry.id);
+  sender_.on_read(answer.asked, std::move(answer.read));
+  requests_.on_gone({gone.begin(), gone.end()});
+}
+
+void FillInLink::on_history(store_answer::Retired& answer) {
+  std::vector<sample_log::SampleId> gone;
+  for (const sample_log::SampleId& id : answer.ids) {
+    if (sender_.on_retired(id)) gone.push_back(id);
+  }
+  requests_.on_gone(gone);
+}
+
+void FillInLink::add_fetches(tocsin_msgs::msg::LinkState& message) const {
+  for (const sample_log::LoggedSpan& span : contents_) {
+    tocsin_msgs::msg::LoggedTopic topic;
+    topic.topic(span.topic.substr(1));
+    topic.samples(span.samples);
+    topic.first_ns(static_cast<std::int64_t>(span.first_ns));
+    topic.last_ns(static_cast<std::int64_t>(span.last_ns));
+    message.logged().push_back(std::move(topic));
+  }
+  for (const router::HistoryProgress& progress : requests_.progress()) {
+    tocsin_msgs::msg::LogFetch fetch;
+    fetch.id(progress.id);
+    fetch.topic(progress.topic);
+    fetch.state(word_of(progress.state));
+    fetch.found(progress.found);
+    fetch.given(progress.given);
+    fetch.gone(progress.gone);
+    message.fetches().push_back(std::move(fetch));
+  }
+}
+
+}  // namespace tocsin

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+// Logged topics of a router on a scripted link: what is kept, what crosses when somebody asks.
+#include <gmock/gmock.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "devices/absent_devices.hpp"
+#include "foundation/temporary_folder.hpp"
+#include "link_router_fixture.hpp"
+#include "runtime/middleware/link_permissions.hpp"
+
+namespace tocsin {
+namespace {
+
+using FillInMessage = tocsin_msgs::msg::FillIn;
+using LinkStateMessage = tocsin_msgs::msg::LinkState;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr FlowId camera_flow = 501;
+
+class HistoryLinkTest : public LinkRouterTest {
+ protected:
+  HistoryLinkTest() {
+    (void)folder_.write("traffic.yaml",
+                        "uxv:\n  low: {while_poor: drop, topics: [camera, cpu_load], "
+                        "log: [camera, odom]}\n");
+    script_.rules = TrafficRules(folder_.path("traffic.yaml"), Role::uxv);
+    start();
+  }
+  /// A life of the router, the one before being over.
+  void start(double fetch_around_stop_s = 0) {
+    host_.reset();
+    script_.opened.clear();
+    script_.sent.clear();
+    LinkRouterComponent::Params params;
+    params.store_directory = folder_.path("store");
+    params.fetch_around_stop_s = fetch_around_stop_s;
+    LinkRouterTest::start(params, computer_);
+  }
+  [[nodiscard]] FlowId fill_ins() const { return script_.opened_for(fill_in_topic); }
+  void meet_station() {
+    meet();
+    begin_peer_flow("link_receipt", receipt_flow);
+    listen(fill_ins());
+  }
+  [[nodiscard]] std::vector<const FillInMessage*> batches() const {
+    std::vector<const FillInMessage*> all;
+    for (const ScriptedLink::Sent& one : script_.sent) {
+      if (one.flow != fill_ins()) continue;
+      all.push_back(static_cast<const FillInMessage*>(one.sample.content.get()));
+    }
+    return all;
+  }
+  /// Without repetitions of batches.
+  [[nodiscard]] std::vector<std::uint64_t> sent() const {
+    std::vector<std::uint64_t> sequences;
+    std::set<std::uint32_t> numbers;
+    for (const FillInMessage* const one : batches()) {
+      if (!numbers.insert(one->number()).second) continue;
+      for (const auto& sample : one->samples()) sequences.push_back(sample.sequence_number());
+    }
+    return sequences;
+  }
+  [[nodiscard]] std::int64_t wall_ns() const { return host_->bus.wall_ns(host_->bus.now()); }
+  /// Of the last seconds until now.
+  [[nodiscard]] tocsin_msgs::msg::LogRequest request(const std::string& topic, double last_s = 3600,
+                                                     std::uint64_t id = 41) const {
+    tocsin_msgs::msg::LogRequest request;
+    request.id(id);
+    request.topic(topic);
+    request.from_ns(wall_ns() - seconds(last_s).count());
+    request.to_ns(wall_ns());
+    return request;
+  }
+  /// The station tells it with a receipt, and what of fill-ins it has given.
+  void ask(const std::vector<tocsin_msgs::msg::LogRequest>& requests, std::uint32_t session = 0,
+           std::uint32_t number = 0) {
+    auto receipt = std::make_shared<Receipt>();
+    receipt->from_life(station);
+    receipt->to_life(ScriptedLink::own_life);
+    receipt->count(++receipts_);
+    receipt->made_ns(host_->bus.now().time_since_epoch().count());
+    receipt->fill_in_session(session);
+    receipt->fill_in_number(number);
+    receipt->requests(requests);
+    tell(receipt);
+  }
+  [[nodiscard]] LinkStateMessage state() {
+    run(1.5);
+    const auto states = host_->states.take();
+    return states.empty() ? LinkStateMessage() : states.back();
+  }
+
+  TemporaryFolder folder_;
+  AbsentDevices computer_;
+  std::uint32_t receipts_ = 0;
+};
+
+TEST_F(HistoryLinkTest, WhatIsLoggedCrossesOnlyWhenTheStationAsks) {
+  meet_station();
+  (void)begin("odom");
+  for (const std::uint64_t sequence : {1, 2, 3}) write(sequence);
+  run(3);
+  EXPECT_EQ(script_.opened_for("odom"), 0U) << "it has no flow on the link";
+  EXPECT_THAT(sent(), IsEmpty());
+  ask({request("odom")});
+  run(3);
+  EXPECT_THAT(sent(), ElementsAre(1, 2, 3));
+  EXPECT_EQ(batches().at(0)->topic(), "odom");
+  ask({}, 1, 1);
+  const auto told = state();
+  ASSERT_EQ(told.fetches().size(), 1U);
+  EXPECT_EQ(told.fetches()[0].id(), 41U);
+  EXPECT_EQ(told.fetches()[0].state(), "done");
+  EXPECT_EQ(told.fetches()[0].found(), 3U);
+  EXPECT_EQ(told.fetches()[0].given(), 3U);
+  EXPECT_THAT(told.stored(), IsEmpty());
+}
+
+TEST_F(HistoryLinkTest, OnlyWhatWasAskedForCrosses) {
+  meet_station();
+  (void)begin("odom");
+  write(1);
+  run(10);
+  write(2);
+  run(2);
+  ask({request("odom", 5)});
+  run(3);
+  EXPECT_THAT(sent(), ElementsAre(2));
+}
+
+TEST_F(HistoryLinkTest, WhatHasCrossedIsNotSentAgainAlsoByTheNextLife) {
+  meet_station();
+  (void)begin("odom");
+  for (const std::uint64_t sequence : {1, 2}) write(sequence);
+  run(2);
+  ask({request("odom")});
+  run(3);
+  EXPECT_THAT(sent(), ElementsAre(1, 2));
+  ask({}, 1, 1);
+  run(1);
+  start();
+  meet_station();
+  (void)begin("odom");
+  write(3);
+  run(2);
+  ask({request("odom", 3600, 42)});
+  run(3);
+  EXPECT_THAT(sent(), ElementsAre(3));
+}
+
+TEST_F(HistoryLinkTest, ARequestThatTheRouterDidNotOutliveGoesOnWhenItIsRepeated) {
+  meet_station();
+  (void)begin("odom");
+  for (std::uint64_t sequence = 1; sequence <= 40; ++sequence) write(sequence);
+  run(2);
+  ask({request("odom")});
+  run(1.5);
+  const auto first = sent();
+  ASSERT_FALSE(first.empty());
+  ask({}, 1, 1);
+  const std::size_t given = batches().at(0)->samples().size();
+  start();
+  meet_station();
+  run(3);  // its clock begins with it
+  ask({request("odom")});
+  run(5);
+  ASSERT_FALSE(sent().empty());
+  EXPECT_EQ(sent().front(), given + 1) << "the first that was not confirmed";
+}
+
+TEST_F(HistoryLinkTest, WhatCrossedLiveIsNotSentAgain) {
+  meet_station();
+  const FlowId on_link = begin("camera", camera_flow);
+  listen(on_link);
+  EXPECT_TRUE(script_.opened.at(on_link).flow.stored) << "the station notes what it gives";
+  write(1, camera_flow);
+  acknowledge(on_link, 1);
+  set_active(false);
+  write(2, camera_flow);
+  set_active(true);
+  write(3, camera_flow);
+  acknowledge(on_link, 2, 2);
+  run(5);
+  EXPECT_THAT(sent(), IsEmpty()) << "a logged topic is not filled in by itself";
+  receipts_ = 2;
+  ask({request("camera")});
+  run(3);
+  EXPECT_THAT(sent(), ElementsAre(2)) << "the one that the pause took";
+}
+
+TEST_F(HistoryLinkTest, WhatNobodyRepeatsIsNotSentAnyMore) {
+  (void)begin("odom");
+  for (std::uint64_t sequence = 1; sequence <= 400; ++sequence) write(sequence, host_flow, 900);
+  run(2);
+  meet_station();
+  ask({request("odom")});
+  run(120);
+  const std::size_t count = sent().size();
+  EXPECT_LT(count, 400U) << "nothing was confirmed";
+  EXPECT_THAT(state().fetches(), IsEmpty());
+}
+
+TEST_F(HistoryLinkTest, SomebodyOnTheVehicleMayAsk) {
+  meet_station();
+  (void)begin("odom");
+  write(1);
+  run(2);
+  host_->bus.publish<topic::LogRequest>(request("odom"));
+  run(3);
+  EXPECT_THAT(sent(), ElementsAre(1));
+}
+
+TEST_F(HistoryLinkTest, WhatIsAroundAnEmergencyStopCrossesByItself) {
+  start(2);
+  meet_station();
+  (void)begin("odom");
+  write(1);
+  run(10);
+  write(2);
+  run(1);
+  std_msgs::msg::Bool stop;
+  stop.data(true);
+  for (int i = 0; i < 5; ++i) {
+    host_->bus.publish<topic::EmergencyStop>(stop);
+    run(0.2);
+  }
+  write(3);
+  run(5);
+  write(4);
+  run(5);
+  EXPECT_THAT(sent(), ElementsAre(2, 3));
+  stop.data(false);
+  host_->bus.publish<topic::EmergencyStop>(stop);
+  run(5);
+  EXPECT_THAT(sent(), ElementsAre(2, 3)) << "nothing follows from its end";
+}
+
+TEST_F(HistoryLinkTest, ATopicThatIsNotLoggedIsNotLookedFor) {
+  meet_station();
+  (void)begin("cpu_load");
+  write(1);
+  run(2);
+  ask({request("cpu_load"), request("a b", 5, 42)});
+  run(3);
+  EXPECT_THAT(sent(), IsEmpty());
+  EXPECT_THAT(state().fetches(), IsEmpty());
+}
+
+TEST_F(HistoryLinkTest, TellsWhatItHasLogged) {
+  (void)begin("odom");
+  const std::int64_t before = wall_ns();
+  write(1);
+  run(2);
+  write(2);
+  run(5);
+  const auto told = state();
+  ASSERT_EQ(told.logged().size(), 1U);
+  EXPECT_EQ(told.logged()[0].topic(), "odom");
+  EXPECT_EQ(told.logged()[0].samples(), 2U);
+  EXPECT_EQ(told.logged()[0].first_ns(), before);
+  EXPECT_EQ(told.logged()[0].last_ns(), before + seconds(2).count());
+}
+
+TEST_F(HistoryLinkTest, WhatThisHostWantsIsToldWithReceiptsOnceASecondAsLongAsItIsRepeated) {
+  meet_station();
+  const auto told = [this] {
+    std::size_t count = 0;
+    for (const ScriptedLink::Sent& one : script_.sent) {
+      if (one.flow != script_.opened_for("link_receipt")) continue;
+      const auto& requests = static_cast<const Receipt*>(one.sample.content.get())->requests();
+      count += requests.size();
+      for (const auto& request : requests) EXPECT_EQ(request.topic(), "picture");
+    }
+    return count;
+  };
+  host_->bus.publish<topic::LogRequest>(request("picture"));
+  run(3.5);
+  EXPECT_GE(told(), 2U);
+  EXPECT_LE(told(), 4U);
+  run(10);
+  const std::size_t until_forgotten = told();
+  EXPECT_LE(until_forgotten, 7U);
+  run(10);
+  EXPECT_EQ(told(), until_forgotten);
+}
+
+}  // namespace
+}  // namespace tocsin

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "state_listener.hpp"
+
+#include "foundation/ros_names.hpp"
+#include "idl_support/decode.hpp"
+
+namespace tocsin::log_tool {
+
+StateListener::StateListener(HostGraph& graph)
+    : reading_(graph.read(
+          {wire_topic(topic::LinkState::info.name), type_info<State>().name},
+          [this](RawSample&& sample) {
+            const auto message = decode(type_info<State>(), *sample.bytes);
+            if (!message) return;
+            const std::lock_guard<std::mutex> lock(mutex_);
+            heard_.push_back({*std::static_pointer_cast<State>(message), sample.received});
+          })) {}
+
+std::vector<StateListener::Heard> StateListener::take() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(heard_, {});
+}
+
+}  // namespace tocsin::log_tool
