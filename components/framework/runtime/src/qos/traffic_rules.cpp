@@ -153,6 +153,7 @@ struct NamedClass {
   std::string key;    ///< `uxv.high`
   std::string place;  ///< in the file, for messages
 
+  [[nodiscard]] bool has_calls() const { return !entry.services.empty() || !entry.actions.empty(); }
   [[nodiscard]] CallClass calls() const { return {role, traffic_class, entry.call_deadline_s}; }
   template <class Rule>
   void add(NameRules<Rule>& rules, const char* list, const std::string& name,
@@ -162,15 +163,23 @@ struct NamedClass {
   }
 };
 
-std::vector<NamedClass> classes_in(const YAML::Node& classes, Role role,
-                                   const YamlSources& sources) {
-  std::vector<NamedClass> all;
+void add_classes(const YAML::Node& classes, Role role, const YamlSources& sources,
+                 std::vector<NamedClass>& all) {
   for (const auto& entry : classes) {
     if (entry.first.Scalar() == stays_key) continue;
     const TrafficClass one = class_named(entry.first, to_string(role), sources);
     const std::string key = std::string(to_string(role)) + "." + to_string(one);
     all.push_back({role, one, load_parameters<ClassEntry>(entry.second, key, sources), key,
                    yaml_place(sources, entry.first)});
+  }
+}
+
+/// Of all roles that the file has.
+std::vector<NamedClass> all_classes(const YAML::Node& file, const YamlSources& sources) {
+  std::vector<NamedClass> all;
+  for (const Role role : roles) {
+    const YAML::Node classes = file[to_string(role)];
+    if (classes.IsDefined() && classes.IsMap()) add_classes(classes, role, sources, all);
   }
   return all;
 }
@@ -256,15 +265,10 @@ TrafficRules::TrafficRules(const std::string& path, Role of) : path_(path), role
   for (const std::string& name : names_in(own[stays_key], std::string(to_string(of)), sources)) {
     (void)stays_.add(name, {});
   }
-  for (const Role role : roles) {
-    const YAML::Node classes = file[to_string(role)];
-    if (!classes.IsDefined() || !classes.IsMap()) continue;
-    for (const NamedClass& one : classes_in(classes, role, sources)) {
-      if (role == of) add_topics(one, rules_);
-      add_services(one, role == of ? served_ : called_);
-      const bool has_calls = !one.entry.services.empty() || !one.entry.actions.empty();
-      if (has_calls) call_classes_.push_back(one.calls());
-    }
+  for (const NamedClass& one : all_classes(file, sources)) {
+    if (one.role == of) add_topics(one, rules_);
+    add_services(one, one.role == of ? served_ : called_);
+    if (one.has_calls()) call_classes_.push_back(one.calls());
   }
   refuse_unknown_topics(own, to_string(of), rules_, sources);
   for (const NamedClass& one : classes_in(own, of, sources)) add_logged(one, rules_);
