@@ -195,7 +195,7 @@ class HttpConnection final : public std::enable_shared_from_this<HttpConnection<
 
   void answer() {
     const bool wants_socket = websocket::is_upgrade(parser_->get());
-    std::visit([this](auto&& one) { give(std::forward<decltype(one)>(one)); },
+    std::visit([this](auto&& one) { this->give(std::forward<decltype(one)>(one)); },
                home_.answer(parser_->get(), wants_socket));
   }
 
