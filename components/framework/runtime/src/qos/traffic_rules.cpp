@@ -265,13 +265,16 @@ TrafficRules::TrafficRules(const std::string& path, Role of) : path_(path), role
   for (const std::string& name : names_in(own[stays_key], std::string(to_string(of)), sources)) {
     (void)stays_.add(name, {});
   }
-  for (const NamedClass& one : all_classes(file, sources)) {
+  const std::vector<NamedClass> classes = all_classes(file, sources);
+  for (const NamedClass& one : classes) {
     if (one.role == of) add_topics(one, rules_);
     add_services(one, one.role == of ? served_ : called_);
     if (one.has_calls()) call_classes_.push_back(one.calls());
   }
   refuse_unknown_topics(own, to_string(of), rules_, sources);
-  for (const NamedClass& one : classes_in(own, of, sources)) add_logged(one, rules_);
+  for (const NamedClass& one : classes) {
+    if (one.role == of) add_logged(one, rules_);
+  }
 }
 
 const TrafficRule* TrafficRules::find(const std::string& topic) const {
