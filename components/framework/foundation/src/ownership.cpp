@@ -17,7 +17,7 @@ std::optional<std::string> place_and_reason(const fs::path& path) {
 
 }  // namespace
 
-std::optional<std::string> changeable_by_others(const Ownership& ownership, const User& user) {
+std::optional<std::string> changeable_by_others(const FileOwnership& ownership, const User& user) {
   if (ownership.user != 0 && ownership.user != user.id) {
     return "belongs to user " + std::to_string(ownership.user);
   }

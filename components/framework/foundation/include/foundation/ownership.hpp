@@ -10,7 +10,7 @@
 namespace tocsin {
 
 /// What decides who may change a file or a folder.
-struct Ownership {
+struct FileOwnership {
   uid_t user = 0;
   gid_t group = 0;
   mode_t mode = 0;
@@ -24,7 +24,7 @@ struct User {
 /// Why somebody else than `user` and root may change it: "belongs to user 1001", "may be written
 /// by everybody"; nothing when nobody may. The user's own group is trusted, as Debian gives each
 /// user one. In a folder such as /tmp (sticky) only the owner of an entry may change it.
-[[nodiscard]] std::optional<std::string> changeable_by_others(const Ownership& ownership,
+[[nodiscard]] std::optional<std::string> changeable_by_others(const FileOwnership& ownership,
                                                               const User& user);
 
 /// The same of what is at `path`, symbolic links followed, for this process; nothing when nothing
