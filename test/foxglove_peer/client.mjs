@@ -59,14 +59,20 @@ function finish(why) {
   process.exit(0);
 }
 
-/** A goal in CDR, by the schema that the server has told for the topic, and one in JSON. */
+/**
+ * A goal in CDR, by the schema that the server has told for the topic, and one in JSON; more than once, since readers
+ * need a moment to find the server's new writer.
+ */
 async function publishGoals() {
   const schema = await schemaOf("/goal");
   const writer = new MessageWriter(parse(schema, { ros2: true }));
   const cdr = client.advertise({ topic: "/goal", encoding: "cdr", schemaName: "tocsin_msgs/msg/Goal" });
   const json = client.advertise({ topic: "/goal", encoding: "json", schemaName: "tocsin_msgs/msg/Goal" });
-  client.sendMessage(cdr, writer.writeMessage({ id: 900001 }));
-  client.sendMessage(json, new TextEncoder().encode(JSON.stringify({ id: 900002 })));
+  for (let i = 0; i < 5; ++i) {
+    client.sendMessage(cdr, writer.writeMessage({ id: 900001 }));
+    client.sendMessage(json, new TextEncoder().encode(JSON.stringify({ id: 900002 })));
+    await pause(400);
+  }
 }
 
 async function schemaOf(topic) {

@@ -87,7 +87,7 @@ TEST(OperatorPageTest, ClientsReadPublishSetAndCallFromOutsideOfTheEmulatedNetwo
     const auto ids = column(goals, "id");
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
-  EXPECT_TRUE(Stack::eventually(seconds(10), [&] {
+  EXPECT_TRUE(Stack::eventually(seconds(30), [&] {
     return goal_came("900001") && goal_came("900002");
   })) << text;
 }

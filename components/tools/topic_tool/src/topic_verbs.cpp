@@ -161,9 +161,9 @@ int pub(const Options& options) {
   const std::string text = to_yaml(known, message.get(), {});
   std::printf("publisher: beginning loop\n");
   for (int count = 1; !is_stopped(); ++count) {
-    if (!writing->write(bytes)) throw EnvironmentError("the middleware refused the message");
     std::printf("publishing #%d:\n%s\n", count, text.c_str());
-    std::fflush(stdout);
+    std::fflush(stdout);  // before anybody can have heard it
+    if (!writing->write(bytes)) throw EnvironmentError("the middleware refused the message");
     if (count == times) break;
     sleep_until_stopped(std::chrono::steady_clock::now() + seconds(1 / options.rate_hz));
   }
