@@ -76,7 +76,7 @@ TEST(Check, TheExampleOfAFileThatExtendsTheMissionIsRight) {
   (void)folder.write("traffic.yaml", blocks[1]);
   const Ended right = check(robot);
   EXPECT_EQ(right.code, 0) << right.output;
-  EXPECT_THAT(right.output, HasSubstr("21 components; 0 errors"));  // the mission has 21
+  EXPECT_THAT(right.output, HasSubstr("21 components; 0 errors"));  // the mission has 22
   const Ended wrong = check(robot + " --set camera.rate_hz=1");
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.output, HasSubstr("camera: no such component in " + robot));
