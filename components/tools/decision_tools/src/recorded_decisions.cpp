@@ -96,7 +96,8 @@ void read_decisions(const CsvTable& table, QualityTrace& trace) {
   const auto active = counts(table, "active");
   const auto age = counts(table, "pause_samples");
   const auto reason = table.texts("reason");
-  trace.began_s = table.numbers("stamp.sec").front() + table.numbers("stamp.nanosec").front() * 1e-9;
+  trace.began_s =
+      table.numbers("stamp.sec").front() + table.numbers("stamp.nanosec").front() * 1e-9;
   double heard = 0;
   int age_before = 0;
   for (std::size_t i = 0; i < table.rows(); ++i) {
