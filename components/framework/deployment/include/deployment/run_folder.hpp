@@ -15,7 +15,8 @@ class RunFolder {
  public:
   /// Makes it and its parents. An empty `wanted` means a new folder named by the time, `unnamed` +
   /// "<UTC time>", with "_2", "_3", ... when others begin in the same second. Throws ConfigError
-  /// when it is in use, holds anything, or others may write to it, EnvironmentError when it cannot be made.
+  /// when it is in use, holds anything, or others may write to it, EnvironmentError when it cannot
+  /// be made.
   explicit RunFolder(const std::string& wanted, const std::string& unnamed = "runs/");
 
   /// Absolute.

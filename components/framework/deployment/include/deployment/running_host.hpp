@@ -39,7 +39,8 @@ struct RunningHosts {
 
 /// Moves this program into the user, network and mount namespaces of a process, when its network is
 /// another one: into the emulated host that `tocsin launch` has made. The working folder stays.
-/// Root becomes the user of the process, whose participants hear no other. Must be called while there is one thread only. Throws EnvironmentError.
+/// Root becomes the user of the process, whose participants hear no other. Must be called while
+/// there is one thread only. Throws EnvironmentError.
 void enter_namespaces(pid_t process);
 
 }  // namespace tocsin::deployment

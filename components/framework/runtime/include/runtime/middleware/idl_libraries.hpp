@@ -12,8 +12,8 @@ namespace tocsin {
     const std::vector<std::filesystem::path>& prefixes);
 
 /// Loads all that are installed, in the workspace of this program and in those that were sourced,
-/// so that their types and topics are known (find_type, known_topics). One that cannot be loaded, or
-/// that others than this user and root may change, is left out. Any thread, any number of times.
+/// so that their types and topics are known (find_type, known_topics). One that cannot be loaded,
+/// or that others than this user and root may change, is left out. Any thread, any number of times.
 void load_idl_libraries();
 
 }  // namespace tocsin
