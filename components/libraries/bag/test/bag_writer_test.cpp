@@ -34,10 +34,11 @@ TEST(BagWriter, TellsEachMessagesWriterAndATopicStaysOne) {
   {
     BagWriter sut(folder.path("run"), options);
     const std::size_t topic = sut.add(text_topic("/chatter"));
+    const std::string text = "x";
     std::uint32_t sequence = 0;
     for (const std::uint64_t writer : {7U, 8U, 0U, 7U}) {
       ++sequence;
-      Message message = message_of(sequence, t0 + sequence * second, "x");
+      Message message = message_of(sequence, t0 + sequence * second, text);
       message.writer = writer;
       (void)sut.write(topic, message);
     }
