@@ -2,18 +2,14 @@
 // Services between processes, by real UDP on loopback. Other makers' requests: test/interop.
 #include <gtest/gtest.h>
 
-#include <condition_variable>
-#include <deque>
-#include <mutex>
-
 #include "fast_dds/bus_fixture.hpp"
+#include "fast_dds/lamp_service.hpp"
 #include "ros_idl/std_srvs.hpp"
 #include "runtime/middleware/host_graph.hpp"
 
 namespace tocsin {
 namespace {
 
-using Request = std_srvs::srv::SetBool_Request;
 using Response = std_srvs::srv::SetBool_Response;
 
 int next_domain() {
@@ -23,63 +19,15 @@ int next_domain() {
 
 const char* const qos = "state: {}\nevent: {reliability: reliable, depth: 100}\n";
 
-ServiceEndpoint lamp(const std::string& node) {
-  return {"lamp/set", &type_info<Request>(), &type_info<Response>(), node};
-}
+ServiceEndpoint lamp(const std::string& node) { return lamp_endpoint("lamp/set", node); }
 
-/// Answers in a thread of the test.
-class Servant : public ServerReceiver {
- public:
-  explicit Servant(Bus& bus) : end_(bus.serve(lamp("lamp"), *this)) {}
-  void receive(ServiceRequest&& request) override {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    requests_.push_back(std::move(request));
-  }
-  void wake() override {}
-  /// Replies to all that has come, with what was asked. How many there were.
-  int answer() {
-    end_->flush();
-    int count = 0;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    for (; !requests_.empty(); requests_.pop_front(), ++count) {
-      const auto& request = requests_.front();
-      auto response = std::make_shared<Response>();
-      response->success(std::static_pointer_cast<const Request>(request.message)->data());
-      end_->reply(request.id, response);
-    }
-    return count;
-  }
-
- private:
-  std::mutex mutex_;
-  std::deque<ServiceRequest> requests_;
-  std::unique_ptr<ServerEnd> end_;
+/// Under the names that most tests want.
+struct Servant : LampServer {
+  explicit Servant(Bus& bus) : LampServer(bus, lamp("lamp")) {}
 };
-
-class Asker : public ClientReceiver {
- public:
-  explicit Asker(Bus& bus) : end_(bus.call(lamp("asker"), *this)) {}
-  explicit Asker(HostGraph& graph) : end_(graph.call(lamp(""), *this)) {}
-  void receive(ServiceReply&& reply) override {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    replies_.push_back(std::move(reply));
-  }
-  void wake() override {}
-  [[nodiscard]] bool available() const { return end_->available(); }
-  std::optional<std::int64_t> ask(bool on) {
-    auto request = std::make_shared<Request>();
-    request->data(on);
-    return end_->send(request);
-  }
-  std::vector<ServiceReply> replies() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return replies_;
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<ServiceReply> replies_;
-  std::unique_ptr<ClientEnd> end_;
+struct Asker : LampClient {
+  explicit Asker(Bus& bus) : LampClient(bus, lamp("asker")) {}
+  explicit Asker(HostGraph& graph) : LampClient(graph, lamp("")) {}
 };
 
 bool success_of(const ServiceReply& reply) {

@@ -6,9 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <deque>
-#include <mutex>
-
+#include "fast_dds/lamp_service.hpp"
 #include "link/link_bus_fixture.hpp"
 #include "qos/config_file.hpp"
 #include "ros_idl/std_srvs.hpp"
@@ -17,13 +15,12 @@
 namespace tocsin {
 namespace {
 
-using Request = std_srvs::srv::SetBool_Request;
 using Response = std_srvs::srv::SetBool_Response;
 using Bytes = std::vector<std::uint8_t>;
 using ::testing::ElementsAre;
 
 const HostService raw_lamp{"lamp", "std_srvs/srv/SetBool"};
-const ServiceEndpoint lamp{"lamp", &type_info<Request>(), &type_info<Response>()};
+const ServiceEndpoint lamp = lamp_endpoint("lamp");
 const Bytes yes{0, 1, 0, 0, 1};
 /// success, then an empty text with its length.
 const Bytes done{0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0};
@@ -34,58 +31,6 @@ Bytes cut_to(const Bytes& expected, Bytes message) {
   if (message.size() == padded) message.resize(expected.size());
   return message;
 }
-
-/// A server of the host, which does what it is asked.
-class Switch : public ServerReceiver {
- public:
-  explicit Switch(Bus& bus) : end_(bus.serve(lamp, *this)) {}
-  void receive(ServiceRequest&& request) override {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    requests_.push_back(std::move(request));
-  }
-  void wake() override {}
-  void answer() {
-    end_->flush();
-    const std::lock_guard<std::mutex> lock(mutex_);
-    for (; !requests_.empty(); requests_.pop_front()) {
-      const auto request = std::static_pointer_cast<const Request>(requests_.front().message);
-      auto response = std::make_shared<Response>();
-      response->success(request->data());
-      end_->reply(requests_.front().id, response);
-    }
-  }
-
- private:
-  std::mutex mutex_;
-  std::deque<ServiceRequest> requests_;
-  std::unique_ptr<ServerEnd> end_;
-};
-
-/// A client of the host.
-class Finger : public ClientReceiver {
- public:
-  explicit Finger(Bus& bus) : end_(bus.call(lamp, *this)) {}
-  void receive(ServiceReply&& reply) override {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    replies_.push_back(std::move(reply));
-  }
-  void wake() override {}
-  [[nodiscard]] bool available() const { return end_->available(); }
-  std::optional<std::int64_t> press() {
-    auto request = std::make_shared<Request>();
-    request->data(true);
-    return end_->send(request);
-  }
-  std::vector<ServiceReply> replies() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return replies_;
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<ServiceReply> replies_;
-  std::unique_ptr<ClientEnd> end_;
-};
 
 class HostServicesTest : public LinkBusFixture {
  protected:
@@ -126,7 +71,7 @@ TEST_F(HostServicesTest, AServerOfTheHostIsKnownAskedAndItsReplyHasTheNumberOfTh
   sut.call(raw_lamp);
   EXPECT_FALSE(sut.ask("lamp", yes)) << "nobody serves it";
   const auto host = process(Role::uxv);
-  Switch server(*host);
+  LampServer server(*host, lamp);
   const auto known = wait_for<host_service_event::Server>(sut);
   ASSERT_TRUE(known);
   EXPECT_EQ(known->what, raw_lamp);
@@ -151,14 +96,14 @@ TEST_F(HostServicesTest, AClientOfTheHostIsKnownServedAndGetsItsReply) {
   const auto bus = router("uxv: {}\ngcs: {high: {services: [lamp]}}\n");
   HostServices& sut = *bus->services();
   const auto host = process(Role::uxv);
-  Finger client(*host);
+  LampClient client(*host, lamp);
   const auto known = wait_for<host_service_event::Client>(sut);
   ASSERT_TRUE(known);
   EXPECT_EQ(known->what, raw_lamp);
   EXPECT_FALSE(client.available());
   sut.serve(raw_lamp);
   std::optional<std::int64_t> number;
-  ASSERT_TRUE(eventually([&] { return (number = client.press()).has_value(); }));
+  ASSERT_TRUE(eventually([&] { return (number = client.ask(true)).has_value(); }));
   const auto request = wait_for<host_service_event::Request>(sut);
   ASSERT_TRUE(request);
   EXPECT_EQ(request->service, "lamp");
