@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole launch of an ordinary user without any capability, and others beside it.
+// A whole launch of an ordinary user without any capability, and others beside it; one of root's
+// that becomes an ordinary user.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "fast_dds/udp_sockets.hpp"
 #include "foundation/temporary_folder.hpp"
@@ -64,6 +70,50 @@ TEST_F(OrdinaryUser, RunsAHostWithoutAnyRightAndOthersDoNotReachIt) {
   const Ended root = run_to_end(Stack::program("runtime", "tocsin-component"),
                                 "list --run-dir " + folder_.path("run"));
   EXPECT_THAT(root.output, HasSubstr("/uxv/talker  process")) << "root becomes the user of the run";
+}
+
+/// `Uid:` of a process, and whether it has any capability.
+struct Rights {
+  uid_t id = 0;
+  bool has_capabilities = true;
+};
+
+Rights rights_of(pid_t process) {
+  std::ifstream status(fmt::format("/proc/{}/status", process));
+  Rights rights;
+  for (std::string word; status >> word;) {
+    if (word == "Uid:") status >> rights.id;
+    if (word == "CapEff:") rights.has_capabilities = (status >> word, word != "0000000000000000");
+  }
+  return rights;
+}
+
+TEST(RootsLaunch, DrivesAMissionAsAnOrdinaryUserWhomRootAsksAndStops) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become other users";
+  const TemporaryFolder folder;
+  ASSERT_EQ(::chmod(folder.path().c_str(), 0755), 0);
+  const TemporaryFolder log;
+  OperatorProcess launch({Stack::program("tocsin_cli", "tocsin"), "launch", "mission.yaml",
+                          "--user", std::to_string(user), "--run-dir", folder.path("run")},
+                         log.path("launch"));
+  const auto drives = [&] {
+    const auto states = column(folder.read("run/uxv/navigation_status.csv"), "state");
+    return std::find(states.begin(), states.end(), "driving") != states.end();
+  };
+  ASSERT_TRUE(Stack::eventually(seconds(60), drives)) << log.read("launch");
+  const auto pids = nlohmann::json::parse(folder.read("run/processes.json"));
+  EXPECT_GE(pids.size(), 10U);
+  for (const auto& [name, pid] : pids.items()) {
+    const Rights rights = rights_of(pid);
+    EXPECT_EQ(rights.id, user) << name;
+    EXPECT_EQ(rights.has_capabilities, name == "radio") << name;
+  }
+  const Ended root = run_to_end(Stack::program("runtime", "tocsin-component"),
+                                "list --run-dir " + folder.path("run"));
+  EXPECT_THAT(root.output, HasSubstr("/navigator  navigator  active")) << "root becomes its user";
+  const Ended stop = run_to_end(Stack::program("tocsin_cli", "tocsin"),
+                                "estop on --run-dir " + folder.path("run"));
+  EXPECT_EQ(stop.code, 0) << stop.output;
 }
 
 }  // namespace

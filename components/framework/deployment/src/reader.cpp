@@ -141,7 +141,7 @@ std::optional<Radio> read_radio(const YAML::Node& node, const YamlSources& sourc
 }  // namespace
 
 std::vector<std::string> body_keys(const std::vector<std::string>& more) {
-  std::vector<std::string> keys{"qos",     "traffic", "namespace", "stop_when_exits",
+  std::vector<std::string> keys{"qos",     "traffic", "namespace", "user", "stop_when_exits",
                                 "restart", "radio",   "security",  "hosts"};
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
@@ -156,6 +156,7 @@ void read_body(const Section& section, const YamlSources& sources, Named named,
     section.fail("namespace", "'" + deployment.ros_namespace +
                                   "' is not words of letters, digits and '_' joined by '/'");
   }
+  deployment.user = section.text("user", "");
   deployment.stop_when_exits = section.text("stop_when_exits", "");
   deployment.restart = read_restart(section.find("restart"), sources);
   deployment.radio = read_radio(section.find("radio"), sources, named);

@@ -10,8 +10,8 @@ namespace tocsin::deployment {
 [[nodiscard]] std::vector<std::string> body_keys(const std::vector<std::string>& more);
 
 /// Reads the parts that a bringup file and a resolved file share into `deployment`:
-/// qos, traffic, namespace, stop_when_exits, restart, radio, security, hosts. `named`: the files
-/// that it names.
+/// qos, traffic, namespace, user, stop_when_exits, restart, radio, security, hosts. `named`: the
+/// files that it names.
 void read_body(const Section& section, const YamlSources& sources, Named named,
                Deployment& deployment);
 

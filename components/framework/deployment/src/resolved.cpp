@@ -117,6 +117,7 @@ void write(YAML::Emitter& out, const Deployment& deployment) {
   pair(out, "domain", deployment.link_domain - 2);
   text(out, "namespace", deployment.ros_namespace);
   text(out, "security", deployment.security);
+  text(out, "user", deployment.user);
   text(out, "stop_when_exits", deployment.stop_when_exits);
   write_all(out, "restart", deployment.restart);
   if (deployment.radio) write(out, *deployment.radio);

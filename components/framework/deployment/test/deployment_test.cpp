@@ -54,6 +54,12 @@ TEST_F(DeploymentTest, TakesTheDomainOfTheCommandLine) {
   EXPECT_EQ(load(whole).link_domain, 92);
 }
 
+TEST_F(DeploymentTest, TellsTheUserOfALaunchByRoot) {
+  EXPECT_EQ(load(whole).user, "");
+  EXPECT_EQ(load(with(whole, "domain: 40", "domain: 40\nuser: tocsin")).user, "tocsin");
+  EXPECT_EQ(load(with(whole, "domain: 40", "domain: 40\nuser: 1000")).user, "1000");
+}
+
 TEST_F(DeploymentTest, AnOpenLinkHasNoEnclaves) {
   const auto deployment = load(whole);
   EXPECT_EQ(deployment.security, "");
@@ -109,8 +115,9 @@ TEST_F(DeploymentTest, AnUnknownKeyNamesAllKeysOnceAndComesBeforeWhatIsMissing) 
       HasSubstr("allowed: [name, terminal, threads, health, parameter_services, components]"));
   EXPECT_THAT(
       error_of(with(whole, "domain: 40", "domian: 40")),
-      HasSubstr("allowed: [qos, traffic, namespace, stop_when_exits, restart, radio, security, "
-                "hosts, domain, parameters]"));
+      HasSubstr(
+          "allowed: [qos, traffic, namespace, user, stop_when_exits, restart, radio, security, "
+          "hosts, domain, parameters]"));
 }
 
 TEST_F(DeploymentTest, RejectsAKeyThatIsGivenTwice) {

@@ -27,8 +27,9 @@ class ResolvedTest : public DeploymentTest {
 };
 
 TEST_F(ResolvedTest, KeepsEveryPart) {
-  const Deployment sut = through_file(whole);
+  const Deployment sut = through_file(with(whole, "domain: 40", "domain: 40\nuser: bob"));
   EXPECT_EQ(sut.file, path("resolved.yaml"));
+  EXPECT_EQ(sut.user, "bob");
   EXPECT_EQ(sut.run_dir, "/tmp/run");
   EXPECT_EQ(sut.share, "/opt/share");
   EXPECT_EQ(sut.seed, 7);

@@ -56,9 +56,10 @@ void reset_signals() {
   }
   reset_signals();
   for (const int fd : setup.inherited) ::fcntl(fd, F_SETFD, 0);
-  if (setup.network && ::setns(*setup.network, CLONE_NEWNET) != 0) {
+  if (setup.network && (!wake_capabilities() || ::setns(*setup.network, CLONE_NEWNET) != 0)) {
     give_up("cannot enter the network namespace");
   }
+  if (!pass_on_capabilities(setup.capabilities)) give_up("cannot pass on capabilities");
   ::execv(arguments[0], arguments);
   give_up(arguments[0]);
 }

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <linux/capability.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "check_first.hpp"
 #include "command_line/bringup_options.hpp"
 #include "command_line/command.hpp"
 #include "command_line/launch_plan.hpp"
+#include "command_line/launch_user.hpp"
 #include "command_line/programs.hpp"
 #include "deployment/deployment.hpp"
 #include "deployment/resolved_copy.hpp"
 #include "deployment/run_folder.hpp"
 #include "foundation/error.hpp"
+#include "foundation/privileges.hpp"
 #include "launcher.hpp"
+#include "run_folder.hpp"
 #include "served_port.hpp"
 
 namespace tocsin::cli {
@@ -47,30 +52,92 @@ bool may_start(const BringupOptions& options, const Folders& folders) {
   return true;
 }
 
-int launch(BringupOptions& options) {
+/// The folder that is there already, above the one that is to be made.
+std::filesystem::path place_of(const std::string& run_dir) {
+  std::filesystem::path place = std::filesystem::absolute(run_dir.empty() ? "runs" : run_dir);
+  do {
+    place = place.parent_path();
+  } while (!std::filesystem::exists(place));
+  return place;
+}
+
+/// What the user of a launch must be able to read or reach.
+std::vector<Access> needed_by(const BringupOptions& options,
+                              const deployment::Deployment& deployment) {
+  std::vector<Access> all{{own_program(), R_OK | X_OK},
+                          {options.file, R_OK},
+                          {place_of(options.overrides.run_dir), X_OK}};
+  if (std::filesystem::exists(deployment.share)) all.push_back({deployment.share, R_OK | X_OK});
+  for (const std::string& file : {deployment.qos, deployment.traffic}) {
+    if (!file.empty()) all.push_back({file, R_OK});
+  }
+  for (const deployment::Host& host : deployment.hosts) {
+    const std::filesystem::path key = deployment::enclave_of(deployment, host) + "/key.pem";
+    if (std::filesystem::exists(key)) all.push_back({key, R_OK});
+  }
+  return all;
+}
+
+/// Root's launch becomes the ordinary user of the run, when there is one.
+UserChoice become_ordinary(const BringupOptions& options, const std::string& wanted) {
+  deployment::Deployment deployment;
+  try {
+    deployment = deployment::load_deployment(options.file, options.overrides);
+  } catch (const ConfigError&) {
+    return {};  // the check says it, and nothing starts
+  }
+  const UserChoice choice = choose_user(wanted, deployment.user, needed_by(options, deployment));
+  // For the folder of the run, and for an emulated radio.
+  if (choice.account) {
+    become_user(*choice.account, {CAP_CHOWN, CAP_DAC_OVERRIDE, CAP_SYS_ADMIN, CAP_NET_ADMIN});
+  }
+  return choice;
+}
+
+/// The folder of the run belongs to its user, wherever it lies.
+deployment::RunFolder make_run_folder(const std::string& wanted, const UserChoice& user) {
+  const AwakeCapabilities awake;
+  if (user.account) give_empty_folder(wanted);
+  return deployment::RunFolder(wanted);
+}
+
+/// Gives each host a network of its own, when the radio is emulated.
+std::vector<HostNetwork> make_networks(const deployment::Deployment& deployment) {
+  if (!deployment.radio) return {};
+  const AwakeCapabilities awake;
+  enter_private_world();
+  return std::vector<HostNetwork>(deployment.hosts.size());
+}
+
+struct LaunchOptions {
+  BringupOptions bringup;
+  std::string user;
+};
+
+int launch(LaunchOptions& given) {
+  BringupOptions& options = given.bringup;
   options.locate();
   deployment::Overrides& overrides = options.overrides;
   const std::string& file = options.file;
+  const UserChoice user = become_ordinary(options, given.user);
   // Checked before the folder of the run is made: a wrong file leaves nothing behind.
   const Folders folders = program_folders();
   if (!may_start(options, folders)) return 2;
-  const deployment::RunFolder run(overrides.run_dir);
+  const deployment::RunFolder run = make_run_folder(overrides.run_dir, user);
   overrides.run_dir = run.path().string();
   const deployment::Deployment deployment = deployment::load_deployment(file, overrides);
+  if (user.account) keep_only(deployment.radio ? radio_capabilities : Capabilities{});
   const std::string resolved = overrides.run_dir + "/deployment.yaml";
   const deployment::ResolvedCopy copy(deployment);
   const auto specs = plan_processes(deployment, {resolved, copy.path()}, folders);
   auto ports = served_ports(deployment);
   listen_for(ports);
-  std::vector<HostNetwork> networks;
-  if (deployment.radio) {
-    enter_private_world();
-    networks = std::vector<HostNetwork>(deployment.hosts.size());
-  }
+  const std::vector<HostNetwork> networks = make_networks(deployment);
   deployment::write_resolved(deployment, resolved);
   Signals signals;
   Journal journal(overrides.run_dir + "/log", !owns_terminal(deployment),
                   ::isatty(STDOUT_FILENO) == 1);
+  if (!user.warning.empty()) journal.say(user.warning);
   Launcher launcher(deployment, networks, signals, journal);
   if (deployment.radio) {
     std::vector<int> descriptors;
@@ -87,8 +154,12 @@ int launch(BringupOptions& options) {
 
 int main(int argc, char** argv) {
   CLI::App app{"Start the processes of a bringup file and keep them running", "tocsin launch"};
-  tocsin::BringupOptions options;
-  options.declare(app);
-  app.add_option("--run-dir", options.overrides.run_dir, "folder of the run [runs/<UTC time>]");
+  tocsin::cli::LaunchOptions options;
+  options.bringup.declare(app);
+  app.add_option("--run-dir", options.bringup.overrides.run_dir,
+                 "folder of the run [runs/<UTC time>]");
+  app.add_option(
+      "--user", options.user,
+      "whom root becomes for all of it, in place of the file's [who called sudo, tocsin]");
   return tocsin::run_command(app, argc, argv, [&] { return tocsin::cli::launch(options); });
 }

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <linux/capability.h>
+
 #include <string>
 
 #include "foundation/file_descriptor.hpp"
+#include "foundation/privileges.hpp"
 
 namespace tocsin::cli {
+
+/// What the emulated radio needs of root: to make and enter networks, and its interfaces there.
+inline const Capabilities radio_capabilities{CAP_SYS_ADMIN, CAP_NET_ADMIN};
 
 /// Gives this process a mount namespace with a /dev/shm of its own and the right to make network
 /// namespaces; without privileges by a new user namespace in which it is root. Call before any

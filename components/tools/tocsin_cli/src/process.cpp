@@ -7,6 +7,8 @@
 #include <array>
 #include <cstring>
 
+#include "network.hpp"
+
 namespace tocsin::cli {
 
 Process::Process(ProcessSpec spec, const deployment::RestartPolicy& policy, Journal& journal)
@@ -14,8 +16,9 @@ Process::Process(ProcessSpec spec, const deployment::RestartPolicy& policy, Jour
 
 void Process::start(std::optional<int> network, const std::vector<int>& inherited, Time now) {
   using Streams = ChildSetup::Streams;
-  child_ = start_child({spec_.command, spec_.terminal ? Streams::errors_piped : Streams::piped,
-                        SIGKILL, network, inherited});
+  child_ =
+      start_child({spec_.command, spec_.terminal ? Streams::errors_piped : Streams::piped, SIGKILL,
+                   network, inherited, spec_.host ? Capabilities{} : radio_capabilities});
   rule_.on_start(now);
   start_at_ = never;
 }

@@ -31,12 +31,14 @@ class LaunchTest : public ::testing::Test {
     launch_file("hosts: {a: {role: uxv, address: 127.0.0.1, programs: [" + programs + "]}}\n" +
                 more);
   }
-  void launch_file(const std::string& yaml, const std::vector<std::string>& before = {}) {
+  void launch_file(const std::string& yaml, const std::vector<std::string>& before = {},
+                   const std::vector<std::string>& after = {}) {
     std::vector<std::string> words = before;
     for (const std::string& word : {std::string(LAUNCH_PROGRAM), folder_.write("d.yaml", yaml),
                                     std::string("--run-dir"), folder_.path("run")}) {
       words.push_back(word);
     }
+    words.insert(words.end(), after.begin(), after.end());
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

@@ -120,6 +120,7 @@ struct Deployment {
   int link_domain = 2;          ///< DDS domain id of the topics that cross the radio
   std::string ros_namespace;    ///< of all topics; empty or words joined by '/'
   std::string security;         ///< folder of the link's keystore; empty: the link is open
+  std::string user;             ///< whom a launch by root becomes, name or number; or empty
   std::string stop_when_exits;  ///< "host/process" whose exit with 0 or 1 ends the run; or empty
   RestartPolicy restart;
   std::optional<Radio> radio;

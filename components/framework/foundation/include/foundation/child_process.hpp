@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "foundation/file_descriptor.hpp"
+#include "foundation/privileges.hpp"
 
 namespace tocsin {
 
@@ -24,6 +25,7 @@ struct ChildSetup {
   int death_signal = SIGTERM;       ///< what the kernel sends it when this process dies
   std::optional<int> network = {};  ///< descriptor of the network namespace to enter
   std::vector<int> inherited = {};  ///< descriptors that stay open in the program
+  Capabilities capabilities = {};   ///< of those kept by become_user, what the program gets
 };
 
 /// A started process.

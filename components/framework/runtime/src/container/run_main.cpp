@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // tocsin run COMPONENT: one component in its own process, without a bringup file.
+#include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 
 #include "command_line/command.hpp"
 #include "command_line/host_option.hpp"
+#include "command_line/launch_user.hpp"
 #include "command_line/programs.hpp"
 #include "container/run_container.hpp"
 #include "container/settings.hpp"
+#include "foundation/privileges.hpp"
 #include "runtime/middleware/host_bus.hpp"
 
 namespace tocsin {
@@ -24,6 +28,7 @@ struct Options {
   std::string run_dir = ".";
   std::string qos;
   std::string traffic;
+  std::string user;
   std::optional<int> domain;
   std::vector<std::string> set;
 };
@@ -38,6 +43,7 @@ void declare(CLI::App& app, Options& options) {
   add_name_option(app, "--namespace", options.ros_namespace, "ROS namespace of the topics");
   app.add_option("--run-dir", options.run_dir, "folder for the component's files [.]")
       ->check(CLI::ExistingDirectory);
+  app.add_option("--user", options.user, "whom root becomes [who called sudo, tocsin]");
   app.add_option("--qos", options.qos, "QoS profiles [the installed ones]");
   app.add_option("--traffic", options.traffic, "traffic classes [the installed ones]");
 }
@@ -72,12 +78,24 @@ deployment::Container container_of(const Options& options, YamlSources& sources)
   return container;
 }
 
+/// Before anything of the component is loaded, as `tocsin launch` does.
+void become_ordinary(const Options& options, const deployment::Deployment& deployment) {
+  const UserChoice choice = choose_user(options.user, "",
+                                        {{own_program(), R_OK | X_OK},
+                                         {deployment.qos, R_OK},
+                                         {deployment.traffic, R_OK},
+                                         {deployment.run_dir, R_OK | W_OK | X_OK}});
+  if (choice.account) become_user(*choice.account, {});
+  if (!choice.warning.empty()) std::fprintf(stderr, "tocsin run: %s\n", choice.warning.c_str());
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Run one component in a process of its own", "tocsin run");
   Options options;
   declare(app, options);
   return run_command(app, argc, argv, [&] {
     auto deployment = deployment_of(options);
+    become_ordinary(options, deployment);
     const auto container = container_of(options, deployment.sources);
     return run_container(deployment, deployment.hosts.front(), container);
   });
