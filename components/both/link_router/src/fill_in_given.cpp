@@ -51,7 +51,7 @@ void FillInLink::on_batch(const FillInPeer& peer, const CarriedSample& sample, T
     described.on_host = parts_.link.offer(filled_in(flow));
     described.may_be_given = now + readers_take;
   }
-  if (now >= described.may_be_given) return take(batch);
+  if (now >= described.may_be_given) return take(batch, now);
   if (early_.size() < most_early) early_.push_back(batch);  // else it comes again
 }
 
@@ -65,20 +65,20 @@ void FillInLink::on_host_listens(FlowId on_host, Time now) {
 void FillInLink::take_early(Time now) {
   for (const Arrived& batch : std::exchange(early_, {})) {
     if (now >= given_.at(key_of(batch)).may_be_given) {
-      take(batch);
+      take(batch, now);
     } else {
       early_.push_back(batch);
     }
   }
 }
 
-void FillInLink::take(const Arrived& batch) {
+void FillInLink::take(const Arrived& batch, Time now) {
   const FillInPeer& peer = batch.peer;
   const auto batches =
       receiver_.on_batch(peer.name, peer.life, to_batch(*batch.message, key_of(batch)));
   std::vector<sample_log::SampleId> ids = std::exchange(live_, {});
   for (const router::FillInBatch& one : batches) {
-    give(one);
+    give(one, now);
     for (const sample_log::LogEntry& entry : one.samples) ids.push_back(entry.id);
   }
   if (batches.empty()) return parts_.store.note_given(std::move(ids), std::nullopt);
@@ -86,15 +86,16 @@ void FillInLink::take(const Arrived& batch) {
   parts_.store.note_given(std::move(ids), last_token_);
 }
 
-void FillInLink::give(const router::FillInBatch& batch) {
-  const FlowId on_host = *given_.at(batch.stream).on_host;
+void FillInLink::give(const router::FillInBatch& batch, Time now) {
+  const Described& described = given_.at(batch.stream);
   for (const sample_log::LogEntry& entry : batch.samples) {
     CarriedSample sample = parts_.link.sample_of(entry.bytes);
     if (!sample.content) continue;
     sample.source = entry.id.source;
     sample.sequence = entry.id.sequence;
     sample.sent_wall_ns = entry.sent_wall_ns;
-    parts_.link.give(on_host, sample);
+    parts_.link.give(*described.on_host, sample);
+    parts_.arrivals.keep(described.what, sample, now);
   }
 }
 

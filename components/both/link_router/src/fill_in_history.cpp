@@ -112,6 +112,7 @@ void FillInLink::on_history(store_answer::Retired& answer) {
 
 void FillInLink::add_fetches(tocsin_msgs::msg::LinkState& message) const {
   for (const sample_log::LoggedSpan& span : contents_) {
+    if (!logs(span.topic.substr(1))) continue;  // what arrives is kept for this host alone
     tocsin_msgs::msg::LoggedTopic topic;
     topic.topic(span.topic.substr(1));
     topic.samples(span.samples);

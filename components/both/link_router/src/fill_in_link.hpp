@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "arrival_log.hpp"
 #include "link_router/fill_in_receiver.hpp"
 #include "link_router/fill_in_sender.hpp"
 #include "link_router/history_requests.hpp"
@@ -36,6 +37,7 @@ class FillInLink {
     router::LinkSender& sender;
     RouterStore& store;
     RouterStore& history;  ///< of what crosses when it is asked for
+    ArrivalLog& arrivals;
     Logger& log;
   };
   FillInLink(const Parts& parts, const router::LinkRouterParams& params);
@@ -132,9 +134,9 @@ class FillInLink {
   void begin_session();
   [[nodiscard]] CarriedSample packed(const router::FillInBatch& batch);
   [[nodiscard]] static std::uint64_t key_of(const Arrived& batch);
-  void take(const Arrived& batch);
+  void take(const Arrived& batch, Time now);
   void take_early(Time now);
-  void give(const router::FillInBatch& batch);
+  void give(const router::FillInBatch& batch, Time now);
 
   Parts parts_;
   const std::optional<FlowId> flow_;

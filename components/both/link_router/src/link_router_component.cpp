@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "arrival_log.hpp"
 #include "call_link.hpp"
 #include "fill_in_link.hpp"
 #include "fill_in_messages.hpp"
@@ -59,8 +60,10 @@ LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
                                            [this] { schedule().input_arrived(); })),
       history_(std::make_unique<RouterStore>(context.devices, history_place(context, params),
                                              [this] { schedule().input_arrived(); })),
+      arrivals_(std::make_unique<ArrivalLog>(
+          ArrivalLog::Parts{*link_, *history_, [this](Time now) { return bus().wall_ns(now); }})),
       fill_ins_(std::make_unique<FillInLink>(
-          FillInLink::Parts{*link_, sender_, *store_, *history_, log()}, params.link)),
+          FillInLink::Parts{*link_, sender_, *store_, *history_, *arrivals_, log()}, params.link)),
       calls_(std::make_unique<CallLink>(CallLink::Parts{
           *link_, sender_, log(), [this](Time now) { return bus().wall_ns(now); }})) {
   for (const auto& [flow, rule] : calls_->flows()) {
@@ -181,7 +184,8 @@ void LinkRouterComponent::on(const link_event::PeerFlow& event, Time now) {
   const auto peer = peers_.find(event.peer);
   if (peer == peers_.end()) return;
   Incoming& flow = incoming_[event.flow];
-  flow = {event.peer, event.wire_id, kind_of(event.what.topic), stream_rule(event.what, {})};
+  flow = {event.peer, event.wire_id, kind_of(event.what.topic), stream_rule(event.what, {}),
+          event.what};
   if (flow.kind == Incoming::Kind::receipts) return;
   receiver_.on_stream(peer->second, event.wire_id, flow.rule);
   if (flow.kind != Incoming::Kind::samples) return;
@@ -227,6 +231,7 @@ void LinkRouterComponent::on(const link_event::LinkSample& event, Time now) {
   if (flow.kind == Incoming::Kind::calls) return calls_->on_call(event.sample, now);
   const bool was_given =
       flow.rule.stored && !fill_ins_->on_live(peer->second, flow.rule, event.sample);
+  if (!was_given) arrivals_->keep(flow.what, event.sample, now);
   // Late readers ask for the last sample of a state, whoever has it already.
   if (!was_given || flow.rule.durable) link_->give(event.flow, event.sample);
 }

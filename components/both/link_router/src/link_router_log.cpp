@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a LinkRouterComponent does for its logs now and then, and what this host wants of logs.
+#include "arrival_log.hpp"
 #include "fill_in_link.hpp"
 #include "fill_in_messages.hpp"
 #include "foundation/hash.hpp"
@@ -46,7 +47,7 @@ void LinkRouterComponent::fetch_around(Time stop) {
 void LinkRouterComponent::keep_store(Time now) {
   next_keep_ = next_instant(keep_period, now);
   if (fill_ins_->flow()) store_->open(now, bus().wall_ns(now));
-  if (fill_ins_->logs()) history_->open(now, bus().wall_ns(now));
+  if (fill_ins_->logs() || arrivals_->keeps_any()) history_->open(now, bus().wall_ns(now));
   store_->keep(now);
   history_->keep(now);
 }

@@ -43,9 +43,9 @@ FolderLock locked(const std::string& folder) {
 }  // namespace
 
 FolderFiles::FolderFiles(const std::string& folder)
-    : folder_(made(folder)), lock_(locked(folder_)) {}
+    : folder_(made(folder)), lock_(locked(folder_)), source_(folder_) {}
 
-std::vector<std::string> FolderFiles::names() const {
+std::vector<std::string> FolderSource::names() const {
   std::vector<std::string> names;
   std::error_code error;
   for (fs::directory_iterator it(folder_, error), end; !error && it != end; it.increment(error)) {
@@ -55,12 +55,18 @@ std::vector<std::string> FolderFiles::names() const {
   return names;
 }
 
+std::unique_ptr<mcap::ByteSource> FolderSource::open(const std::string& name) const {
+  return std::make_unique<mcap::FileSource>(folder_ + "/" + name);
+}
+
+std::vector<std::string> FolderFiles::names() const { return source_.names(); }
+
 std::unique_ptr<LogFile> FolderFiles::make(const std::string& name) {
   return std::make_unique<SyncedFile>(path(name));
 }
 
 std::unique_ptr<mcap::ByteSource> FolderFiles::open(const std::string& name) const {
-  return std::make_unique<mcap::FileSource>(path(name));
+  return source_.open(name);
 }
 
 void FolderFiles::remove(const std::string& name) {

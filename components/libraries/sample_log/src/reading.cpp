@@ -28,8 +28,11 @@ void SampleLog::index(std::unique_ptr<mcap::ByteSource> source, Segment& segment
     if (!key) continue;
     last_log_time_ns_ = std::max(last_log_time_ns_, message->log_time_ns);
     extend(segment.spans, channel->second.topic, message->log_time_ns);
-    if (use_ == LogUse::history) continue;
     const SampleId id = sample_id(*key, message->sequence);
+    if (use_ == LogUse::history) {
+      (void)known_.add(id);
+      continue;
+    }
     if (!confirmed_.done().contains(id)) waiting_[id] = {segment.number, message->log_time_ns};
   }
   if (reader.damage().chunks > 0) {
@@ -91,12 +94,8 @@ void SampleLog::find(const Segment& segment, const LogQuery& query, LogFinding& 
         finding.next_ns = message->log_time_ns;
         return;
       }
-      // A sample that a writer gave again to a restarted process is in the log twice.
-      const bool is_new =
-          waiting_.insert_or_assign(id, Place{segment.number, message->log_time_ns}).second;
-      if (is_new || std::find(finding.ids.begin(), finding.ids.end(), id) == finding.ids.end()) {
-        finding.ids.push_back(id);
-      }
+      waiting_[id] = {segment.number, message->log_time_ns};
+      finding.ids.push_back(id);
     }
   } catch (const ConfigError& error) {
     problems_.emplace_back(error.what());

@@ -9,13 +9,12 @@
 #include "active_segment.hpp"
 #include "foundation/error.hpp"
 #include "numbered.hpp"
+#include "segment_names.hpp"
 #include "span.hpp"
 
 namespace tocsin::sample_log {
 namespace {
 
-constexpr const char* segment_name = "segment";
-constexpr const char* extension = ".mcap";
 /// A log has about so many segments when it is full: what goes is the oldest of them.
 constexpr std::uint64_t segments_of_a_log = 16;
 
@@ -25,7 +24,7 @@ SampleLog::SampleLog(LogFiles& files, const LogLimits& limits, Time now, std::in
                      LogUse use)
     : files_(files), limits_(limits), use_(use), confirmed_(files, "confirmed") {
   for (const std::string& file : files_.names()) {
-    const auto number = number_in(file, segment_name, extension);
+    const auto number = number_in(file, segment_name, segment_extension);
     if (number) recover(file, *number, now, wall_ns);
   }
   if (confirmed_.damaged() > 0) {
@@ -41,7 +40,7 @@ void SampleLog::add(const LoggedStream& stream) {
 }
 
 bool SampleLog::begin_segment() {
-  const std::string file = numbered(segment_name, last_number_ + 1, extension);
+  const std::string file = numbered(segment_name, last_number_ + 1, segment_extension);
   try {
     active_ = std::make_unique<Active>(files_.make(file));
   } catch (const ConfigError& error) {
@@ -64,7 +63,8 @@ std::vector<Logged> SampleLog::append(const std::vector<LogEntry>& entries, Time
       logged[i] = Logged::confirmed;
       continue;
     }
-    if (waiting_.count(id) != 0 || !seen.insert(id).second) continue;
+    const bool is_there = waiting_.count(id) != 0 || known_.contains(id);
+    if (is_there || !seen.insert(id).second) continue;
     log_time_ns = std::max(log_time_ns + 1, static_cast<std::uint64_t>(std::max(wall_ns, {})));
     fresh.emplace_back(&entries[i], log_time_ns);
     logged[i] = Logged::refused;
@@ -91,6 +91,7 @@ std::vector<Logged> SampleLog::append(const std::vector<LogEntry>& entries, Time
 
 void SampleLog::note(const SampleId& id, std::uint64_t log_time_ns) {
   if (use_ == LogUse::queue) waiting_[id] = {last_number_, log_time_ns};
+  if (use_ == LogUse::history) (void)known_.add(id);
   extend(segments_.back().spans, streams_.at(id.stream).topic, log_time_ns);
 }
 

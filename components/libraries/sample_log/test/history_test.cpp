@@ -115,9 +115,12 @@ TEST_F(HistoryTest, TwoRequestsForTheSameFindTheSame) {
   EXPECT_THAT(find(2, 3).ids, ElementsAre(id(2), id(3)));
 }
 
-TEST_F(HistoryTest, ASampleThatCameTwiceIsFoundOnce) {
+TEST_F(HistoryTest, ASampleThatCameTwiceIsInItOnceAlsoAfterARestart) {
   append_seconds(1, 2);
-  append(id(2));
+  for (int lives = 0; lives < 2; ++lives, start()) {
+    EXPECT_EQ(sut_->append({{id(2), 1000, {1}}}, now_, wall_began)[0], Logged::waiting);
+  }
+  EXPECT_EQ(sut_->contents().at(0).samples, 2U);
   EXPECT_THAT(find(0, 9).ids, ElementsAre(id(1), id(2)));
 }
 

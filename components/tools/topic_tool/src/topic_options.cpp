@@ -29,6 +29,22 @@ void add_qos_option(CLI::App& app, const char* name, Policy& policy,
       ->check(CLI::IsMember(words));
 }
 
+void declare_log(CLI::App& echo, LogWish& log) {
+  auto* const group = echo.add_option_group(
+      "From the log", "first what this host's log has, then what comes to it; see link_router");
+  auto* const last = group->add_option("--last", log.last, "the last N messages")
+                         ->check(CLI::Range(0, 1'000'000'000));
+  auto* const since = group->add_option("--since", log.since_s, "[s] those of so long before now")
+                          ->check(CLI::Range(0.0, 1e9));
+  auto* const start = group->add_flag("--from-start", log.from_start, "all that there are");
+  last->excludes(since)->excludes(start);
+  since->excludes(start);
+  group->add_option("--consumer", log.consumer,
+                    "goes on where the last one of this name was; a new one begins with the above, "
+                    "or now");
+  group->add_option("--log", log.folder, "the router's store_directory [of the running host]");
+}
+
 void declare_echo(CLI::App& app, Options& options) {
   CLI::App* const sub = options.add_verb(app, "echo", "prints each message");
   need_topic(*sub, options);
@@ -38,6 +54,7 @@ void declare_echo(CLI::App& app, Options& options) {
   sub->add_flag("--no-arr", options.echo.no_lists, "leaves lists out");
   sub->add_flag("--no-str", options.echo.no_texts, "leaves texts out");
   sub->add_flag("--once", options.once, "ends after the first message");
+  declare_log(*sub, options.log);
 }
 
 void declare_pub(CLI::App& app, Options& options) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "graph_text.hpp"
+#include "log_places.hpp"
 #include "message_yaml.hpp"
 #include "runtime/middleware/qos_policies.hpp"
 #include "topic_session.hpp"
@@ -25,6 +26,7 @@ struct Options : SessionOptions {
   EchoOptions echo;
   bool full_length = false;
   bool once = false;
+  LogWish log;
   std::size_t window = 10'000;
   double rate_hz = 1;
   int times = 0;

@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "command_line/stop_signal.hpp"
+#include "deployment/running_host.hpp"
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
 #include "header_stamp.hpp"
 #include "idl_support/decode.hpp"
 #include "idl_support/encode.hpp"
+#include "log_echo.hpp"
 #include "meters.hpp"
 #include "topic_session.hpp"
 
@@ -57,24 +59,35 @@ int find(const Options& options) {
   return 0;
 }
 
+/// The folders of the log of the host that the options name.
+std::vector<std::string> log_folders(const Options& options) {
+  if (!options.log.folder.empty()) return folders_in(options.log.folder);
+  const auto host = chosen_host(options.host);
+  if (host != nullptr) return folders_in(store_folder(*host));
+  throw EnvironmentError("nothing runs here whose log could be read: name it with --log");
+}
+
+int echo_log(const Options& options, const EchoOptions& shown) {
+  const auto folders = log_folders(options);
+  catch_stop_signals();
+  const std::string topic = absolute(options.topic);
+  const std::string folder = folder_with(folders, topic, seconds(options.spin_s));
+  LogEcho log(folder, topic, options.log);
+  log.run(shown, options.once);
+  return 0;
+}
+
 int echo(const Options& options) {
+  EchoOptions shown = options.echo;
+  if (options.full_length) shown.longest = 0;
+  if (options.log.is_wanted()) return echo_log(options, shown);
   TopicSession session(options);
   const RawTopic topic = session.find(absolute(options.topic));
   const TypeInfo& known = known_type(topic.type);
-  EchoOptions shown = options.echo;
-  if (options.full_length) shown.longest = 0;
   (void)to_yaml(known, known.create().get(), shown);  // refuses a field that it has not
   SampleQueue samples(session.graph(), topic);
   while (const auto sample = samples.take(for_ever)) {
-    const auto message = decode(known, *sample->bytes);
-    if (!message) {
-      std::fprintf(stderr, "a sample of %zu bytes is no %s\n", sample->bytes->size(),
-                   ros_type(topic.type).c_str());
-      continue;
-    }
-    std::printf("%s---\n", to_yaml(known, message.get(), shown).c_str());
-    std::fflush(stdout);
-    if (options.once) break;
+    if (print(known, *sample->bytes, shown) && options.once) break;
   }
   return 0;
 }

@@ -49,6 +49,22 @@ TEST(TopicOptions, ChooseAHostInEveryVerb) {
   EXPECT_FALSE(Parsed("list --domain 232").refused.empty());
 }
 
+TEST(TopicOptions, OfEchoMayNameAPlaceInTheLog) {
+  EXPECT_FALSE(Parsed("echo /x").options.log.is_wanted());
+  const Parsed last("echo /x --last 10 --consumer plot --log /var/log");
+  EXPECT_EQ(last.refused, "");
+  EXPECT_TRUE(last.options.log.is_wanted());
+  EXPECT_EQ(last.options.log.last, 10U);
+  EXPECT_EQ(last.options.log.consumer, "plot");
+  EXPECT_EQ(last.options.log.folder, "/var/log");
+  EXPECT_EQ(Parsed("echo /x --since 2.5").options.log.since_s, 2.5);
+  EXPECT_TRUE(Parsed("echo /x --from-start").options.log.from_start);
+  for (const char* const line : {"--last 3 --since 4", "--last 3 --from-start",
+                                 "--since 3 --from-start", "--last -1", "--since -1"}) {
+    EXPECT_FALSE(Parsed(std::string("echo /x ") + line).refused.empty()) << line;
+  }
+}
+
 TEST(TopicOptions, OfListAreThoseOfRos2) {
   const Parsed all("list -t -c -v --include-hidden-topics --spin-time 0.5");
   EXPECT_TRUE(all.options.list.types);

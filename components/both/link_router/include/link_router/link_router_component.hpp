@@ -19,6 +19,7 @@
 
 namespace tocsin {
 
+class ArrivalLog;
 class CallLink;
 class FillInLink;
 class RouterStore;
@@ -83,6 +84,7 @@ class LinkRouterComponent final : public Component {
     enum class Kind : std::uint8_t { samples, receipts, fill_ins, services, calls };
     Kind kind = Kind::samples;
     router::StreamRule rule;
+    Flow what;
   };
 
   void take_events(Time now);
@@ -126,6 +128,7 @@ class LinkRouterComponent final : public Component {
   FlowId receipts_;
   std::unique_ptr<RouterStore> store_;
   std::unique_ptr<RouterStore> history_;
+  std::unique_ptr<ArrivalLog> arrivals_;
   std::unique_ptr<FillInLink> fill_ins_;
   std::unique_ptr<CallLink> calls_;
   std::map<FlowId, Outgoing> outgoing_;  ///< by the flow on the host

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <utility>
 
 #include "command_line/host_option.hpp"
 #include "command_line/programs.hpp"
@@ -95,6 +96,11 @@ BusOptions host_bus_options(const HostChoice& choice, const std::string& name) {
   options.name = name;
   if (choice.domain) options.host_domain = *choice.domain;
   return options;
+}
+
+std::unique_ptr<deployment::RunningHost> chosen_host(const HostChoice& choice) {
+  auto run = chosen_run(choice);
+  return run ? std::make_unique<deployment::RunningHost>(std::move(*run)) : nullptr;
 }
 
 std::unique_ptr<Bus> open_host_bus(const HostChoice& choice, const std::string& name) {

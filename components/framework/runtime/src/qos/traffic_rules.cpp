@@ -8,6 +8,7 @@
 
 #include "command_line/programs.hpp"
 #include "deployment/traffic_file.hpp"
+#include "dscp_entry.hpp"
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/spelling.hpp"
@@ -24,6 +25,7 @@ struct ClassEntry {
   std::vector<std::string> adaptive;
   std::vector<std::string> store;
   std::vector<std::string> log;
+  std::vector<std::string> keep;
   std::vector<std::string> services;
   std::vector<std::string> actions;
   double min_rate_hz = 0;
@@ -40,6 +42,9 @@ struct ClassEntry {
     v("store", store, "those of them of which nothing is lost: a log keeps what does not cross");
     v("log", log,
       "topics of this class, or of none, that a log keeps: what did not cross does when asked for");
+    v("keep", keep,
+      "those of them, or patterns, that the other side's log keeps as they arrive, for late "
+      "readers");
     v("min_rate_hz", min_rate_hz, {0, 1000},
       "[1/s] its topics may be thinned to this while the budget is short; 0: never");
     v("max_rate_hz", max_rate_hz, {0, 1000},
@@ -56,30 +61,6 @@ struct ClassEntry {
 
 /// What a role says beside its classes.
 const std::string stays_key = "stays";
-
-/// The file's map `dscp`.
-struct DscpEntry {
-  int critical = tocsin::dscp(TrafficClass::critical);
-  int high = tocsin::dscp(TrafficClass::high);
-  int normal = tocsin::dscp(TrafficClass::normal);
-  int low = tocsin::dscp(TrafficClass::low);
-  template <class Visitor>
-  void visit(Visitor& v) {
-    v("critical", critical, {0, 63}, "[1] DSCP of the packets of class critical");
-    v("high", high, {0, 63}, "[1] DSCP of the packets of class high");
-    v("normal", normal, {0, 63}, "[1] DSCP of the packets of class normal");
-    v("low", low, {0, 63}, "[1] DSCP of the packets of class low");
-  }
-};
-
-DscpOfClass to_dscp(const DscpEntry& entry) {
-  DscpOfClass dscp;
-  dscp.set(TrafficClass::critical, static_cast<std::uint8_t>(entry.critical));
-  dscp.set(TrafficClass::high, static_cast<std::uint8_t>(entry.high));
-  dscp.set(TrafficClass::normal, static_cast<std::uint8_t>(entry.normal));
-  dscp.set(TrafficClass::low, static_cast<std::uint8_t>(entry.low));
-  return dscp;
-}
 
 void refuse_unknown_maps(const YAML::Node& file, const YamlSources& sources) {
   std::vector<std::string> known{"dscp"};
@@ -229,6 +210,21 @@ void add_logged(const NamedClass& from, NameRules<TrafficRule>& rules) {
   }
 }
 
+/// What its list `keep` names: topics of this class, or patterns.
+template <class Keeps>
+void add_kept(const NamedClass& from, NameRules<Keeps>& kept) {
+  for (const std::string& topic : from.entry.keep) {
+    std::vector<std::string> known = from.entry.topics;
+    known.insert(known.end(), from.entry.log.begin(), from.entry.log.end());
+    if (!is_pattern(topic) && !names(known, topic)) {
+      throw ConfigError(from.key + ".keep: " + topic +
+                        " is neither in topics nor in log of its class" +
+                        did_you_mean(known, topic, "they have") + from.place);
+    }
+    (void)kept.add(topic, {});
+  }
+}
+
 /// Of its services, and of those of its actions.
 void add_services(const NamedClass& from, NameRules<CallRule>& rules) {
   CallRule rule{from.calls()};
@@ -265,9 +261,11 @@ TrafficRules::TrafficRules(const std::string& path, Role of) : path_(path), role
   for (const std::string& name : names_in(own[stays_key], std::string(to_string(of)), sources)) {
     (void)stays_.add(name, {});
   }
+  NameRules<Keeps> kept_there;  // looked at, and kept by the others
   const std::vector<NamedClass> classes = all_classes(file, sources);
   for (const NamedClass& one : classes) {
     if (one.role == of) add_topics(one, rules_);
+    add_kept(one, one.role == of ? kept_there : kept_here_);
     add_services(one, one.role == of ? served_ : called_);
     if (one.has_calls()) call_classes_.push_back(one.calls());
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lists `log` of a traffic file.
+// The lists `log` and `keep` of a traffic file.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,6 +39,29 @@ TEST(TrafficRules, ATopicIsStoredOrLogged) {
   const ConfigFile file("uxv:\n  low: {topics: [camera], store: [camera], log: [camera]}\n");
   EXPECT_THAT(error_of([&] { TrafficRules(file.path(), Role::uxv); }),
               HasSubstr("uxv.low.log: camera is stored"));
+}
+
+TEST(TrafficRules, WhatOneSideWritesTheOtherKeeps) {
+  const ConfigFile file(
+      "uxv:\n  low: {topics: [battery, camera], log: [odom], keep: [battery, odom, 'arm/*']}\n"
+      "gcs:\n  high: {topics: [goal, battery]}\n");
+  const TrafficRules station(file.path(), Role::gcs);
+  EXPECT_TRUE(station.keeps_any());
+  EXPECT_TRUE(station.keeps("battery"));
+  EXPECT_TRUE(station.keeps("odom")) << "what of it is fetched";
+  EXPECT_TRUE(station.keeps("arm/joints"));
+  EXPECT_FALSE(station.keeps("camera"));
+  const TrafficRules vehicle(file.path(), Role::uxv);
+  EXPECT_FALSE(vehicle.keeps_any());
+  EXPECT_FALSE(vehicle.keeps("battery")) << "the station writes one, too, and nobody keeps that";
+}
+
+TEST(TrafficRules, AKeptTopicIsOneOfItsClass) {
+  const ConfigFile file("uxv:\n  low: {topics: [battery], keep: [batery]}\n");
+  const auto error = error_of([&] { TrafficRules(file.path(), Role::uxv); });
+  EXPECT_THAT(error,
+              HasSubstr("uxv.low.keep: batery is neither in topics nor in log of its class"));
+  EXPECT_THAT(error, HasSubstr("battery"));
 }
 
 }  // namespace

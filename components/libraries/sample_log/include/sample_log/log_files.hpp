@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "foundation/folder_lock.hpp"
@@ -22,17 +23,33 @@ class LogFile : public mcap::ByteSink {
   virtual void sync() = 0;
 };
 
-/// The files of one log. One thread at a time.
-class LogFiles {
+/// The files of one log, to be read, also while another process writes them. One thread at a time.
+class LogSource {
  public:
-  virtual ~LogFiles() = default;
+  virtual ~LogSource() = default;
   /// Sorted.
   [[nodiscard]] virtual std::vector<std::string> names() const = 0;
-  /// Throws ConfigError when it is there already or cannot be made.
-  [[nodiscard]] virtual std::unique_ptr<LogFile> make(const std::string& name) = 0;
   /// Throws ConfigError when it cannot be read. Reads what the file has at that time.
   [[nodiscard]] virtual std::unique_ptr<mcap::ByteSource> open(const std::string& name) const = 0;
+};
+
+/// The files of one log. One thread at a time.
+class LogFiles : public LogSource {
+ public:
+  /// Throws ConfigError when it is there already or cannot be made.
+  [[nodiscard]] virtual std::unique_ptr<LogFile> make(const std::string& name) = 0;
   virtual void remove(const std::string& name) = 0;
+};
+
+/// The files of a folder that another process may have. A folder that is not there has none.
+class FolderSource final : public LogSource {
+ public:
+  explicit FolderSource(std::string folder) : folder_(std::move(folder)) {}
+  [[nodiscard]] std::vector<std::string> names() const override;
+  [[nodiscard]] std::unique_ptr<mcap::ByteSource> open(const std::string& name) const override;
+
+ private:
+  const std::string folder_;
 };
 
 /// The files of a folder, which is this process's as long as this lives.
@@ -49,6 +66,7 @@ class FolderFiles final : public LogFiles {
   [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
   const std::string folder_;
   FolderLock lock_;
+  const FolderSource source_;
 };
 
 /// Files in memory, for tests: they outlive the log that writes them, as files do.

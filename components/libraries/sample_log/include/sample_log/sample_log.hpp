@@ -15,6 +15,7 @@
 #include "sample_log/ledger.hpp"
 #include "sample_log/log_files.hpp"
 #include "sample_log/sample_id.hpp"
+#include "sample_log/sample_set.hpp"
 
 namespace tocsin::sample_log {
 
@@ -66,7 +67,7 @@ struct LogFinding {
 /// What became of an entry.
 enum class Logged : std::uint8_t {
   kept,
-  waiting,    ///< it is in the log and not confirmed: nothing was done
+  waiting,    ///< it is in the log, and a queue's is not confirmed: nothing was done
   confirmed,  ///< it was confirmed before: nothing was done
   refused     ///< there is no room, or the folder cannot be written
 };
@@ -76,7 +77,7 @@ enum class Logged : std::uint8_t {
 /// confirmed, over all lives; what was appended and confirmed survives a kill -9.
 ///
 /// A queue has an index of what waits in memory; a history, which may hold very many samples, only
-/// of what `find` has named.
+/// of what `find` has named, and the numbers of all as a SampleSet. Each sample is in it once.
 ///
 /// Segments are never changed: one that was cut is read up to the cut, a damaged chunk is left out
 /// with a line in problems(). Ages of this life's segments are counted by the steady clock, so that
@@ -153,6 +154,7 @@ class SampleLog {
   std::deque<Segment> segments_;
   std::unique_ptr<Active> active_;  ///< the last of segments_; null: none is being written
   std::map<SampleId, Place> waiting_;
+  SampleSet known_;  ///< of a history: what is in it, or was
   std::uint64_t last_number_ = 0;
   std::uint64_t last_log_time_ns_ = 0;
   bool refuses_ = false;  ///< the last attempt to write failed

@@ -10,6 +10,9 @@
 namespace CLI {
 class App;
 }
+namespace tocsin::deployment {
+struct RunningHost;
+}
 
 namespace tocsin {
 
@@ -30,6 +33,10 @@ struct HostChoice {
 
 /// $ROS_DOMAIN_ID, or 0. Throws ConfigError when it is no domain id.
 [[nodiscard]] int default_domain();
+
+/// The host of a `tocsin launch` that is chosen; null: only a domain is, or nothing runs. Throws
+/// ConfigError for a wrong choice, EnvironmentError when nothing runs in the folder that it names.
+[[nodiscard]] std::unique_ptr<deployment::RunningHost> chosen_host(const HostChoice& choice);
 
 /// How to join the host's domain as `name`. Enters the host's network namespace when the run gave
 /// it one: call it before the program has a second thread. Throws ConfigError for a wrong choice,

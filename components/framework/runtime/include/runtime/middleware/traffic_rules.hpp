@@ -57,7 +57,8 @@ class TrafficRules {
   /// Without a file: everything is of class normal and never paused.
   TrafficRules() = default;
   /// Throws ConfigError with file and line: unreadable file, no map for the role, unknown class or
-  /// key, a DSCP above 63, a topic named twice, one that is both stored and logged.
+  /// key, a DSCP above 63, a topic named twice, one that is both stored and logged, one that is
+  /// kept and not in its class.
   TrafficRules(const std::string& path, Role role);
   /// Throws ConfigError when no rule of the role fits the topic.
   [[nodiscard]] const TrafficRule& of(const std::string& topic) const;
@@ -67,6 +68,13 @@ class TrafficRules {
   [[nodiscard]] const std::map<std::string, TrafficRule>& all() const { return rules_.names(); }
   [[nodiscard]] const std::map<std::string, TrafficRule>& patterns() const {
     return rules_.patterns();
+  }
+  /// Whether this role keeps what arrives of a topic of another role in its log.
+  [[nodiscard]] bool keeps(const std::string& topic) const {
+    return kept_here_.find(topic) != nullptr;
+  }
+  [[nodiscard]] bool keeps_any() const {
+    return !kept_here_.names().empty() || !kept_here_.patterns().empty();
   }
   /// Of a service that this role serves for the peers; null: none of these.
   [[nodiscard]] const CallRule* served(const std::string& service) const {
@@ -87,8 +95,10 @@ class TrafficRules {
   std::string path_;  ///< empty: without a file
   Role role_ = Role::uxv;
   struct Stays {};
+  struct Keeps {};
   NameRules<TrafficRule> rules_;
-  NameRules<Stays> stays_;  ///< go before the patterns of rules_
+  NameRules<Stays> stays_;      ///< go before the patterns of rules_
+  NameRules<Keeps> kept_here_;  ///< topics of other roles
   NameRules<CallRule> served_;
   NameRules<CallRule> called_;
   std::vector<CallClass> call_classes_;

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a station's router keeps of what arrives, for readers that come late.
+#include <gmock/gmock.h>
+
+#include <string>
+#include <vector>
+
+#include "fill_in_fixture.hpp"
+#include "sample_log/consumer.hpp"
+
+namespace tocsin {
+namespace {
+
+using sample_log::Consumer;
+using sample_log::LogStart;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr FlowId other_flow = 800;
+
+class ArrivalLogTest : public FillInLinkTest {
+ protected:
+  ArrivalLogTest() {
+    (void)folder_.write("traffic.yaml",
+                        "uxv: {normal: {topics: [goal, pose]}}\n"
+                        "gcs: {low: {topics: [goal, odom], keep: [goal]}}\n");
+    script_.rules = TrafficRules(folder_.path("traffic.yaml"), Role::uxv);
+    next_life();
+  }
+  void next_life() {
+    start(folder_.path("store"));
+    meet();
+    script_.happen(link_event::PeerFlow{peer_fill_ins, station, 9, flow(fill_in_topic)});
+    Flow stored = flow("goal");
+    stored.stored = true;
+    script_.happen(link_event::PeerFlow{peer_flow, station, 10, stored});
+    script_.happen(link_event::PeerFlow{other_flow, station, 11, flow("odom")});
+    run(0);
+  }
+  /// All that a late reader finds, after the router has written it.
+  [[nodiscard]] std::vector<std::uint64_t> kept(const std::string& topic = "/goal") {
+    run(1);
+    Consumer consumer(folder_.path("store/history"), {topic, ""}, {LogStart::From::beginning});
+    std::vector<std::uint64_t> sequences;
+    for (const auto& sample : consumer.read()) sequences.push_back(sample.id.sequence);
+    return sequences;
+  }
+};
+
+TEST_F(ArrivalLogTest, KeepsWhatCameLiveAndWhatWasFilledIn) {
+  hear(1, 1);
+  hear(2, 4);
+  fill_in(1, {2, 3});
+  EXPECT_THAT(kept(), ElementsAre(1, 4, 2, 3)) << "as they arrived";
+}
+
+TEST_F(ArrivalLogTest, KeepsNothingThatIsNotListed) {
+  CarriedSample sample;
+  sample.bytes = 100;
+  sample.source = 3;
+  sample.sequence = 1;
+  script_.happen(link_event::LinkSample{other_flow, 1, sample, host_->bus.now()});
+  run(0);
+  EXPECT_THAT(kept("/odom"), IsEmpty());
+  begin("goal");
+  write(1);
+  EXPECT_THAT(kept(), IsEmpty()) << "of this host's own topics the list log says it";
+}
+
+TEST_F(ArrivalLogTest, EachSampleIsInItOnceOverLivesOfBothSides) {
+  hear(1, 1);
+  EXPECT_THAT(kept(), ElementsAre(1));
+  next_life();
+  hear(1, 1);
+  hear(2, 2);
+  EXPECT_THAT(kept(), ElementsAre(1, 2));
+}
+
+TEST_F(ArrivalLogTest, IsNotToldAsALogThatOthersMayAskFor) {
+  hear(1, 1);
+  run(12);
+  const auto states = host_->states.take();
+  ASSERT_FALSE(states.empty());
+  EXPECT_THAT(states.back().logged(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace tocsin
