@@ -31,6 +31,7 @@ std::string age_text(std::int64_t clock_ns, std::int64_t time_ns) {
 }  // namespace
 
 void KnownLogs::on_state(const State& state, Time now) {
+  has_heard_ = true;
   if (!state.logged().empty()) logs_[state.role()] = {state, now};
 }
 
@@ -38,6 +39,13 @@ bool KnownLogs::has(const std::string& topic) const {
   return std::any_of(logs_.begin(), logs_.end(), [&topic](const auto& entry) {
     return find(entry.second.state, topic) != nullptr;
   });
+}
+
+std::string KnownLogs::why_none() const {
+  return has_heard_
+             ? "no router tells of a log (list `log` of its traffic file)"
+             : "nothing runs here: no router was heard (--run-dir, --host or --domain name a "
+               "host)";
 }
 
 std::vector<std::string> KnownLogs::topics() const {

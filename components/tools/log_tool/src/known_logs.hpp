@@ -22,6 +22,8 @@ class KnownLogs {
   /// Whether any router that logs something has told it.
   [[nodiscard]] bool any() const { return !logs_.empty(); }
   [[nodiscard]] bool has(const std::string& topic) const;
+  /// For people: why no log is known; there is no router, or those that there are log nothing.
+  [[nodiscard]] std::string why_none() const;
   /// Topics that are logged somewhere, sorted.
   [[nodiscard]] std::vector<std::string> topics() const;
   /// [ns] since the Unix epoch, the time at `now` by the clock of the host that logs the topic, as
@@ -37,6 +39,7 @@ class KnownLogs {
   };
   [[nodiscard]] static std::int64_t clock_ns(const Log& log, Time now);
   std::map<std::string, Log> logs_;  ///< by role
+  bool has_heard_ = false;           ///< of any router
 };
 
 /// A time that a person said: above 0 in seconds since the Unix epoch, else in seconds before the

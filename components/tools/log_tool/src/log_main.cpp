@@ -74,7 +74,7 @@ int list(const Options& options) {
   StateListener states(*graph);
   const KnownLogs logs = heard_logs(states, "", seconds(options.spin_s));
   if (!logs.any()) {
-    std::fprintf(stderr, "no router tells of a log (list `log` of its traffic file)\n");
+    std::fprintf(stderr, "%s\n", logs.why_none().c_str());
     return 1;
   }
   std::printf("%s", logs.table(steady_now()).c_str());
@@ -100,8 +100,9 @@ std::string timestamped_folder() {
 KnownLogs logs_with(StateListener& states, const std::string& topic, double patience_s) {
   KnownLogs logs = heard_logs(states, topic, seconds(patience_s));
   if (logs.has(topic) || is_stopped()) return logs;
-  throw ConfigError("--topic: " + printable(topic) + " is in no log that is heard of" +
-                    (logs.any() ? "; these are: " + joined(logs.topics()) : ""));
+  throw ConfigError(
+      "--topic: " + printable(topic) + " is in no log that is heard of" +
+      (logs.any() ? "; these are: " + joined(logs.topics()) : ": " + logs.why_none()));
 }
 
 int tell(const Fetching& fetching, bool is_done, const std::string& output) {

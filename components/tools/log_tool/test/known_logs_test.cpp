@@ -96,6 +96,14 @@ TEST(KnownLogs, EachHostHasItsOwnClock) {
   EXPECT_EQ(sut.clock_ns("map", t0), 5000 * second_ns);
 }
 
+TEST(KnownLogs, TellWhetherNobodyLogsOrNothingRuns) {
+  KnownLogs sut;
+  EXPECT_THAT(sut.why_none(), HasSubstr("nothing runs here: no router was heard"));
+  sut.on_state(state({}), t0);
+  EXPECT_FALSE(sut.any());
+  EXPECT_THAT(sut.why_none(), HasSubstr("no router tells of a log"));
+}
+
 TEST(RequestFor, IsUpToNowAtMost) {
   const auto sut = request_for("odom", {"-60", "2000"}, 1000 * second_ns);
   EXPECT_EQ(sut.topic(), "odom");
