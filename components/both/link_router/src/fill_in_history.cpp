@@ -63,8 +63,8 @@ void FillInLink::request(const router::HistoryRange& range, Time now) {
   if (logs(range.topic)) requests_.on_request(range, now + lease);
 }
 
-void FillInLink::request_by_rule(const router::HistoryRange& range, Time now) {
-  requests_.on_request(range, now + std::chrono::hours(24));
+bool FillInLink::request_by_rule(const router::HistoryRange& range, Time now) {
+  return requests_.on_request(range, now + std::chrono::hours(24));
 }
 
 void FillInLink::follow_history(Time now, std::int64_t wall_ns) {

@@ -60,8 +60,8 @@ class FillInLink {
   /// The peer that batches go to, whose wishes count.
   [[nodiscard]] bool fills(PeerId peer) const { return session_ && session_->life == peer; }
   /// A wish of the configuration's, which stands for a day, until its end is past and all of it has
-  /// crossed.
-  void request_by_rule(const router::HistoryRange& range, Time now);
+  /// crossed. False: too many stand.
+  [[nodiscard]] bool request_by_rule(const router::HistoryRange& range, Time now);
   /// Whether the traffic file logs anything of this host.
   [[nodiscard]] bool logs() const;
   [[nodiscard]] bool logs(const std::string& topic) const;

@@ -7,7 +7,8 @@
 namespace tocsin::router {
 namespace {
 
-constexpr std::size_t most_requests = 16;
+constexpr std::size_t most_standing = 16;
+constexpr std::size_t most_requests = 64;
 /// Of who repeats it once a second.
 constexpr Duration patience = std::chrono::seconds(5);
 constexpr Duration tell_period = std::chrono::seconds(1);
@@ -17,7 +18,7 @@ constexpr std::int64_t settled_ns = 1'000'000'000;
 }  // namespace
 
 void StandingRequests::on_request(const HistoryRange& range, Time now) {
-  if (standing_.count(range.id) == 0 && standing_.size() >= most_requests) return;
+  if (standing_.count(range.id) == 0 && standing_.size() >= most_standing) return;
   standing_[range.id] = {range, now};
 }
 
@@ -37,16 +38,23 @@ std::vector<HistoryRange> StandingRequests::take_for(const std::string& peer, Ti
   return ranges;
 }
 
-void HistoryRequests::on_request(const HistoryRange& range, Time until) {
-  if (requests_.count(range.id) == 0 && requests_.size() >= most_requests) return;
+bool HistoryRequests::on_request(const HistoryRange& range, Time until) {
+  if (requests_.count(range.id) == 0 && requests_.size() >= most_requests) {
+    const auto done = std::find_if(requests_.begin(), requests_.end(), [](const auto& entry) {
+      return entry.second.progress.state == HistoryState::done;
+    });
+    if (done == requests_.end()) return false;
+    requests_.erase(done);
+  }
   const auto [found, is_new] = requests_.try_emplace(range.id);
   Request& request = found->second;
   request.until = std::max(request.until, until);
-  if (!is_new) return;
+  if (!is_new) return true;
   request.range = range;
   request.next_ns = range.from_ns;
   request.progress.id = range.id;
   request.progress.topic = range.topic;
+  return true;
 }
 
 std::vector<HistoryRange> HistoryRequests::take_searches(std::int64_t wall_ns) {

@@ -6,6 +6,7 @@
 
 #include "arrival_log.hpp"
 #include "call_link.hpp"
+#include "fetch_trigger.hpp"
 #include "fill_in_link.hpp"
 #include "fill_in_messages.hpp"
 #include "foundation/error.hpp"
@@ -70,7 +71,8 @@ LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
     own_[flow] = {flow, rule.name, rule};
     by_link_[flow] = &own_[flow];
   }
-  if (params.fetch_around_stop_s > 0 && fill_ins_->logs()) stop_.emplace(*this);
+  triggers_ = make_triggers(*this, link_->rules().fetches(),
+                            fill_ins_->logs() ? params.fetch_around_stop_s : 0);
 }
 
 LinkRouterComponent::~LinkRouterComponent() = default;

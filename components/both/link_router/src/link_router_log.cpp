@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a LinkRouterComponent does for its logs now and then, and what this host wants of logs.
+#include <algorithm>
+
 #include "arrival_log.hpp"
+#include "fetch_trigger.hpp"
 #include "fill_in_link.hpp"
 #include "fill_in_messages.hpp"
 #include "foundation/hash.hpp"
@@ -12,9 +15,6 @@ namespace {
 
 /// Between what the store keeps up besides: ages, and what a power cut may take.
 constexpr Duration keep_period = std::chrono::seconds(5);
-/// Who wants the vehicle to stop says it several times a second: after so long without a word it is
-/// another stop.
-constexpr Duration same_stop = std::chrono::seconds(5);
 
 }  // namespace
 
@@ -25,21 +25,26 @@ void LinkRouterComponent::take_requests(Time now) {
     standing_.on_request(*range, now);
     fill_ins_->request(*range, now);
   }
-  while (const auto stop = stop_ ? stop_->take() : nullptr) {
-    if (!stop->data()) continue;
-    const bool is_new = stop_heard_ == Time{} || now - stop_heard_ > same_stop;
-    stop_heard_ = now;
-    if (is_new) fetch_around(now);
+  for (const auto& trigger : triggers_) {
+    if (const auto event = trigger->take()) fetch_around(*trigger, *event, now);
   }
 }
 
-void LinkRouterComponent::fetch_around(Time stop) {
-  const Duration around = seconds(params_.fetch_around_stop_s);
-  const std::int64_t stop_ns = bus().wall_ns(stop);
+void LinkRouterComponent::fetch_around(const FetchTrigger& trigger, Time event, Time now) {
+  const FetchRule& rule = trigger.rule();
+  const std::int64_t event_ns = bus().wall_ns(event);
   for (const std::string& topic : fill_ins_->logged_topics()) {
-    const std::uint64_t id = hash_of(topic + " " + std::to_string(stop_ns));
-    fill_ins_->request_by_rule({id, topic, stop_ns - around.count(), stop_ns + around.count()},
-                               stop);
+    const bool is_wanted =
+        std::any_of(rule.topics.begin(), rule.topics.end(),
+                    [&topic](const std::string& one) { return one == topic || fits(one, topic); });
+    if (!is_wanted) continue;
+    const std::uint64_t id = hash_of(rule.name + " " + topic + " " + std::to_string(event_ns));
+    const router::HistoryRange range{id, topic, event_ns - seconds(rule.before_s).count(),
+                                     event_ns + seconds(rule.after_s).count()};
+    if (!fill_ins_->request_by_rule(range, now)) {
+      log().warn("{}: too much is being fetched; {} around this event is left out", rule.name,
+                 topic);
+    }
   }
 }
 

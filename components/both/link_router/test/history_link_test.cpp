@@ -2,103 +2,14 @@
 // Logged topics of a router on a scripted link: what is kept, what crosses when somebody asks.
 #include <gmock/gmock.h>
 
-#include <set>
-#include <string>
-#include <vector>
-
-#include "devices/absent_devices.hpp"
-#include "foundation/temporary_folder.hpp"
-#include "link_router_fixture.hpp"
-#include "runtime/middleware/link_permissions.hpp"
+#include "history_fixture.hpp"
 
 namespace tocsin {
 namespace {
 
-using FillInMessage = tocsin_msgs::msg::FillIn;
-using LinkStateMessage = tocsin_msgs::msg::LinkState;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-constexpr FlowId camera_flow = 501;
-
-class HistoryLinkTest : public LinkRouterTest {
- protected:
-  HistoryLinkTest() {
-    (void)folder_.write("traffic.yaml",
-                        "uxv:\n  low: {while_poor: drop, topics: [camera, cpu_load], "
-                        "log: [camera, odom]}\n");
-    script_.rules = TrafficRules(folder_.path("traffic.yaml"), Role::uxv);
-    start();
-  }
-  /// A life of the router, the one before being over.
-  void start(double fetch_around_stop_s = 0) {
-    host_.reset();
-    script_.opened.clear();
-    script_.sent.clear();
-    LinkRouterComponent::Params params;
-    params.store_directory = folder_.path("store");
-    params.fetch_around_stop_s = fetch_around_stop_s;
-    LinkRouterTest::start(params, computer_);
-  }
-  [[nodiscard]] FlowId fill_ins() const { return script_.opened_for(fill_in_topic); }
-  void meet_station() {
-    meet();
-    begin_peer_flow("link_receipt", receipt_flow);
-    listen(fill_ins());
-  }
-  [[nodiscard]] std::vector<const FillInMessage*> batches() const {
-    std::vector<const FillInMessage*> all;
-    for (const ScriptedLink::Sent& one : script_.sent) {
-      if (one.flow != fill_ins()) continue;
-      all.push_back(static_cast<const FillInMessage*>(one.sample.content.get()));
-    }
-    return all;
-  }
-  /// Without repetitions of batches.
-  [[nodiscard]] std::vector<std::uint64_t> sent() const {
-    std::vector<std::uint64_t> sequences;
-    std::set<std::uint32_t> numbers;
-    for (const FillInMessage* const one : batches()) {
-      if (!numbers.insert(one->number()).second) continue;
-      for (const auto& sample : one->samples()) sequences.push_back(sample.sequence_number());
-    }
-    return sequences;
-  }
-  [[nodiscard]] std::int64_t wall_ns() const { return host_->bus.wall_ns(host_->bus.now()); }
-  /// Of the last seconds until now.
-  [[nodiscard]] tocsin_msgs::msg::LogRequest request(const std::string& topic, double last_s = 3600,
-                                                     std::uint64_t id = 41) const {
-    tocsin_msgs::msg::LogRequest request;
-    request.id(id);
-    request.topic(topic);
-    request.from_ns(wall_ns() - seconds(last_s).count());
-    request.to_ns(wall_ns());
-    return request;
-  }
-  /// The station tells it with a receipt, and what of fill-ins it has given.
-  void ask(const std::vector<tocsin_msgs::msg::LogRequest>& requests, std::uint32_t session = 0,
-           std::uint32_t number = 0) {
-    auto receipt = std::make_shared<Receipt>();
-    receipt->from_life(station);
-    receipt->to_life(ScriptedLink::own_life);
-    receipt->count(++receipts_);
-    receipt->made_ns(host_->bus.now().time_since_epoch().count());
-    receipt->fill_in_session(session);
-    receipt->fill_in_number(number);
-    receipt->requests(requests);
-    tell(receipt);
-  }
-  [[nodiscard]] LinkStateMessage state() {
-    run(1.5);
-    const auto states = host_->states.take();
-    return states.empty() ? LinkStateMessage() : states.back();
-  }
-
-  TemporaryFolder folder_;
-  AbsentDevices computer_;
-  std::uint32_t receipts_ = 0;
-};
 
 TEST_F(HistoryLinkTest, WhatIsLoggedCrossesOnlyWhenTheStationAsks) {
   meet_station();
@@ -213,31 +124,6 @@ TEST_F(HistoryLinkTest, SomebodyOnTheVehicleMayAsk) {
   host_->bus.publish<topic::LogRequest>(request("odom"));
   run(3);
   EXPECT_THAT(sent(), ElementsAre(1));
-}
-
-TEST_F(HistoryLinkTest, WhatIsAroundAnEmergencyStopCrossesByItself) {
-  start(2);
-  meet_station();
-  (void)begin("odom");
-  write(1);
-  run(10);
-  write(2);
-  run(1);
-  std_msgs::msg::Bool stop;
-  stop.data(true);
-  for (int i = 0; i < 5; ++i) {
-    host_->bus.publish<topic::EmergencyStop>(stop);
-    run(0.2);
-  }
-  write(3);
-  run(5);
-  write(4);
-  run(5);
-  EXPECT_THAT(sent(), ElementsAre(2, 3));
-  stop.data(false);
-  host_->bus.publish<topic::EmergencyStop>(stop);
-  run(5);
-  EXPECT_THAT(sent(), ElementsAre(2, 3)) << "nothing follows from its end";
 }
 
 TEST_F(HistoryLinkTest, ATopicThatIsNotLoggedIsNotLookedFor) {

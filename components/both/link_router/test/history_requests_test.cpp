@@ -128,9 +128,18 @@ TEST_F(HistoryRequestsTest, AnAnswerToAForgottenOneIsIgnored) {
   EXPECT_THAT(sut_.progress(), IsEmpty());
 }
 
-TEST_F(HistoryRequestsTest, AreSixteenAtMost) {
-  for (std::uint64_t i = 1; i <= 20; ++i) sut_.on_request(range(i), t0);
-  EXPECT_THAT(sut_.progress(), SizeIs(16));
+TEST_F(HistoryRequestsTest, OneThatIsDoneMakesRoom) {
+  for (std::uint64_t i = 1; i <= 64; ++i) EXPECT_TRUE(sut_.on_request(range(i), t0));
+  (void)sut_.take_searches(30 * second_ns);
+  sut_.on_found(3, {}, std::nullopt);
+  EXPECT_TRUE(sut_.on_request(range(65), t0));
+  EXPECT_FALSE(sut_.on_request(range(66), t0));
+  EXPECT_TRUE(sut_.on_request(range(65), t0)) << "it is there";
+}
+
+TEST_F(HistoryRequestsTest, AreSixtyFourAtMost) {
+  for (std::uint64_t i = 1; i <= 70; ++i) sut_.on_request(range(i), t0);
+  EXPECT_THAT(sut_.progress(), SizeIs(64));
   sut_.on_request(range(1), t0 + 100 * s);
   EXPECT_THAT(sut_.expire(t0 + s), IsEmpty());
   EXPECT_THAT(sut_.progress(), SizeIs(1)) << "one that stands can be repeated all the same";

@@ -59,8 +59,9 @@ class HistoryRequests {
  public:
   using SampleId = sample_log::SampleId;
 
-  /// Stands until `until`, or longer when it is said again. Beyond 16 none is taken.
-  void on_request(const HistoryRange& range, Time until);
+  /// Stands until `until`, or longer when it is said again. Of 64 one that is done makes room;
+  /// false when none is.
+  bool on_request(const HistoryRange& range, Time until);
   /// What is to be looked for in the log, once each: ranges whose end is past.
   [[nodiscard]] std::vector<HistoryRange> take_searches(std::int64_t wall_ns);
   /// What the log has of it, all of which is to be sent; `next_ns`: from where there is more.

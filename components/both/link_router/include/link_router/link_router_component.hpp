@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "link_router/gate_keeper.hpp"
 #include "link_router/history_requests.hpp"
@@ -21,6 +22,7 @@ namespace tocsin {
 
 class ArrivalLog;
 class CallLink;
+class FetchTrigger;
 class FillInLink;
 class RouterStore;
 
@@ -58,7 +60,7 @@ class LinkRouterComponent final : public Component {
       v("history_age_s", history_age_s, {1, 1e8}, "[s] what is older goes there");
       v("fetch_around_stop_s", fetch_around_stop_s, {0, 600},
         "[s] before and after an emergency stop, of which all that is logged crosses by itself; 0: "
-        "none");
+        "none; other events: list fetch of the traffic file");
     }
   };
 
@@ -107,7 +109,7 @@ class LinkRouterComponent final : public Component {
   void answer(Time now);
   void keep_store(Time now);
   void take_requests(Time now);
-  void fetch_around(Time stop);
+  void fetch_around(const FetchTrigger& trigger, Time event, Time now);
   void take_receipt(const Incoming& from, const CarriedSample& sample, Time now);
   void tell_budgets(Time now);
   void report(Time now);
@@ -116,7 +118,7 @@ class LinkRouterComponent final : public Component {
 
   OptionalInput<topic::TransmissionState> state_{*this};
   OptionalInput<topic::LogRequest> log_requests_{*this};
-  std::optional<OptionalInput<topic::EmergencyStop>> stop_;  ///< when something follows from it
+  std::vector<std::unique_ptr<FetchTrigger>> triggers_;  ///< what the log is fetched around
   Output<topic::LinkState> link_state_{*this};
   Output<topic::LinkBudget> budget_{*this};
   Output<topic::TrafficReport> traffic_{*this};
@@ -139,7 +141,6 @@ class LinkRouterComponent final : public Component {
   std::map<std::string, PeerId> lives_;
   router::StandingRequests standing_;  ///< of this host, for logs of others
   bool open_ = true;
-  Time stop_heard_{};  ///< that the vehicle is to stop
   Time next_report_{};
   Time next_budget_{};
   Time next_keep_{};

@@ -9,6 +9,7 @@
 #include "command_line/programs.hpp"
 #include "deployment/traffic_file.hpp"
 #include "dscp_entry.hpp"
+#include "fetch_rules.hpp"
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/spelling.hpp"
@@ -61,6 +62,7 @@ struct ClassEntry {
 
 /// What a role says beside its classes.
 const std::string stays_key = "stays";
+const std::string fetch_key = "fetch";
 
 void refuse_unknown_maps(const YAML::Node& file, const YamlSources& sources) {
   std::vector<std::string> known{"dscp"};
@@ -147,7 +149,8 @@ struct NamedClass {
 void add_classes(const YAML::Node& classes, Role role, const YamlSources& sources,
                  std::vector<NamedClass>& all) {
   for (const auto& entry : classes) {
-    if (entry.first.Scalar() == stays_key) continue;
+    const std::string word = entry.first.Scalar();
+    if (word == stays_key || word == fetch_key) continue;
     const TrafficClass one = class_named(entry.first, to_string(role), sources);
     const std::string key = std::string(to_string(role)) + "." + to_string(one);
     all.push_back({role, one, load_parameters<ClassEntry>(entry.second, key, sources), key,
@@ -273,6 +276,7 @@ TrafficRules::TrafficRules(const std::string& path, Role of) : path_(path), role
   for (const NamedClass& one : classes) {
     if (one.role == of) add_logged(one, rules_);
   }
+  fetches_ = fetch_rules(own[fetch_key], to_string(of), rules_, sources);
 }
 
 const TrafficRule* TrafficRules::find(const std::string& topic) const {

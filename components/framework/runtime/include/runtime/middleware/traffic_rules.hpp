@@ -8,6 +8,7 @@
 
 #include "foundation/role.hpp"
 #include "foundation/traffic_class.hpp"
+#include "runtime/middleware/fetch_rule.hpp"
 #include "runtime/middleware/name_rules.hpp"
 
 namespace tocsin {
@@ -58,7 +59,7 @@ class TrafficRules {
   TrafficRules() = default;
   /// Throws ConfigError with file and line: unreadable file, no map for the role, unknown class or
   /// key, a DSCP above 63, a topic named twice, one that is both stored and logged, one that is
-  /// kept and not in its class.
+  /// kept and not in its class, a rule of `fetch` as fetch_rules() has it.
   TrafficRules(const std::string& path, Role role);
   /// Throws ConfigError when no rule of the role fits the topic.
   [[nodiscard]] const TrafficRule& of(const std::string& topic) const;
@@ -76,6 +77,8 @@ class TrafficRules {
   [[nodiscard]] bool keeps_any() const {
     return !kept_here_.names().empty() || !kept_here_.patterns().empty();
   }
+  /// What of this role's log crosses by itself.
+  [[nodiscard]] const std::vector<FetchRule>& fetches() const { return fetches_; }
   /// Of a service that this role serves for the peers; null: none of these.
   [[nodiscard]] const CallRule* served(const std::string& service) const {
     return served_.find(service);
@@ -102,6 +105,7 @@ class TrafficRules {
   NameRules<CallRule> served_;
   NameRules<CallRule> called_;
   std::vector<CallClass> call_classes_;
+  std::vector<FetchRule> fetches_;
   DscpOfClass dscp_;
 };
 

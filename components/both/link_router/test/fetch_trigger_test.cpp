@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "../src/fetch_trigger.hpp"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "foundation/error.hpp"
+#include "runtime/sim_bus.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A component that counts the events of a rule.
+class Watching final : public Component {
+ public:
+  Watching(Context& context, const FetchRule& rule) : Component(context), trigger_(*this, rule) {
+    wake_every(std::chrono::milliseconds(100));
+  }
+  void tick(Time) override {
+    if (const auto event = trigger_.take()) {
+      ++events;
+      last = *event;
+    }
+  }
+  int events = 0;
+  Time last{};
+
+ private:
+  FetchTrigger trigger_;
+};
+
+class FetchTriggerTest : public ::testing::Test {
+ protected:
+  FetchTriggerTest() { bus_.add(sut_); }
+  void stop(bool on, double then_s) {
+    std_msgs::msg::Bool message;
+    message.data(on);
+    bus_.publish<topic::EmergencyStop>(message);
+    bus_.run_for(seconds(then_s));
+  }
+  SimBus bus_;
+  Context context_{bus_, "watching", Role::uxv};
+  Watching sut_{context_, around_stop(10)};
+};
+
+TEST_F(FetchTriggerTest, AnEventBeginsWithTheFirstSampleThatFulfilsTheRule) {
+  stop(false, 1);
+  EXPECT_EQ(sut_.events, 0);
+  const Time before = bus_.now();
+  stop(true, 1);
+  EXPECT_EQ(sut_.events, 1);
+  EXPECT_EQ(sut_.last, before);
+}
+
+TEST_F(FetchTriggerTest, WhatIsSaidAgainIsTheSameEventHoweverLong) {
+  for (int i = 0; i < 20; ++i) stop(true, 1);
+  EXPECT_EQ(sut_.events, 1);
+  stop(false, 4);
+  stop(true, 0.2);
+  EXPECT_EQ(sut_.events, 1) << "5 s after the last one at most";
+  stop(false, 5);
+  stop(true, 0.2);
+  EXPECT_EQ(sut_.events, 2);
+}
+
+TEST_F(FetchTriggerTest, NamesATopicThatNobodyKnows) {
+  FetchRule rule = around_stop(10);
+  rule.when = "emergency_stp";
+  rule.name = "uxv.fetch[2]";
+  try {
+    const Watching other(context_, rule);
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("uxv.fetch[2].when: no installed package knows a topic "
+                                        "emergency_stp; did you mean 'emergency_stop'"));
+  }
+}
+
+}  // namespace
+}  // namespace tocsin
