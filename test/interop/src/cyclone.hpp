@@ -16,14 +16,15 @@ namespace tocsin::interop {
   return entity;
 }
 
-/// A participant of Cyclone DDS with default settings, and all that was made with it.
+/// A participant of Cyclone DDS, with default settings unless `qos` says others, and all that was
+/// made with it.
 class CycloneParticipant {
  public:
   using Qos = std::unique_ptr<dds_qos_t, decltype(&dds_delete_qos)>;
 
-  explicit CycloneParticipant(int domain)
+  explicit CycloneParticipant(int domain, const Qos& qos = {nullptr, dds_delete_qos})
       : entity_(checked(
-            dds_create_participant(static_cast<dds_domainid_t>(domain), nullptr, nullptr))) {}
+            dds_create_participant(static_cast<dds_domainid_t>(domain), qos.get(), nullptr))) {}
   ~CycloneParticipant() { (void)dds_delete(entity_); }
   CycloneParticipant(const CycloneParticipant&) = delete;
   CycloneParticipant& operator=(const CycloneParticipant&) = delete;

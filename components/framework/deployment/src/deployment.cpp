@@ -188,6 +188,13 @@ ParameterSet read_parameters(const Section& section, const Overrides& overrides,
 }
 
 constexpr int max_domain = 229;  // three ids follow each other; RTPS ports end at domain 232
+constexpr int max_secured_domain = 230;  // of governance and permissions: Cyclone DDS reads no more
+
+void check_security(const Deployment& deployment) {
+  if (deployment.security.empty() || deployment.link_domain <= max_secured_domain) return;
+  fail(deployment, "domain: " + std::to_string(deployment.link_domain - 2) +
+                       " is above 228, the last one of a secured link");
+}
 
 }  // namespace
 
@@ -236,6 +243,7 @@ Deployment load_deployment(const std::string& path, const Overrides& overrides) 
   merge_parameters(parameters, removed, deployment);
   for (const std::string& process : overrides.without) leave_out(process, deployment);
   assign_domains(overrides.domain.value_or(domain), deployment);
+  check_security(deployment);
   return deployment;
 }
 

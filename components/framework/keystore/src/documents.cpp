@@ -12,12 +12,13 @@
 namespace tocsin::keystore {
 namespace {
 
+// Domains end at 230 here: Cyclone DDS 0.10.2 refuses a document that names a higher one.
 constexpr const char* governance_text = R"(<?xml version="1.0" encoding="UTF-8"?>
 <dds xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
      xsi:noNamespaceSchemaLocation="http://www.omg.org/spec/DDS-SECURITY/20170901/omg_shared_ca_governance.xsd">
   <domain_access_rules>
     <domain_rule>
-      <domains><id_range><min>0</min><max>232</max></id_range></domains>
+      <domains><id_range><min>0</min><max>230</max></id_range></domains>
       <allow_unauthenticated_participants>false</allow_unauthenticated_participants>
       <enable_join_access_control>true</enable_join_access_control>
       <discovery_protection_kind>ENCRYPT</discovery_protection_kind>
@@ -47,7 +48,7 @@ constexpr const char* permissions_format = R"(<?xml version="1.0" encoding="UTF-
       <subject_name>{subject}</subject_name>
       <validity><not_before>{from}</not_before><not_after>{until}</not_after></validity>
       <allow_rule>
-        <domains><id_range><min>0</min><max>232</max></id_range></domains>
+        <domains><id_range><min>0</min><max>230</max></id_range></domains>
 {publish}{subscribe}      </allow_rule>
       <default>DENY</default>
     </grant>

@@ -37,12 +37,12 @@ bool is_on_link(const ParticipantOptions& options) {
 }
 
 std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(
-    const ParticipantOptions& options) {
+    const ParticipantOptions& options, const std::shared_ptr<OtherMakers>& others) {
   if (!is_on_link(options)) return host_transport(options.domain, host_socket_bytes);
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {options.address};
   if (!options.marks) return udp;
-  return marked(std::move(udp), options.marks, !options.enclave.empty());
+  return marked(std::move(udp), options.marks, others);
 }
 
 std::shared_ptr<SharedMemTransportDescriptor> shared_memory_transport() {
@@ -65,7 +65,7 @@ rtps::Locator_t udp_locator(const std::string& address, int port) {
 int discovery_port(int domain, int participant) { return 7410 + 250 * domain + 2 * participant; }
 
 /// Routers that may share one address; more than one only where a test needs no second interface.
-constexpr int most_at_one_address = 2;
+constexpr int most_at_one_address = 3;
 
 bool is_free(const std::string& address, int port) {
   const int descriptor = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
@@ -172,11 +172,12 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   rtps_filter::Limits limits =
       limits_in({options.address, options.peers, options.marks != nullptr});
   limits.secured = !options.enclave.empty();
+  const auto others = limits.secured ? std::make_shared<OtherMakers>() : nullptr;
   auto filter = std::make_shared<PacketFilter>(
-      std::move(limits), local_in({options.address, options.peers, is_on_link(options)}));
+      std::move(limits), local_in({options.address, options.peers, is_on_link(options)}), others);
   if (!options.enclave.empty()) secure(options.enclave, qos);
   qos.transport().user_transports = {
-      hold(transport_of(options), options.reception, std::move(filter))};
+      hold(transport_of(options, others), options.reception, std::move(filter))};
   if (options.shared_memory) {
     qos.transport().user_transports.push_back(shared_memory_transport());
     qos.wire_protocol().default_unicast_locator_list.push_back(fresh_shared_memory_port());

@@ -117,7 +117,11 @@ rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::si
   std::unique_lock<std::mutex> lock(mutex_);
   rtps_filter::Inspection inspection = filter_.inspect(bytes, size, source, now, whose);
   lock.unlock();
-  if (inspection.drop) count_dropped_packet(*inspection.drop, source.address);
+  if (inspection.drop) {
+    count_dropped_packet(*inspection.drop, source.address);
+  } else if (others_) {
+    others_->hear(bytes, size, source.address);
+  }
   return inspection;
 }
 

@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
 #include "fast_dds/sender_users.hpp"
 #include "link/message_pieces.hpp"
+#include "link/other_makers.hpp"
 #include "rtps_filter/rtps_filter.hpp"
 
 namespace tocsin {
@@ -35,9 +37,14 @@ class PacketFilter {
  public:
   using IsLocal = std::function<bool(std::uint32_t address)>;
 
-  /// `is_local`: whether an address is of this computer, so that it has users.
-  explicit PacketFilter(rtps_filter::Limits limits, IsLocal is_local = {})
-      : secured_(limits.secured), is_local_(std::move(is_local)), filter_(std::move(limits)) {}
+  /// `is_local`: whether an address is of this computer, so that it has users. `others`: is told of
+  /// those whose packets pass; null: nobody is.
+  explicit PacketFilter(rtps_filter::Limits limits, IsLocal is_local = {},
+                        std::shared_ptr<OtherMakers> others = {})
+      : secured_(limits.secured),
+        is_local_(std::move(is_local)),
+        others_(std::move(others)),
+        filter_(std::move(limits)) {}
 
   /// Calls `show(bytes, size)` with the packet, or a copy without what must not be read, and before
   /// it with an announcement that it completes; or does not.
@@ -68,6 +75,7 @@ class PacketFilter {
 
   const bool secured_;
   const IsLocal is_local_;
+  const std::shared_ptr<OtherMakers> others_;
   SenderUsers users_;
   std::mutex mutex_;
   rtps_filter::RtpsFilter filter_;

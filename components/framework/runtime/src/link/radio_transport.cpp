@@ -32,6 +32,12 @@ using Deadline = std::chrono::steady_clock::time_point;
 constexpr std::uint32_t largest_datagram = 65500;
 constexpr std::size_t ip_and_udp_bytes = 28;
 
+std::uint32_t address_of(const rtps::Locator_t& locator) {
+  in_addr address{};
+  std::memcpy(&address, rtps::IPLocator::getIPv4(locator), sizeof address);
+  return ntohl(address.s_addr);
+}
+
 /// A UDP socket bound to the address of the radio's interface.
 class RadioSocket {
  public:
@@ -82,10 +88,12 @@ class RadioSocket {
 /// Sends what the pacer holds back when its time has come, on a thread of its own.
 class MarkingSender : public rtps::SenderResource {
  public:
-  MarkingSender(const std::string& address, std::shared_ptr<RadioMarks> marks)
+  MarkingSender(const std::string& address, std::shared_ptr<RadioMarks> marks,
+                std::shared_ptr<OtherMakers> others)
       : SenderResource(LOCATOR_KIND_UDPv4),
         socket_(address),
         marks_(std::move(marks)),
+        others_(std::move(others)),
         thread_([this] { run(); }) {
     pthread_setname_np(thread_.native_handle(), "link_discovery");
     send_lambda_ = [this](const rtps::octet* bytes, std::uint32_t size,
@@ -119,7 +127,7 @@ class MarkingSender : public rtps::SenderResource {
     return all;
   }
   bool send_in_pieces(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to) {
-    if (size <= radio_message_bytes) {
+    if (size <= radio_message_bytes || (others_ && others_->are_at(address_of(to)))) {
       return socket_.send(bytes, size, to, marks_->mark(bytes, size, size));
     }
     bool all = true;
@@ -160,6 +168,7 @@ class MarkingSender : public rtps::SenderResource {
 
   RadioSocket socket_;
   std::shared_ptr<RadioMarks> marks_;
+  std::shared_ptr<OtherMakers> others_;
   std::mutex mutex_;
   std::condition_variable changed_;
   DiscoveryPacer pacer_;
@@ -172,16 +181,18 @@ class MarkingSender : public rtps::SenderResource {
 
 struct MarkingDescriptor : ChainingTransportDescriptor {
   MarkingDescriptor(std::shared_ptr<TransportDescriptorInterface> low, std::string its_address,
-                    std::shared_ptr<RadioMarks> its_marks, std::uint32_t longest_message)
+                    std::shared_ptr<RadioMarks> its_marks, std::shared_ptr<OtherMakers> its_others)
       : ChainingTransportDescriptor(std::move(low)),
         address(std::move(its_address)),
-        marks(std::move(its_marks)) {
-    maxMessageSize = longest_message;
+        marks(std::move(its_marks)),
+        others(std::move(its_others)) {
+    maxMessageSize = others ? largest_datagram : radio_message_bytes;
   }
   [[nodiscard]] TransportInterface* create_transport() const override;
   [[nodiscard]] std::uint32_t max_message_size() const override { return maxMessageSize; }
   std::string address;
   std::shared_ptr<RadioMarks> marks;
+  std::shared_ptr<OtherMakers> others;
 };
 
 class MarkingTransport : public ChainingTransport {
@@ -204,7 +215,8 @@ class MarkingTransport : public ChainingTransport {
     for (const auto& one : channels) {
       if (dynamic_cast<const MarkingSender*>(one.get()) != nullptr) return true;
     }
-    auto sender = std::make_unique<MarkingSender>(descriptor_.address, descriptor_.marks);
+    auto sender =
+        std::make_unique<MarkingSender>(descriptor_.address, descriptor_.marks, descriptor_.others);
     if (!sender->usable()) return false;
     channels.push_back(std::move(sender));
     return true;
@@ -261,12 +273,12 @@ LinkPackets RadioMarks::packets() const {
 
 std::shared_ptr<TransportDescriptorInterface> marked(std::shared_ptr<UDPv4TransportDescriptor> udp,
                                                      std::shared_ptr<RadioMarks> marks,
-                                                     bool secured) {
+                                                     std::shared_ptr<OtherMakers> others) {
   const std::string address =
       udp->interfaceWhiteList.empty() ? "0.0.0.0" : udp->interfaceWhiteList.front();
   udp->maxMessageSize = largest_datagram;
   return std::make_shared<MarkingDescriptor>(std::move(udp), address, std::move(marks),
-                                             secured ? largest_datagram : radio_message_bytes);
+                                             std::move(others));
 }
 
 }  // namespace tocsin

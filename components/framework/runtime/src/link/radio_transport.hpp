@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "link/message_pieces.hpp"
+#include "link/other_makers.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "runtime/middleware/link_limits.hpp"
 
@@ -45,10 +46,12 @@ class RadioMarks {
 
 /// A UDP transport that sends through a socket of its own, each packet with the code point that
 /// `marks` has for it, in RTPS messages of at most `radio_message_bytes`; it receives any size.
-/// Heartbeats and acknowledgements of discovery are paced (DiscoveryPacer). `secured`: Fast DDS
-/// makes messages as long as UDP carries, and they go in pieces (MessagePieces).
+/// Heartbeats and acknowledgements of discovery are paced (DiscoveryPacer). With `others` it is for
+/// a participant with DDS Security: Fast DDS
+/// makes messages as long as UDP carries, and they go in pieces (MessagePieces); whole, so that IP
+/// divides them, to where `others` are.
 [[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> marked(
     std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp,
-    std::shared_ptr<RadioMarks> marks, bool secured);
+    std::shared_ptr<RadioMarks> marks, std::shared_ptr<OtherMakers> others);
 
 }  // namespace tocsin

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "runtime/middleware/fast_dds_bus.hpp"
@@ -26,6 +27,11 @@ class Relay {
   [[nodiscard]] std::vector<link_event::LinkSample> crossed() {
     const std::lock_guard<std::mutex> lock(mutex_);
     return crossed_;
+  }
+  /// What has crossed since it was asked last.
+  [[nodiscard]] std::vector<link_event::LinkSample> take_crossed() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::exchange(crossed_, {});
   }
   [[nodiscard]] std::vector<Flow> peer_flows() {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/other_makers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace tocsin {
+namespace {
+
+constexpr std::uint32_t here = 0x0a4d0001;
+constexpr std::uint32_t there = 0x0a4d0002;
+constexpr std::uint8_t cyclone = 0x10;
+
+std::vector<std::uint8_t> packet_of(std::uint8_t vendor) {
+  return {'R', 'T', 'P', 'S', 2, 1, 1, vendor, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+}
+
+TEST(OtherMakers, AreWhereOneHasSpoken) {
+  OtherMakers sut;
+  const auto packet = packet_of(cyclone);
+  EXPECT_FALSE(sut.are_at(there));
+  sut.hear(packet.data(), packet.size(), there);
+  EXPECT_TRUE(sut.are_at(there));
+  EXPECT_FALSE(sut.are_at(here));
+}
+
+TEST(OtherMakers, AreNotWhereOnlyEProsimaSpeaks) {
+  OtherMakers sut;
+  const auto packet = packet_of(0x0f);
+  sut.hear(packet.data(), packet.size(), there);
+  EXPECT_FALSE(sut.are_at(there));
+}
+
+TEST(OtherMakers, APacketWithoutAWholeHeaderTellsNothing) {
+  OtherMakers sut;
+  const auto packet = packet_of(cyclone);
+  sut.hear(packet.data(), packet.size() - 1, there);
+  sut.hear(packet.data(), 0, there);
+  EXPECT_FALSE(sut.are_at(there));
+}
+
+}  // namespace
+}  // namespace tocsin
