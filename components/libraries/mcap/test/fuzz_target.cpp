@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz_target.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <memory>
+#include <utility>
 
 #include "foundation/error.hpp"
 #include "mcap/recovery.hpp"
+#include "mcap/tail.hpp"
 
 namespace tocsin::mcap {
 namespace {
@@ -27,7 +30,28 @@ std::uint64_t count_messages(Reader& reader, Order order) {
   return sum == ~std::uint64_t{0} ? 0 : count;  // the bytes are read in any case
 }
 
+/// Count of the messages, and sum of their last bytes, that a Tail reads of a file that grows in
+/// steps of this size.
+std::pair<std::uint64_t, std::uint64_t> follow(const Bytes& bytes, std::size_t step) {
+  Tail tail("input");
+  std::uint64_t count = 0;
+  std::uint64_t sum = 0;
+  const auto on_message = [&](const Channel&, const Message& message) {
+    ++count;
+    if (message.size > 0) sum += message.data[message.size - 1];
+  };
+  for (std::size_t size = step; size < bytes.size() + step; size += step) {
+    const auto end = static_cast<std::ptrdiff_t>(std::min(size, bytes.size()));
+    MemorySource source(Bytes(bytes.begin(), bytes.begin() + end));
+    while (tail.read(source, on_message) == Tail::Step::read) {
+    }
+  }
+  return {count, sum};
+}
+
 void use(const Bytes& bytes) {
+  const auto at_once = follow(bytes, bytes.size() + 1);
+  assert(at_once == follow(bytes, 500));
   Reader reader(std::make_unique<MemorySource>(bytes), "input");
   const std::uint64_t by_time = count_messages(reader, Order::log_time);
   assert(by_time == count_messages(reader, Order::file));
