@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the installed page in Chromium: over a bag of a simulated mission (browser), or over a whole
 // mission with the real server (mission), or measures how fast it is (measure).
-// usage: node run.mjs browser|mission|measure --install=PREFIX [--pictures=FOLDER] [--gtest_output=xml:FILE]
+// usage: node run.mjs browser|mission|measure --install=PREFIX [--page=FOLDER] [--pictures=FOLDER] [--gtest_output=xml:FILE]
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -24,7 +24,7 @@ function installed(name, file) {
 }
 
 const chromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(fs.existsSync);
-const index = installed("operator_page", "share/operator_page/index.html");
+const index = option("page") ? path.join(option("page"), "index.html") : installed("operator_page", "share/operator_page/index.html");
 if (!chromium) skip(`page_${which}_test`, "chromium is not installed: bringup/install_packages --tests");
 if (!fs.existsSync(path.join(here, "node_modules/puppeteer-core"))) {
   skip(`page_${which}_test`, "npm packages are not installed: bringup/install_packages --tests");

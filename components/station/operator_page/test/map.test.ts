@@ -4,9 +4,7 @@ import { describe, it } from "node:test";
 
 import { scaleLengthM } from "../src/map/draw.ts";
 import { gridPixels, isFree, knownBounds } from "../src/map/grid.ts";
-import { TrailPaths, pathIndex } from "../src/map/trail_paths.ts";
 import { Viewport, greatestScale } from "../src/map/viewport.ts";
-import { Trail } from "../src/model/trail.ts";
 
 const size = { width: 400, height: 200 };
 const near = (a: { x: number; y: number }, b: { x: number; y: number }): void =>
@@ -54,49 +52,6 @@ describe("Grid", () => {
   it("knows which part of it is known", () => {
     assert.deepEqual(knownBounds(grid), { min: { x: 5.5, y: 6 }, max: { x: 6.5, y: 6.5 } });
     assert.equal(knownBounds({ ...grid, data: [-1, -1, -1, -1, -1, -1] }), undefined);
-  });
-});
-
-class RecordedPath {
-  calls: string[] = [];
-  moveTo(x: number, y: number): void {
-    this.calls.push(`M${x},${y}`);
-  }
-  lineTo(x: number, y: number): void {
-    this.calls.push(`L${x},${y}`);
-  }
-}
-
-describe("TrailPaths", () => {
-  const look = pathIndex(4, false);
-  it("goes on where another quality ended, without a gap, up to the vehicle", () => {
-    const trail = new Trail();
-    const sut = new TrailPaths(() => new RecordedPath());
-    trail.add({ x: 0, y: 0 }, 80, false);
-    trail.add({ x: 1, y: 0 }, 80, false);
-    sut.update(trail);
-    assert.deepEqual([sut.paths[look]?.calls, sut.tail?.path.calls], [["M0,0"], ["M0,0", "L1,0"]]);
-    trail.add({ x: 2, y: 0 }, 10, true);
-    trail.add({ x: 2, y: 1 }, 10, true);
-    sut.update(trail);
-    assert.deepEqual(sut.paths[look]?.calls, ["M0,0", "L1,0"]);
-    assert.deepEqual(sut.paths[pathIndex(0, true)]?.calls, ["M1,0", "L2,0"]);
-    assert.deepEqual([sut.tail?.path.calls, sut.tail?.index], [["M2,0", "L2,1"], pathIndex(0, true)]);
-  });
-  it("begins anew after a gap, and with another trail", () => {
-    const trail = new Trail();
-    const sut = new TrailPaths(() => new RecordedPath());
-    trail.add({ x: 0, y: 0 }, 80, false);
-    trail.add({ x: 9, y: 0 }, 80, false);
-    sut.update(trail);
-    assert.deepEqual(sut.paths[look]?.calls, ["M0,0", "M9,0"]);
-    trail.clear();
-    trail.add({ x: 1, y: 1 }, undefined, false);
-    sut.update(trail);
-    assert.deepEqual(sut.paths[look]?.calls, []);
-    assert.deepEqual(sut.paths[pathIndex(undefined, false)]?.calls, ["M1,1"]);
-    sut.update(new Trail());
-    assert.deepEqual(sut.paths.flatMap(({ calls }) => calls), []);
   });
 });
 

@@ -128,12 +128,20 @@ describe("Trail", () => {
   it("does not grow while the vehicle stands", () => {
     const sut = new Trail();
     for (let i = 0; i < 1000; ++i) sut.add({ x: 0.01 * Math.sin(i), y: 0 }, 80, false);
-    assert.equal(sut.version, 1);
+    assert.deepEqual([sut.points.length, sut.tail], [1, undefined]);
+  });
+  it("knows its bounds until it is cleared", () => {
+    const sut = new Trail();
+    drive(sut, (s) => ({ x: 4 - 8 * s, y: 3 * s }), 50);
+    assert.deepEqual(sut.bounds, { min: { x: -4, y: 0 }, max: { x: 4, y: 3 } });
+    sut.clear();
+    assert.deepEqual([sut.bounds, sut.points.length, sut.cuts], [undefined, 0, 1]);
   });
   it("forgets its beginning when it is long", () => {
     const sut = new Trail();
     for (let i = 0; i < longestTrail + 10; ++i) sut.add({ x: 0.1 * i, y: i % 2 }, 80, false);
     assert.ok(sut.points.length <= longestTrail);
+    assert.equal(sut.cuts, 1);
     assert.notDeepEqual(sut.points[0], { x: 0, y: 0, step: 4, paused: false });
   });
 });

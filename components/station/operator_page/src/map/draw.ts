@@ -5,7 +5,7 @@ import type { Ellipse, Point } from "../model/geometry.ts";
 import type { OccupancyGrid, Waypoint } from "../model/messages.ts";
 import type { RoutePoint } from "../model/route.ts";
 import type { Theme } from "./theme.ts";
-import type { TrailPaths } from "./trail_paths.ts";
+import type { TrailPiece } from "./trail_pieces.ts";
 import type { Size, Viewport } from "./viewport.ts";
 
 /** A canvas with the part of the map that it shows. */
@@ -49,20 +49,19 @@ export function drawGrid(sheet: Sheet, grid: OccupancyGrid, picture: CanvasImage
   });
 }
 
-export function drawTrail(sheet: Sheet, trail: TrailPaths<Path2D>): void {
+export function drawTrail(sheet: Sheet, pieces: readonly TrailPiece<Path2D>[]): void {
   const { context, theme, view } = sheet;
-  const stroke = (path: Path2D, index: number): void => {
-    const paused = index % 2 === 1;
-    context.strokeStyle = theme.quality[Math.floor(index / 2)] ?? theme.muted;
-    context.lineWidth = (paused ? 3 : 5) / view.scale;
-    context.setLineDash(paused ? [2 / view.scale, 6 / view.scale] : []);
-    context.stroke(path);
-  };
   inMap(sheet, () => {
     context.lineCap = "round";
     context.lineJoin = "round";
-    trail.paths.forEach(stroke);
-    if (trail.tail !== undefined) stroke(trail.tail.path, trail.tail.index);
+    for (const { look, path, beforeM } of pieces) {
+      const paused = look % 2 === 1;
+      context.strokeStyle = theme.quality[Math.floor(look / 2)] ?? theme.muted;
+      context.lineWidth = (paused ? 3 : 5) / view.scale;
+      context.setLineDash(paused ? [2 / view.scale, 6 / view.scale] : []);
+      context.lineDashOffset = beforeM;
+      context.stroke(path);
+    }
   });
 }
 

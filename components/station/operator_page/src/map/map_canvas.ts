@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The canvas of the map: which part of it is shown, and its pictures.
 import { type Freshness, freshness } from "../model/freshness.ts";
-import type { Point } from "../model/geometry.ts";
 import type { OccupancyGrid, Waypoint } from "../model/messages.ts";
 import type { Operator } from "../operator.ts";
-import { drawAccessPoint, drawEllipse, drawGoal, drawGrid, drawLine, drawRoute, drawScale, drawTrail, drawVehicle } from "./draw.ts";
+import { Backdrop, type Layer } from "./backdrop.ts";
+import { type Sheet, drawEllipse, drawGoal, drawLine, drawRoute, drawScale, drawVehicle } from "./draw.ts";
 import { gridPixels, knownBounds } from "./grid.ts";
 import { MapHands } from "./map_hands.ts";
 import { type Theme, readTheme } from "./theme.ts";
-import { TrailPaths } from "./trail_paths.ts";
-import { type Size, Viewport } from "./viewport.ts";
+import { type Bounds, type Size, Viewport } from "./viewport.ts";
 
 /** Older drawings are renewed though nothing came: ages grow. */
 const redrawMs = 500;
@@ -18,8 +17,13 @@ export class MapCanvas {
   follows = false;
   #view = new Viewport();
   #theme: Theme = readTheme();
-  #trail = new TrailPaths(() => new Path2D());
-  #grid: { of: OccupancyGrid; picture: HTMLCanvasElement } | undefined;
+  #backdrop = new Backdrop({
+    layer: newLayer,
+    path: () => new Path2D(),
+    picture: (map) => this.#picture(map),
+  });
+  #grid: { of: OccupancyGrid; theme: Theme; picture: CanvasImageSource } | undefined;
+  #known: { of: OccupancyGrid; bounds: Bounds | undefined } | undefined;
   /** Nobody has moved the map: it shows all. */
   #showsAll = true;
   #drawn = { version: -1, at: -Infinity };
@@ -63,17 +67,10 @@ export class MapCanvas {
   }
 
   #showAll(): void {
-    const { map } = this.operator;
-    const { trail, location } = this.operator.station;
-    const points = trail.points.filter((point) => point !== "gap");
-    const known = map && knownBounds(map);
-    const places: Point[] = known ? [known.min, known.max] : location ? [...points, location.value] : points;
-    if (places.length === 0) return;
-    const [xs, ys] = [places.map(({ x }) => x), places.map(({ y }) => y)];
-    const bounds = {
-      min: { x: Math.min(...xs), y: Math.min(...ys) },
-      max: { x: Math.max(...xs), y: Math.max(...ys) },
-    };
+    const { map, station } = this.operator;
+    if (map && this.#known?.of !== map) this.#known = { of: map, bounds: knownBounds(map) };
+    const bounds = (map && this.#known?.bounds) ?? station.trail.bounds;
+    if (bounds === undefined) return;
     this.#view = Viewport.fitting(bounds, this.size());
   }
 
@@ -106,7 +103,6 @@ export class MapCanvas {
 
   #newTheme = (): void => {
     this.#theme = readTheme();
-    this.#grid = undefined;
     this.touch();
   };
 
@@ -127,11 +123,8 @@ export class MapCanvas {
     if (this.#showsAll) this.#showAll();
     if (this.follows && station.location) this.#view = this.#view.centredAt(station.location.value);
     const sheet = { context: this.#context, view: this.#view, size, theme: this.#theme };
-    if (map) drawGrid(sheet, map, this.#picture(map));
     const { accessPoint } = this.operator;
-    if (accessPoint) drawAccessPoint(sheet, accessPoint);
-    this.#trail.update(station.trail);
-    drawTrail(sheet, this.#trail);
+    this.#backdrop.draw(sheet, window.devicePixelRatio || 1, { map, accessPoint, trail: station.trail });
     const place = station.location?.value;
     const isLed = goal.poses.length === 0 || this.operator.player !== undefined;
     if (isLed) drawRoute(sheet, station.route.points(), place);
@@ -145,7 +138,7 @@ export class MapCanvas {
     drawScale(sheet);
   }
 
-  #drawVehicle(sheet: Parameters<typeof drawVehicle>[0], location: Waypoint, at: number, now: number): void {
+  #drawVehicle(sheet: Sheet, location: Waypoint, at: number, now: number): void {
     const state: Freshness = freshness(at, now);
     const { ellipse } = this.operator.station.location?.value ?? { ellipse: undefined };
     if (ellipse && state === "fresh") drawEllipse(sheet, location, ellipse);
@@ -163,14 +156,28 @@ export class MapCanvas {
     this.#context.clearRect(0, 0, width, height);
   }
 
-  #picture(grid: OccupancyGrid): HTMLCanvasElement {
-    if (this.#grid?.of === grid) return this.#grid.picture;
-    const picture = document.createElement("canvas");
-    picture.width = grid.info.width;
-    picture.height = grid.info.height;
-    const pixels = new ImageData(gridPixels(grid, this.#theme.grid), grid.info.width, grid.info.height);
-    picture.getContext("2d")?.putImageData(pixels, 0, 0);
-    this.#grid = { of: grid, picture };
-    return picture;
+  #picture(grid: OccupancyGrid): CanvasImageSource {
+    const theme = this.#theme;
+    if (this.#grid?.of === grid && this.#grid.theme === theme) return this.#grid.picture;
+    const { width, height } = grid.info;
+    const { image, context, resize } = newLayer();
+    resize(width, height);
+    context.putImageData(new ImageData(gridPixels(grid, theme.grid), width, height), 0, 0);
+    this.#grid = { of: grid, theme, picture: image };
+    return image;
   }
+}
+
+function newLayer(): Layer {
+  const image = document.createElement("canvas");
+  const context = image.getContext("2d");
+  if (context === null) throw new Error("this browser has no 2D canvas");
+  return {
+    image,
+    context,
+    resize(width: number, height: number): void {
+      image.width = width;
+      image.height = height;
+    },
+  };
 }

@@ -31,8 +31,10 @@ interface Cone {
 export class Trail {
   readonly points: (TrailPoint | "gap")[] = [];
   tail: TrailPoint | undefined;
-  /** Counts changes upwards. */
-  version = 0;
+  /** Counts how often old points went away. */
+  cuts = 0;
+  /** Of all places since the beginning or `clear`. */
+  bounds: { readonly min: Point; readonly max: Point } | undefined;
   #cone: Cone = { first: 0, least: -Infinity, greatest: Infinity };
 
   add(place: Point, qni: number | undefined, paused: boolean): void {
@@ -40,7 +42,7 @@ export class Trail {
     const before = this.tail ?? this.#corner;
     const isSame = before !== undefined && before.step === point.step && before.paused === paused;
     if (before !== undefined && distance(before, point) < (isSame ? spacingM : spacingM / 5)) return;
-    ++this.version;
+    this.#widen(point);
     if (before === undefined || distance(before, point) > gapM) this.#begin(point);
     else if (isSame && this.#continues(point)) this.#narrow(point);
     else this.#turn(point);
@@ -49,7 +51,16 @@ export class Trail {
   clear(): void {
     this.points.length = 0;
     this.tail = undefined;
-    ++this.version;
+    this.bounds = undefined;
+    ++this.cuts;
+  }
+
+  #widen({ x, y }: Point): void {
+    const { min, max } = this.bounds ?? { min: { x, y }, max: { x, y } };
+    this.bounds = {
+      min: { x: Math.min(min.x, x), y: Math.min(min.y, y) },
+      max: { x: Math.max(max.x, x), y: Math.max(max.y, y) },
+    };
   }
 
   get #corner(): TrailPoint | undefined {
@@ -97,6 +108,8 @@ export class Trail {
 
   #push(point: TrailPoint): void {
     this.points.push(point);
-    if (this.points.length > longestTrail) this.points.splice(0, longestTrail / 10);
+    if (this.points.length <= longestTrail) return;
+    this.points.splice(0, longestTrail / 10);
+    ++this.cuts;
   }
 }
