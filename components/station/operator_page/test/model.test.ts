@@ -163,6 +163,25 @@ describe("TrafficTable", () => {
     assert.equal(row?.ageMs, 400);
     assert.equal(row?.rateHz, 8 / 5);
   });
+  it("costs each sample of a burst the same, and counts the last 5 s of it", () => {
+    const sut = new TrafficTable();
+    sut.onReport(make.trafficReport([make.topicTraffic("location", 0)]), 0);
+    let visited = 0;
+    const filter = Array.prototype.filter;
+    Array.prototype.filter = function (this: unknown[], keep: (one: unknown) => boolean) {
+      visited += this.length;
+      return filter.call(this, keep);
+    } as typeof filter;
+    try {
+      for (let i = 0; i < 100_000; ++i) sut.onSample("location", 10_000 + i / 100);
+    } finally {
+      Array.prototype.filter = filter;
+    }
+    assert.ok(visited < 400_000, `${visited} looked at`);
+    assert.equal(sut.rows(11_000)[0]?.rateHz, 20_000);
+    for (let i = 1; i <= 200_000; ++i) sut.onSample("location", 20_000 + i / 20);
+    assert.equal(sut.rows(30_000)[0]?.rateHz, 20_000.2);
+  });
   it("begins anew when the writer was restarted", () => {
     const sut = new TrafficTable();
     sut.onReport(make.trafficReport([make.topicTraffic("location", 100)]), 0);

@@ -32,12 +32,15 @@ interface Entry {
   reportedAt: number;
   readonly writers: Map<string, Writer>;
   recent: number[];
+  /** So many may be there before old ones are thrown away. */
+  room: number;
   last: number | undefined;
   received: number;
   receivedBefore: number;
 }
 
 const windowMs = 5000;
+const leastRoom = 1000;
 const classes = ["critical", "high", "normal", "low"];
 const rank = (name: string): number => (classes.indexOf(name) + classes.length + 1) % (classes.length + 1);
 
@@ -48,7 +51,10 @@ export class TrafficTable {
   onSample(topic: string, now: number): void {
     const entry = this.#entry(topic);
     entry.recent.push(now);
-    if (entry.recent.length > 1000) entry.recent = entry.recent.filter((at) => now - at <= windowMs);
+    if (entry.recent.length > entry.room) {
+      entry.recent = entry.recent.filter((at) => now - at <= windowMs);
+      entry.room = Math.max(leastRoom, 2 * entry.recent.length); // so a burst costs each sample the same
+    }
     entry.last = now;
     ++entry.received;
   }
@@ -88,6 +94,7 @@ export class TrafficTable {
       reportedAt: 0,
       writers: new Map(),
       recent: [],
+      room: leastRoom,
       last: undefined,
       received: 0,
       receivedBefore: 0,
