@@ -41,20 +41,27 @@ def dependencies(package):
     return found
 
 
+def compiled_as_one(file):
+    """The sources that a file of CMake's unity build includes; any other file itself."""
+    if file.parent.name != "Unity" or not file.exists():
+        return [file]
+    return [pathlib.Path(name) for name in re.findall(r'#include "(.+)"', file.read_text())]
+
+
 def targets():
     """Package folder -> target -> its sources that are ours and no tests, each once."""
     for database in sorted(ROOT.glob("build/*/compile_commands.json")):
         read = dependencies(database.parent)
         found, seen = collections.defaultdict(list), set()
         for entry in json.loads(database.read_text()):
-            file = pathlib.Path(entry["file"])
-            ours = ROOT in file.parents and ROOT / "build" not in file.parents
-            if not ours or "test" in file.parts or file in seen or not file.exists():
-                continue
-            seen.add(file)
             output = re.search(r" -o (\S+)", entry["command"]).group(1)
-            found[output.split(".dir/")[0]].append(
-                Source(file, entry["command"], read.get(output, [])))
+            for file in compiled_as_one(pathlib.Path(entry["file"])):
+                ours = ROOT in file.parents and ROOT / "build" not in file.parents
+                if not ours or "test" in file.parts or file in seen or not file.exists():
+                    continue
+                seen.add(file)
+                found[output.split(".dir/")[0]].append(
+                    Source(file, entry["command"], read.get(output, [])))
         for sources in found.values():
             for first in range(0, len(sources), TOGETHER):
                 yield sources[first:first + TOGETHER]

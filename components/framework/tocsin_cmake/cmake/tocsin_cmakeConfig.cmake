@@ -16,6 +16,7 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/.." "$ORIGIN/../lib")
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+set(TOCSIN_TESTS "unit;component;system" CACHE STRING "Labels of the tests that are built and run")
 set(TOCSIN_SANITIZE "" CACHE STRING "Sanitizers for all of our code: address,undefined or thread")
 
 # Calls within a shared library go straight to their function, those between libraries through one
@@ -35,9 +36,11 @@ function(tocsin_target_options target)
   target_compile_options(${target} PRIVATE -UNDEBUG)
   if(CMAKE_UNITY_BUILD)
     # What a source keeps to itself seems to be in a header then.
-    target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-shadow)
+    target_compile_options(${target} PRIVATE -Wno-shadow
+                                             $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
   if(TOCSIN_SANITIZE)
+    target_compile_definitions(${target} PRIVATE TOCSIN_SANITIZED)
     target_compile_options(${target} PRIVATE -fsanitize=${TOCSIN_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all -g1)
     target_link_options(${target} PUBLIC -fsanitize=${TOCSIN_SANITIZE})
@@ -159,15 +162,23 @@ function(tocsin_executable name)
 endfunction()
 
 # GoogleTest's headers, precompiled by tocsin_cmake; build trees of a workspace stand side by side.
-set(TOCSIN_TEST_PRECOMPILED
+# GCC wants the header's name and finds the precompiled one beside it, Clang that one itself.
+set(TOCSIN_TEST_HEADER
     "${CMAKE_BINARY_DIR}/../tocsin_cmake/CMakeFiles/test_precompiled.dir/cmake_pch.hxx")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  set(TOCSIN_TEST_PRECOMPILED "${TOCSIN_TEST_HEADER}.pch")
+  set(TOCSIN_TEST_INCLUDE "SHELL:-include-pch ${TOCSIN_TEST_PRECOMPILED}")
+else()
+  set(TOCSIN_TEST_PRECOMPILED "${TOCSIN_TEST_HEADER}.gch")
+  set(TOCSIN_TEST_INCLUDE "SHELL:-include ${TOCSIN_TEST_HEADER}")
+endif()
 
 # How every test program is compiled. Not optimised: that saves a third of its compile time.
 function(tocsin_test_options target)
   target_compile_options(${target} PRIVATE -O0)
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
-  if(EXISTS "${TOCSIN_TEST_PRECOMPILED}.gch" AND NOT PROJECT_NAME STREQUAL tocsin_cmake)
-    target_compile_options(${target} PRIVATE "SHELL:-include ${TOCSIN_TEST_PRECOMPILED}")
+  if(EXISTS "${TOCSIN_TEST_PRECOMPILED}" AND NOT PROJECT_NAME STREQUAL tocsin_cmake)
+    target_compile_options(${target} PRIVATE "${TOCSIN_TEST_INCLUDE}")
   endif()
 endfunction()
 
@@ -187,7 +198,8 @@ endfunction()
 
 # A GoogleTest program. LABEL is unit, component or system; sources default to test/<path>.cpp, and
 # the program is called as the last part of the path.
-# With a sanitizer, system tests are built on demand only, and tests may take five times as long.
+# What TOCSIN_TESTS does not name is built on demand only and does not run, except of packages that
+# are tests as a whole (test/). With a sanitizer, tests may take five times as long.
 # tocsin_test(path LABEL unit LINK target ... [SOURCES ...] [TIMEOUT seconds])
 function(tocsin_test path)
   if(NOT BUILD_TESTING)
@@ -210,13 +222,16 @@ function(tocsin_test path)
   tocsin_target_options(${name})
   tocsin_test_options(${name})
   tocsin_repository(repository)
+  set(repository_tests "${repository}/test")
   target_compile_definitions(${name} PRIVATE TOCSIN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              TOCSIN_REPOSITORY="${repository}")
   if(TOCSIN_SANITIZE)
     math(EXPR A_TIMEOUT "5 * ${A_TIMEOUT}")
-    if(A_LABEL STREQUAL system)
-      set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
-    endif()
+  endif()
+  cmake_path(IS_PREFIX repository_tests "${PROJECT_SOURCE_DIR}" of_tests)
+  if(NOT A_LABEL IN_LIST TOCSIN_TESTS AND NOT of_tests)
+    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    return()
   endif()
   add_test(NAME ${name} COMMAND ${name} --gtest_shuffle
            --gtest_output=xml:${CMAKE_CURRENT_BINARY_DIR}/test_results/${name}.xml)

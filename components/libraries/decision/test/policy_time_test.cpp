@@ -114,7 +114,6 @@ TEST(Policy, IsNeverSilentBeyondItsLimits) {
     params.th_max_s = 20;
     const auto sut = make_policy(params);
     Time now = t0;
-    int samples = 0;
     Duration silent{};
     for (int i = 0; i < 50000; ++i) {
       const Duration step =
@@ -128,10 +127,8 @@ TEST(Policy, IsNeverSilentBeyondItsLimits) {
       if (was_passive) silent += std::max(step, Duration{});
       if (evidence.state == State::active) {
         silent = Duration{};
-        samples = 0;
         continue;
       }
-      samples += evidence.age > 0;
       ASSERT_LT(evidence.age, 12) << name;
       ASSERT_LT(silent, seconds(20)) << name;
       ASSERT_TRUE(evidence.deadline);

@@ -61,12 +61,13 @@ TEST(Radio, NeedsTheTunDevice) {
 }
 
 TEST(Radio, NeedsUserNamespacesForWhoIsNotRoot) {
-  for (const auto& [name, off] : std::map<std::string, std::string>{
+  for (const auto& setting : std::map<std::string, std::string>{
            {"kernel.unprivileged_userns_clone", "0\n"},
            {"user.max_user_namespaces", "0\n"},
            {"kernel.apparmor_restrict_unprivileged_userns", "1\n"}}) {
+    const std::string& name = setting.first;
     const auto read = [&](const std::string& wanted) {
-      return wanted == name ? std::optional<std::string>(off) : std::nullopt;
+      return wanted == name ? std::optional<std::string>(setting.second) : std::nullopt;
     };
     EXPECT_EQ(judge_radio(read, false, 0)[1].fitness, Fitness::bad) << name;
     EXPECT_THAT(judge_radio(read, false, 0)[1].remedy, HasSubstr("sysctl -w " + name + "="));

@@ -72,9 +72,9 @@ TEST(MatchJson, HasEveryPolicyOfEveryPair) {
 }
 
 TEST(EndsOf, AreThoseOfTheTopicThatWriteOrRead) {
-  GraphEnd writer{"rt/a", "T", "talker", "1", true};
-  GraphEnd reader{"rt/a", "T", "", "2", false};
-  GraphEnd other{"rt/b", "T", "talker", "3", true};
+  GraphEnd writer{"rt/a", "T", "talker", {"1"}, true};
+  GraphEnd reader{"rt/a", "T", "", {"2"}, false};
+  GraphEnd other{"rt/b", "T", "talker", {"3"}, true};
   const std::vector<GraphEnd> all{writer, reader, other};
   ASSERT_EQ(ends_of(all, "rt/a", true).size(), 1U);
   EXPECT_EQ(ends_of(all, "rt/a", true)[0].name, "the writer in talker");

@@ -64,7 +64,7 @@ void ProcessWatch::run() {
 }
 
 void limit_private_memory(std::uint64_t bytes) {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef TOCSIN_SANITIZED  // a sanitizer reserves terabytes
   rlimit limit{};
   ::getrlimit(RLIMIT_DATA, &limit);
   limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, bytes);
