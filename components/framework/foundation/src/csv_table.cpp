@@ -66,7 +66,8 @@ bool CsvReader::took(char wanted) {
 std::string CsvReader::cell() {
   if (took('"')) return quoted();
   const std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
-  return std::string(text_.substr(std::exchange(at_, end), end - at_));
+  const std::size_t begin = std::exchange(at_, end);
+  return std::string(text_.substr(begin, end - begin));
 }
 
 std::string CsvReader::quoted() {

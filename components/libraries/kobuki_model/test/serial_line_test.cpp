@@ -138,7 +138,7 @@ TEST(SerialLine, GivesTheSameBytesInOnePieceAsInPackets) {
     Bytes expected;
     Bytes whole;
     for (Time now = t0; now < t0 + seconds(1); now += std::chrono::milliseconds(20)) {
-      const Bytes frame(81, static_cast<std::uint8_t>(to_seconds(now) * 50));
+      const Bytes frame(81, static_cast<std::uint8_t>(to_seconds(now - t0) * 50));
       in_packets.send({frame.data(), frame.size()}, now);
       sut.send({frame.data(), frame.size()}, now);
       const auto add_to = [](Bytes& all) {

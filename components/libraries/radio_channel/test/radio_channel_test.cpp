@@ -27,7 +27,8 @@ void play_random_traffic(LinkSimulation& link, std::uint64_t seed) {
     link.channel.set_position(10 + t_s, 3);
     const Direction direction = random.chance(0.5) ? Direction::uplink : Direction::downlink;
     for (int burst = random.below(8); burst > 0; --burst) {
-      link.push(direction, 40 + random.below(1460), t_s, random.chance(0.1));
+      const bool is_group = random.chance(0.1);
+      link.push(direction, 40 + random.below(1460), t_s, is_group);
     }
   }
   link.finish();

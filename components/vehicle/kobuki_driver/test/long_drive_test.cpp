@@ -65,7 +65,8 @@ void strike(ModelRig& rig, std::mt19937& random) {
   rig.silent = kind == 3;
   rig.connected = kind != 4;
   if (kind == 4) rig.driver.on_port_lost();
-  rig.run(uniform(0.05, 2.5), geometry::Twist{uniform(-0.2, 0.4), uniform(-0.8, 0.8)});
+  const geometry::Twist wanted{uniform(-0.2, 0.4), uniform(-0.8, 0.8)};
+  rig.run(uniform(0.05, 2.5), wanted);
   if (kind == 4) rig.driver.on_port_open();
   rig.silent = false;
   rig.connected = true;

@@ -3,7 +3,11 @@
 // and nothing behind it that the runtime could call.
 #include <cstdint>
 
-extern "C" const std::uint64_t* tocsin_component() {
+namespace tocsin {
+struct ComponentEntry;
+}
+
+extern "C" const tocsin::ComponentEntry* tocsin_component() {
   static constexpr std::uint64_t layout = 0x2a;
-  return &layout;
+  return reinterpret_cast<const tocsin::ComponentEntry*>(&layout);
 }

@@ -116,8 +116,8 @@ TEST_F(RunnerTest, AThrowingComponentDiesAloneAndItsNeighbourGoesOn) {
   Counting bad(context_);
   Counting good(context_);
   bad.on_tick = [](Time) { throw std::runtime_error("broken"); };
-  Runner sut("test", bus_);
   TickAccount good_account;
+  Runner sut("test", bus_);
   sut.add(bad, account_);
   sut.add(good, good_account);
   sut.start();

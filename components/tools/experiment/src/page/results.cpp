@@ -53,7 +53,9 @@ void add_runs(const std::string& folder, const std::string& table_name, const st
   const auto table = CsvTable::read(folder + "/" + table_name);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     Group group = group_of(table, row);
-    const int index = static_cast<int>(table.number(row, "index"));
+    const double number = table.number(row, "index");
+    // Of what is no number no run has a file, which is told below.
+    const int index = number >= 0 && number < 1e9 ? static_cast<int>(number) : -1;
     const std::string id = id_of(group, index);
     if (groups.empty() || !same_round(groups.back(), group) ||
         groups.back().policy != group.policy) {
