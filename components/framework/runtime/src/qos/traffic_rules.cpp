@@ -243,6 +243,15 @@ void add_services(const NamedClass& from, NameRules<CallRule>& rules) {
   }
 }
 
+/// The map of a role. Throws ConfigError when the file has none.
+YAML::Node map_of(const YAML::Node& file, Role role, const std::string& path) {
+  YAML::Node own = file.IsMap() ? file[to_string(role)] : YAML::Node();
+  if (!own.IsDefined() || !own.IsMap()) {
+    throw ConfigError(path + ": has no map for the role '" + to_string(role) + "'");
+  }
+  return own;
+}
+
 }  // namespace
 
 bool is_pattern(const std::string& name) { return name.find_first_of("*?[") != std::string::npos; }
@@ -255,10 +264,7 @@ TrafficRules::TrafficRules(const std::string& path, Role of) : path_(path), role
   YamlSources sources;
   const YAML::Node file =
       deployment::read_traffic_file(path, share_folder(own_program()).string(), sources);
-  const YAML::Node own = file.IsMap() ? file[to_string(of)] : YAML::Node();
-  if (!own.IsDefined() || !own.IsMap()) {
-    throw ConfigError(path + ": has no map for the role '" + to_string(of) + "'");
-  }
+  const YAML::Node own = map_of(file, of, path);
   refuse_unknown_maps(file, sources);
   dscp_ = to_dscp(load_parameters<DscpEntry>(file["dscp"], "dscp", sources));
   for (const std::string& name : names_in(own[stays_key], std::string(to_string(of)), sources)) {
