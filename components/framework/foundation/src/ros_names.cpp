@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -11,7 +12,8 @@
 namespace tocsin {
 namespace {
 
-const std::string topic_prefix = "rt/";
+// No std::string: objects of other sources that are made before main ask for names, too.
+constexpr std::string_view topic_prefix = "rt/";
 
 std::vector<std::string> parts_of(const std::string& text, const std::string& between) {
   std::vector<std::string> parts;
@@ -49,7 +51,7 @@ std::optional<std::string> ros_topic(const std::string& on_wire) {
 
 std::string wire_topic(const std::string& ros_name) {
   const bool absolute = !ros_name.empty() && ros_name.front() == '/';
-  return topic_prefix + ros_name.substr(absolute ? 1 : 0);
+  return std::string(topic_prefix) + ros_name.substr(absolute ? 1 : 0);
 }
 
 std::string ros_type(const std::string& on_wire) {

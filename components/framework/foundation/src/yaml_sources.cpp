@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 #include "foundation/error.hpp"
 #include "foundation/read_file.hpp"
@@ -13,7 +14,7 @@
 namespace tocsin {
 namespace {
 
-const std::string byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 }  // namespace
 

@@ -21,6 +21,11 @@ TEST(RosNames, OfTopicsMayComeWithTheSlashOrWithout) {
   EXPECT_EQ(wire_topic("uxv/odom"), "rt/uxv/odom");
 }
 
+// Made before the sources of the library make theirs: the linker takes this one first.
+const std::string before_main = wire_topic("/early");
+
+TEST(RosNames, MayBeAskedForBeforeMain) { EXPECT_EQ(before_main, "rt/early"); }
+
 TEST(RosNames, AnEmptyNameIsThePrefixAlone) {
   EXPECT_EQ(wire_topic(""), "rt/");
   EXPECT_EQ(wire_topic("/"), "rt/");

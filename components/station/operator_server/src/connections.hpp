@@ -241,4 +241,50 @@ class HttpConnection final : public std::enable_shared_from_this<HttpConnection<
   std::optional<http::request_parser<http::string_body>> parser_;
 };
 
+/// A connection that is one too many: told so, for a second at most, whatever it wants. Its last
+/// bytes are read: a close before that would take the answer from it, too.
+template <class Stream>
+class TurnedAway final : public std::enable_shared_from_this<TurnedAway<Stream>> {
+ public:
+  TurnedAway(Stream&& stream, const std::string& why, Lease lease)
+      : lease_(std::move(lease)),
+        stream_(std::move(stream)),
+        answer_(respond(Request{}, Refuse{503, why})) {}
+
+  void start() {
+    beast::get_lowest_layer(stream_).expires_after(std::chrono::seconds(1));
+    if constexpr (std::is_same_v<Stream, TlsStream>) {
+      stream_.async_handshake(asio::ssl::stream_base::server,
+                              [self = this->shared_from_this()](beast::error_code error) {
+                                if (!error) self->tell();
+                              });
+    } else {
+      tell();
+    }
+  }
+
+ private:
+  void tell() {
+    http::async_write(stream_, answer_,
+                      [self = this->shared_from_this()](beast::error_code error, std::size_t) {
+                        if (error) return;
+                        auto& socket = beast::get_lowest_layer(self->stream_).socket();
+                        socket.shutdown(asio::ip::tcp::socket::shutdown_send, error);
+                        self->hear_out();
+                      });
+  }
+  void hear_out() {
+    beast::get_lowest_layer(stream_).async_read_some(
+        asio::buffer(ignored_),
+        [self = this->shared_from_this()](beast::error_code error, std::size_t) {
+          if (!error) self->hear_out();
+        });
+  }
+
+  const Lease lease_;
+  Stream stream_;
+  Response answer_;
+  std::array<char, 1024> ignored_{};
+};
+
 }  // namespace tocsin::foxglove

@@ -132,7 +132,7 @@ class WebServer::Core final : public Home {
       if (error == asio::error::operation_aborted) return;
       if (error) return accept_later();  // no descriptor left, perhaps
       greet(std::move(socket));
-      accept();
+      if (turned_away_ < most_turned_away) accept();
     });
   }
   void accept_later() {
@@ -142,10 +142,7 @@ class WebServer::Core final : public Home {
     });
   }
   void greet(tcp::socket socket) {
-    if (connections_ >= settings_.most_connections) {
-      return events_.refused("more than " + std::to_string(settings_.most_connections) +
-                             " connections");  // the socket closes
-    }
+    if (connections_ >= settings_.most_connections) return turn_away(std::move(socket));
     ++connections_;
     const Lease lease(nullptr, [this](void*) { --connections_; });
     // What waits in the kernel is old when a slow client reads it.
@@ -160,18 +157,38 @@ class WebServer::Core final : public Home {
           ->start();
     }
   }
+  void turn_away(tcp::socket socket) {
+    const std::string why =
+        "more than " + std::to_string(settings_.most_connections) + " connections";
+    events_.refused(why);
+    ++turned_away_;
+    const Lease lease(nullptr, [this](void*) {
+      if (turned_away_-- == most_turned_away && !ends_) asio::post(io_, [this] { accept(); });
+    });
+    if (tls_) {
+      std::make_shared<TurnedAway<TlsStream>>(TlsStream(std::move(socket), *tls_), why, lease)
+          ->start();
+    } else {
+      std::make_shared<TurnedAway<PlainStream>>(PlainStream(std::move(socket)), why, lease)
+          ->start();
+    }
+  }
+
+  /// At once; the kernel's queue holds those that come after them.
+  static constexpr std::size_t most_turned_away = 64;
 
   const WebSettings settings_;
   const WebEvents events_;
   std::optional<asio::ssl::context> tls_;
   std::size_t connections_ = 0;  // before io_, whose handlers hold leases
+  std::size_t turned_away_ = 0;  // as well
+  std::atomic<bool> ends_{false};
   asio::io_context io_{1};
   tcp::acceptor acceptor_{io_};
   asio::steady_timer later_{io_};
   ClientId last_ = 0;
   std::map<ClientId, std::shared_ptr<Socket>> sockets_;
   std::thread thread_;
-  std::atomic<bool> ends_{false};
   std::optional<asio::thread_pool> slow_;  ///< since it was first needed
 };
 
