@@ -51,8 +51,8 @@ std::unique_ptr<Bus> make_shape_bus(const ShapeOptions& options) {
   return make_fast_dds_bus(made);
 }
 
-Endpoint shape_endpoint(const std::string& topic) {
-  return {{topic.c_str(), profile_name, Scope::host}, &shape_type()};
+Endpoint shape_endpoint(const char* topic) {
+  return {{topic, profile_name, Scope::host}, &shape_type()};
 }
 
 ShapeType message_of(const Shape& shape) {

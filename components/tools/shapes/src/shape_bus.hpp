@@ -21,7 +21,7 @@ using ShapeType = shapes_msgs::ShapeType;
 [[nodiscard]] std::unique_ptr<Bus> make_shape_bus(const ShapeOptions& options);
 
 /// The end of a topic of this name. The name must outlive it.
-[[nodiscard]] Endpoint shape_endpoint(const std::string& topic);
+[[nodiscard]] Endpoint shape_endpoint(const char* topic);
 
 [[nodiscard]] ShapeType message_of(const Shape& shape);
 [[nodiscard]] Shape shape_of(const ShapeType& message);

@@ -31,7 +31,7 @@ class Writers {
       names_.push_back(numbered(options.topic, i));
       say("Create topic: " + names_.back());
       say("Create writer for topic: " + names_.back() + " color: " + options.color);
-      writers_.push_back(bus.advertise(shape_endpoint(names_.back())));
+      writers_.push_back(bus.advertise(shape_endpoint(names_.back().c_str())));
     }
   }
   void write(const std::vector<Shape>& round) {

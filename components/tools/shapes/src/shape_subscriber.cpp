@@ -24,7 +24,7 @@ class Reader : private Receiver {
         cache_(options.qos) {
     say("Create topic: " + topic_);
     say("Create reader for topic: " + topic_);
-    subscription_ = bus.subscribe(shape_endpoint(topic_), *this);
+    subscription_ = bus.subscribe(shape_endpoint(topic_.c_str()), *this);
   }
   ~Reader() override { subscription_.reset(); }
   Reader(const Reader&) = delete;
