@@ -46,8 +46,9 @@ class MissionTest : public ::testing::Test {
     return states;
   }
   static void expect_done(const Stack& stack) {
-    EXPECT_GT(count(column(stack.read("gcs/mission_status.csv"), "state"), "done"), 0U)
-        << stack.output();
+    const auto states = column(stack.read("gcs/mission_status.csv"), "state");
+    EXPECT_GT(count(states, "done"), 0U) << "recorded: " << ::testing::PrintToString(states) << '\n'
+                                         << stack.output();
   }
 };
 
