@@ -2,9 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the tests of every package of a build tree, or of some, and counts their cases.
 
-usage: run_tests.py BUILD_FOLDER LABEL_REGEX [PACKAGE ...]
+usage: run_tests.py [--changed] BUILD_FOLDER LABEL_REGEX [PACKAGE ...]
 
-As many tests run side by side as there are cores, those that took longest the last time first. A system
+With --changed a program that is what it was when it passed counts as it did then, and is not run
+again (passed_before.py).
+
+As many tests run side by side as there are cores, those that took longest the last time first; system
+tests mostly wait, and twice as many run. A system
 test gets a network, process ids, a /dev/shm and mounts of its own, so that no other test hears or
 finds it; where the kernel or the container forbids that, system tests run one after the other. A test program that
 crashes, or leaves no result file, counts as one failed case. The last line is
@@ -21,7 +25,9 @@ import sys
 import time
 import xml.etree.ElementTree as ElementTree
 
-Test = collections.namedtuple("Test", "package name system result_file")
+from passed_before import Memory, digest_of_test
+
+Test = collections.namedtuple("Test", "package name system result_file program")
 Outcome = collections.namedtuple("Outcome", "passed failed skipped reasons seconds")
 
 # Root has the right to namespaces; anybody else becomes root of a user namespace first. The shell
@@ -41,7 +47,9 @@ def tests_of(package, labels):
         properties = {p["name"]: p["value"] for p in test.get("properties", [])}
         result = re.search(r"--gtest_output=xml:(\S+)", " ".join(test.get("command", [])))
         yield Test(package, test["name"], "system" in properties.get("LABELS", []),
-                   pathlib.Path(result.group(1)) if result else None)
+                   pathlib.Path(result.group(1)) if result else None,
+                   next((word for word in map(pathlib.Path, test.get("command", []))
+                         if word.name == test["name"]), None))
 
 
 def read_cases(result_file):
@@ -79,6 +87,10 @@ def run(test, prefix):
     return Outcome(*counts, seconds)
 
 
+def name_of(test):
+    return f"{test.package.name}/{test.name}"
+
+
 def read_times(file):
     try:
         return json.loads(file.read_text())
@@ -98,7 +110,8 @@ def run_all(tests):
     if world is None:
         print("system tests run one after the other: no network namespaces here", flush=True)
     alone = [test for test in tests if test.system and world is None]
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+    wait = any(test.system and test not in alone for test in tests)
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() * (2 if wait else 1)) as pool:
         started = [(test, pool.submit(run, test, world if test.system else []))
                    for test in tests if test not in alone]
         outcomes = {test: future.result() for test, future in started}
@@ -118,20 +131,46 @@ def report(outcomes):
     return failed == 0 and bool(outcomes)
 
 
+def run_changed(tests, file):
+    """Runs those that are not known to be good as they are."""
+    memory = Memory(file)
+    names = collections.defaultdict(set)
+    for test in tests:
+        names[test.package].add(test.name)
+    digests = {test: digest_of_test(test.package, test.program, names[test.package])
+               for test in tests if test.program}
+    known = {test: memory.cases(name_of(test), digest) for test, digest in digests.items()}
+    known = {test: cases for test, cases in known.items() if cases is not None}
+    outcomes = {test: Outcome(cases, 0, 0, [], 0) for test, cases in known.items()}
+    new = run_all([test for test in tests if test not in known])
+    outcomes.update(new)
+    # What was skipped may be there the next time.
+    memory.keep({name_of(test): [digests[test], outcome.passed] for test, outcome in new.items()
+                 if test in digests and outcome.failed == outcome.skipped == 0})
+    if known:
+        print(f"{len(known)} of {len(tests)} programs are those that have passed, and were not run")
+    return outcomes, new
+
+
 def main():
-    if len(sys.argv) < 3:
+    arguments = sys.argv[1:]
+    changed = arguments[:1] == ["--changed"]
+    arguments = arguments[changed:]
+    if len(arguments) < 2:
         sys.exit(__doc__.split("\n\n")[1])
-    build, labels, wanted = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3:]
+    build, labels, wanted = pathlib.Path(arguments[0]), arguments[1], arguments[2:]
     packages = sorted(file.parent for file in build.glob("*/CTestTestfile.cmake")
                       if not wanted or file.parent.name in wanted)
     times_file = build / "test_times.json"
     times = read_times(times_file)
     tests = [test for package in packages for test in tests_of(package, labels)]
     # System tests are the long ones, as far as nothing is known.
-    tests.sort(key=lambda test: -times.get(f"{test.package.name}/{test.name}", 60 * test.system))
-    outcomes = run_all(tests)
-    times.update((f"{test.package.name}/{test.name}", round(outcome.seconds, 2))
-                 for test, outcome in outcomes.items())
+    tests.sort(key=lambda test: -times.get(name_of(test), 60 * test.system))
+    if changed:
+        outcomes, new = run_changed(tests, build / "tests_passed.json")
+    else:
+        outcomes = new = run_all(tests)
+    times.update((name_of(test), round(outcome.seconds, 2)) for test, outcome in new.items())
     times_file.write_text(json.dumps(times, indent=1))
     sys.exit(0 if report(outcomes) else 1)
 

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which test programs of a build tree have passed as they are, so that they need not run again.
+
+A program is the same while its own bytes, those of our libraries that it loads, of the other
+programs of its package and of whatever is no C++ source in the repository are the same, and the
+environment's variables for it. One that failed is not remembered.
+"""
+import functools
+import hashlib
+import json
+import os
+import pathlib
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+# No test reads these, or sees these change.
+UNREAD = {"ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md"}
+VARIABLES = ("ASAN_OPTIONS", "TSAN_OPTIONS", "UBSAN_OPTIONS", "TOCSIN_SHARED")
+
+
+@functools.lru_cache(maxsize=None)
+def digest_of(file):
+    try:
+        return hashlib.sha256(file.read_bytes()).hexdigest()
+    except OSError:
+        return "none"
+
+
+@functools.lru_cache(maxsize=None)
+def repository_digest():
+    """Of what tests may read: all that is in the repository and no C++ source."""
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT,
+                            capture_output=True, text=True, check=True).stdout.split("\0")
+    files = [name for name in listed
+             if name and name not in UNREAD and not name.endswith((".cpp", ".hpp"))]
+    text = "\n".join(f"{name} {digest_of(ROOT / name)}" for name in sorted(files))
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def is_program(file):
+    return file.is_file() and os.access(file, os.X_OK)
+
+
+@functools.lru_cache(maxsize=None)
+def loaded_by(program):
+    """The libraries of the workspace that a program loads."""
+    listed = subprocess.run(["ldd", program], capture_output=True, text=True).stdout
+    paths = (line.split("=>")[-1].split("(")[0].strip() for line in listed.splitlines())
+    return sorted(pathlib.Path(path) for path in paths if path.startswith(str(ROOT)))
+
+
+def digest_of_test(package, program, tests):
+    """What decides what a test program of a package's build folder does; `tests` are the names of
+    all test programs there."""
+    others = sorted(file for file in package.iterdir() if is_program(file) and file.name not in tests)
+    read = [program, *others, *loaded_by(program)]
+    facts = [repository_digest(), *(f"{file.name} {digest_of(file)}" for file in read),
+             *(f"{name}={os.environ.get(name)}" for name in VARIABLES)]
+    return hashlib.sha256("\n".join(facts).encode()).hexdigest()
+
+
+class Memory:
+    """The tests of a build tree that passed whole: name -> [digest, cases], in a file of the tree."""
+
+    def __init__(self, file):
+        self.file = file
+        try:
+            self.tests = json.loads(file.read_text())
+        except (OSError, ValueError):
+            self.tests = {}
+
+    def cases(self, name, digest):
+        """How many cases passed when the test was as it is; None when it is not known to be good."""
+        known, cases = self.tests.get(name, (None, None))
+        return cases if known == digest else None
+
+    def keep(self, passed):
+        """`passed`: name -> [digest, cases]."""
+        self.tests.update(passed)
+        self.file.write_text(json.dumps(self.tests, indent=1))
