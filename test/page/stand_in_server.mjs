@@ -93,6 +93,16 @@ function readMap(image) {
   return { width, height, data };
 }
 
+/** The message some seconds later: those that begin with a time have it moved. */
+function moved(data, seconds, bagEnd) {
+  if (seconds === 0 || data.length < 12) return data;
+  const copy = Uint8Array.from(data);
+  const view = new DataView(copy.buffer);
+  const second = view.getInt32(4, true);
+  if (Math.abs(second - bagEnd) < 3600) view.setInt32(4, second + seconds, true);
+  return copy;
+}
+
 const stamp = () => ({ sec: Math.floor(Date.now() / 1000), nanosec: 0 });
 const nowNs = () => BigInt(Date.now()) * 1_000_000n;
 
@@ -158,7 +168,11 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS 
   const begin = messages[0].at + from * 1000;
   const started = Date.now();
   const bagNow = () => begin + Date.now() - started;
-  state.position = messages.findIndex(({ at }) => at >= begin);
+  // After its end the bag's last seconds come again and again: a slow computer's tests take longer.
+  const lapS = 10;
+  const lapBegin = messages.findIndex(({ at }) => at > (last - lapS) * 1000);
+  let laps = Math.max(0, Math.ceil((begin / 1000 - last) / lapS));
+  state.position = laps > 0 ? lapBegin : messages.findIndex(({ at }) => at >= begin);
 
   server.on("subscribe", (id) => {
     const topic = [...ids].find(([, one]) => one === id)[0];
@@ -206,11 +220,16 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS 
   const timer = setInterval(() => {
     if (state.silent) return;
     server.broadcastTime(nowNs());
-    while (state.position < messages.length && messages[state.position].at <= bagNow()) {
+    while (messages[state.position].at + laps * lapS * 1000 <= bagNow()) {
       const { topic, data } = messages[state.position++];
+      const later = moved(rewritten(topic, data), laps * lapS, last);
+      if (state.position === messages.length) {
+        state.position = lapBegin;
+        ++laps;
+      }
       if (state.withoutImages && topic.includes("image")) continue;
       if (state.withoutVehicle && topic !== "/mission_status") continue;
-      server.sendMessage(ids.get(topic), nowNs(), rewritten(topic, data));
+      server.sendMessage(ids.get(topic), nowNs(), later);
     }
   }, 20);
   const close = () => {
