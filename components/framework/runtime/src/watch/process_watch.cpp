@@ -55,7 +55,8 @@ void ProcessWatch::run() {
   while (!changed_.wait_for(lock, period_, [this] { return stopping_; })) {
     lock.unlock();
     const auto found =
-        watchdog_.look(std::chrono::steady_clock::now(), look_around(), resident_bytes());
+        watchdog_.look(clock_.at(std::chrono::steady_clock::now(), processor_waits()),
+                       look_around(), resident_bytes());
     if (found && (found->is_final || !finding())) tell_(*found);
     lock.lock();
     finding_ = found ? std::optional(found->text) : std::nullopt;

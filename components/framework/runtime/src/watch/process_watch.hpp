@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "watch/patient_clock.hpp"
 #include "watch/watchdog.hpp"
 
 namespace tocsin {
@@ -34,6 +35,7 @@ class ProcessWatch {
 
   const Duration period_;
   const std::function<void(const WatchFinding&)> tell_;
+  PatientClock clock_;
   Watchdog watchdog_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
