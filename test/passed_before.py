@@ -2,19 +2,19 @@
 """Which test programs of a build tree have passed as they are, so that they need not run again.
 
 A program is the same while its own bytes, those of our libraries that it loads, of the other
-programs of its package and of whatever is no C++ source in the repository are the same, and the
-environment's variables for it. One that failed is not remembered.
+programs of its package, of the package's pages, and of whatever is neither page nor C++ source in
+the repository are the same, and the environment's variables for it. One that failed is not
+remembered.
 """
 import functools
 import hashlib
 import json
 import os
 import pathlib
+import re
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# No test reads these, or sees these change.
-UNREAD = {"ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md"}
 VARIABLES = ("ASAN_OPTIONS", "TSAN_OPTIONS", "UBSAN_OPTIONS", "TOCSIN_SHARED")
 
 
@@ -27,14 +27,31 @@ def digest_of(file):
 
 
 @functools.lru_cache(maxsize=None)
-def repository_digest():
-    """Of what tests may read: all that is in the repository and no C++ source."""
-    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT,
+def files_below(folder):
+    """Those of the repository, and new ones that Git does not ignore."""
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=folder,
                             capture_output=True, text=True, check=True).stdout.split("\0")
-    files = [name for name in listed
-             if name and name not in UNREAD and not name.endswith((".cpp", ".hpp"))]
-    text = "\n".join(f"{name} {digest_of(ROOT / name)}" for name in sorted(files))
+    return sorted(folder / name for name in listed if name)
+
+
+def digest_of_all(files):
+    text = "\n".join(f"{file} {digest_of(file)}" for file in files)
     return hashlib.sha256(text.encode()).hexdigest()
+
+
+@functools.lru_cache(maxsize=None)
+def repository_digest():
+    return digest_of_all(file for file in files_below(ROOT)
+                         if file.suffix not in (".cpp", ".hpp", ".md"))
+
+
+@functools.lru_cache(maxsize=None)
+def pages_digest(package):
+    """Of the pages of a package, whose build folder is given: tests read what they promise."""
+    cache = (package / "CMakeCache.txt").read_text()
+    source = re.search(r"^CMAKE_HOME_DIRECTORY:INTERNAL=(.*)$", cache, re.MULTILINE).group(1)
+    return digest_of_all(file for file in files_below(pathlib.Path(source))
+                         if file.suffix == ".md")
 
 
 def is_program(file):
@@ -54,7 +71,7 @@ def digest_of_test(package, program, tests):
     all test programs there."""
     others = sorted(file for file in package.iterdir() if is_program(file) and file.name not in tests)
     read = [program, *others, *loaded_by(program)]
-    facts = [repository_digest(), *(f"{file.name} {digest_of(file)}" for file in read),
+    facts = [repository_digest(), pages_digest(package), *(f"{file.name} {digest_of(file)}" for file in read),
              *(f"{name}={os.environ.get(name)}" for name in VARIABLES)]
     return hashlib.sha256("\n".join(facts).encode()).hexdigest()
 
