@@ -81,12 +81,16 @@ std::vector<Logged> SampleLog::append(const std::vector<LogEntry>& entries, Time
   last_log_time_ns_ = log_time_ns;
   for (const auto& [entry, time_ns] : fresh) note(entry->id, time_ns);
   std::replace(logged.begin(), logged.end(), Logged::refused, Logged::kept);
+  segments_.back().written = now;
+  measure_segment();
+  return logged;
+}
+
+void SampleLog::measure_segment() {
   const bool full = active_->bytes() >= limits_.bytes / segments_of_a_log;
   if (full) active_->close();
   segments_.back().bytes = active_->bytes();
-  segments_.back().written = now;
   if (full) active_.reset();
-  return logged;
 }
 
 void SampleLog::note(const SampleId& id, std::uint64_t log_time_ns) {

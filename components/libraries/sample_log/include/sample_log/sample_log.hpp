@@ -139,6 +139,8 @@ class SampleLog {
   /// Throws ConfigError when it is no MCAP file.
   void index(std::unique_ptr<mcap::ByteSource> source, Segment& segment);
   [[nodiscard]] bool begin_segment();
+  /// How long the last segment is; it is closed when that is enough.
+  void measure_segment();
   /// One that was appended to the last segment.
   void note(const SampleId& id, std::uint64_t log_time_ns);
   void read(const Segment& segment, const std::map<std::uint64_t, SampleId>& wanted,

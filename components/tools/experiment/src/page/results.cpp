@@ -47,15 +47,19 @@ std::string id_of(const Group& group, int index) {
          group.policy + "." + std::to_string(index);
 }
 
+/// Of what is no number no run has a file, which is told then.
+int index_of(const CsvTable& table, std::size_t row) {
+  const double number = table.number(row, "index");
+  return number >= 0 && number < 1e9 ? static_cast<int>(number) : -1;
+}
+
 /// Adds the runs of one table to `groups`; rows of a group follow each other.
 void add_runs(const std::string& folder, const std::string& table_name, const std::string& kind,
               std::vector<Group>& groups, Results& results) {
   const auto table = CsvTable::read(folder + "/" + table_name);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     Group group = group_of(table, row);
-    const double number = table.number(row, "index");
-    // Of what is no number no run has a file, which is told below.
-    const int index = number >= 0 && number < 1e9 ? static_cast<int>(number) : -1;
+    const int index = index_of(table, row);
     const std::string id = id_of(group, index);
     if (groups.empty() || !same_round(groups.back(), group) ||
         groups.back().policy != group.policy) {
