@@ -3,14 +3,19 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "crossing.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "keystore/enclave.hpp"
+#include "keystore/keystore.hpp"
 #include "peer.hpp"
 #include "ros_idl/rcl_interfaces.hpp"
 #include "stack.hpp"
@@ -38,27 +43,21 @@ class Standing final : public ClientReceiver {
   std::unique_ptr<ClientEnd> end_;
 };
 
+const std::string traffic = TOCSIN_REPOSITORY "/components/examples/bringup/traffic.yaml";
+
 /// The mission's vehicle with a talker, whose text can be changed while it runs.
 class LinkCallsTest : public ::testing::Test {
  protected:
-  LinkCallsTest()
-      : stack_({folder_.write("calls.yaml",
-                              "extends: mission.yaml\n"
-                              "qos: " TOCSIN_REPOSITORY "/components/examples/bringup/qos.yaml\n"
-                              "traffic: " TOCSIN_REPOSITORY
-                              "/components/examples/bringup/traffic.yaml\n"
-                              "stop_when_exits: ~\n"
-                              "hosts:\n"
-                              "  uxv: {containers: [{name: chat, components: [talker]}]}\n"
-                              "  gcs: {containers: [{mission: ~}, {view: ~}, {page: ~}]}\n"),
-                "--seed", "1"}) {}
+  /// `more`: words for `tocsin launch`.
+  explicit LinkCallsTest(const std::vector<std::string>& more = {}) : stack_(arguments(more)) {}
   /// A command of the station.
   [[nodiscard]] Ended at_station(const std::string& tool, const std::string& words) const {
     return run_to_end(command(tool, words), "");
   }
-  [[nodiscard]] std::string command(const std::string& tool, const std::string& words) const {
-    return fmt::format("{} {} --run-dir {} --host gcs", Stack::program("topic_tool", tool), words,
-                       stack_.folder());
+  [[nodiscard]] std::string command(const std::string& tool, const std::string& words,
+                                    const std::string& host = "gcs") const {
+    return fmt::format("{} {} --run-dir {} --host {}", Stack::program("topic_tool", tool), words,
+                       stack_.folder(), host);
   }
   [[nodiscard]] bool is_met() const {
     return stack_.logged("gcs is on the link") && stack_.logged("uxv is on the link");
@@ -66,7 +65,91 @@ class LinkCallsTest : public ::testing::Test {
 
   const TemporaryFolder folder_;
   const Stack stack_;
+
+ private:
+  [[nodiscard]] std::vector<std::string> arguments(const std::vector<std::string>& more) const {
+    const std::string file =
+        folder_.write("calls.yaml",
+                      "extends: mission.yaml\n"
+                      "qos: " TOCSIN_REPOSITORY
+                      "/components/examples/bringup/qos.yaml\n"
+                      "traffic: " +
+                          traffic +
+                          "\n"
+                          "stop_when_exits: ~\n"
+                          "hosts:\n"
+                          "  uxv: {containers: [{name: chat, components: [talker]}]}\n"
+                          "  gcs: {containers: [{mission: ~}, {view: ~}, {page: ~}]}\n");
+    std::vector<std::string> words{file, "--seed", "1"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
 };
+
+/// Identities of both hosts as `tocsin keystore` makes them.
+class Identities {
+ public:
+  Identities() {
+    run("create");
+    for (const char* const name : {"uxv", "gcs"}) {
+      run(std::string("add ") + name + " --traffic " + traffic);
+    }
+  }
+  [[nodiscard]] std::string path() const { return folder_.path("keystore"); }
+  /// The station may not send on topics with this in their names.
+  void withhold(const std::string& part) const {
+    auto may = keystore::read_enclave(keystore::enclave_folder(path(), "gcs")).permissions.value();
+    const auto is_withheld = [&](const std::string& topic) {
+      return topic.find(part) != std::string::npos;
+    };
+    const auto kept = std::remove_if(may.publish.begin(), may.publish.end(), is_withheld);
+    ASSERT_NE(kept, may.publish.end());
+    may.publish.erase(kept, may.publish.end());
+    keystore::permit(path(), "gcs", may);
+  }
+
+ private:
+  void run(const std::string& words) const {
+    const Ended ended = run_to_end(Stack::program("keystore_tool", "tocsin-keystore"),
+                                   words + " --keystore " + path());
+    ASSERT_EQ(ended.code, 0) << ended.output;
+  }
+  const TemporaryFolder folder_;
+};
+
+struct Permitted {
+  const Identities identities;
+};
+class SecuredCallsTest : protected Permitted, public LinkCallsTest {
+ protected:
+  SecuredCallsTest() : LinkCallsTest({"--security", identities.path()}) {}
+};
+
+TEST_F(SecuredCallsTest, AreAnsweredAsOnAPlainLink) {
+  ASSERT_TRUE(Stack::eventually(patience, [&] { return is_met(); })) << stack_.output();
+  const Ended set = at_station("tocsin-param", "set /talker text sealed --timeout 60");
+  ASSERT_EQ(set.code, 0) << set.output << stack_.output();
+  EXPECT_THAT(at_station("tocsin-param", "get /talker text --timeout 60").output,
+              HasSubstr("sealed"));
+  const Ended goal = at_station("tocsin-action",
+                                "send_goal /navigate_to_pose nav2_msgs/action/NavigateToPose "
+                                "\"{pose: {pose: {position: {x: 0.1}}}}\" --timeout 60");
+  EXPECT_THAT(goal.output, HasSubstr("Goal accepted")) << stack_.output();
+}
+
+TEST_F(SecuredCallsTest, OfAStationThatHasLostTheRightReachNobody) {
+  ASSERT_TRUE(Stack::eventually(patience, [&] { return is_met(); })) << stack_.output();
+  const Ended set = at_station("tocsin-param", "set /talker text allowed --timeout 60");
+  ASSERT_EQ(set.code, 0) << set.output << stack_.output();
+  // `tocsin launch` would refuse to start with it; its router alone starts again.
+  identities.withhold("link_calls");
+  ASSERT_EQ(kill(stack_.pid("gcs/link"), SIGKILL), 0);
+  ASSERT_TRUE(Stack::eventually(patience, [&] { return stack_.logged("gcs/link ended"); }));
+  const Ended forged = at_station("tocsin-param", "set /talker text forged --timeout 10");
+  EXPECT_EQ(forged.code, 1) << forged.output;
+  const Ended is = run_to_end(command("tocsin-param", "get /talker text --timeout 60", "uxv"), "");
+  EXPECT_THAT(is.output, HasSubstr("allowed"));
+}
 
 TEST_F(LinkCallsTest, ParametersAndActionsOfTheVehicleWorkAtTheStationAndAnOutageIsSaidOnce) {
   ASSERT_TRUE(Stack::eventually(patience, [&] { return is_met(); })) << stack_.output();
