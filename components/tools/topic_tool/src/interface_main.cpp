@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tocsin interface list | show | proto | package | packages, as `ros2 interface` has them.
+// tocsin interface list | show | proto | package | packages, as `ros2 interface` has them; export.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
@@ -8,6 +8,7 @@
 #include "command_line/command.hpp"
 #include "foundation/error.hpp"
 #include "idl_support/type_definition.hpp"
+#include "interface_package.hpp"
 #include "interface_text.hpp"
 #include "message_yaml.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
@@ -18,6 +19,7 @@ namespace {
 
 struct InterfaceOptions {
   std::string name;
+  std::string folder = ".";
   bool no_quotes = false;
   InterfaceListOptions list;
 };
@@ -66,6 +68,13 @@ int packages(const InterfaceOptions&) {
   return 0;
 }
 
+/// For who builds nodes of ROS 2 that use our types.
+int export_as_package(const InterfaceOptions& options) {
+  load_idl_libraries();
+  export_package(options.name, options.folder);
+  return 0;
+}
+
 void declare(CLI::App& app, InterfaceOptions& options) {
   app.require_subcommand(1);
   CLI::App* const all = app.add_subcommand("list", "interfaces of all installed packages");
@@ -83,6 +92,11 @@ void declare(CLI::App& app, InterfaceOptions& options) {
       ->add_option("package_name", options.name, "std_msgs")
       ->required();
   app.add_subcommand("packages", "packages that have interfaces");
+  CLI::App* const exported =
+      app.add_subcommand("export", "a package of interfaces as sources that ROS 2 builds");
+  exported->add_option("package_name", options.name, "tocsin_msgs")->required();
+  exported->add_option("folder", options.folder, "in which its folder is made")
+      ->capture_default_str();
 }
 
 int run(int argc, char** argv) {
@@ -92,11 +106,9 @@ int run(int argc, char** argv) {
   declare(app, options);
   return run_command(app, argc, argv, [&] {
     using Verb = int (*)(const InterfaceOptions&);
-    static const std::map<std::string, Verb> verbs{{"list", list},
-                                                   {"show", show},
-                                                   {"proto", proto},
-                                                   {"package", package},
-                                                   {"packages", packages}};
+    static const std::map<std::string, Verb> verbs{
+        {"list", list},       {"show", show},         {"proto", proto},
+        {"package", package}, {"packages", packages}, {"export", export_as_package}};
     return verbs.at(app.get_subcommands().front()->get_name())(options);
   });
 }

@@ -41,15 +41,6 @@ std::string section(const char* title, const std::set<std::string>& names) {
   return text;
 }
 
-/// Parts of an interface, in the order of its file.
-Words parts_of(const std::string& interface) {
-  const auto words = words_of(interface);
-  if (!words) throw ConfigError("'" + printable(interface) + "' is no interface: pkg/msg/Name");
-  if ((*words)[1] == "srv") return {interface + "_Request", interface + "_Response"};
-  if ((*words)[1] != "action") return {interface};
-  return {interface + "_Goal", interface + "_Result", interface + "_Feedback"};
-}
-
 /// The lines of a type, each followed by those of the type that it is of, one tab deeper.
 std::string expanded(const TypeDefinition& type, const std::string& indent) {
   constexpr std::size_t deepest = 20;
@@ -75,6 +66,14 @@ std::string expanded(const TypeDefinition& type, const std::string& indent) {
 }
 
 }  // namespace
+
+std::vector<std::string> parts_of(const std::string& interface) {
+  const auto words = words_of(interface);
+  if (!words) throw ConfigError("'" + printable(interface) + "' is no interface: pkg/msg/Name");
+  if ((*words)[1] == "srv") return {interface + "_Request", interface + "_Response"};
+  if ((*words)[1] != "action") return {interface};
+  return {interface + "_Goal", interface + "_Result", interface + "_Feedback"};
+}
 
 std::set<std::string> Interfaces::all() const {
   std::set<std::string> names = messages;

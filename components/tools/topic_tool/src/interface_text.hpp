@@ -33,6 +33,10 @@ struct InterfaceListOptions {
 /// Names of packages, a line each.
 [[nodiscard]] std::string packages_text(const Interfaces& interfaces);
 
+/// Names of the types that its file has, in their order: the message, request and response, or
+/// goal, result and feedback. Throws ConfigError for what is no name of an interface.
+[[nodiscard]] std::vector<std::string> parts_of(const std::string& interface);
+
 /// The fields of an interface and of what they are made of, with `---` between the parts of a
 /// service or an action. Nothing when no loaded library has it.
 [[nodiscard]] std::optional<std::string> show_text(const std::string& interface);

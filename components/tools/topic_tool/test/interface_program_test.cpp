@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "command_line/run_to_end.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin::topic_tool {
 namespace {
@@ -35,6 +37,19 @@ TEST(InterfaceProgram, ListsAndShowsInterfaces) {
 TEST(InterfaceProgram, ShowsAMessageToCopy) {
   EXPECT_EQ(interface({"proto", "std_srvs/srv/SetBool"}).output, "\"data: false\n\"\n");
   EXPECT_EQ(interface({"proto", "--no-quotes", "std_srvs/srv/SetBool"}).output, "data: false\n\n");
+}
+
+TEST(InterfaceProgram, ExportsAPackageOnce) {
+  const TemporaryFolder folder;
+  const Ended done = interface({"export", "std_srvs", folder.path()});
+  EXPECT_EQ(done.code, 0) << done.output;
+  EXPECT_TRUE(std::filesystem::exists(folder.path("std_srvs/package.xml")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("std_srvs/srv/SetBool.srv")));
+  const Ended again = interface({"export", "std_srvs", folder.path()});
+  EXPECT_EQ(again.code, 2);
+  EXPECT_THAT(again.output, HasSubstr("std_srvs is there already"));
+  EXPECT_THAT(interface({"export", "no_msgs"}).output,
+              HasSubstr("the package 'no_msgs' is not known here"));
 }
 
 TEST(InterfaceProgram, SaysInOneLineWhatIsNotKnown) {
