@@ -6,6 +6,7 @@
 
 #include "idl_support/encode.hpp"
 #include "runtime/middleware/composition_service.hpp"
+#include "runtime/middleware/parameter_service.hpp"
 
 namespace tocsin {
 namespace {
@@ -54,6 +55,53 @@ TEST(LifecycleBytes, AnEmptyRequestIsOneByteAndAStateItsNumberAndLabel) {
   response.current_state(ros_state(LifecycleState::active));
   EXPECT_EQ(bytes_of(response),
             (Bytes{0, 1, 0, 0, 3, 0, 0, 0, 7, 0, 0, 0, 'a', 'c', 't', 'i', 'v', 'e', 0}));
+}
+
+/// The value of half() where it begins 2 bytes behind a multiple of 8.
+const Bytes half_of_double{3, 0, 0, 0,    0,    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                           0, 0, 0, 0xe0, 0x3f, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                           0, 0, 0, 0,    0,    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+
+rcl_interfaces::msg::Parameter half() {
+  rcl_interfaces::msg::Parameter parameter;
+  parameter.name("a");
+  parameter.value().type(3);
+  parameter.value().double_value(0.5);
+  return parameter;
+}
+
+TEST(ParameterBytes, AreAskedForByNameAndListedByPrefixAndDepth) {
+  parameter_service::GetParameters::Request get;
+  get.names({"a"});
+  EXPECT_EQ(bytes_of(get), (Bytes{0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 'a', 0}));
+  parameter_service::ListParameters::Request list;
+  EXPECT_EQ(bytes_of(list), (Bytes{0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+}
+
+TEST(ParameterBytes, OneIsSetByItsNameAndAValueOfAllTypes) {
+  parameter_service::SetParameters::Request set;
+  set.parameters({half()});
+  Bytes expected{0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 'a', 0};
+  expected.insert(expected.end(), half_of_double.begin(), half_of_double.end());
+  EXPECT_EQ(bytes_of(set), expected);
+  parameter_service::SetParameters::Response response;
+  response.results().resize(1);
+  response.results()[0].successful(true);
+  EXPECT_EQ(bytes_of(response), (Bytes{0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0}));
+}
+
+TEST(CompositionBytes, ANodeIsLoadedByItsPluginWithItsParameters) {
+  composition_service::LoadNode::Request request;
+  request.package_name("pack");
+  request.plugin_name("q");
+  request.node_name("n");
+  request.parameters({half()});
+  Bytes expected{0, 1, 0,   0, 5, 0, 0, 0, 'p', 'a', 'c', 'k', 0, 0, 0, 0, 2,   0,
+                 0, 0, 'q', 0, 0, 0, 2, 0, 0,   0,   'n', 0,   0, 0, 1, 0, 0,   0,
+                 0, 0, 0,   0, 0, 0, 0, 0, 1,   0,   0,   0,   2, 0, 0, 0, 'a', 0};
+  expected.insert(expected.end(), half_of_double.begin(), half_of_double.end());
+  expected.insert(expected.end(), {0, 0, 0, 0});  // extra_arguments
+  EXPECT_EQ(bytes_of(request), expected);
 }
 
 TEST(CompositionBytes, ANodeIsUnloadedByANumberOfEightBytes) {
