@@ -62,6 +62,7 @@ ParticipantOptions host_options(const BusOptions& options, const QosProfiles& pr
   host.name = options.name;
   host.domain = options.host_domain;
   host.shared_memory = options.shared_memory;
+  host.farewell = std::chrono::milliseconds(300);
   host.user_data = participant_user_data;
   host.flow_controllers = profiles.flow_controllers();
   host.on_end = [&watch](const auto&, const AnnouncedEnd& end, bool) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds/fast_dds_participant.hpp"
 
+#include <chrono>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
@@ -52,7 +53,8 @@ bool move_to(Holder* holder, const std::vector<std::string>& partition) {
 
 }  // namespace
 
-FastDdsParticipant::FastDdsParticipant(ParticipantOptions options) : options_(std::move(options)) {
+FastDdsParticipant::FastDdsParticipant(ParticipantOptions options)
+    : options_(std::move(options)), farewell_(options_.farewell) {
   if (options_.shared_memory) remove_shared_memory_leftovers();
   participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
       static_cast<std::uint32_t>(options_.domain), participant_qos(options_), &discovery_listener_,
@@ -122,7 +124,16 @@ bool FastDdsParticipant::change(dds::DataReader* reader, const QosProfile& profi
          move_to(subscriber_of(reader), profile.partition);
 }
 
+void FastDdsParticipant::say_farewell(dds::DataWriter& writer) {
+  const Duration left = farewell_;
+  if (left <= Duration::zero()) return;
+  const auto begin = std::chrono::steady_clock::now();
+  (void)writer.wait_for_acknowledgments(dds_duration(to_seconds(left)));
+  farewell_ = left - (std::chrono::steady_clock::now() - begin);
+}
+
 void FastDdsParticipant::remove(dds::DataWriter* writer) {
+  say_farewell(*writer);
   dds::Publisher* const publisher = publisher_of(writer);
   publisher->delete_datawriter(writer);
   participant_->delete_publisher(publisher);

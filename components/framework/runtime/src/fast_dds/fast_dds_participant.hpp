@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
@@ -9,6 +10,7 @@
 
 #include "fast_dds/discovery_listener.hpp"
 #include "fast_dds/fast_dds_transport.hpp"
+#include "foundation/time.hpp"
 #include "idl_support/type_info.hpp"
 #include "runtime/middleware/qos_policies.hpp"
 
@@ -36,6 +38,8 @@ class FastDdsParticipant {
   /// Gives an end what of the profile can change while it exists. False when Fast DDS refused it.
   [[nodiscard]] bool change(eprosima::fastdds::dds::DataWriter* writer, const QosProfile& qos);
   [[nodiscard]] bool change(eprosima::fastdds::dds::DataReader* reader, const QosProfile& qos);
+  /// Waits until reliable readers have what it wrote, as long as ParticipantOptions::farewell
+  /// lasts: a reader that hears of the end first drops what comes after. Then it is gone.
   void remove(eprosima::fastdds::dds::DataWriter* writer);
   void remove(eprosima::fastdds::dds::DataReader* reader);
   /// Whether a writer is one of this participant's own.
@@ -50,6 +54,7 @@ class FastDdsParticipant {
 
  private:
   eprosima::fastdds::dds::Topic* topic(const std::string& name, const TypeInfo& type);
+  void say_farewell(eprosima::fastdds::dds::DataWriter& writer);
 
   const ParticipantOptions options_;
   RemoteEnds remote_ends_{options_.on_end, options_.on_participant};
@@ -59,6 +64,7 @@ class FastDdsParticipant {
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastrtps::rtps::GuidPrefix_t prefix_;
   std::mutex mutex_;
+  std::atomic<Duration> farewell_;
 };
 
 }  // namespace tocsin

@@ -8,6 +8,7 @@
 
 #include "fast_dds/deferred_reception.hpp"
 #include "fast_dds/remote_ends.hpp"
+#include "foundation/time.hpp"
 #include "link/radio_transport.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 
@@ -24,6 +25,8 @@ struct ParticipantOptions {
   std::string user_data = "";           ///< of the participant
   bool shared_memory = false;           ///< samples go so where the peer has it, too
   std::map<std::string, FlowController> flow_controllers = {};
+  /// How long its writers wait, in all, until their readers have what they wrote last.
+  Duration farewell = {};
   /// Called by discovery with what others announce; must not call Fast DDS.
   RemoteEnds::OnEnd on_end = {};
   RemoteEnds::OnParticipant on_participant = {};

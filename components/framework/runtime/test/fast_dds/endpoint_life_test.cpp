@@ -55,6 +55,28 @@ TEST_F(EndpointLifeTest, AReaderLeavesWithTheLastSubscription) {
   EXPECT_TRUE(eventually([&] { return matched(*far_, true) == 0; }));
 }
 
+TEST_F(EndpointLifeTest, WhatAWriterWroteLastArrivesThoughItsProcessEndsAtOnce) {
+  constexpr std::size_t bursts = 20;
+  constexpr std::size_t burst = 100;  // of 30 kB: more than the socket of a reader holds
+  const std::string qos = "texts: {reliability: reliable, depth: 100, heartbeat_period_s: 0.02}\n";
+  const Endpoint texts{{"texts", "texts", Scope::host}, &type_info<std_msgs::msg::String>()};
+  const auto far = make_test_bus(domain_, qos);
+  std_msgs::msg::String text;
+  text.data(std::string(30'000, 'x'));
+  const auto message = std::make_shared<const std_msgs::msg::String>(text);
+  for (std::size_t i = 0; i < bursts; ++i) {
+    Samples samples;
+    const auto reader = far->subscribe(texts, samples);
+    auto ending = make_test_bus(domain_, qos);
+    auto writer = ending->advertise(texts);
+    ASSERT_TRUE(eventually([&] { return health_of(*ending, "texts", true).matched == 1; }));
+    for (std::size_t k = 0; k < burst; ++k) ASSERT_EQ(writer->write(message), Status::ok);
+    writer.reset();
+    ending.reset();
+    ASSERT_TRUE(samples.wait_for(burst)) << samples.all().size() << " in burst " << i;
+  }
+}
+
 TEST_F(EndpointLifeTest, AWriterLeavesWithTheLastPublication) {
   Samples samples;
   const auto reader = far_->subscribe(topic_, samples);
