@@ -17,9 +17,9 @@ dds_entity_t checked(dds_entity_t entity) {
 
 class CyclonePeer : public Peer {
  public:
-  explicit CyclonePeer(int domain)
-      : participant_(checked(
-            dds_create_participant(static_cast<dds_domainid_t>(domain), nullptr, nullptr))) {
+  explicit CyclonePeer(const PeerSettings& settings)
+      : participant_(checked(dds_create_participant(static_cast<dds_domainid_t>(settings.domain),
+                                                    nullptr, nullptr))) {
     dds_topic_descriptor_t type = std_msgs_msg_String_desc;
     type.m_typename = type_on_wire;
     const dds_entity_t topic =
@@ -28,6 +28,7 @@ class CyclonePeer : public Peer {
     dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_MSECS(100));
     dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 1000);
     reader_ = checked(dds_create_reader(participant_, topic, qos, nullptr));
+    if (settings.lifespan_ms > 0) dds_qset_lifespan(qos, DDS_MSECS(settings.lifespan_ms));
     writer_ = checked(dds_create_writer(participant_, topic, qos, nullptr));
     dds_delete_qos(qos);
   }
@@ -38,8 +39,8 @@ class CyclonePeer : public Peer {
     (void)dds_write(writer_, &message);
   }
 
-  std::vector<std::string> take() override {
-    std::vector<std::string> texts;
+  std::vector<HeardText> take() override {
+    std::vector<HeardText> texts;
     std::array<void*, 64> samples{};
     std::array<dds_sample_info_t, 64> infos{};
     for (;;) {
@@ -48,7 +49,7 @@ class CyclonePeer : public Peer {
       if (count <= 0) return texts;
       for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         if (infos[i].valid_data) {
-          texts.emplace_back(static_cast<const std_msgs_msg_String*>(samples[i])->data);
+          texts.push_back({static_cast<const std_msgs_msg_String*>(samples[i])->data, now_ms()});
         }
       }
       (void)dds_return_loan(reader_, samples.data(), count);
@@ -63,8 +64,8 @@ class CyclonePeer : public Peer {
 
 }  // namespace
 
-std::unique_ptr<Peer> make_cyclone_peer(int domain) {
-  return std::make_unique<CyclonePeer>(domain);
+std::unique_ptr<Peer> make_cyclone_peer(const PeerSettings& settings) {
+  return std::make_unique<CyclonePeer>(settings);
 }
 
 }  // namespace tocsin::interop

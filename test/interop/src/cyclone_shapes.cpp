@@ -230,6 +230,10 @@ int main(int argc, char** argv) {
   try {
     const auto options = tocsin::shapes::parse_options(argc, argv);
     if (!options) return 0;
+    if (!options->unsupported.empty()) {
+      tocsin::interop::say("    " + options->unsupported + " = not supported");
+      return 2;
+    }
     options->publish ? tocsin::interop::publish(*options) : tocsin::interop::subscribe(*options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -49,9 +49,9 @@ class StringType : public dds::TopicDataType {
 
 class FastDdsPeer : public Peer {
  public:
-  explicit FastDdsPeer(int domain)
+  explicit FastDdsPeer(const PeerSettings& settings)
       : participant_(dds::DomainParticipantFactory::get_instance()->create_participant(
-            static_cast<std::uint32_t>(domain), dds::PARTICIPANT_QOS_DEFAULT)) {
+            static_cast<std::uint32_t>(settings.domain), dds::PARTICIPANT_QOS_DEFAULT)) {
     if (participant_ == nullptr) throw std::runtime_error("Fast DDS: no participant");
     dds::TypeSupport(new StringType).register_type(participant_);
     auto* const topic =
@@ -64,6 +64,9 @@ class FastDdsPeer : public Peer {
     dds::DataWriterQos writer;
     writer.durability().kind = dds::VOLATILE_DURABILITY_QOS;
     writer.history().depth = 1000;
+    if (settings.lifespan_ms > 0) {
+      writer.lifespan().duration = eprosima::fastrtps::Duration_t(1e-3L * settings.lifespan_ms);
+    }
     writer_ = participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT)
                   ->create_datawriter(topic, writer);
   }
@@ -77,12 +80,12 @@ class FastDdsPeer : public Peer {
     message.data(text);
     writer_->write(&message);
   }
-  std::vector<std::string> take() override {
-    std::vector<std::string> texts;
+  std::vector<HeardText> take() override {
+    std::vector<HeardText> texts;
     Message message;
     dds::SampleInfo info;
     while (reader_->take_next_sample(&message, &info) == ReturnCode::RETCODE_OK) {
-      if (info.valid_data) texts.push_back(message.data());
+      if (info.valid_data) texts.push_back({message.data(), now_ms()});
     }
     return texts;
   }
@@ -95,8 +98,8 @@ class FastDdsPeer : public Peer {
 
 }  // namespace
 
-std::unique_ptr<Peer> make_fast_dds_peer(int domain) {
-  return std::make_unique<FastDdsPeer>(domain);
+std::unique_ptr<Peer> make_fast_dds_peer(const PeerSettings& settings) {
+  return std::make_unique<FastDdsPeer>(settings);
 }
 
 }  // namespace tocsin::interop

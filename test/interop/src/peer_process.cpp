@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "deployment/running_host.hpp"
 #include "within.hpp"
 
 namespace tocsin::interop {
@@ -29,9 +30,16 @@ struct Pipe {
 };
 
 void enter_network_of(pid_t process) {
-  const int network = open(("/proc/" + std::to_string(process) + "/ns/net").c_str(), O_RDONLY);
-  if (network < 0 || setns(network, CLONE_NEWNET) != 0) _exit(126);
-  close(network);
+  try {
+    deployment::enter_namespaces(process);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "interop_peer: %s\n", error.what());
+    _exit(126);
+  }
+}
+
+long long ms(std::chrono::steady_clock::time_point time) {
+  return time.time_since_epoch() / std::chrono::milliseconds(1);
 }
 
 void end(pid_t process) {
@@ -47,10 +55,12 @@ PeerProcess::PeerProcess(PeerOptions options) : name_(std::move(options.name)) {
   const Pipe out;
   const std::string number = std::to_string(options.domain);
   const std::string loss = std::to_string(options.loss_percent);
+  const std::string lifespan = std::to_string(options.lifespan_ms);
   pid_ = fork();
   if (pid_ == 0) {
     if (options.network != 0) enter_network_of(options.network);
     setenv("INTEROP_LOSS", loss.c_str(), 1);
+    setenv("INTEROP_LIFESPAN_MS", lifespan.c_str(), 1);
     dup2(in.ends[0], STDIN_FILENO);
     dup2(out.ends[1], STDOUT_FILENO);
     execl(INTEROP_PEER, INTEROP_PEER, options.maker.c_str(), number.c_str(), name_.c_str(),
@@ -67,13 +77,14 @@ PeerProcess::PeerProcess(PeerOptions options) : name_(std::move(options.name)) {
 PeerProcess::~PeerProcess() {
   kill();
   thread_.join();
-  close(input_);
+  if (input_ >= 0) close(input_);
   close(output_);
 }
 
 void PeerProcess::freeze() const { ::kill(pid_, SIGSTOP); }
 void PeerProcess::thaw() const { ::kill(pid_, SIGCONT); }
 void PeerProcess::kill() { end(std::exchange(pid_, 0)); }
+void PeerProcess::leave() { close(std::exchange(input_, -1)); }
 
 void PeerProcess::read_output() {
   std::string text;
@@ -90,8 +101,10 @@ void PeerProcess::read_output() {
     std::string name;
     long long written_ms = 0;
     long long number = 0;
-    while (lines >> name >> written_ms >> number) {
+    long long heard_ms = 0;
+    while (lines >> name >> written_ms >> number >> heard_ms) {
       Heard& heard = heard_[name];
+      heard.given.push_back({heard_ms, heard_ms - written_ms});
       heard.newest_ms = std::max(heard.newest_ms, written_ms);
       heard.in_a_row = number == heard.last + 1 ? heard.in_a_row + 1 : 1;
       heard.last = number;
@@ -101,11 +114,21 @@ void PeerProcess::read_output() {
 
 bool PeerProcess::has_heard(const PeerProcess& other,
                             std::chrono::steady_clock::time_point since) const {
-  const auto since_ms =
-      std::chrono::duration_cast<std::chrono::milliseconds>(since.time_since_epoch()).count();
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = heard_.find(other.name());
-  return found != heard_.end() && found->second.newest_ms > since_ms;
+  return found != heard_.end() && found->second.newest_ms > ms(since);
+}
+
+std::chrono::milliseconds PeerProcess::oldest(const PeerProcess& other,
+                                              std::chrono::steady_clock::time_point since) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  long long oldest_ms = 0;
+  const auto found = heard_.find(other.name());
+  if (found == heard_.end()) return {};
+  for (const Given& one : found->second.given) {
+    if (one.at_ms > ms(since)) oldest_ms = std::max(oldest_ms, one.age_ms);
+  }
+  return std::chrono::milliseconds(oldest_ms);
 }
 
 std::size_t PeerProcess::heard_in_a_row(const PeerProcess& other) const {

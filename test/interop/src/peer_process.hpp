@@ -20,6 +20,7 @@ struct PeerOptions {
   std::string name;
   pid_t network = 0;     ///< a process in whose network namespace it runs; 0: that of the caller
   int loss_percent = 0;  ///< [0, 100] of the packets that it sends, and of those that it receives
+  int lifespan_ms = 0;   ///< of what it writes; 0: for ever
 };
 
 /// One `interop_peer`. It is killed in the end.
@@ -27,7 +28,7 @@ class PeerProcess {
  public:
   explicit PeerProcess(PeerOptions options);
   PeerProcess(const std::string& maker, int domain, std::string name, pid_t network = 0)
-      : PeerProcess(PeerOptions{maker, domain, std::move(name), network, 0}) {}
+      : PeerProcess(PeerOptions{maker, domain, std::move(name), network, 0, 0}) {}
   ~PeerProcess();
   PeerProcess(const PeerProcess&) = delete;
   PeerProcess& operator=(const PeerProcess&) = delete;
@@ -38,18 +39,28 @@ class PeerProcess {
   void freeze() const;
   void thaw() const;
   void kill();
+  /// Asks it to delete its participant and end.
+  void leave();
   /// Whether it has heard a sample of `other` that was written after `since`.
   [[nodiscard]] bool has_heard(const PeerProcess& other,
                                std::chrono::steady_clock::time_point since = {}) const;
   /// How many samples of `other` have come since the last gap. (Who joins may miss one between the
   /// first that he hears and the first heartbeat.)
   [[nodiscard]] std::size_t heard_in_a_row(const PeerProcess& other) const;
+  /// The age of the oldest sample of `other` that it was given after `since`.
+  [[nodiscard]] std::chrono::milliseconds oldest(const PeerProcess& other,
+                                                 std::chrono::steady_clock::time_point since) const;
 
  private:
+  struct Given {
+    long long at_ms;
+    long long age_ms;
+  };
   struct Heard {
     long long newest_ms = 0;  ///< instant of writing
     long long last = 0;       ///< number
     std::size_t in_a_row = 0;
+    std::vector<Given> given;
   };
   void read_output();
   const std::string name_;

@@ -11,9 +11,13 @@ constexpr std::size_t most_memories = 256;
 /// A stream is in the receipts of this time after something of it came, so that one of them comes
 /// through.
 constexpr Duration told_for = std::chrono::milliseconds(500);
-/// So many arrivals in a row that seem this old mean that the peer's clock was set.
+/// So many arrivals in a row that seem this old mean that the peer's clock was set. Those that come
+/// in one burst count once: that is what waited in the radio's queue while nothing came through.
 constexpr int aged_means_step = 8;
 constexpr Duration aged = std::chrono::seconds(2);
+constexpr Duration burst = std::chrono::milliseconds(50);
+/// Nothing came for longer: the least age is of before.
+constexpr Duration silence = std::chrono::seconds(1);
 
 }  // namespace
 
@@ -82,9 +86,16 @@ void LinkReceiver::note(Stream& stream, TransmissionNumber number, Time now) {
 
 bool LinkReceiver::is_expired(Peer& peer, const Origin& origin, Duration lifespan, Time now) {
   const Duration seen = now.time_since_epoch() - origin.sent.time_since_epoch();
+  if (peer.age.value() && now - peer.heard > silence) peer.age.skip(now - peer.heard);
+  peer.heard = now;
   peer.age.add(seen, now);
   const Duration age = seen - *peer.age.value();
-  peer.aged_in_row = age > aged ? peer.aged_in_row + 1 : 0;
+  if (age <= aged) {
+    peer.aged_in_row = 0;
+  } else if (peer.aged_in_row == 0 || now - peer.aged_at >= burst) {
+    ++peer.aged_in_row;
+    peer.aged_at = now;
+  }
   if (peer.aged_in_row >= aged_means_step) {
     peer.age.clear();
     peer.aged_in_row = 0;

@@ -66,6 +66,18 @@ TEST_F(LinkReceiverTest, GivesNothingOlderThanItsLifespanWhateverTheClocksShow) 
   EXPECT_EQ(arrive(3, 3, difference + 1003 * ms), Disposition::expired);
 }
 
+TEST_F(LinkReceiverTest, WhatComesInABurstAfterAnOutageIsNoStepOfAClock) {
+  constexpr Duration outage = std::chrono::minutes(2);  // longer than the window of clocks
+  sut.on_stream("vehicle", location, rule(1, 500 * ms));
+  EXPECT_EQ(arrive(1, 1), Disposition::deliver);
+  now += outage;
+  std::uint64_t i = 2;
+  for (Duration age = 4000 * ms; age > 500 * ms + 2 * ms; age -= 80 * ms, now += 2 * ms, ++i) {
+    EXPECT_EQ(arrive(i, i, age), Disposition::expired) << i;
+  }
+  EXPECT_EQ(arrive(i, i), Disposition::deliver);
+}
+
 TEST_F(LinkReceiverTest, GetsOverAStepOfThePeersClock) {
   sut.on_stream("vehicle", location, rule(1, 1000 * ms));
   EXPECT_EQ(arrive(1, 1), Disposition::deliver);

@@ -16,6 +16,8 @@ class WindowedMinimum {
   /// Empty before the first value.
   [[nodiscard]] std::optional<Duration> value() const;
   void clear() { *this = WindowedMinimum(2 * half_); }
+  /// Time in which no value could come does not count.
+  void skip(Duration silence) { begin_ += silence; }
 
  private:
   Duration half_;

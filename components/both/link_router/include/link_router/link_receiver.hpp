@@ -84,7 +84,9 @@ class LinkReceiver {
     std::map<StreamId, Stream> streams;
     std::map<std::pair<std::string, SourceId>, Given> given;  ///< by name of the stream
     WindowedMinimum age;                                      ///< of samples that came
+    Time heard{};                                             ///< when the last of them came
     int aged_in_row = 0;
+    Time aged_at{};  ///< arrival of the last that counts among these
     std::uint32_t receipts = 0;
     std::optional<Time> receipt_sent;
     Time receipt_due = Time::min();

@@ -6,6 +6,7 @@
 #include "fast_dds/cdr_topic_type.hpp"
 #include "fast_dds/instance_key.hpp"
 #include "fast_dds/raw_ends.hpp"
+#include "fast_dds/socket_wait.hpp"
 #include "link/origin.hpp"
 
 namespace tocsin {
@@ -18,7 +19,7 @@ using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
 Sample sample_of(IncomingSample& incoming, const dds::SampleInfo& info) {
   Sample sample;
   sample.message = std::move(incoming.message);
-  sample.received = std::chrono::steady_clock::now();
+  sample.received = std::chrono::steady_clock::now() - waited_in_socket();
   sample.sent_wall_ns = info.source_timestamp.to_ns();
   sample.received_wall_ns = info.reception_timestamp.to_ns();
   const auto origin = origin_in(info.related_sample_identity);  // a router carried it here
@@ -91,9 +92,18 @@ void DdsReader::hand_over_end(const dds::SampleInfo& info) {
 void DdsReader::hand_over(IncomingSample& incoming, const dds::SampleInfo& info) {
   if (!incoming.valid || has_other_layout(info.sample_identity.writer_guid())) {
     account_.on_undecodable(incoming.bytes);
+  } else if (has_outlived_its_lifespan(info.sample_identity.writer_guid())) {
+    account_.on_lost(1);
   } else if (is_first(info)) {
     exchange_.deliver(sample_of(incoming, info));
   }
+}
+
+/// While this process was stopped.
+bool DdsReader::has_outlived_its_lifespan(const RemoteEnds::Guid& writer) const {
+  constexpr Duration at_once = std::chrono::milliseconds(50);  // spares the look at the writer
+  const Duration waited = waited_in_socket();
+  return waited > at_once && waited > seconds(participant_.remote_ends().writer(writer).lifespan_s);
 }
 
 bool DdsReader::is_first(const dds::SampleInfo& info) {

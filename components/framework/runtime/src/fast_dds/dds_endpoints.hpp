@@ -59,6 +59,7 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   [[nodiscard]] bool has_other_layout(const RemoteEnds::Guid& writer);
   /// False for a sample that a router has carried here once already. Its writer is known by the
   /// router's from then on.
+  [[nodiscard]] bool has_outlived_its_lifespan(const RemoteEnds::Guid& writer) const;
   [[nodiscard]] bool is_first(const eprosima::fastdds::dds::SampleInfo& info);
 
   FastDdsParticipant& participant_;

@@ -9,8 +9,11 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "fast_dds/discovery_keys.hpp"
 #include "fast_dds/packet_filter.hpp"
+#include "fast_dds/socket_wait.hpp"
 #include "watch/activity.hpp"
 
 namespace tocsin {
@@ -31,28 +34,40 @@ struct HoldingDescriptor : ChainingTransportDescriptor {
   std::shared_ptr<PacketFilter> filter;
 };
 
-/// What the reception threads of a transport are seen to do, one for each port.
+/// One port of a transport: what its thread is seen to do, and its socket once that is open.
+struct Reception {
+  std::shared_ptr<Activity> activity;
+  std::shared_ptr<const SocketWait> socket;
+};
+
+/// The receptions of a transport, by port.
 class Receptions {
  public:
   void open(std::uint32_t port) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    by_port_[port] = watched_activity(Duty::reception, "reception at UDP " + std::to_string(port),
-                                      static_cast<std::uint16_t>(port));
+    by_port_[port].activity =
+        watched_activity(Duty::reception, "reception at UDP " + std::to_string(port),
+                         static_cast<std::uint16_t>(port));
+  }
+  void opened(std::uint32_t port) {
+    auto socket = std::make_shared<const SocketWait>(static_cast<std::uint16_t>(port));
+    const std::lock_guard<std::mutex> lock(mutex_);
+    by_port_[port].socket = std::move(socket);
   }
   void close(std::uint32_t port) {
     const std::lock_guard<std::mutex> lock(mutex_);
     by_port_.erase(port);
   }
   /// Empty for a port that is not open.
-  [[nodiscard]] std::shared_ptr<Activity> at(std::uint32_t port) {
+  [[nodiscard]] Reception at(std::uint32_t port) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto found = by_port_.find(port);
-    return found == by_port_.end() ? nullptr : found->second;
+    return found == by_port_.end() ? Reception{} : found->second;
   }
 
  private:
   std::mutex mutex_;
-  std::map<std::uint32_t, std::shared_ptr<Activity>> by_port_;
+  std::map<std::uint32_t, Reception> by_port_;
 };
 
 /// Receives through the chain, and sends without it.
@@ -64,21 +79,24 @@ class HoldingTransport : public ChainingTransport {
   [[nodiscard]] TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
   void receive(TransportReceiverInterface* next, const rtps::octet* bytes, std::uint32_t size,
                const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
-    const auto activity = receptions_.at(local.port);
+    const Reception at = receptions_.at(local.port);
+    const HandingOn handing_on(at.socket ? at.socket->of_last() : Duration{0});
     std::optional<ActivityTurn> turn;
-    if (activity) turn.emplace(*activity);
+    if (at.activity) turn.emplace(*at.activity);
     descriptor_.reception->wait();
+    std::vector<std::uint8_t> changed;
     descriptor_.filter->pass(
         bytes, size, remote, [&](const rtps::octet* shown, std::size_t length) {
-          next->OnDataReceived(shown, static_cast<std::uint32_t>(length), local, remote);
+          const auto [message, its_size] = with_discovery_keys(shown, length, changed);
+          next->OnDataReceived(message, static_cast<std::uint32_t>(its_size), local, remote);
         });
   }
   bool OpenInputChannel(const rtps::Locator_t& at, TransportReceiverInterface* receiver,
                         std::uint32_t largest) override {
     receptions_.open(at.port);
-    if (ChainingTransport::OpenInputChannel(at, receiver, largest)) return true;
-    receptions_.close(at.port);
-    return false;
+    const bool open = ChainingTransport::OpenInputChannel(at, receiver, largest);
+    open ? receptions_.opened(at.port) : receptions_.close(at.port);
+    return open;
   }
   /// Not chained: the lower transport would not know its own channel again, and open another for
   /// each peer.

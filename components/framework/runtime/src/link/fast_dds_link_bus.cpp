@@ -167,17 +167,26 @@ void FastDdsLinkBus::log_refusal(const char* what, const std::string& topic,
              options_.enclave, what, topic);
 }
 
+/// While this process was stopped.
+bool FastDdsLinkBus::has_outlived_its_lifespan(const TakenSample& taken, FlowId id) const {
+  constexpr Duration at_once = std::chrono::milliseconds(50);  // spares the look at the flow
+  if (taken.waited <= at_once) return false;
+  const auto flow = table_.find(id);
+  return flow && taken.waited > seconds(flow->lifespan_s);
+}
+
 /// A best-effort reader also hears writers that offer more, which have a reader of their own.
 void FastDdsLinkBus::on_host_sample(const ReaderKey& key, TakenSample&& taken) {
   const auto id = table_.flow_of(taken.writer, key.reliable, key.transient_local);
-  if (!id) return;
-  table_.push(link_event::HostSample{*id, std::move(taken.sample), steady_now()});
+  if (!id || has_outlived_its_lifespan(taken, *id)) return;
+  table_.push(link_event::HostSample{*id, std::move(taken.sample), steady_now() - taken.waited});
 }
 
 void FastDdsLinkBus::on_link_sample(TakenSample&& taken) {
   const auto id = table_.flow_of(taken.writer);
-  if (!id) return;
-  table_.push(link_event::LinkSample{*id, taken.number, std::move(taken.sample), steady_now()});
+  if (!id || has_outlived_its_lifespan(taken, *id)) return;
+  table_.push(link_event::LinkSample{*id, taken.number, std::move(taken.sample),
+                                     steady_now() - taken.waited});
 }
 
 FlowId FastDdsLinkBus::open(const Flow& flow, TrafficClass traffic_class) {

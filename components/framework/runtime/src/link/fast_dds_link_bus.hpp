@@ -67,6 +67,7 @@ class FastDdsLinkBus final : public LinkBus {
   void log_refusal(const char* what, const std::string& topic, const EnvironmentError& error);
   void listen_on_host(const Flow& flow);
   void listen_on_link(const Flow& flow);
+  [[nodiscard]] bool has_outlived_its_lifespan(const TakenSample& taken, FlowId id) const;
   void on_host_sample(const ReaderKey& key, TakenSample&& taken);
   void on_link_sample(TakenSample&& taken);
 

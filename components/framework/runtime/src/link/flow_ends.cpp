@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "fast_dds/socket_wait.hpp"
 #include "link/origin.hpp"
 #include "link/raw_type.hpp"
 
@@ -38,6 +39,7 @@ TakenSample taken(IncomingSample& incoming, const dds::SampleInfo& info) {
   result.sample.source = origin ? origin->source : source_of(result.writer);
   result.sample.sequence = origin ? origin->sequence : result.number;
   result.sample.sent_wall_ns = info.source_timestamp.to_ns();
+  result.waited = waited_in_socket();
   return result;
 }
 

@@ -30,6 +30,7 @@ struct TakenSample {
   eprosima::fastrtps::rtps::GUID_t writer;
   std::uint64_t number = 0;  ///< of its DDS writer
   CarriedSample sample;      ///< of its origin, where the writer tells one
+  Duration waited{0};        ///< in a socket of this process, see SocketWait
 };
 
 /// Reads a topic of any type. `on_sample` is called by threads of Fast DDS, one at a time.
