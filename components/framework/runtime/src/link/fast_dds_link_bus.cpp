@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/fast_dds_link_bus.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -40,6 +41,9 @@ QosProfile offered(const Flow& flow) {
   // more of a state than its writer keeps.
   profile.depth = flow.transient_local ? flow.depth : std::max(flow.depth, burst_depth);
   profile.lifespan_s = flow.lifespan_s;
+  // A reader that had forgotten us learns by a heartbeat from which sample on it hears, and Fast
+  // DDS sends none when the unacknowledged sample has outlived its lifespan.
+  profile.heartbeat_period_s = std::clamp(flow.lifespan_s / 4, 0.01, 0.1);
   profile.user_data = flow.user_data;
   return profile;
 }
