@@ -57,9 +57,9 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
       Reader* reader, const eprosima::fastdds::dds::LivelinessChangedStatus& status) override;
   [[nodiscard]] bool next_is_own(Reader* reader) const;
   [[nodiscard]] bool has_other_layout(const RemoteEnds::Guid& writer);
+  [[nodiscard]] bool has_outlived_its_lifespan(const RemoteEnds::Guid& writer) const;
   /// False for a sample that a router has carried here once already. Its writer is known by the
   /// router's from then on.
-  [[nodiscard]] bool has_outlived_its_lifespan(const RemoteEnds::Guid& writer) const;
   [[nodiscard]] bool is_first(const eprosima::fastdds::dds::SampleInfo& info);
 
   FastDdsParticipant& participant_;
