@@ -15,7 +15,6 @@
 namespace tocsin {
 namespace {
 
-using std::chrono::seconds;
 
 /// Computes until it is killed.
 class Hog {
@@ -38,14 +37,14 @@ class Hog {
   const pid_t pid_;
 };
 
-void freeze(pid_t process, seconds time) {
+void freeze(pid_t process, std::chrono::seconds time) {
   ::kill(process, SIGSTOP);
   std::this_thread::sleep_for(time);
   ::kill(process, SIGCONT);
 }
 
 /// The emulator stands for the driver, which is loaded anew: it makes the interface again.
-std::optional<std::string> delete_wlan0(const Stack& stack, seconds time) {
+std::optional<std::string> delete_wlan0(const Stack& stack, std::chrono::seconds time) {
   const std::string inside = std::to_string(stack.pid("uxv/link"));
   const std::string command = "nsenter --net=/proc/" + inside + "/ns/net ip link delete wlan0";
   if (std::system((command + " 2>/dev/null").c_str()) != 0) return command + ": not done";
@@ -55,7 +54,7 @@ std::optional<std::string> delete_wlan0(const Stack& stack, seconds time) {
 }
 
 /// Takes all room of the run folder's disk for a while.
-std::optional<std::string> fill_disk(const Stack& stack, seconds time) {
+std::optional<std::string> fill_disk(const Stack& stack, std::chrono::seconds time) {
   const std::string path = stack.path("filling");
   std::ofstream file(path, std::ios::binary);
   const std::string block(1U << 16U, 'x');
@@ -81,7 +80,7 @@ PlannedFault draw_fault(std::mt19937& random, const std::vector<std::string>& pr
   constexpr unsigned longest_s = 12;  // longer than any lease on a host
   PlannedFault planned;
   planned.fault = static_cast<RealFault>(random() % words_of(RealFault::kill).size());
-  const seconds time(1 + random() % longest_s);
+  const std::chrono::seconds time(1 + random() % longest_s);
   const std::string target = processes.empty() ? "" : processes[random() % processes.size()];
   const bool has_target = planned.fault == RealFault::kill || planned.fault == RealFault::freeze;
   if (has_target) planned.target = target;
