@@ -15,7 +15,6 @@
 namespace tocsin {
 namespace {
 
-
 /// Computes until it is killed.
 class Hog {
  public:
