@@ -63,8 +63,10 @@ std::string to_text(const Interruption& interruption) {
 }
 
 RoutedPeers::RoutedPeers() : stack_({bringup_file(folder_), "--seed", "1"}) {
-  wait_until(patience,
-             [this] { return stack_.pid("uxv/link") != 0 && stack_.pid("gcs/link") != 0; });
+  // Then both have the networks of their hosts, which the peers enter.
+  wait_until(patience, [this] {
+    return stack_.logged("gcs is on the link") && stack_.logged("uxv is on the link");
+  });
   vehicle_ = peers_of("vehicle", vehicle_domain, stack_.pid("uxv/link"));
   station_ = peers_of("station", vehicle_domain + 1, stack_.pid("gcs/link"));
   const auto all_hear = [this] { return unheard(Time{}).empty(); };
