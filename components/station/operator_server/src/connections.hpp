@@ -58,6 +58,19 @@ inline std::chrono::milliseconds milliseconds_of(double seconds) {
   return std::chrono::milliseconds(static_cast<long>(seconds * 1000));
 }
 
+/// Goes on when bytes can be exchanged: at once, or after TLS's handshake unless that fails.
+template <class Stream, class Next>
+void when_ready(Stream& stream, Next next) {
+  if constexpr (std::is_same_v<Stream, TlsStream>) {
+    stream.async_handshake(asio::ssl::stream_base::server,
+                           [next = std::move(next)](beast::error_code error) {
+                             if (!error) next();
+                           });
+  } else {
+    next();
+  }
+}
+
 template <class Stream>
 class SocketConnection final : public Socket,
                                public std::enable_shared_from_this<SocketConnection<Stream>> {
@@ -164,14 +177,7 @@ class HttpConnection final : public std::enable_shared_from_this<HttpConnection<
 
   void start() {
     set_deadline();
-    if constexpr (std::is_same_v<Stream, TlsStream>) {
-      stream_.async_handshake(asio::ssl::stream_base::server,
-                              [self = this->shared_from_this()](beast::error_code error) {
-                                if (!error) self->read();
-                              });
-    } else {
-      read();
-    }
+    when_ready(stream_, [self = this->shared_from_this()] { self->read(); });
   }
 
  private:
@@ -246,21 +252,14 @@ class HttpConnection final : public std::enable_shared_from_this<HttpConnection<
 template <class Stream>
 class TurnedAway final : public std::enable_shared_from_this<TurnedAway<Stream>> {
  public:
-  TurnedAway(Stream&& stream, const std::string& why, Lease lease)
+  TurnedAway(const std::string& why, Stream&& stream, Lease lease)
       : lease_(std::move(lease)),
         stream_(std::move(stream)),
         answer_(respond(Request{}, Refuse{503, why})) {}
 
   void start() {
     beast::get_lowest_layer(stream_).expires_after(std::chrono::seconds(1));
-    if constexpr (std::is_same_v<Stream, TlsStream>) {
-      stream_.async_handshake(asio::ssl::stream_base::server,
-                              [self = this->shared_from_this()](beast::error_code error) {
-                                if (!error) self->tell();
-                              });
-    } else {
-      tell();
-    }
+    when_ready(stream_, [self = this->shared_from_this()] { self->tell(); });
   }
 
  private:

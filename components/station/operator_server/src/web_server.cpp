@@ -149,13 +149,7 @@ class WebServer::Core final : public Home {
     boost::system::error_code ignored;
     socket.set_option(tcp::no_delay(true), ignored);
     socket.set_option(asio::socket_base::send_buffer_size(128 * 1024), ignored);
-    if (tls_) {
-      std::make_shared<HttpConnection<TlsStream>>(*this, TlsStream(std::move(socket), *tls_), lease)
-          ->start();
-    } else {
-      std::make_shared<HttpConnection<PlainStream>>(*this, PlainStream(std::move(socket)), lease)
-          ->start();
-    }
+    begin<HttpConnection>(*this, std::move(socket), lease);
   }
   void turn_away(tcp::socket socket) {
     const std::string why =
@@ -165,12 +159,17 @@ class WebServer::Core final : public Home {
     const Lease lease(nullptr, [this](void*) {
       if (turned_away_-- == most_turned_away && !ends_) asio::post(io_, [this] { accept(); });
     });
+    begin<TurnedAway>(why, std::move(socket), lease);
+  }
+  /// `subject`: what the kind of connection begins with.
+  template <template <class> class Connection, class Subject>
+  void begin(Subject& subject, tcp::socket socket, const Lease& lease) {
     if (tls_) {
-      std::make_shared<TurnedAway<TlsStream>>(TlsStream(std::move(socket), *tls_), why, lease)
-          ->start();
+      TlsStream stream(std::move(socket), *tls_);
+      std::make_shared<Connection<TlsStream>>(subject, std::move(stream), lease)->start();
     } else {
-      std::make_shared<TurnedAway<PlainStream>>(PlainStream(std::move(socket)), why, lease)
-          ->start();
+      PlainStream stream(std::move(socket));
+      std::make_shared<Connection<PlainStream>>(subject, std::move(stream), lease)->start();
     }
   }
 

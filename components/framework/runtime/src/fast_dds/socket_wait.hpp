@@ -15,7 +15,6 @@ class SocketWait {
   /// The socket must be open by then, and stays so as long as this is asked.
   explicit SocketWait(std::uint16_t port);
   /// Of the packet that was read last; to be asked by who read it. Zero where that is not known.
-  /// 0.3 us.
   [[nodiscard]] Duration of_last() const;
 
  private:
