@@ -19,7 +19,14 @@ namespace tocsin {
 /// not forgotten the peer, Fast DDS ignores it: its count starts again below the last one; and from
 /// Cyclone DDS it ignores every one, since its count is 0 and Fast DDS knows a pre-emptive ACKNACK
 /// by a base of 0, not by the specification's 1. So the count of each reader at each writer goes on
-/// here where it was, and the base of a pre-emptive one becomes 0. Thread-safe.
+/// here where it was, and the base of a pre-emptive one becomes 0.
+///
+/// A reader that hears a HEARTBEAT before it has asked, as when the writer tells all of its
+/// readers, asks for the samples themselves, from the first on. Fast DDS takes them for
+/// acknowledged since the reader's former life, and never sends them: what the writer announces in
+/// discovery stays unknown to the peer. No reader takes back what it has acknowledged, so one whose
+/// base is lower than before starts anew, and what it says becomes a pre-emptive ACKNACK.
+/// Thread-safe.
 class AckNackCounts {
  public:
   /// The message to hand on: `message` itself, or `changed`, which is overwritten.
@@ -32,8 +39,18 @@ class AckNackCounts {
   struct Count {
     std::uint32_t heard = 0;  ///< last one of the reader
     std::uint32_t told = 0;   ///< what it became
+    std::uint64_t base = 0;   ///< last one of the reader
   };
-  [[nodiscard]] std::uint32_t next(const Pair& pair, std::uint32_t heard, bool preemptive);
+  struct Heard {
+    std::uint32_t count;
+    std::uint64_t base;
+    bool preemptive;
+  };
+  struct Told {
+    std::uint32_t count;
+    bool anew;
+  };
+  [[nodiscard]] Told next(const Pair& pair, const Heard& heard);
 
   std::mutex mutex_;
   std::map<Pair, Count> counts_;
