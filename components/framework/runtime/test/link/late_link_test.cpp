@@ -140,6 +140,26 @@ TEST_F(LateLinkTest, AnInterfaceThatIsTakenAwayAndMadeAgainCarriesTheSameFlows) 
   EXPECT_TRUE(crosses());
 }
 
+// As when a lease of DHCP ends and comes again.
+TEST_F(LateLinkTest, AnInterfaceThatLosesItsAddressAndGetsItBackCarriesTheSameFlows) {
+  ASSERT_TRUE(give_carrier());
+  const Relay left_router(left());
+  const auto far = right_router();
+  const auto process = make_fast_dds_bus(left());
+  const auto writer = process->advertise(low);
+  const auto crosses = [&] {
+    const std::size_t before = far->crossed().size();
+    (void)writer->write(text("x"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return far->crossed().size() > before;
+  };
+  ASSERT_TRUE(eventually(crosses));
+  ASSERT_TRUE(run("addr del 10.9.0.1/24 dev left"));
+  EXPECT_TRUE(eventually([&] { return !crosses(); }));
+  ASSERT_TRUE(run("addr add 10.9.0.1/24 dev left"));
+  EXPECT_TRUE(eventually(crosses));
+}
+
 TEST_F(LateLinkTest, ARouterWhoseInterfaceNeverComesEndsAtOnce) {
   const auto begin = std::chrono::steady_clock::now();
   make_fast_dds_link_bus(left(), [] {}).reset();
