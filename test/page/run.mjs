@@ -17,9 +17,9 @@ const option = (name) => process.argv.find((word) => word.startsWith(`--${name}=
 const prefix = option("install");
 const which = process.argv[2];
 
-/** The install folder is either one for all packages or has a folder for each. */
+/** The install folder is one for all packages, or has a folder for each, or is one of these. */
 function installed(name, file) {
-  const places = [path.join(prefix, file), path.join(path.dirname(prefix), name, file)];
+  const places = [path.join(prefix, file), path.join(prefix, name, file), path.join(path.dirname(prefix), name, file)];
   return places.find((place) => fs.existsSync(place));
 }
 

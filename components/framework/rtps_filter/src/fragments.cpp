@@ -28,7 +28,7 @@ void append_number(std::vector<std::uint8_t>& message, std::uint32_t number, uns
 
 /// The message of a whole sample: who speaks, to whom, and one DATA until its end.
 std::vector<std::uint8_t> whole_message(const Submessage& submessage, const Data& data,
-                                        const FragmentPlace& place) {
+                                        const Place& place) {
   constexpr std::uint8_t little = 1;
   constexpr std::uint8_t flag_qos = 2;
   constexpr std::uint8_t flag_data = 4;
@@ -94,7 +94,7 @@ void Fragments::store(Sample& sample, const Data& data) {
 }
 
 FragmentFate Fragments::add(const Submessage& submessage, const Data& data,
-                            const FragmentPlace& place) {
+                            const Place& place) {
   const auto sample = sample_of(data, place.packet);
   if (sample == open_.end()) return {};
   store(*sample, data);

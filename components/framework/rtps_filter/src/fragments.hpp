@@ -14,8 +14,8 @@ namespace tocsin::rtps_filter {
 /// Announcements and messages of authentication are smaller.
 inline constexpr std::uint32_t most_announcement_bytes = 64U << 10U;
 
-/// Where a fragment was found, for the message that is made of all.
-struct FragmentPlace {
+/// In which packet a submessage stands, and for whom.
+struct Place {
   const std::uint8_t* packet;                 ///< begins with the RTPS header
   const std::uint8_t* destination = nullptr;  ///< the prefix of the last INFO_DST; null: none
 };
@@ -43,7 +43,7 @@ class Fragments {
 
   /// Takes the fragments of a DATA_FRAG that `read_data_frag` has found sound.
   [[nodiscard]] FragmentFate add(const Submessage& submessage, const Data& data,
-                                 const FragmentPlace& place);
+                                 const Place& place);
   /// The whole of the sample that was completed last was good, and its reader has it.
   void close() { open_.pop_back(); }
   /// Forgets samples of others than these.

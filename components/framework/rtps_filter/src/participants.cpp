@@ -84,29 +84,34 @@ Wrong Participants::endpoint(const Prefix& prefix, const Announcement& what) {
     endpoints_ -= endpoints.erase(entity);
     return std::nullopt;
   }
-  if (endpoints.count(entity) > 0) return std::nullopt;
-  if (endpoints_ >= limits_.endpoints) return DropReason::too_many_endpoints;
-  endpoints.insert(entity);
-  ++endpoints_;
+  const auto known = endpoints.find(entity);
+  if (known == endpoints.end()) {
+    if (endpoints_ >= limits_.endpoints) return DropReason::too_many_endpoints;
+    ++endpoints_;
+  }
+  endpoints[entity] = {};  // its readers may begin anew
   return std::nullopt;
 }
 
-Wrong Participants::heartbeat(const Prefix& prefix, const Heartbeat& heartbeat, Time now) {
-  constexpr std::size_t most_writers = 4096;  // of a participant; others count from 1 each time
+ToldNumbers* Participants::told_by(const Prefix& prefix, std::uint32_t writer) {
+  constexpr std::uint32_t built_in = 0xc0;  // in the kind of an entity (RTPS 2.5, 9.3.1.2)
   const auto found = known_.find(prefix);
-  if (found == known_.end()) return std::nullopt;  // nothing of it is matched
-  Participant& participant = found->second;
-  const auto writer = participant.first.find(heartbeat.writer);
-  const std::int64_t before = writer == participant.first.end() ? 1 : writer->second;
-  if (heartbeat.first <= before) return std::nullopt;
-  const auto jump = static_cast<double>(heartbeat.first - before);
-  if (!participant.jumps.take(jump, limits_.jump_numbers, now)) return DropReason::sequence_jump;
-  if (writer != participant.first.end()) {
-    writer->second = heartbeat.first;
-  } else if (participant.first.size() < most_writers) {
-    participant.first[heartbeat.writer] = heartbeat.first;
+  if (found == known_.end() || (writer & built_in) == built_in) return nullptr;
+  const auto endpoint = found->second.endpoints.find(writer);
+  return endpoint == found->second.endpoints.end() ? nullptr : &endpoint->second;
+}
+
+Checked<std::int64_t> Participants::heartbeat(const Prefix& prefix, const Heartbeat& heartbeat,
+                                              const Addressee& to, Time now) {
+  ToldNumbers* const told = told_by(prefix, heartbeat.writer);
+  const std::int64_t before = told == nullptr ? 1 : told->first(to);
+  const std::int64_t first = std::min(heartbeat.first, before + limits_.jump_step);
+  if (first > before &&
+      !jumps_.take(static_cast<double>(first - before), limits_.jump_numbers, now)) {
+    return DropReason::sequence_jump;
   }
-  return std::nullopt;
+  if (told != nullptr) told->tell(to, first, heartbeat.count);
+  return first;
 }
 
 Wrong Participants::gap(const Prefix& prefix, const Gap& gap, Time now) {

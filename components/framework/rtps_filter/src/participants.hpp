@@ -3,11 +3,11 @@
 
 #include <cstring>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "discovery.hpp"
 #include "rtps_filter/source.hpp"
+#include "told_numbers.hpp"
 #include "token_bucket.hpp"
 
 namespace tocsin::rtps_filter {
@@ -24,7 +24,9 @@ class Participants {
   [[nodiscard]] Wrong announced(const Prefix& prefix, const Announcement& what, Source from,
                                 Time now);
   [[nodiscard]] Wrong endpoint(const Prefix& prefix, const Announcement& what);
-  [[nodiscard]] Wrong heartbeat(const Prefix& prefix, const Heartbeat& heartbeat, Time now);
+  /// The first number that the HEARTBEAT may tell: its own, or a step towards it.
+  [[nodiscard]] Checked<std::int64_t> heartbeat(const Prefix& prefix, const Heartbeat& heartbeat,
+                                                const Addressee& to, Time now);
   [[nodiscard]] Wrong gap(const Prefix& prefix, const Gap& gap, Time now);
   [[nodiscard]] bool knows(const Prefix& prefix) const { return known_.count(prefix) > 0; }
   [[nodiscard]] std::size_t size() const { return known_.size(); }
@@ -44,9 +46,7 @@ class Participants {
     Time admitted{};
     Time heard{};
     Duration lease{};
-    std::unordered_map<std::uint32_t, std::int64_t> first;  ///< of each writer's HEARTBEAT
-    std::unordered_set<std::uint32_t> endpoints;
-    TokenBucket jumps;
+    std::unordered_map<std::uint32_t, ToldNumbers> endpoints;
     TokenBucket gaps;
   };
   using Known = std::unordered_map<Prefix, Participant, Hash>;
@@ -55,10 +55,14 @@ class Participants {
   [[nodiscard]] bool is_source(Participant& participant, Source from, Time now) const;
   static bool is_over(const Participant& participant, Time now);
   Known::iterator erase(Known::iterator at);
+  /// What is known of a writer's readers; null where nothing is: of a writer that is not announced,
+  /// and of those of discovery, whose readers begin anew with their participant.
+  ToldNumbers* told_by(const Prefix& prefix, std::uint32_t writer);
 
   const Limits& limits_;
   Known known_;
   std::size_t endpoints_ = 0;
+  TokenBucket jumps_;
 };
 
 }  // namespace tocsin::rtps_filter

@@ -32,7 +32,7 @@ class Admission {
   Inspection admit(const std::uint8_t* bytes, std::size_t size) {
     Seals seals;
     Submessages submessages(bytes, size);
-    FragmentPlace place{bytes};
+    Place place{bytes};
     while (const auto submessage = submessages.next()) {
       seals.pass(submessage->kind);
       if (submessage->kind == kind::info_dst) place.destination = submessage->content.here();
@@ -40,22 +40,38 @@ class Admission {
       const Context context{header_, state_.limits, bytes, sealed};
       const bool fragment = submessage->kind == kind::data_frag && !sealed;
       inspection_.drop =
-          fragment ? admit_fragment(*submessage, place) : admit_one(*submessage, context);
+          fragment ? admit_fragment(*submessage, place) : admit_one(*submessage, context, place);
       if (inspection_.drop) break;
     }
     return std::move(inspection_);
   }
 
  private:
-  Wrong admit_one(const Submessage& submessage, const Context& context) {
+  Wrong admit_one(const Submessage& submessage, const Context& context,
+                  const Place& place) {
     if (submessage.kind == kind::data) return admit_data(submessage, context);
-    if (submessage.kind == kind::heartbeat) {
-      const auto read = read_heartbeat(submessage);
-      return state_.participants.heartbeat(header_.prefix, std::get<Heartbeat>(read), now_);
-    }
+    if (submessage.kind == kind::heartbeat) return admit_heartbeat(submessage, context, place);
     if (submessage.kind == kind::gap) {
       return state_.participants.gap(header_.prefix, std::get<Gap>(read_gap(submessage)), now_);
     }
+    return std::nullopt;
+  }
+
+  Wrong admit_heartbeat(const Submessage& submessage, const Context& context,
+                        const Place& place) {
+    if (context.sealed) return std::nullopt;  // cannot be changed, and comes from who may
+    const Heartbeat heartbeat = std::get<Heartbeat>(read_heartbeat(submessage));
+    Addressee to{{}, heartbeat.reader};
+    if (place.destination != nullptr) {
+      std::copy_n(place.destination, to.participant.size(), to.participant.begin());
+    }
+    const auto first = state_.participants.heartbeat(header_.prefix, heartbeat, to, now_);
+    if (const auto* const wrong = std::get_if<DropReason>(&first)) return *wrong;
+    const std::int64_t step = std::get<std::int64_t>(first);
+    if (step == heartbeat.first) return std::nullopt;
+    const auto content = static_cast<std::size_t>(submessage.content.here() - context.packet);
+    inspection_.step.push_back({content + heartbeat_numbers_at,
+                                numbers_of(step, step - 1, submessage.content.little())});
     return std::nullopt;
   }
 
@@ -71,7 +87,7 @@ class Admission {
   }
 
   /// Looks at a sample of discovery once all of it is there, which nobody behind must have before.
-  Wrong admit_fragment(const Submessage& submessage, const FragmentPlace& place) {
+  Wrong admit_fragment(const Submessage& submessage, const Place& place) {
     constexpr std::size_t submessage_header = 4;
     const Data data = std::get<Data>(read_data_frag(submessage, state_.limits.sample_bytes));
     const Purpose purpose = purpose_of(data.reader, data.writer);
@@ -95,7 +111,7 @@ class Admission {
 
   /// Of participants that Fast DDS does not know it takes nothing, either.
   FragmentFate add_reliable(const Submessage& submessage, const Data& data,
-                            const FragmentPlace& place) {
+                            const Place& place) {
     const auto is_known = [this](const Prefix& who) { return state_.participants.knows(who); };
     if (!is_known(header_.prefix)) return {};
     if (state_.reliable.full()) state_.reliable.keep(is_known);

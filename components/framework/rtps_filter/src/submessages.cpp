@@ -137,15 +137,31 @@ Checked<Data> read_data_frag(const Submessage& submessage, std::uint32_t sample_
 
 Checked<Heartbeat> read_heartbeat(const Submessage& submessage) {
   Cursor at = submessage.content;
-  at.skip(4);  // reader
-  Heartbeat heartbeat{at.entity(), at.number()};
+  Heartbeat heartbeat;
+  heartbeat.reader = at.entity();
+  heartbeat.writer = at.entity();
+  heartbeat.first = at.number();
   const std::int64_t last = at.number();
-  at.skip(4);  // count
+  heartbeat.count = at.u32();
   if (!at.ok()) return DropReason::submessage_length;
   if (!is_number(heartbeat.first) || last < heartbeat.first - 1 || last > last_number) {
     return DropReason::sequence_number;
   }
   return heartbeat;
+}
+
+std::array<std::uint8_t, 16> numbers_of(std::int64_t first, std::int64_t last, bool little) {
+  std::array<std::uint8_t, 16> bytes{};
+  std::size_t at = 0;
+  for (const std::int64_t number : {first, last}) {
+    for (const unsigned word : {32U, 0U}) {  // the high word stands first in either byte order
+      for (unsigned octet = 0; octet < 4; ++octet) {
+        const unsigned shift = word + 8 * (little ? octet : 3 - octet);
+        bytes[at++] = static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> shift);
+      }
+    }
+  }
+  return bytes;
 }
 
 Checked<Gap> read_gap(const Submessage& submessage) {

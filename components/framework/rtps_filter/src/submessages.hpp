@@ -85,9 +85,16 @@ struct Data {
                                            std::uint32_t sample_bytes);
 
 struct Heartbeat {
+  std::uint32_t reader = 0;  ///< entity ids
   std::uint32_t writer = 0;
   std::int64_t first = 0;
+  std::uint32_t count = 0;
 };
+/// A HEARTBEAT's first and last number as they stand on the wire.
+[[nodiscard]] std::array<std::uint8_t, 16> numbers_of(std::int64_t first, std::int64_t last,
+                                                      bool little);
+/// Where in its content a HEARTBEAT's first number stands, before its last.
+inline constexpr std::size_t heartbeat_numbers_at = 4 + 4;
 [[nodiscard]] Checked<Heartbeat> read_heartbeat(const Submessage& submessage);
 
 struct Gap {

@@ -31,6 +31,15 @@ void check_strips(const std::uint8_t* packet, std::size_t size, const Inspection
   }
 }
 
+/// Numbers that are told smaller than they are, and that lie in the packet.
+void check_steps(const std::uint8_t* packet, std::size_t size, const Inspection& inspection) {
+  constexpr std::size_t before = 20 + 4 + 8;
+  for (const auto& step : inspection.step) {
+    assert(step.at >= before && step.at + step.numbers.size() + 4 <= size);
+    assert(!std::equal(step.numbers.begin(), step.numbers.end(), packet + step.at));
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -45,7 +54,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Source from{ipv4(127, 0, 0, 1), static_cast<std::uint16_t>(length % 3)};
     const auto sender = length % 16 == 15 ? Sender::gone : Sender::trusted;
     const Inspection inspection = sut.inspect(packet, length, from, now, sender);
-    if (!inspection.drop) check_strips(packet, length, inspection);
+    if (!inspection.drop) {
+      check_strips(packet, length, inspection);
+      check_steps(packet, length, inspection);
+    }
     assert(inspection.drop || length >= 20);
     assert(sut.participants() <= limits.participants);
     now += std::chrono::milliseconds(100);

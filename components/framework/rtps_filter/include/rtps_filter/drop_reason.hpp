@@ -19,7 +19,7 @@ enum class DropReason : std::uint8_t {
   security_content,        ///< a token or a message of authentication of no valid form
   sequence_number,         ///< a number or set of numbers that cannot be
   gap_range,               ///< a GAP over more numbers than a reader can walk
-  sequence_jump,           ///< a HEARTBEAT far beyond what its writer had told
+  sequence_jump,           ///< a HEARTBEAT far beyond what its reader was told
   fragment,                ///< fragment numbers or sizes that do not fit together
   sample_size,             ///< fragments of a sample larger than any topic's
   payload,                 ///< a payload without a header of a known encoding

@@ -18,11 +18,12 @@ struct Rate {
 struct Limits {
   std::uint32_t sample_bytes = 64U << 20U;  ///< largest sample that may come in fragments
   std::uint64_t gap_numbers = 1U << 20U;    ///< sequence numbers that one GAP may cover
-  /// Sequence numbers by which the first of a participant's HEARTBEATs may be ahead of what their
-  /// writers had told. Fast DDS walks from one number to the next, 90 ns each: 3 s at once, 9 % of
-  /// a core after that. A reader that joins a reliable writer of 100 Hz after four days does not
-  /// hear it.
-  Rate jump_numbers{33'554'432, 1'048'576};
+  /// Sequence numbers by which the first of one HEARTBEAT may be ahead of what its reader was told;
+  /// one that is further ahead becomes a step of so many. Fast DDS walks from one number to the
+  /// next, 0.1 to 0.5 us each, and the reception of that port stands still meanwhile.
+  std::int64_t jump_step = 1U << 20U;
+  /// Sequence numbers of all such steps.
+  Rate jump_numbers{16'777'216, 1'048'576};
   /// Sequence numbers in a participant's GAPs. Fast DDS keeps 48 bytes for each that lies beyond a
   /// hole.
   Rate gap_rate{1'048'576, 65'536};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -23,6 +24,14 @@ struct Inspection {
   /// Places of submessages in the packet that the participant must not read. Their kind, one byte
   /// there, becomes PAD before the packet is handed on.
   std::vector<std::size_t> hide;
+  /// Places of the first and last number of HEARTBEATs in the packet that are too far ahead, and
+  /// the 16 bytes that take their place before the packet is handed on: a step towards it, with no
+  /// sample to ask for.
+  struct Step {
+    std::size_t at;
+    std::array<std::uint8_t, 16> numbers;
+  };
+  std::vector<Step> step;
   /// A message that the participant is to be shown before the packet, whole and stripped already:
   /// an announcement of which the last fragment was hidden. Mostly empty.
   std::vector<std::uint8_t> before;

@@ -119,9 +119,12 @@ rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::si
   lock.unlock();
   if (inspection.drop) {
     count_dropped_packet(*inspection.drop, source.address);
-  } else if (others_) {
-    others_->hear(bytes, size, source.address);
+    return inspection;
   }
+  if (!inspection.step.empty()) {
+    count_dropped_packet(rtps_filter::DropReason::sequence_jump, source.address);
+  }
+  if (others_) others_->hear(bytes, size, source.address);
   return inspection;
 }
 
@@ -140,6 +143,9 @@ std::vector<std::uint8_t> PacketFilter::without(const std::uint8_t* bytes, std::
   std::vector<std::uint8_t> copy(bytes, bytes + size);
   for (const std::size_t at : inspection.strip) std::fill_n(copy.data() + at, 2, pid_pad);
   for (const std::size_t at : inspection.hide) copy[at] = kind_pad;
+  for (const auto& step : inspection.step) {
+    std::copy(step.numbers.begin(), step.numbers.end(), copy.data() + step.at);
+  }
   return copy;
 }
 

@@ -59,7 +59,9 @@ class PacketFilter {
       if (assembled.piece) return;
     }
     if (!inspection.before.empty()) show(inspection.before.data(), inspection.before.size());
-    if (inspection.strip.empty() && inspection.hide.empty()) return show(bytes, size);
+    if (inspection.strip.empty() && inspection.hide.empty() && inspection.step.empty()) {
+      return show(bytes, size);
+    }
     const std::vector<std::uint8_t> shown = without(bytes, size, inspection);
     show(shown.data(), shown.size());
   }
