@@ -2,7 +2,7 @@
 // Many clients of a server: `node crowd.mjs PORT SECONDS [--clients 20] [--silent 1] [--pid PID]`.
 // All subscribe to all topics. The silent ones stop to read what they are sent, as a laptop that was closed. The others
 // count, and measure how long each location took from the station's copy (the server's stamp) to here. With the
-// server's process id its memory is read each second. Prints what came of it as JSON.
+// server's process id its memory is read each second, and its share of a core. Prints what came of it as JSON.
 import fs from "node:fs";
 
 import protocol from "@foxglove/ws-protocol";
@@ -47,6 +47,14 @@ class Client {
   }
 }
 
+/** [s] of CPU that the server has used. */
+const used = () => {
+  if (pid === 0) return 0;
+  const words = fs.readFileSync(`/proc/${pid}/stat`, "utf8").replace(/.*\) /, "").split(" ");
+  return (Number(words[11]) + Number(words[12])) / 100;
+};
+const usedBefore = used();
+
 const all = Array.from({ length: clients }, (_, index) => new Client(index >= silent));
 const timer = setInterval(() => {
   if (pid === 0) return;
@@ -67,6 +75,7 @@ setTimeout(() => {
     ended: reading.filter(({ ended }) => ended !== "").length,
     silent_ended: all.filter(({ reads, ended }) => !reads && ended !== "").length,
     location_ms: { count: delays.length, median: share(delays, 0.5), p99: share(delays, 0.99), most: delays.at(-1) },
+    cpu_percent: (100 * (used() - usedBefore)) / seconds,
     memory_mib: { first: memory[0], most: Math.max(...memory), last: memory.at(-1) },
   };
   console.log(JSON.stringify(said));
