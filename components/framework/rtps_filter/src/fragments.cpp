@@ -93,8 +93,7 @@ void Fragments::store(Sample& sample, const Data& data) {
   }
 }
 
-FragmentFate Fragments::add(const Submessage& submessage, const Data& data,
-                            const Place& place) {
+FragmentFate Fragments::add(const Submessage& submessage, const Data& data, const Place& place) {
   const auto sample = sample_of(data, place.packet);
   if (sample == open_.end()) return {};
   store(*sample, data);

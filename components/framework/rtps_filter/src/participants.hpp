@@ -7,8 +7,8 @@
 
 #include "discovery.hpp"
 #include "rtps_filter/source.hpp"
-#include "told_numbers.hpp"
 #include "token_bucket.hpp"
+#include "told_numbers.hpp"
 
 namespace tocsin::rtps_filter {
 

@@ -47,8 +47,7 @@ class Admission {
   }
 
  private:
-  Wrong admit_one(const Submessage& submessage, const Context& context,
-                  const Place& place) {
+  Wrong admit_one(const Submessage& submessage, const Context& context, const Place& place) {
     if (submessage.kind == kind::data) return admit_data(submessage, context);
     if (submessage.kind == kind::heartbeat) return admit_heartbeat(submessage, context, place);
     if (submessage.kind == kind::gap) {
@@ -57,8 +56,7 @@ class Admission {
     return std::nullopt;
   }
 
-  Wrong admit_heartbeat(const Submessage& submessage, const Context& context,
-                        const Place& place) {
+  Wrong admit_heartbeat(const Submessage& submessage, const Context& context, const Place& place) {
     if (context.sealed) return std::nullopt;  // cannot be changed, and comes from who may
     const Heartbeat heartbeat = std::get<Heartbeat>(read_heartbeat(submessage));
     Addressee to{{}, heartbeat.reader};
@@ -70,8 +68,8 @@ class Admission {
     const std::int64_t step = std::get<std::int64_t>(first);
     if (step == heartbeat.first) return std::nullopt;
     const auto content = static_cast<std::size_t>(submessage.content.here() - context.packet);
-    inspection_.step.push_back({content + heartbeat_numbers_at,
-                                numbers_of(step, step - 1, submessage.content.little())});
+    inspection_.step.push_back(
+        {content + heartbeat_numbers_at, numbers_of(step, step - 1, submessage.content.little())});
     return std::nullopt;
   }
 
@@ -110,8 +108,7 @@ class Admission {
   }
 
   /// Of participants that Fast DDS does not know it takes nothing, either.
-  FragmentFate add_reliable(const Submessage& submessage, const Data& data,
-                            const Place& place) {
+  FragmentFate add_reliable(const Submessage& submessage, const Data& data, const Place& place) {
     const auto is_known = [this](const Prefix& who) { return state_.participants.knows(who); };
     if (!is_known(header_.prefix)) return {};
     if (state_.reliable.full()) state_.reliable.keep(is_known);

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "message_builder.hpp"
+
+namespace tocsin::rtps_filter {
+namespace {
+
+using std::chrono::seconds;
+
+/// A filter of steps of 100 numbers, with `a` and its writer announced.
+class Numbers : public testing::Test {
+ public:
+  Numbers() {
+    (void)inspect(sut, announcement('a'));
+    announce();
+  }
+  void announce() { (void)inspect(sut, announcement('a', {}, sedp_writer)); }
+  /// The first number that a HEARTBEAT tells behind the filter; zero: it is dropped.
+  std::int64_t told(const Bytes& bytes, Time now = t0) {
+    const Inspection inspection = inspect(sut, bytes, alice, now);
+    if (inspection.drop) {
+      EXPECT_EQ(*inspection.drop, DropReason::sequence_jump);
+      return 0;
+    }
+    if (inspection.step.empty()) return number_at(bytes.data() + bytes.size() - 20);
+    const auto& step = inspection.step.at(0);
+    EXPECT_EQ(step.at, bytes.size() - 20);
+    EXPECT_EQ(number_at(&step.numbers[8]), number_at(step.numbers.data()) - 1);  // no sample
+    return number_at(step.numbers.data());
+  }
+  /// A HEARTBEAT of one of a's writers, of a count above those before; its last is far away.
+  Bytes next(std::int64_t first, std::uint32_t writer = user_writer, std::uint32_t reader = 0) {
+    return with_count(first, ++count_, writer, reader);
+  }
+  static Bytes with_count(std::int64_t first, std::uint32_t count,
+                          std::uint32_t writer = user_writer, std::uint32_t reader = 0,
+                          const std::string& destination = "") {
+    Message message('a');
+    if (!destination.empty()) message.add(0x0e, 0, prefix_of(destination[0]));
+    const Wire content = Wire().entity(reader).entity(writer).number(first).number(first + 1000);
+    return message.add(0x07, 0, Wire(content).u32(count).bytes()).bytes();
+  }
+
+  RtpsFilter sut = filter_of({1'000'000, 100});
+
+  static RtpsFilter filter_of(Rate jumps) {
+    Limits limits;
+    limits.jump_step = 100;
+    limits.jump_numbers = jumps;
+    return RtpsFilter(limits);
+  }
+
+ private:
+  static std::int64_t number_at(const std::uint8_t* bytes) {
+    std::uint64_t words[2];
+    for (std::uint64_t& word : words) {
+      word = std::uint64_t{bytes[0]} | std::uint64_t{bytes[1]} << 8U |
+             std::uint64_t{bytes[2]} << 16U | std::uint64_t{bytes[3]} << 24U;
+      bytes += 4;
+    }
+    return static_cast<std::int64_t>(words[0] << 32U | words[1]);
+  }
+  std::uint32_t count_ = 0;
+};
+
+TEST_F(Numbers, FarAheadAreToldStepByStep) {
+  EXPECT_EQ(told(next(250)), 101);
+  EXPECT_EQ(told(next(250)), 201);
+  EXPECT_EQ(told(next(250)), 250);
+  EXPECT_EQ(told(next(251)), 251);
+}
+
+TEST_F(Numbers, AreToldInTheByteOrderOfTheirSubmessage) {
+  const Bytes to_far = {0x07, 0, 0, 28, 0, 0, 0, 0, 0, 0, 1, 3, 0, 0, 0, 1,
+                        0,    0, 0, 5,  0, 0, 0, 1, 0, 0, 0, 5, 0, 0, 0, 1};
+  const Bytes message = Wire().raw(Message('a').bytes()).raw(to_far).bytes();
+  const Inspection inspection = inspect(sut, message);
+  ASSERT_EQ(inspection.step.size(), 1U);
+  const std::array<std::uint8_t, 16> wanted{0, 0, 0, 0, 0, 0, 0, 101, 0, 0, 0, 0, 0, 0, 0, 100};
+  EXPECT_EQ(inspection.step[0].numbers, wanted);
+}
+
+TEST_F(Numbers, OfEachWriterAndReaderAreTheirOwn) {
+  EXPECT_EQ(told(next(101)), 101);
+  EXPECT_EQ(told(next(201, user_writer, 0x107)), 101);
+  EXPECT_EQ(told(next(201, user_writer, 0x107)), 201);
+  EXPECT_EQ(told(next(201, 0x203)), 101);
+  EXPECT_EQ(told(with_count(300, 1000, user_writer, 0, "b")), 101);
+}
+
+TEST_F(Numbers, AreNoProgressWhereTheReaderIgnoresTheCount) {
+  EXPECT_EQ(told(with_count(300, 5)), 101);
+  EXPECT_EQ(told(with_count(300, 5)), 201);  // this one is ignored
+  EXPECT_EQ(told(with_count(300, 6)), 201);
+  EXPECT_EQ(told(with_count(300, 7)), 300);
+}
+
+TEST_F(Numbers, BeginAnewWithAnAnnouncement) {
+  EXPECT_EQ(told(next(101)), 101);
+  announce();
+  EXPECT_EQ(told(next(202)), 101);
+}
+
+TEST_F(Numbers, OfWritersThatNobodyAnnouncedAreNotRemembered) {
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(told(next(500, 0x203)), 101);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(told(next(500, sedp_writer)), 101);
+  (void)inspect(sut, departure('a', 'a'));
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(told(next(500)), 101);
+}
+
+TEST_F(Numbers, OfAllStepsAreLimitedBySecond) {
+  sut = filter_of({150, 10});
+  announce();
+  EXPECT_EQ(told(next(500, 0x203)), 101);
+  EXPECT_EQ(told(next(500, 0x303)), 0);
+  EXPECT_EQ(told(next(51)), 51);  // a small one finds room
+  EXPECT_EQ(told(next(500, 0x303), t0 + seconds(9)), 0);
+  EXPECT_EQ(told(next(500, 0x303), t0 + seconds(10)), 101);
+}
+
+TEST_F(Numbers, WithinAStepAreLeftAsTheyAre) {
+  EXPECT_TRUE(inspect(sut, next(1)).step.empty());
+  EXPECT_TRUE(inspect(sut, next(101)).step.empty());
+  EXPECT_TRUE(inspect(sut, next(150)).step.empty());
+  EXPECT_FALSE(inspect(sut, next(251)).step.empty());
+}
+
+TEST_F(Numbers, MayGoBack) {
+  EXPECT_EQ(told(next(101)), 101);
+  EXPECT_EQ(told(next(5)), 5);  // a repeated HEARTBEAT that was overtaken
+  EXPECT_EQ(told(next(201)), 201);
+}
+
+TEST_F(Numbers, OfSeveralHeartbeatsInAPacketAreEachAStep) {
+  const auto content = [](std::uint32_t count) {
+    return Wire().entity(0).entity(user_writer).number(500).number(600).u32(count).bytes();
+  };
+  const Bytes message =
+      Message('a')
+          .add(0x07, 0, content(1))
+          .add(0x15, with_data, data_head(user_writer, 600).raw(small_payload()).bytes())
+          .add(0x07, 0, content(2))
+          .bytes();
+  const Inspection inspection = inspect(sut, message);
+  EXPECT_EQ(inspection.drop, passes);
+  ASSERT_EQ(inspection.step.size(), 2U);
+  EXPECT_EQ(inspection.step[0].numbers[4], 101U);
+  EXPECT_EQ(inspection.step[1].numbers[4], 201U);
+  EXPECT_EQ(told(with_count(500, 3)), 301);
+}
+
+TEST_F(Numbers, OfSixteenReadersOfAWriterAreRemembered) {
+  for (std::uint32_t reader = 1; reader <= 17; ++reader) {
+    EXPECT_EQ(told(next(500, user_writer, reader << 8U)), 101) << reader;
+  }
+  for (std::uint32_t reader = 1; reader <= 16; ++reader) {
+    EXPECT_EQ(told(next(500, user_writer, reader << 8U)), 201) << reader;
+  }
+  EXPECT_EQ(told(next(500, user_writer, 17U << 8U)), 101);  // begins from 1 each time
+}
+
+TEST_F(Numbers, BetweenSealsAreLeftAsTheyAre) {
+  Limits limits;
+  limits.jump_step = 100;
+  limits.secured = true;
+  RtpsFilter secured(limits);
+  const Bytes content = Wire().entity(0).entity(user_writer).number(500).number(600).u32(1).bytes();
+  const auto message = [&](bool sealed) {
+    Message all('a');
+    if (sealed) all.add(0x31, 0, Wire().zeros(20).bytes());
+    all.add(0x07, 0, content);
+    if (sealed) all.add(0x32, 0, Wire().zeros(20).bytes());
+    return all.bytes();
+  };
+  EXPECT_EQ(inspect(secured, message(true)).step.size(), 0U);
+  EXPECT_EQ(inspect(secured, message(false)).step.size(), 1U);
+}
+
+TEST(Steps, OfTheDefaultsAreSixteenAtOnce) {
+  RtpsFilter sut{Limits{}};
+  constexpr std::int64_t far = std::int64_t{1} << 40U;
+  const Inspection inspection = inspect(sut, heartbeat('a', far, far));
+  ASSERT_EQ(inspection.step.size(), 1U);
+  for (int i = 0; i < 15; ++i) EXPECT_EQ(drop_of(sut, heartbeat('a', far, far)), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', far, far)), DropReason::sequence_jump);
+}
+
+}  // namespace
+}  // namespace tocsin::rtps_filter
