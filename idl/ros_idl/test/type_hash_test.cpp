@@ -12,7 +12,7 @@
 namespace tocsin {
 namespace {
 
-/// As `ros2 topic info -v` prints them, and as the packages publish them.
+/// As `ros2 topic info -v` prints them, and as the packages publish them (nav2_msgs: Jazzy).
 const std::vector<std::pair<const char*, const char*>> published{
     {"action_msgs::msg::dds_::GoalStatusArray_",
      "RIHS01_6c1684b00f177d37438febe6e709fc4e2b0d4248dca4854946f9ed8b30cda83e"},
@@ -62,6 +62,22 @@ const std::vector<std::pair<const char*, const char*>> published{
      "RIHS01_d74c6f524e14cade7b67e7297190360ed749264af300524fc1456f27cc2a553a"},
     {"lifecycle_msgs::srv::dds_::GetAvailableTransitions_Response_",
      "RIHS01_4711339461aadf02bcfff797a198de911f885074bd3f2fe9f7b677ef87f0741c"},
+    {"nav2_msgs::action::dds_::FollowWaypoints_FeedbackMessage_",
+     "RIHS01_467071c0ede294cafe6be7251e6e85716a6e19b8ed46db18952ac0c05597abcf"},
+    {"nav2_msgs::action::dds_::FollowWaypoints_Feedback_",
+     "RIHS01_4e41856e123034fefdbad24b78bccfb1be3d2c6adfa01fdd5c4027ab67337836"},
+    {"nav2_msgs::action::dds_::FollowWaypoints_GetResult_Request_",
+     "RIHS01_2d19684031b7073b05099befc49a6c78c1bbc30900a6bcd0a4071406fa8bbf45"},
+    {"nav2_msgs::action::dds_::FollowWaypoints_GetResult_Response_",
+     "RIHS01_7ab1988a42cff9cf0effe22d523680ba5c9053d6c52bfeafd06df5ddd3e68604"},
+    {"nav2_msgs::action::dds_::FollowWaypoints_Goal_",
+     "RIHS01_ff501ac35193ef65c68aa766e1296b45ae003df94c85a9675679a09738317bd4"},
+    {"nav2_msgs::action::dds_::FollowWaypoints_Result_",
+     "RIHS01_f1211e430ddef3a92fa98ab5f095fab8815fd5c696d1d14ad03067dd6082cba7"},
+    {"nav2_msgs::action::dds_::FollowWaypoints_SendGoal_Request_",
+     "RIHS01_9fa0988dacd6ca16e16c3d6f854a19aa413ba354d9ff55f8d93395ab2f525c23"},
+    {"nav2_msgs::action::dds_::FollowWaypoints_SendGoal_Response_",
+     "RIHS01_4d8837e9c4373289cf2a57738b7b55b98dc15b8ecedaac331932b1173c4c2b1f"},
     {"nav2_msgs::action::dds_::NavigateToPose_FeedbackMessage_",
      "RIHS01_9d1f6fa2eb975ce733b419ac2e97b134d8ff92b6478b6559feed9a50bdfd82b3"},
     {"nav2_msgs::action::dds_::NavigateToPose_Feedback_",
@@ -78,6 +94,8 @@ const std::vector<std::pair<const char*, const char*>> published{
      "RIHS01_e9381f2acfe9fa8c4838a277d0cde28a93c483564827b9f13496b9c2092e4f09"},
     {"nav2_msgs::action::dds_::NavigateToPose_SendGoal_Response_",
      "RIHS01_99f97fcbb07daf024df4b8c3f02f19ce7fa3183fcedfb76b8772a61a371a55fa"},
+    {"nav2_msgs::msg::dds_::MissedWaypoint_",
+     "RIHS01_cc79d1e3a1b86cd6a80788b16c844c396932462560936293011f062c21b82ed1"},
     {"nav_msgs::msg::dds_::Odometry_",
      "RIHS01_3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0"},
     {"nav_msgs::msg::dds_::Path_",

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,8 +49,10 @@ const std::string traffic = TOCSIN_REPOSITORY "/components/examples/bringup/traf
 /// The mission's vehicle with a talker, whose text can be changed while it runs.
 class LinkCallsTest : public ::testing::Test {
  protected:
-  /// `more`: words for `tocsin launch`.
-  explicit LinkCallsTest(const std::vector<std::string>& more = {}) : stack_(arguments(more)) {}
+  /// `more`: words for `tocsin launch`. `mission`: the station's container of that name.
+  explicit LinkCallsTest(const std::vector<std::string>& more = {},
+                         const std::string& mission = "mission: ~")
+      : stack_(arguments(more, mission)) {}
   /// A command of the station.
   [[nodiscard]] Ended at_station(const std::string& tool, const std::string& words) const {
     return run_to_end(command(tool, words), "");
@@ -67,7 +70,8 @@ class LinkCallsTest : public ::testing::Test {
   const Stack stack_;
 
  private:
-  [[nodiscard]] std::vector<std::string> arguments(const std::vector<std::string>& more) const {
+  [[nodiscard]] std::vector<std::string> arguments(const std::vector<std::string>& more,
+                                                   const std::string& mission) const {
     const std::string file =
         folder_.write("calls.yaml",
                       "extends: mission.yaml\n"
@@ -79,7 +83,8 @@ class LinkCallsTest : public ::testing::Test {
                           "stop_when_exits: ~\n"
                           "hosts:\n"
                           "  uxv: {containers: [{name: chat, components: [talker]}]}\n"
-                          "  gcs: {containers: [{mission: ~}, {view: ~}, {page: ~}]}\n");
+                          "  gcs: {containers: [{" +
+                          mission + "}, {view: ~}, {page: ~}]}\n");
     std::vector<std::string> words{file, "--seed", "1"};
     words.insert(words.end(), more.begin(), more.end());
     return words;
@@ -192,6 +197,54 @@ TEST_F(LinkCallsTest, ParametersAndActionsOfTheVehicleWorkAtTheStationAndAnOutag
   })) << stack_.output();
   set = at_station("tocsin-param", "set /talker text after --timeout 60");
   EXPECT_EQ(set.code, 0) << set.output;
+}
+
+/// A mission control that waits for goals.
+class FollowWaypointsTest : public LinkCallsTest {
+ protected:
+  FollowWaypointsTest()
+      : LinkCallsTest({},
+                      "name: mission, components: [{component: mission_control, parameters: "
+                      "{mission_file: '', exit_when_over: false}}]") {}
+  /// Poses at these places, y is 0.
+  [[nodiscard]] static std::string send_goal(const std::vector<double>& xs) {
+    std::string poses;
+    for (const double x : xs) poses += fmt::format("{{pose: {{position: {{x: {}}}}}}}, ", x);
+    return fmt::format(
+        "send_goal /follow_waypoints nav2_msgs/action/FollowWaypoints \"{{poses: [{}]}}\" -f "
+        "--timeout 60",
+        poses);
+  }
+  /// Where the station knows the vehicle to be; NaN when it does not [m].
+  [[nodiscard]] double x() const {
+    const Ended echo = at_station("tocsin-topic", "echo /location --once");
+    const std::string before = "position:\n      x: ";
+    const std::size_t at = echo.output.find(before);
+    return at == std::string::npos ? std::nan("")
+                                   : std::stod(echo.output.substr(at + before.size()));
+  }
+};
+
+TEST_F(FollowWaypointsTest, AGoalOfTheStationIsCanceledMidwayAndOneOfTheVehicleReachesItsEnd) {
+  ASSERT_TRUE(Stack::eventually(patience, [&] { return is_met(); })) << stack_.output();
+
+  // Cancelled between the first pose and the second.
+  const std::string output = folder_.path("goal.txt");
+  const Ended goal = run_to_end(
+      "timeout 120 bash",
+      fmt::format("-c '{} > {} & until grep -q \"current_waypoint: 1\" {} || ! kill -0 $!; do "
+                  "sleep 0.1; done; kill -INT $!; wait $!; cat {}'",
+                  command("tocsin-action", send_goal({0.5, 2.5})), output, output, output));
+  EXPECT_THAT(goal.output, HasSubstr("current_waypoint: 0"));
+  EXPECT_THAT(goal.output, HasSubstr("Goal canceled.")) << stack_.output();
+  const double stands_at = x();
+  EXPECT_GT(stands_at, 0.2);
+  EXPECT_LT(stands_at, 2);
+  EXPECT_NEAR(x(), stands_at, 0.05);
+
+  const Ended back = run_to_end(command("tocsin-action", send_goal({0}), "uxv"), "");
+  EXPECT_THAT(back.output, HasSubstr("SUCCEEDED")) << stack_.output();
+  EXPECT_NEAR(x(), 0, 0.3);
 }
 
 }  // namespace

@@ -14,7 +14,6 @@
 namespace tocsin::navigation {
 namespace {
 
-constexpr std::size_t max_waypoints = 4095;
 constexpr double far_m = 1e5;
 
 struct Waypoint {
@@ -105,9 +104,9 @@ Mission read_mission(const std::string& path) {
   const bool is_json = std::filesystem::path(path).extension() == ".jsonl";
   Mission mission = is_json ? read_json_mission(path) : read_yaml_mission(path);
   mission.file = path;
-  if (mission.waypoints.empty() || mission.waypoints.size() > max_waypoints) {
+  if (mission.waypoints.empty() || mission.waypoints.size() > most_waypoints) {
     throw ConfigError("mission.waypoints: " + std::to_string(mission.waypoints.size()) +
-                      " are outside [1, 4095] (" + path + ")");
+                      " are outside [1, " + std::to_string(most_waypoints) + "] (" + path + ")");
   }
   return mission;
 }

@@ -2,6 +2,7 @@
 #include "mission_control/mission_control.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -41,16 +42,38 @@ std::uint64_t next_random(std::uint64_t& state) {
 
 }  // namespace
 
-MissionControl::MissionControl(const Params& params, navigation::Mission mission,
+MissionControl::MissionControl(const Params& params, std::optional<navigation::Mission> mission,
                                std::uint64_t seed)
-    : params_(params), mission_(std::move(mission)), checksum_(checksum_of(mission_)), seed_(seed) {
-  if (mission_.waypoints.empty()) throw ConfigError("mission.waypoints: there is none");
+    : params_(params), seed_(seed) {
+  if (mission && mission->waypoints.empty()) throw ConfigError("mission.waypoints: there is none");
   if (params.goal_lifetime_s <= 2 * params.repeat_after_s) {
     throw ConfigError("goal_lifetime_s: " + std::to_string(params.goal_lifetime_s) +
                       " is not above twice repeat_after_s (" +
                       std::to_string(params.repeat_after_s) + ")");
   }
+  if (mission) begin(std::move(*mission));
+}
+
+void MissionControl::begin(navigation::Mission mission) {
+  mission_ = std::move(mission);
+  checksum_ = checksum_of(mission_);
+  state_ = State::waiting;
   draw_identity();
+}
+
+void MissionControl::lead(navigation::Mission mission) {
+  assert(!mission.waypoints.empty());
+  begin(std::move(mission));
+  may_resume_ = false;
+  reason_.clear();
+  is_halting_ = false;
+  waypoint_ = 0;
+  arrivals_.clear();
+  goals_sent_ = 0;
+  goals_for_waypoint_ = 0;
+  started_.reset();
+  has_begun_ = false;
+  blocked_since_.reset();
 }
 
 void MissionControl::draw_identity() {
@@ -78,6 +101,7 @@ void MissionControl::on_status(const GoalName& goal, const std::string& state, T
 std::optional<MissionControl::Goal> MissionControl::update(Time now) {
   if (state_ == State::waiting) start_when_ready(now);
   if (state_ == State::paused) return hold(now);
+  if (is_halting_ && !has_stopped(now)) return hold(now);
   if (state_ == State::running && has_begun_) check_arrival(now);
   if (state_ == State::running && has_begun_) check_limits(now);
   if (state_ != State::running || !is_due(now)) return std::nullopt;
@@ -87,11 +111,12 @@ std::optional<MissionControl::Goal> MissionControl::update(Time now) {
 void MissionControl::start_when_ready(Time now) {
   if (!first_heard_) return;
   const bool knows_goal = told_.id != 0;
-  if (!knows_goal && now - *first_heard_ < seconds(params_.resume_wait_s)) return;
+  const bool is_early = now - *first_heard_ < seconds(params_.resume_wait_s);
+  if (may_resume_ && !knows_goal && is_early) return;
   state_ = State::running;
   started_ = now;
   waypoint_since_ = now;
-  if (knows_goal && params_.resume) resume_earlier();
+  if (may_resume_ && knows_goal && params_.resume) resume_earlier();
 }
 
 /// Goes on where an earlier mission control was with this mission, if the vehicle tells of one.
@@ -176,6 +201,7 @@ MissionControl::Goal MissionControl::issue(Time now) {
   if (has_begun_ && was_taken_over()) draw_identity();
   has_begun_ = true;
   sent_ = now;
+  leased_until_ = now + seconds(params_.goal_lifetime_s);
   ++goals_sent_;
   ++goals_for_waypoint_;
   return {present(),
@@ -211,6 +237,8 @@ MissionControl::Progress MissionControl::progress(Time now) const {
 
 const char* to_string(MissionControl::State state) {
   switch (state) {
+    case MissionControl::State::idle:
+      return "idle";
     case MissionControl::State::waiting:
       return "waiting";
     case MissionControl::State::running:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mission_control/mission_control_component.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "foundation/error.hpp"
@@ -11,14 +12,19 @@
 namespace tocsin {
 namespace {
 
-navigation::Mission load_checked_mission(const std::string& name,
-                                         const MissionControlComponent::Params& params) {
-  if (params.mission_file.empty()) throw ConfigError(name + ".mission_file: is required");
+std::optional<navigation::Mission> load_checked_mission(
+    const MissionControlComponent::Params& params) {
+  if (params.mission_file.empty()) return std::nullopt;
   auto mission = navigation::load_mission(params.mission_file);
   if (!params.map_file.empty()) {
     require_free(mission, navigation::load_map(params.map_file), params.robot_radius_m);
   }
   return mission;
+}
+
+MissionAction make_action(const MissionControlComponent::Params& params) {
+  if (params.map_file.empty()) return MissionAction();
+  return MissionAction(navigation::load_map(params.map_file), params.robot_radius_m);
 }
 
 geometry::Pose pose_of(const topic::Location::Message& message) {
@@ -40,14 +46,17 @@ bool differ(const MissionControl::Progress& a, const MissionControl::Progress& b
 MissionControlComponent::MissionControlComponent(Context& context, const Params& params)
     : Component(context),
       params_(params),
-      control_(params.control, load_checked_mission(context.name, params), seed_of(context.bus)) {
+      control_(params.control, load_checked_mission(params), seed_of(context.bus)),
+      waypoints_(*this, make_action(params)) {
   wake_every(seconds(1 / params.rate_hz));
 }
 
 void MissionControlComponent::tick(Time now) {
   take_inputs(now);
   take_orders(now);
+  waypoints_.take(control_, now);
   if (const auto goal = control_.update(now)) send(*goal, now);
+  waypoints_.follow(control_, now);
   log_arrivals();
   report(now);
 }
@@ -92,6 +101,8 @@ void MissionControlComponent::send(const MissionControl::Goal& goal, Time now) {
 }
 
 void MissionControlComponent::log_arrivals() {
+  // Another mission has arrivals of its own.
+  arrivals_logged_ = std::min(arrivals_logged_, control_.arrivals().size());
   for (; arrivals_logged_ < control_.arrivals().size(); ++arrivals_logged_) {
     const auto& arrival = control_.arrivals()[arrivals_logged_];
     log().info("waypoint {} reached after {:.1f} s, {:.2f} m away, told by {}, {} goals sent",
@@ -100,13 +111,17 @@ void MissionControlComponent::log_arrivals() {
   }
 }
 
+std::string MissionControlComponent::mission_name() const {
+  return control_.mission().waypoints.empty() ? "none" : control_.mission().name;
+}
+
 void MissionControlComponent::report(Time now) {
   const auto progress = control_.progress(now);
   const bool has_changed = differ(progress, reported_);
   if (!has_changed && now < next_report_) return;
   topic::MissionStatus::Message message;
   message.stamp(wall(now));
-  message.mission(control_.mission().name);
+  message.mission(mission_name());
   message.state(to_string(progress.state));
   message.waypoint(progress.waypoint);
   message.waypoints(progress.waypoints);
@@ -114,10 +129,10 @@ void MissionControlComponent::report(Time now) {
   message.elapsed_s(progress.elapsed_s);
   if (status_.write(std::move(message)) == Status::failed) return;
   if (progress.state != reported_.state) {
-    log().info("mission {}: {} {}", control_.mission().name, to_string(progress.state),
-               progress.reason);
+    log().info("mission {}: {} {}", mission_name(), to_string(progress.state), progress.reason);
     end_when_over(progress.state);
   }
+  waypoints_.tell(control_, now);
   reported_ = progress;
   next_report_ = next_instant(seconds(params_.status_period_s), now);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people ask of a mission while it runs.
+// What is asked of a mission while it runs.
 #include <utility>
 
 #include "mission_control/mission_control.hpp"
@@ -33,6 +33,20 @@ void MissionControl::go_on(Time now) {
   blocked_since_.reset();
   goals_for_waypoint_ = 0;
   if (has_begun_) draw_identity();
+}
+
+void MissionControl::stop(std::string reason, Time now) {
+  if (state_ != State::waiting && state_ != State::running && state_ != State::paused) return;
+  if (state_ != State::paused) is_held_ = false;
+  goals_for_waypoint_ = 0;
+  is_halting_ = true;
+  finish(State::aborted, std::move(reason), now);
+}
+
+bool MissionControl::has_stopped(Time now) const {
+  if (!has_begun_ || now >= leased_until_) return true;
+  if (told_.mission != identity_) return was_taken_over();
+  return told_.id == held().id && status_ != "driving";
 }
 
 void MissionControl::skip(std::uint32_t waypoint, Time now) {

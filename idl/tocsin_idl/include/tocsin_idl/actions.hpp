@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one list of actions of the vehicle: types and name. Both ends name the struct.
+// The one list of actions: types and name. Both ends name the struct.
 #pragma once
 
 #include "idl_support/action_types.hpp"
@@ -14,6 +14,15 @@ struct NavigateToPose : ActionTypes<nav2_msgs::action::NavigateToPose_SendGoal_R
                                     nav2_msgs::action::NavigateToPose_GetResult_Response,
                                     nav2_msgs::action::NavigateToPose_FeedbackMessage> {
   static constexpr const char* name = "navigate_to_pose";
+};
+
+/// Drives to one pose after the other, with the index of the present one as feedback.
+struct FollowWaypoints : ActionTypes<nav2_msgs::action::FollowWaypoints_SendGoal_Request,
+                                     nav2_msgs::action::FollowWaypoints_SendGoal_Response,
+                                     nav2_msgs::action::FollowWaypoints_GetResult_Request,
+                                     nav2_msgs::action::FollowWaypoints_GetResult_Response,
+                                     nav2_msgs::action::FollowWaypoints_FeedbackMessage> {
+  static constexpr const char* name = "follow_waypoints";
 };
 
 }  // namespace tocsin::action

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "navigation/occupancy_map.hpp"
 
 namespace tocsin::navigation {
+
+inline constexpr std::size_t most_waypoints = 4095;  ///< of a mission
 
 /// Places to visit one after the other.
 struct Mission {
@@ -20,7 +23,7 @@ struct Mission {
 /// Reads a mission: our YAML (`name`, `frame`, `waypoints: [{x, y, yaw}, ...]`) or, from a file
 /// named *.jsonl, the JSON lines of the thesis (one waypoint a line: posx, posy and the quaternion
 /// orx, ory, orz, orw; latency and ts are ignored).
-/// Throws ConfigError naming file, waypoint or line, and reason. A mission has 1 to 4095 waypoints.
+/// Throws ConfigError naming file, waypoint or line, and reason. A mission has 1 to most_waypoints.
 /// The same file is read once, while it does not change.
 [[nodiscard]] Mission load_mission(const std::string& path);
 

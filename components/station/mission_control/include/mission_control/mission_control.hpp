@@ -20,8 +20,9 @@ struct GoalName {
   std::uint64_t id = 0;  // 0: none
 };
 
-/// Leads the vehicle through a mission: sends waypoint after waypoint as goals, and judges arrival
-/// by the reported location or by the navigator's own word, whichever comes first.
+/// Leads the vehicle through one mission after the other: sends waypoint after waypoint as goals,
+/// and judges arrival by the reported location or by the navigator's own word, whichever comes
+/// first.
 ///
 /// Pure: no clock, no I/O. `now` must not decrease between calls. A goal is a lease: it is renewed
 /// while mission control lives, so that a vehicle out of reach stops when the lease is over, and
@@ -34,8 +35,8 @@ struct GoalName {
 /// status alone whether it drives this mission, and where it is. It is drawn again when the vehicle
 /// drives to a goal that was not sent by this mission control: the vehicle lets a mission that it
 /// has not seen take over, whatever numbers the goal before had. The goal that holds the vehicle in
-/// a pause has an id far above, so that a mission control that was started anew learns of the
-/// pause.
+/// a pause or at a stop has an id far above, so that a mission control that was started anew learns
+/// of the pause.
 class MissionControl {
  public:
   struct Params {
@@ -63,7 +64,7 @@ class MissionControl {
     }
   };
 
-  enum class State { waiting, running, paused, done, aborted };
+  enum class State { idle, waiting, running, paused, done, aborted };  // idle: has no mission
 
   struct Goal {
     GoalName name;
@@ -92,9 +93,20 @@ class MissionControl {
     std::string reason;    // of aborted
   };
 
-  /// Throws ConfigError when the mission has no waypoint, or the goal's lifetime is not longer
-  /// than twice the repetition. `seed`: of what is drawn; another one for each start.
-  MissionControl(const Params& params, navigation::Mission mission, std::uint64_t seed);
+  /// `mission`: nothing: idle until it is given one. Throws ConfigError when it has no waypoint, or
+  /// the goal's lifetime is not longer than twice the repetition. `seed`: of what is drawn; another
+  /// one for each start.
+  MissionControl(const Params& params, std::optional<navigation::Mission> mission,
+                 std::uint64_t seed);
+
+  /// Begins a mission of at least one waypoint, in place of the present one, if any, from its first
+  /// waypoint and as soon as the vehicle was heard.
+  void lead(navigation::Mission mission);
+  /// Aborts the mission and has the vehicle halt where it was last seen, by one goal.
+  void stop(std::string reason, Time now);
+  /// Whether a vehicle that was stopped is known to halt: it says so (it may still brake), or it
+  /// drives for somebody else, or the lease of its last waypoint is over.
+  [[nodiscard]] bool has_stopped(Time now) const;
 
   /// Where the vehicle is, map frame; one that is not finite is ignored.
   void on_location(const geometry::Pose& location, Time now);
@@ -110,13 +122,15 @@ class MissionControl {
   /// The goal to send now, if any. To be called a few times a second.
   [[nodiscard]] std::optional<Goal> update(Time now);
 
+  /// Without waypoints while it is idle.
   [[nodiscard]] const navigation::Mission& mission() const { return mission_; }
   [[nodiscard]] Progress progress(Time now) const;
-  /// All arrivals so far, in order.
+  /// All arrivals of the mission so far, in order.
   [[nodiscard]] const std::vector<Arrival>& arrivals() const { return arrivals_; }
 
  private:
   void start_when_ready(Time now);
+  void begin(navigation::Mission mission);
   void resume_earlier();
   void pause(Time now);
   void go_on(Time now);
@@ -138,18 +152,21 @@ class MissionControl {
   [[nodiscard]] std::vector<geometry::Pose> waypoints_ahead() const;
   [[nodiscard]] double distance_m() const;
 
-  /// Ids of goals that hold the vehicle during a pause: this and the waypoint's own.
+  /// Ids of goals that hold the vehicle during a pause or after a stop: this and the waypoint's
+  /// own.
   static constexpr std::uint64_t hold_base = std::uint64_t{1} << 32U;
 
   Params params_;
   navigation::Mission mission_;
-  std::uint32_t checksum_;
+  std::uint32_t checksum_ = 0;
   std::uint64_t seed_;
   std::uint64_t identity_ = 0;
   std::deque<std::uint64_t> own_;  // identities before it, the last ones
 
-  State state_ = State::waiting;
+  State state_ = State::idle;
   std::string reason_;
+  bool may_resume_ = true;   // what an earlier mission control has begun
+  bool is_halting_ = false;  // stopped, and no mission since
   std::uint32_t waypoint_ = 0;
   std::vector<Arrival> arrivals_;
   std::uint32_t goals_sent_ = 0;
@@ -159,7 +176,7 @@ class MissionControl {
   Time waypoint_since_{};
   State state_before_pause_ = State::running;
   Time paused_since_{};
-  bool is_held_ = false;  // the vehicle has named the goal of the pause
+  bool is_held_ = false;  // the vehicle has named the goal of the pause or the stop
 
   std::optional<Time> first_heard_;
   std::optional<geometry::Pose> location_;
@@ -168,6 +185,7 @@ class MissionControl {
   Time status_time_{};
   bool has_begun_ = false;  // a goal was sent, or taken on from an earlier mission control
   Time sent_{};
+  Time leased_until_{};  // of the last waypoint's goal
   std::optional<Time> blocked_since_;
 };
 

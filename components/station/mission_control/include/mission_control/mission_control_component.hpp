@@ -4,13 +4,14 @@
 #include <string>
 
 #include "mission_control/mission_control.hpp"
+#include "mission_control/waypoints_server.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
 
-/// Leads the vehicle through a mission file, from the ground station.
+/// Leads the vehicle through a mission file and through goals of the action follow_waypoints.
 class MissionControlComponent final : public Component {
  public:
   struct Params {
@@ -23,12 +24,14 @@ class MissionControlComponent final : public Component {
     MissionControl::Params control;
     template <class Visitor>
     void visit(Visitor& v) {
-      v("mission_file", mission_file, "mission, YAML or JSON lines (*.jsonl); required");
+      v("mission_file", mission_file,
+        "mission, YAML or JSON lines (*.jsonl); empty: waits for goals of follow_waypoints");
       v("map_file", map_file, "map that the waypoints are checked against; empty: unchecked");
       v("robot_radius_m", robot_radius_m, {0.05, 1}, "[m] a waypoint nearer to a wall is refused");
       v("rate_hz", rate_hz, {1, 20}, "[Hz] of looking whether a goal is due");
       v("status_period_s", status_period_s, {0.1, 60}, "[s] between reports without a change");
-      v("exit_when_over", exit_when_over, "end the process: code 0 when done, 1 when aborted");
+      v("exit_when_over", exit_when_over,
+        "end the process when a mission is over: code 0 when done, 1 when aborted");
       control.visit(v);
     }
   };
@@ -42,6 +45,7 @@ class MissionControlComponent final : public Component {
   void take_orders(Time now);
   void send(const MissionControl::Goal& goal, Time now);
   void log_arrivals();
+  [[nodiscard]] std::string mission_name() const;
   void report(Time now);
   void end_when_over(MissionControl::State state);
 
@@ -53,6 +57,7 @@ class MissionControlComponent final : public Component {
 
   Params params_;
   MissionControl control_;
+  WaypointsServer waypoints_;
   std::size_t arrivals_logged_ = 0;
   Time next_report_{};
   MissionControl::Progress reported_;
