@@ -24,24 +24,10 @@ constexpr std::size_t most_bits = 256;
 /// Pairs of a reader and a writer that are remembered for sure.
 constexpr std::size_t pairs = 4096;
 
-std::uint32_t number_at(const std::uint8_t* at, bool little_endian) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < sizeof value; ++i) {
-    value |= static_cast<std::uint32_t>(at[i]) << 8U * (little_endian ? i : 3 - i);
-  }
-  return value;
-}
-
-void put_number(std::uint8_t* at, std::uint32_t value, bool little_endian) {
-  for (std::size_t i = 0; i < sizeof value; ++i) {
-    at[i] = static_cast<std::uint8_t>(value >> 8U * (little_endian ? i : 3 - i));
-  }
-}
-
 /// Sequence numbers are sent high word first (RTPS 2.2 section 9.4.2.5).
 std::uint64_t sequence_at(const std::uint8_t* at, bool little_endian) {
-  const std::uint64_t high = number_at(at, little_endian);
-  return high << 32U | number_at(at + sizeof(std::uint32_t), little_endian);
+  const std::uint64_t high = number_at<std::uint32_t>(at, little_endian);
+  return high << 32U | number_at<std::uint32_t>(at + sizeof(std::uint32_t), little_endian);
 }
 
 /// Where the parts of an ACKNACK stand in its message.
@@ -66,7 +52,7 @@ std::optional<AckNack> acknack_in(const std::uint8_t* message, const Submessage&
   if (one.kind != acknack_kind || one.bytes < bitmap_at) return std::nullopt;
   const auto content = static_cast<std::size_t>(one.content - message);
   AckNack found{content, 0, (one.flags & little_endian_flag) != 0, 0, false};
-  const std::uint32_t bits = number_at(one.content + bits_at, found.little_endian);
+  const std::uint32_t bits = number_at<std::uint32_t>(one.content + bits_at, found.little_endian);
   if (bits > most_bits) return std::nullopt;
   const std::size_t count = bitmap_at + (bits + 31) / 32 * 4;
   if (count + sizeof(std::uint32_t) > one.bytes) return std::nullopt;
@@ -128,7 +114,7 @@ std::pair<const std::uint8_t*, std::size_t> AckNackCounts::translate(
     const GuidPrefix_t prefix = id_at<GuidPrefix_t>(message + prefix_at);
     const Pair pair{{prefix, id_at<Entity>(message + one.content)},
                     id_at<Entity>(message + one.content + writer_at)};
-    const std::uint32_t count = number_at(message + one.count, one.little_endian);
+    const std::uint32_t count = number_at<std::uint32_t>(message + one.count, one.little_endian);
     const Told told = next(pair, {count, one.base, one.preemptive});
     if (told.count == count && !told.anew) return;
     if (result == message) {

@@ -27,15 +27,6 @@ constexpr std::uint16_t pid_endpoint_guid = 0x005a;
 constexpr std::uint16_t pid_key_hash = 0x0070;
 constexpr std::size_t added_bytes = parameter_header_bytes + guid_bytes;
 
-std::uint16_t short_at(const std::uint8_t* at, bool little) {
-  return static_cast<std::uint16_t>(little ? at[0] | at[1] << 8U : at[1] | at[0] << 8U);
-}
-
-void put_short(std::uint8_t* at, std::uint16_t value, bool little) {
-  at[little ? 0 : 1] = static_cast<std::uint8_t>(value);
-  at[little ? 1 : 0] = static_cast<std::uint8_t>(value >> 8U);
-}
-
 /// Participants, writers and readers are announced by one writer each.
 bool is_of_discovery(const std::uint8_t* writer) {
   constexpr std::array<std::array<std::uint8_t, 4>, 3> writers{
@@ -50,12 +41,12 @@ bool is_of_discovery(const std::uint8_t* writer) {
 /// or it is cut off.
 std::optional<std::size_t> end_of_inline_qos(const Submessage& data, bool little) {
   std::size_t at = octets_to_inline_qos_at + sizeof(std::uint16_t) +
-                   short_at(data.content + octets_to_inline_qos_at, little);
+                   number_at<std::uint16_t>(data.content + octets_to_inline_qos_at, little);
   while (at + parameter_header_bytes <= data.bytes) {
-    const std::uint16_t id = short_at(data.content + at, little);
+    const auto id = number_at<std::uint16_t>(data.content + at, little);
     if (id == pid_sentinel) return at;
     if (id == pid_key_hash) return std::nullopt;
-    at += parameter_header_bytes + short_at(data.content + at + sizeof id, little);
+    at += parameter_header_bytes + number_at<std::uint16_t>(data.content + at + sizeof id, little);
   }
   return std::nullopt;
 }
@@ -65,9 +56,9 @@ const std::uint8_t* guid_in(const std::uint8_t* key, std::size_t bytes) {
   if (bytes < key_header_bytes + parameter_header_bytes + guid_bytes) return nullptr;
   const bool little = (key[1] & 1U) != 0;
   const std::uint8_t* const parameter = key + key_header_bytes;
-  const std::uint16_t id = short_at(parameter, little);
+  const auto id = number_at<std::uint16_t>(parameter, little);
   const bool is_guid = id == pid_participant_guid || id == pid_endpoint_guid;
-  return is_guid && short_at(parameter + sizeof id, little) == guid_bytes
+  return is_guid && number_at<std::uint16_t>(parameter + sizeof id, little) == guid_bytes
              ? parameter + parameter_header_bytes
              : nullptr;
 }
@@ -99,11 +90,12 @@ std::optional<Addition> addition_to(const std::uint8_t* message, const Submessag
 /// Adds it at the end of `changed`, which has been filled up to it. `moved`: by how much.
 void add(const Addition& one, std::vector<std::uint8_t>& changed, std::size_t moved) {
   std::uint8_t* const length = changed.data() + one.submessage_at + moved + 2;
-  const std::uint16_t bytes = short_at(length, one.little);  // 0: up to the end of the message
-  if (bytes != 0) put_short(length, static_cast<std::uint16_t>(bytes + added_bytes), one.little);
+  const auto bytes = number_at<std::uint16_t>(length, one.little);
+  // Zero reaches to the end of the message.
+  if (bytes != 0) put_number(length, static_cast<std::uint16_t>(bytes + added_bytes), one.little);
   std::array<std::uint8_t, parameter_header_bytes> header{};
-  put_short(header.data(), pid_key_hash, one.little);
-  put_short(header.data() + 2, guid_bytes, one.little);
+  put_number<std::uint16_t>(header.data(), pid_key_hash, one.little);
+  put_number<std::uint16_t>(header.data() + 2, guid_bytes, one.little);
   changed.insert(changed.end(), header.begin(), header.end());
   changed.insert(changed.end(), one.guid, one.guid + guid_bytes);
 }

@@ -21,11 +21,6 @@ void append(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
   }
 }
 
-std::uint32_t number_at(const std::uint8_t* bytes) {
-  return bytes[0] | std::uint32_t{bytes[1]} << 8U | std::uint32_t{bytes[2]} << 16U |
-         std::uint32_t{bytes[3]} << 24U;
-}
-
 std::size_t pieces_of(std::size_t size) { return (size + piece_bytes - 1) / piece_bytes; }
 
 struct Piece {
@@ -42,7 +37,8 @@ std::optional<Piece> piece_in(const std::uint8_t* bytes, std::size_t size) {
   if (!first || first->kind != piece_kind) return std::nullopt;
   if (first->bytes < numbers_bytes) return Piece{};
   const std::uint8_t* const at = first->content;
-  const Piece piece{number_at(at), number_at(at + 4), number_at(at + 8), at + numbers_bytes};
+  const auto number = [at](std::size_t i) { return number_at<std::uint32_t>(at + 4 * i, true); };
+  const Piece piece{number(0), number(1), number(2), at + numbers_bytes};
   const bool fits = piece.whole > radio_message_bytes && piece.whole <= largest_message &&
                     piece.begin % piece_bytes == 0 && piece.begin < piece.whole &&
                     numbers_bytes + piece.length() <= first->bytes;

@@ -57,10 +57,8 @@ std::optional<Submessage> Submessages::next() {
   const auto left = static_cast<std::size_t>(end_ - at_);
   if (left < submessage_header_bytes) return std::nullopt;
   const bool little_endian = (at_[1] & 1U) != 0;
-  const std::size_t low = at_[little_endian ? 2 : 3];
-  const std::size_t high = at_[little_endian ? 3 : 2];
   const std::size_t room = left - submessage_header_bytes;
-  std::size_t bytes = low | high << 8U;
+  std::size_t bytes = number_at<std::uint16_t>(at_ + 2, little_endian);
   const bool may_be_empty = at_[0] == info_timestamp || at_[0] == pad;
   if (bytes == 0 && !may_be_empty) bytes = room;  // until the end of the message
   if (bytes > room) return std::nullopt;

@@ -14,6 +14,23 @@ namespace tocsin {
 constexpr std::size_t header_bytes = 20;
 constexpr std::size_t submessage_header_bytes = 4;
 
+/// An unsigned number as RTPS messages hold it: in the byte order of its submessage.
+template <class Number>
+[[nodiscard]] Number number_at(const std::uint8_t* at, bool little_endian) {
+  Number value = 0;
+  for (std::size_t i = 0; i < sizeof value; ++i) {
+    const std::size_t place = little_endian ? i : sizeof value - 1 - i;
+    value = static_cast<Number>(value | static_cast<Number>(at[i]) << 8U * place);
+  }
+  return value;
+}
+template <class Number>
+void put_number(std::uint8_t* at, Number value, bool little_endian) {
+  for (std::size_t i = 0; i < sizeof value; ++i) {
+    at[i] = static_cast<std::uint8_t>(value >> 8U * (little_endian ? i : sizeof value - 1 - i));
+  }
+}
+
 /// One submessage, without its header of four bytes.
 struct Submessage {
   std::uint8_t kind = 0;
