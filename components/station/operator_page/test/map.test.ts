@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 
-import { scaleLengthM } from "../src/map/draw.ts";
+import { noteShift, scaleLengthM } from "../src/map/draw.ts";
 import { gridPixels, isFree, knownBounds } from "../src/map/grid.ts";
 import { Viewport, greatestScale } from "../src/map/viewport.ts";
 
@@ -32,6 +32,25 @@ describe("Viewport", () => {
       const { x, y } = sut.toScreen(corner, size);
       assert.ok(x >= 0 && x <= size.width && y >= 0 && y <= size.height);
     }
+  });
+  it("keeps a row above the map free", () => {
+    const top = 46;
+    const sut = Viewport.fitting({ min: { x: -10, y: 0 }, max: { x: 10, y: 20 } }, size, top);
+    const { y } = sut.toScreen({ x: 0, y: 20 }, size);
+    assert.ok(y > top);
+    near(sut.toScreen({ x: 0, y: 10 }, size), { x: size.width / 2, y: (top + size.height) / 2 });
+  });
+});
+
+describe("A note beside a place", () => {
+  it("is moved from the edges into the map", () => {
+    assert.equal(noteShift(200, 100, 400), 0);
+    assert.equal(noteShift(20, 100, 400), 30);
+    assert.equal(noteShift(390, 100, 400), -40);
+  });
+  it("goes with a place that is not on the map", () => {
+    assert.equal(noteShift(-10, 100, 400), 0);
+    assert.equal(noteShift(500, 100, 400), 0);
   });
 });
 

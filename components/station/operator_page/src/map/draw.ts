@@ -200,13 +200,19 @@ export function drawVehicle(sheet: Sheet, pose: Waypoint, ghostAgeMs: number | u
   if (isGhost) drawNote(sheet, pose, radius, `last seen ${ageText(ghostAgeMs)} ago`);
 }
 
+/** How far a note of `width` that is centred at `x` is moved so that all of it is seen. */
+export const noteShift = (x: number, width: number, available: number): number =>
+  x < 0 || x > available ? 0 : Math.max(width / 2 - x, 0) + Math.min(available - width / 2 - x, 0);
+
 function drawNote(sheet: Sheet, place: Point, radius: number, text: string): void {
-  const { context, theme } = sheet;
+  const { context, theme, view, size } = sheet;
   at(sheet, place, 0, () => {
     context.font = "600 12px system-ui, sans-serif";
     context.textAlign = "center";
     context.textBaseline = "top";
     const width = context.measureText(text).width + 12;
+    const { x } = view.toScreen(place, size);
+    context.translate(noteShift(x, width, size.width), 0);
     context.fillStyle = theme.halo;
     context.globalAlpha = 0.85;
     context.fillRect(-width / 2, radius + 5, width, 19);

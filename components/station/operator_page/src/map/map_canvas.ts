@@ -13,6 +13,9 @@ import { type Bounds, type Size, Viewport } from "./viewport.ts";
 /** Older drawings are renewed though nothing came: ages grow. */
 const redrawMs = 500;
 
+/** The row of buttons above the map [px]. */
+const toolsPx = 46;
+
 export class MapCanvas {
   follows = false;
   #view = new Viewport();
@@ -71,7 +74,7 @@ export class MapCanvas {
     if (map && this.#known?.of !== map) this.#known = { of: map, bounds: knownBounds(map) };
     const bounds = (map && this.#known?.bounds) ?? station.trail.bounds;
     if (bounds === undefined) return;
-    this.#view = Viewport.fitting(bounds, this.size());
+    this.#view = Viewport.fitting(bounds, this.size(), toolsPx);
   }
 
   follow(follows: boolean): void {

@@ -62,14 +62,12 @@ export class Viewport {
     return new Viewport(centre, this.scale);
   }
 
-  /** All of `bounds` with a margin around. */
-  static fitting({ min, max }: Bounds, size: Size): Viewport {
+  /** All of `bounds` with a margin around, below the topmost `top` pixels. */
+  static fitting({ min, max }: Bounds, size: Size, top = 0): Viewport {
     const margin = 0.94;
     const across = size.width / Math.max(1, max.x - min.x);
-    const up = size.height / Math.max(1, max.y - min.y);
-    return new Viewport(
-      { x: (min.x + max.x) / 2, y: (min.y + max.y) / 2 },
-      clampScale(margin * Math.min(across, up)),
-    );
+    const up = (size.height - top) / Math.max(1, max.y - min.y);
+    const scale = clampScale(margin * Math.min(across, up));
+    return new Viewport({ x: (min.x + max.x) / 2, y: (min.y + max.y) / 2 + top / 2 / scale }, scale);
   }
 }
