@@ -62,6 +62,10 @@ Peer::Peer(pid_t process, const std::function<void()>& job) : pid_(fork()) {
 
 Peer::~Peer() { kill(); }
 
+void Peer::stop() { ::kill(pid_, SIGSTOP); }
+
+void Peer::resume() { ::kill(pid_, SIGCONT); }
+
 void Peer::kill() {
   if (pid_ <= 0) return;
   ::kill(pid_, SIGKILL);

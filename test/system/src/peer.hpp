@@ -23,6 +23,9 @@ class Peer {
   Peer& operator=(const Peer&) = delete;
 
   void kill();
+  /// It computes and hears nothing until it is resumed.
+  void stop();
+  void resume();
 
  private:
   pid_t pid_;

@@ -11,9 +11,8 @@ namespace {
 
 using FillInMessage = tocsin_msgs::msg::FillIn;
 
-/// Readers of the host find a new writer in milliseconds; when there are none, nobody is waited
-/// for.
-constexpr Duration readers_take = std::chrono::seconds(5);
+/// For a topic that nobody reads.
+constexpr Duration longest_delay = std::chrono::seconds(5);
 /// Batches that wait for them: more than a sender has under way.
 constexpr std::size_t most_early = 16;
 
@@ -49,22 +48,21 @@ void FillInLink::on_batch(const FillInPeer& peer, const CarriedSample& sample, T
   flow.user_data = message->user_data();
   if (!described.on_host) {
     described.on_host = parts_.link.offer(filled_in(flow));
-    described.may_be_given = now + readers_take;
+    described.readers.emplace(longest_delay, now);
   }
-  if (now >= described.may_be_given) return take(batch, now);
+  if (described.readers->is_over(now)) return take(batch, now);
   if (early_.size() < most_early) early_.push_back(batch);  // else it comes again
 }
 
 void FillInLink::on_host_listens(FlowId on_host, Time now) {
   for (auto& entry : given_) {
-    if (entry.second.on_host != on_host) continue;
-    entry.second.may_be_given = std::min(entry.second.may_be_given, now);
+    if (entry.second.on_host == on_host) entry.second.readers->on_reader(now);
   }
 }
 
 void FillInLink::take_early(Time now) {
   for (const Arrived& batch : std::exchange(early_, {})) {
-    if (now >= given_.at(key_of(batch)).may_be_given) {
+    if (given_.at(key_of(batch)).readers->is_over(now)) {
       take(batch, now);
     } else {
       early_.push_back(batch);

@@ -171,7 +171,7 @@ void FillInLink::on_progress(PeerId from, const router::FillInProgress& progress
 Time FillInLink::deadline(Time now) const {
   Time next = sender_.deadline(now, parts_.sender.capacity_bytes_per_s(now));
   if (next <= now) next = parts_.sender.fill_in_opens(now);
-  for (const Arrived& one : early_) next = std::min(next, given_.at(key_of(one)).may_be_given);
+  for (const Arrived& one : early_) next = std::min(next, given_.at(key_of(one)).readers->end());
   return next;
 }
 

@@ -13,6 +13,7 @@
 #include "link_router/fill_in_sender.hpp"
 #include "link_router/history_requests.hpp"
 #include "link_router/link_sender.hpp"
+#include "link_router/reader_wait.hpp"
 #include "router_store.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/link_bus.hpp"
@@ -94,9 +95,9 @@ class FillInLink {
 
  private:
   struct Described {
-    Flow what;                      ///< topic, type and user data
-    std::optional<FlowId> on_host;  ///< where its filled-in samples are given
-    Time may_be_given{};            ///< readers have had the time to find it
+    Flow what;                                  ///< topic, type and user data
+    std::optional<FlowId> on_host;              ///< where its filled-in samples are given
+    std::optional<router::ReaderWait> readers;  ///< with on_host
   };
   struct Arrived {
     FillInPeer peer;

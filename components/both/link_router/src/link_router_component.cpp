@@ -10,6 +10,7 @@
 #include "fill_in_link.hpp"
 #include "fill_in_messages.hpp"
 #include "foundation/error.hpp"
+#include "held_arrivals.hpp"
 #include "router_messages.hpp"
 #include "router_store.hpp"
 #include "runtime/component_entry.hpp"
@@ -66,7 +67,8 @@ LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
       fill_ins_(std::make_unique<FillInLink>(
           FillInLink::Parts{*link_, sender_, *store_, *history_, *arrivals_, log()}, params.link)),
       calls_(std::make_unique<CallLink>(CallLink::Parts{
-          *link_, sender_, log(), [this](Time now) { return bus().wall_ns(now); }})) {
+          *link_, sender_, log(), [this](Time now) { return bus().wall_ns(now); }})),
+      held_(std::make_unique<HeldArrivals>()) {
   for (const auto& [flow, rule] : calls_->flows()) {
     own_[flow] = {flow, rule.name, rule};
     by_link_[flow] = &own_[flow];
@@ -82,6 +84,7 @@ void LinkRouterComponent::tick(Time now) {
   follow_gate(now);
   take_requests(now);
   take_events(now);
+  give_held(now);
   calls_->follow(now);
   fill_ins_->follow(now, bus().wall_ns(now));
   send(now);
@@ -90,8 +93,8 @@ void LinkRouterComponent::tick(Time now) {
   if (now >= next_budget_) tell_budgets(now);
   if (now >= next_report_) report(now);
   wake_at(std::min({sender_.deadline(now), receiver_.deadline(), keeper_.deadline(now),
-                    fill_ins_->deadline(now), calls_->deadline(now), next_budget_, next_report_,
-                    next_keep_}));
+                    fill_ins_->deadline(now), calls_->deadline(now), held_->deadline(),
+                    next_budget_, next_report_, next_keep_}));
 }
 
 void LinkRouterComponent::follow_gate(Time now) {
@@ -153,69 +156,17 @@ void LinkRouterComponent::on(const link_event::HostSample& event, Time now) {
                 {origin_of(event.sample), event.sample.bytes, event.sample.content}, now);
 }
 
-void LinkRouterComponent::on(const link_event::PeerFound& event, Time now) {
-  peers_[event.peer] = event.name;
-  lives_[event.name] = event.peer;
-  sender_.on_peer(event.name, event.peer, now);
-  receiver_.on_peer(event.name, event.peer);
-  log().info("{} is on the link", event.name);
-}
-
-void LinkRouterComponent::on(const link_event::PeerLost& event, Time now) {
-  const auto found = peers_.find(event.peer);
-  if (found == peers_.end()) return;
-  if (lives_[found->second] == event.peer) {
-    sender_.forget_peer(found->second, now);
-    receiver_.forget_peer(found->second);
-    lives_.erase(found->second);
-    log().warn("{} has left the link", found->second);
-  }
-  peers_.erase(found);
-  fill_ins_->on_lost(event.peer);
-  calls_->on_lost(event.peer);
-}
-
-LinkRouterComponent::Incoming::Kind LinkRouterComponent::kind_of(const std::string& topic) {
-  if (topic == link_receipt_topic) return Incoming::Kind::receipts;
-  if (topic == fill_in_topic) return Incoming::Kind::fill_ins;
-  if (topic == link_services_topic) return Incoming::Kind::services;
-  return CallLink::carries(topic) ? Incoming::Kind::calls : Incoming::Kind::samples;
-}
-
-void LinkRouterComponent::on(const link_event::PeerFlow& event, Time now) {
-  const auto peer = peers_.find(event.peer);
-  if (peer == peers_.end()) return;
-  Incoming& flow = incoming_[event.flow];
-  flow = {event.peer, event.wire_id, kind_of(event.what.topic), stream_rule(event.what, {}),
-          event.what};
-  if (flow.kind == Incoming::Kind::receipts) return;
-  receiver_.on_stream(peer->second, event.wire_id, flow.rule);
-  if (flow.kind != Incoming::Kind::samples) return;
-  if (event.what.stored) store_->open(now, bus().wall_ns(now));
-  link_->offer(event.flow);
-}
-
-void LinkRouterComponent::on(const link_event::PeerFlowGone& event, Time) {
-  const auto found = incoming_.find(event.flow);
-  if (found == incoming_.end()) return;
-  const auto peer = peers_.find(found->second.peer);
-  if (peer != peers_.end()) receiver_.forget_stream(peer->second, found->second.wire_id);
-  incoming_.erase(found);
-}
-
-void LinkRouterComponent::on(const link_event::PeerListens& event, Time now) {
-  const auto peer = peers_.find(event.peer);
-  if (peer == peers_.end()) return;
-  if (event.flow == fill_ins_->flow()) fill_ins_->on_listener({peer->second, event.peer}, now);
-  const bool is_stream = by_link_.count(event.flow) != 0;
-  if (is_stream) sender_.set_wanted(peer->second, event.flow, true, now);
-}
-
 void LinkRouterComponent::on(const link_event::HostListens& event, Time now) {
   fill_ins_->on_host_listens(event.flow, now);
+  held_->on_reader(event.flow, now);
+}
+
+void LinkRouterComponent::give_held(Time now) {
+  for (const link_event::LinkSample& sample : held_->take(now)) on(sample, now);
 }
 
 void LinkRouterComponent::on(const link_event::LinkSample& event, Time now) {
+  if (held_->hold(event)) return;
   const auto from = incoming_.find(event.flow);
   if (from == incoming_.end()) return;
   const auto peer = peers_.find(from->second.peer);

@@ -35,7 +35,7 @@ class ArrivalLogTest : public FillInLinkTest {
     stored.stored = true;
     script_.happen(link_event::PeerFlow{peer_flow, station, 10, stored});
     script_.happen(link_event::PeerFlow{other_flow, station, 11, flow("odom")});
-    run(0);
+    run(0.2);  // readers have found the writers
   }
   /// All that a late reader finds, after the router has written it.
   [[nodiscard]] std::vector<std::uint64_t> kept(const std::string& topic = "/goal") {

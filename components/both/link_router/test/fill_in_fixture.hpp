@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,24 @@ class FillInLinkTest : public LinkRouterTest {
     EXPECT_EQ(stored.size(), 1U);
     return stored.empty() ? tocsin_msgs::msg::StoredTopic() : stored.front();
   }
+  void begin_stored_peer_flow(const std::string& topic = "goal") {
+    Flow stored = flow(topic);
+    stored.stored = true;
+    script_.happen(link_event::PeerFlow{peer_flow, station, peer_flow + 1, stored});
+    run(0);
+  }
+  /// The highest number of a peer's flow that a receipt tells of.
+  [[nodiscard]] std::uint32_t confirmed_of(std::uint32_t wire_id) const {
+    std::uint32_t highest = 0;
+    for (const ScriptedLink::Sent& one : script_.sent) {
+      if (one.flow != script_.opened_for("link_receipt")) continue;
+      const auto& receipt = *static_cast<const Receipt*>(one.sample.content.get());
+      for (std::size_t i = 0; i < receipt.streams().size(); ++i) {
+        if (receipt.streams()[i] == wire_id) highest = std::max(highest, receipt.highest()[i]);
+      }
+    }
+    return highest;
+  }
   /// A batch of the peer.
   void fill_in(std::uint32_t number, const std::vector<std::uint64_t>& sequences,
                const std::string& topic = "goal") {
@@ -98,7 +117,7 @@ class FillInLinkTest : public LinkRouterTest {
     sample.sequence = ++fill_in_number_;
     script_.happen(
         link_event::LinkSample{peer_fill_ins, fill_in_number_, sample, host_->bus.now()});
-    run(0);
+    run(0.2);  // readers have found the topic
   }
   [[nodiscard]] std::vector<std::uint64_t> given() const {
     std::vector<std::uint64_t> sequences;

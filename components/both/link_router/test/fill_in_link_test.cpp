@@ -134,7 +134,9 @@ TEST_F(FillInLinkTest, ABatchWaitsUntilAReaderOfTheHostHearsItsTopic) {
   EXPECT_EQ(told_number(), 0U) << "it is not done with";
   ASSERT_EQ(script_.offered_here.size(), 1U);
   script_.happen(link_event::HostListens{script_.offered_here.begin()->first});
-  run(0);
+  run(0.1);
+  EXPECT_THAT(given(), IsEmpty()) << "other readers may follow";
+  run(0.1);
   EXPECT_THAT(given(), ElementsAre(10, 11, 12));
   EXPECT_EQ(told_number(), 2U);
   fill_in(3, {13});
@@ -146,7 +148,7 @@ TEST_F(FillInLinkTest, ABatchThatNobodyReadsIsGivenAfterFiveSeconds) {
   meet_station();
   begin_peer_flow(fill_in_topic, peer_fill_ins);
   fill_in(1, {10, 11});
-  run(4.9);
+  run(4.7);
   EXPECT_THAT(given(), IsEmpty());
   run(0.2);
   EXPECT_THAT(given(), ElementsAre(10, 11));
@@ -163,12 +165,47 @@ TEST_F(FillInLinkTest, ABatchThatWaitsForReadersGoesWithThePeersLife) {
   EXPECT_THAT(given(), IsEmpty());
 }
 
+TEST_F(FillInLinkTest, ALiveSampleIsConfirmedWhenReadersOfTheHostHaveFoundItsTopic) {
+  script_.host_reads = false;
+  meet_station();
+  begin_stored_peer_flow();
+  hear(1, 10);
+  hear(2, 11);
+  run(1.1);
+  EXPECT_THAT(given(), IsEmpty());
+  EXPECT_EQ(confirmed_of(peer_flow + 1), 0U) << "else it is lost if this router is killed now";
+  script_.happen(link_event::HostListens{peer_flow});
+  run(0.2);
+  hear(3, 12);
+  EXPECT_THAT(given(), ElementsAre(10, 11, 12));
+  run(0.1);
+  EXPECT_EQ(confirmed_of(peer_flow + 1), 3U);
+}
+
+TEST_F(FillInLinkTest, ALiveSampleOfAStoredTopicThatNobodyReadsIsGivenAfterTwoSeconds) {
+  script_.host_reads = false;
+  meet_station();
+  begin_stored_peer_flow();
+  hear(1, 10);
+  run(1.9);
+  EXPECT_THAT(given(), IsEmpty());
+  run(0.2);
+  EXPECT_THAT(given(), ElementsAre(10));
+}
+
+TEST_F(FillInLinkTest, ALiveSampleOfATopicThatIsNotStoredDoesNotWait) {
+  script_.host_reads = false;
+  meet_station();
+  begin_peer_flow("goal");
+  hear(1, 10);
+  EXPECT_THAT(given(), ElementsAre(10));
+}
+
 TEST_F(FillInLinkTest, WhatCrossedLiveIsNotGivenAgain) {
   meet_station();
-  Flow stored = flow("goal");
-  stored.stored = true;
-  script_.happen(link_event::PeerFlow{peer_flow, station, 8, stored});
+  begin_stored_peer_flow();
   begin_peer_flow(fill_in_topic, peer_fill_ins);
+  run(0.2);
   hear(1, 10);
   ASSERT_THAT(given(), ElementsAre(10));
   fill_in(1, {10, 11});

@@ -90,7 +90,10 @@ class ScriptedLinkBus final : public LinkBus {
     script_.sent.push_back({flow, sample});
     return ++numbers_[flow];
   }
-  void offer(FlowId flow) override { script_.offered.push_back(flow); }
+  void offer(FlowId flow) override {
+    script_.offered.push_back(flow);
+    if (script_.host_reads) script_.happen(link_event::HostListens{flow});
+  }
   FlowId offer(const Flow& flow) override {
     script_.offered_here[++last_] = flow;
     if (script_.host_reads) script_.happen(link_event::HostListens{last_});

@@ -207,7 +207,7 @@ void SimLinkBus::on_arrived(PeerId peer, FlowId flow, std::uint64_t number,
   push(link_event::LinkSample{found->second, number, sample, network_.core.now});
 }
 
-void SimLinkBus::offer(FlowId) {}
+void SimLinkBus::offer(FlowId peer_flow) { push(link_event::HostListens{peer_flow}); }
 
 FlowId SimLinkBus::offer(const Flow& flow) {
   const FlowId id = ++last_flow_;

@@ -24,6 +24,7 @@ class ArrivalLog;
 class CallLink;
 class FetchTrigger;
 class FillInLink;
+class HeldArrivals;
 class RouterStore;
 
 /// The one owner of the link on its host. It takes what the traffic file names from the host and
@@ -105,6 +106,7 @@ class LinkRouterComponent final : public Component {
 
   [[nodiscard]] static Incoming::Kind kind_of(const std::string& topic);
   void follow_gate(Time now);
+  void give_held(Time now);
   void send(Time now);
   void answer(Time now);
   void keep_store(Time now);
@@ -133,6 +135,7 @@ class LinkRouterComponent final : public Component {
   std::unique_ptr<ArrivalLog> arrivals_;
   std::unique_ptr<FillInLink> fill_ins_;
   std::unique_ptr<CallLink> calls_;
+  std::unique_ptr<HeldArrivals> held_;
   std::map<FlowId, Outgoing> outgoing_;  ///< by the flow on the host
   std::map<FlowId, Outgoing> own_;       ///< what routers tell each other, by the flow on the link
   std::map<FlowId, Outgoing*> by_link_;  ///< by the flow on the link

@@ -221,11 +221,13 @@ std::optional<std::uint64_t> FastDdsLinkBus::send(FlowId flow, const CarriedSamp
   return found->second.writer->write(sample);
 }
 
-void FastDdsLinkBus::offer(FlowId id, const Flow& flow, FlowWriter::OnReader on_reader) {
+void FastDdsLinkBus::offer(FlowId id, const Flow& flow) {
   const std::string topic = table_.names().on_wire(flow.topic);
+  const auto on_reader = [this, id](const auto& reader) {
+    if (reader != host_.prefix()) table_.push(link_event::HostListens{id});
+  };
   try {
-    giving_[id] =
-        std::make_unique<FlowWriter>(host_, topic, flow.type, offered(flow), std::move(on_reader));
+    giving_[id] = std::make_unique<FlowWriter>(host_, topic, flow.type, offered(flow), on_reader);
   } catch (const EnvironmentError& error) {
     log_.error("{}", error.what());
   }
@@ -233,12 +235,12 @@ void FastDdsLinkBus::offer(FlowId id, const Flow& flow, FlowWriter::OnReader on_
 
 void FastDdsLinkBus::offer(FlowId peer_flow) {
   const auto flow = table_.find(peer_flow);
-  if (flow) offer(peer_flow, *flow, [](const auto&) {});  // else it has left meanwhile
+  if (flow) offer(peer_flow, *flow);  // else it has left meanwhile
 }
 
 FlowId FastDdsLinkBus::offer(const Flow& flow) {
   const FlowId id = table_.fresh_id();
-  offer(id, flow, [this, id](const auto&) { table_.push(link_event::HostListens{id}); });
+  offer(id, flow);
   return id;
 }
 

@@ -58,7 +58,7 @@ class FastDdsLinkBus final : public LinkBus {
   };
   using Readers = std::map<ReaderKey, std::unique_ptr<FlowReader>>;
 
-  void offer(FlowId id, const Flow& flow, FlowWriter::OnReader on_reader);
+  void offer(FlowId id, const Flow& flow);
   [[nodiscard]] ParticipantOptions host_options();
   [[nodiscard]] ParticipantOptions link_options();
   void join_link();

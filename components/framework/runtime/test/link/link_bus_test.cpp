@@ -129,6 +129,19 @@ TEST_F(LinkBusTest, WhatIsNotInTheTrafficFileStaysOnItsHost) {
   for (const Flow& flow : gcs.peer_flows()) EXPECT_NE(flow.topic, "odom");
 }
 
+TEST_F(LinkBusTest, TellsOfEachReaderOfTheHostThatFindsAPeersFlow) {
+  const Relay uxv(options(Role::uxv));
+  Relay gcs(options(Role::gcs));
+  const auto vehicle = process(Role::uxv);
+  const auto writer = vehicle->advertise(endpoint<topic::Location>());
+  ASSERT_TRUE(eventually([&] { return !gcs.peer_flows().empty(); }));
+  EXPECT_THAT(gcs.heard(), ::testing::IsEmpty());
+  const auto station = process(Role::gcs);
+  Samples there;
+  const auto far = station->subscribe(endpoint<topic::Location>(), there);
+  EXPECT_TRUE(eventually([&] { return gcs.heard().size() == 1; }));
+}
+
 TEST_F(LinkBusTest, AFlowThatIsNoPeersIsGivenFromTheBytesOfALog) {
   const auto routed = make_fast_dds_bus(options(Role::gcs));
   const auto link = routed->open_link([] {});

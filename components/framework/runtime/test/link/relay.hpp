@@ -41,6 +41,11 @@ class Relay {
     const std::lock_guard<std::mutex> lock(mutex_);
     return peers_;
   }
+  /// Flows that a reader of this host has found, once for each reader.
+  [[nodiscard]] std::vector<FlowId> heard() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return heard_;
+  }
   [[nodiscard]] int lost_peers() const { return lost_peers_; }
   [[nodiscard]] LinkPackets packets() {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -86,7 +91,10 @@ class Relay {
     gone_.push_back(event.flow);
   }
   void on(LinkBus&, const link_event::PeerListens&) {}
-  void on(LinkBus&, const link_event::HostListens&) {}
+  void on(LinkBus&, const link_event::HostListens& event) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    heard_.push_back(event.flow);
+  }
   void on(LinkBus& bus, const link_event::LinkSample& event) {
     bus.give(event.flow, event.sample);
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -99,6 +107,7 @@ class Relay {
   std::vector<Flow> peer_flows_;
   std::vector<std::string> peers_;
   std::vector<FlowId> gone_;
+  std::vector<FlowId> heard_;
   LinkPackets packets_;
   std::atomic<int> lost_peers_{0};
   std::atomic<bool> stopping_{false};

@@ -81,7 +81,7 @@ struct PeerListens {  ///< a peer's router has begun to read what is sent on a f
   FlowId flow;
   PeerId peer;
 };
-struct HostListens {  ///< a reader of this host hears a flow of `offer(const Flow&)`
+struct HostListens {  ///< a reader of this host hears a flow of `offer`
   FlowId flow;
 };
 struct LinkSample {
@@ -131,10 +131,10 @@ class LinkBus {
   /// the middleware refused it, or the link is not up.
   [[nodiscard]] virtual std::optional<std::uint64_t> send(FlowId flow,
                                                           const CarriedSample& sample) = 0;
-  /// Makes the writer on this host of a peer's flow.
+  /// Makes the writer on this host of a peer's flow. A HostListens tells of each reader of another
+  /// process that hears it from then on.
   virtual void offer(FlowId peer_flow) = 0;
-  /// Makes a writer on this host of a flow that is no peer's, under a number for `give`. A
-  /// HostListens tells of each reader that hears it from then on.
+  /// The same of a flow that is no peer's, under a number for `give`.
   virtual FlowId offer(const Flow& flow) = 0;
   /// Writes there, as from the sample's own writer.
   virtual void give(FlowId flow, const CarriedSample& sample) = 0;
