@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "running.hpp"
 
-#include <charconv>
+#include <cstdint>
+#include <map>
 #include <memory>
 
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
-#include "runtime/middleware/container_client.hpp"
+#include "runtime/middleware/composition_service.hpp"
+#include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/host_graph.hpp"
 #include "runtime/middleware/qos_change.hpp"
+#include "runtime/middleware/service_caller.hpp"
 
 namespace tocsin::qos_tool {
 namespace {
+
+using composition_service::SetQos;
 
 constexpr Duration answer_patience = std::chrono::seconds(5);
 /// Every container tells its state once a second.
@@ -21,45 +26,40 @@ std::string bare(const std::string& topic) {
   return !topic.empty() && topic.front() == '/' ? topic.substr(1) : topic;
 }
 
-/// The containers of a host, and what they are told.
+/// The containers of a host, and what they are asked.
 class Containers {
  public:
-  explicit Containers(Bus& bus) : client_(bus) {
-    for (const auto& one : client_.wait(heard_by, [](const auto&) { return false; })) {
-      names_.push_back(one.first.first);
+  explicit Containers(Bus& bus) {
+    ContainerStates states(bus);
+    for (const auto& one : states.wait(heard_by, [](const auto&) { return false; })) {
+      const std::string& name = one.first.first;
+      services_[name] = std::make_unique<ServiceCaller>(
+          bus, ServiceEndpoint{SetQos::name, &type_info<SetQos::Request>(),
+                               &type_info<SetQos::Response>(), container_node(name)});
     }
   }
   /// The number of ends that each has changed. Throws ConfigError when one refuses.
-  std::vector<int> tell(const std::string& topic, const std::string& ends,
-                        const std::string& settings) {
-    std::vector<int> changed;
-    for (const std::string& name : names_) {
-      ContainerClient::Command command;
-      command.container(name);
-      command.verb("set_qos");
-      command.library(ends);
-      command.name(topic);
-      command.parameters(settings);
-      const auto answer = client_.ask(command, answer_patience);
-      if (!answer.done()) throw ConfigError(name + ": " + answer.text());
-      int count = 0;
-      const std::string& text = answer.text();
-      (void)std::from_chars(text.data(), text.data() + text.size(), count);
-      changed.push_back(count);
+  std::vector<std::uint32_t> tell(const SetQos::Request& request) {
+    std::vector<std::uint32_t> changed;
+    const auto message = std::make_shared<const SetQos::Request>(request);
+    for (const auto& [name, service] : services_) {
+      const auto response =
+          std::static_pointer_cast<const SetQos::Response>(service->call(message, answer_patience));
+      if (!response->success()) throw ConfigError(name + ": " + response->message());
+      changed.push_back(response->ends());
     }
     return changed;
   }
 
  private:
-  ContainerClient client_;
-  std::vector<std::string> names_;
+  std::map<std::string, std::unique_ptr<ServiceCaller>> services_;  ///< by container
 };
 
-void add(Changed& done, std::vector<int>& sums, const std::vector<int>& more) {
+void add(Changed& done, std::vector<int>& sums, const std::vector<std::uint32_t>& more) {
   sums.resize(more.size());
   for (std::size_t i = 0; i < more.size(); ++i) {
-    sums[i] += more[i];
-    done.ends += more[i];
+    sums[i] += static_cast<int>(more[i]);
+    done.ends += static_cast<int>(more[i]);
   }
 }
 
@@ -88,12 +88,16 @@ Changed change_running(const Options& options) {
   (void)changed(announced_profile(writers.empty() ? readers : writers), settings);
   const auto bus = make_fast_dds_bus(joined);
   Containers containers(*bus);
-  const std::string topic = bare(options.one);
-  (void)containers.tell(topic, "none", settings);
+  SetQos::Request request;
+  request.topic(bare(options.one));
+  request.settings(settings);
+  (void)containers.tell(request);  // whether all could
   Changed done;
   std::vector<int> sums;
   for (const std::string& ends : order_of(writers, settings)) {
-    add(done, sums, containers.tell(topic, ends, settings));
+    request.writers(ends == "writers");
+    request.readers(ends == "readers");
+    add(done, sums, containers.tell(request));
   }
   for (const int one : sums) done.containers += one > 0 ? 1 : 0;
   if (done.ends == 0) {

@@ -7,12 +7,15 @@
 #include <fstream>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "foundation/error.hpp"
 #include "ros_idl/std_msgs.hpp"
+#include "runtime/middleware/composition_service.hpp"
+#include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/qos_change.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -24,7 +27,7 @@ inline const Endpoint chatter{{"chatter", "chatter", Scope::host},
                               &type_info<std_msgs::msg::String>()};
 
 /// A process on real DDS that writes or reads `chatter`, and obeys as a container does.
-class Neighbour : private Receiver {
+class Neighbour : private ServerReceiver {
  public:
   struct Wish {
     bool writes = false;
@@ -38,8 +41,9 @@ class Neighbour : private Receiver {
       subscription_ = bus_->subscribe(chatter, nobody_);
     }
     if (!wish.obeys) return;
-    commands_ = bus_->subscribe(
-        {topic::ContainerCommand::info, &type_info<tocsin_msgs::msg::ContainerCommand>()}, *this);
+    server_ = bus_->serve({SetQos::name, &type_info<SetQos::Request>(),
+                           &type_info<SetQos::Response>(), container_node(name)},
+                          *this);
     states_ = bus_->advertise(
         {topic::ContainerState::info, &type_info<tocsin_msgs::msg::ContainerState>()});
     thread_ = std::thread([this] { work(); });
@@ -47,7 +51,7 @@ class Neighbour : private Receiver {
   ~Neighbour() override {
     ended_ = true;
     if (thread_.joinable()) thread_.join();
-    commands_.reset();
+    server_.reset();
   }
   Neighbour(const Neighbour&) = delete;
   Neighbour& operator=(const Neighbour&) = delete;
@@ -65,7 +69,7 @@ class Neighbour : private Receiver {
   }
 
  private:
-  using Command = tocsin_msgs::msg::ContainerCommand;
+  using SetQos = composition_service::SetQos;
   struct Nobody : Receiver {
     void receive(const Sample&) override {}
   };
@@ -79,50 +83,47 @@ class Neighbour : private Receiver {
         << "chatter: " << qos << "\nevent: {depth: 100}\nstate: {durability: transient_local}\n";
     return options;
   }
-  void receive(const Sample& sample) override {
+  void receive(ServiceRequest&& request) override {
     const std::lock_guard<std::mutex> lock(mutex_);
-    waiting_.push_back(std::static_pointer_cast<const Command>(sample.message));
+    waiting_.push_back(std::move(request));
   }
+  void wake() override {}
   /// A listener must not change endpoints.
   void work() {
     while (!ended_) {
-      std::shared_ptr<const Command> command;
+      std::optional<ServiceRequest> request;
       {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (!waiting_.empty()) {
-          command = waiting_.front();
+          request = std::move(waiting_.front());
           waiting_.pop_front();
         }
       }
-      if (command && command->container() == name_) obey(*command);
+      if (request) obey(*request);
+      server_->flush();
       tell();
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
   }
-  void obey(const Command& command) {
-    for (const auto& known : answers_) {
-      if (known.id() == command.id()) return;
-    }
-    tocsin_msgs::msg::ContainerAnswer answer;
-    answer.id(command.id());
-    const std::string& ends = command.library();
+  void obey(const ServiceRequest& asked) {
+    const auto request = std::static_pointer_cast<const SetQos::Request>(asked.message);
+    auto response = std::make_shared<SetQos::Response>();
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      told_.push_back(ends);
+      told_.emplace_back(request->writers() ? "writers" : request->readers() ? "readers" : "none");
     }
     try {
-      answer.text(std::to_string(bus_->change_qos(
-          {command.name(), ends == "writers", ends == "readers", command.parameters()})));
-      answer.done(true);
+      response->ends(static_cast<std::uint32_t>(bus_->change_qos(
+          {request->topic(), request->writers(), request->readers(), request->settings()})));
+      response->success(true);
     } catch (const ConfigError& error) {
-      answer.text(error.what());
+      response->message(error.what());
     }
-    answers_.push_back(answer);
+    server_->reply(asked.id, response);
   }
   void tell() {
     auto state = std::make_shared<tocsin_msgs::msg::ContainerState>();
     state->container(name_);
-    state->answers() = answers_;
     (void)states_->write(state);
   }
 
@@ -132,12 +133,11 @@ class Neighbour : private Receiver {
   std::unique_ptr<Publication> publication_;
   std::unique_ptr<Subscription> subscription_;
   std::mutex mutex_;
-  std::deque<std::shared_ptr<const Command>> waiting_;
+  std::deque<ServiceRequest> waiting_;
   std::vector<std::string> told_;
-  std::vector<tocsin_msgs::msg::ContainerAnswer> answers_;
   std::atomic<bool> ended_{false};
   std::unique_ptr<Publication> states_;
-  std::unique_ptr<Subscription> commands_;
+  std::unique_ptr<ServerEnd> server_;
   std::thread thread_;
 };
 

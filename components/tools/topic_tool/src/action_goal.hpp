@@ -8,7 +8,7 @@
 
 #include "idl_support/type_info.hpp"
 #include "runtime/middleware/goal_table.hpp"
-#include "service_caller.hpp"
+#include "runtime/middleware/service_caller.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {

@@ -15,7 +15,7 @@
 #include "foundation/ros_names.hpp"
 #include "lifecycle_text.hpp"
 #include "runtime/middleware/lifecycle_service.hpp"
-#include "service_caller.hpp"
+#include "runtime/middleware/service_caller.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {

@@ -13,7 +13,7 @@
 #include "foundation/ros_names.hpp"
 #include "param_text.hpp"
 #include "runtime/middleware/parameter_service.hpp"
-#include "service_caller.hpp"
+#include "runtime/middleware/service_caller.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {

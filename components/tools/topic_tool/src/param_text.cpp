@@ -28,59 +28,6 @@ std::string list_text(const List& list, const Text& text) {
 
 bool is_array(const RosValue& value) { return value.type() >= codes::PARAMETER_BYTE_ARRAY; }
 
-/// The narrowest of integer, double, boolean and string that the scalar is.
-ParameterValue scalar_in(const YAML::Node& node) {
-  constexpr const char* quoted_tag = "!";
-  std::int64_t whole = 0;
-  double number = 0;
-  bool truth = false;
-  if (node.Tag() == quoted_tag) return node.Scalar();
-  if (YAML::convert<std::int64_t>::decode(node, whole)) return whole;
-  if (YAML::convert<double>::decode(node, number)) return number;
-  // `y` and `n` are texts, as in Python's YAML.
-  if (node.Scalar().size() > 1 && YAML::convert<bool>::decode(node, truth)) return truth;
-  return node.Scalar();
-}
-
-/// Adds to the array of the type that the first item has.
-void add(RosValue& list, const ParameterValue& item) {
-  if (const auto* text = std::get_if<std::string>(&item)) {
-    list.type(codes::PARAMETER_STRING_ARRAY);
-    list.string_array_value().push_back(*text);
-  } else if (const auto* number = std::get_if<double>(&item)) {
-    list.type(codes::PARAMETER_DOUBLE_ARRAY);
-    list.double_array_value().push_back(*number);
-  } else if (const auto* whole = std::get_if<std::int64_t>(&item)) {
-    list.type(codes::PARAMETER_INTEGER_ARRAY);
-    list.integer_array_value().push_back(*whole);
-  } else if (const auto* truth = std::get_if<bool>(&item)) {
-    list.type(codes::PARAMETER_BOOL_ARRAY);
-    list.bool_array_value().push_back(*truth);
-  }
-}
-
-RosValue list_in(const YAML::Node& node, const std::string& shown) {
-  RosValue list;
-  std::size_t kind = 0;
-  for (const YAML::Node& one : node) {
-    if (!one.IsScalar()) throw ConfigError(shown + ": must be a list of numbers, texts or truths");
-    const ParameterValue item = scalar_in(one);
-    if (list.type() != codes::PARAMETER_NOT_SET && item.index() != kind) {
-      throw ConfigError(shown + ": has elements of several types");
-    }
-    kind = item.index();
-    add(list, item);
-  }
-  if (list.type() == codes::PARAMETER_NOT_SET) list.type(codes::PARAMETER_STRING_ARRAY);
-  return list;
-}
-
-RosValue value_of_node(const YAML::Node& node, const std::string& shown) {
-  if (node.IsSequence()) return list_in(node, shown);
-  if (!node.IsScalar()) throw ConfigError(shown + ": must be a value or a list");
-  return ros_value(scalar_in(node));
-}
-
 /// The value of a key; null when there is none.
 YAML::Node map_of(const YAML::Node& node, const std::string& key) {
   if (!node.IsMap()) return {};
@@ -95,7 +42,7 @@ void collect(const YAML::Node& map, const std::string& prefix, std::vector<Named
     if (entry.second.IsMap()) {
       collect(entry.second, name + ".", values);
     } else {
-      values.emplace_back(name, value_of_node(entry.second, name));
+      values.emplace_back(name, ros_value_of(entry.second, name));
     }
   }
 }
@@ -169,7 +116,7 @@ std::string dump_text(const std::string& node, const std::vector<NamedValue>& va
       out << python_float(value.double_value());
     } else if (value.type() == codes::PARAMETER_STRING) {
       // What would be read as a number or a truth must not become one.
-      const bool plain = std::holds_alternative<std::string>(scalar_in(*yaml));
+      const bool plain = std::holds_alternative<std::string>(scalar_of(*yaml));
       if (!plain) out << YAML::SingleQuoted;
       out << value.string_value();
     } else {
@@ -183,7 +130,7 @@ std::string dump_text(const std::string& node, const std::vector<NamedValue>& va
 RosValue value_in(const std::string& yaml) {
   YamlSources sources;
   const YAML::Node node = sources.parse(yaml, "value");
-  return node.IsNull() ? ros_value(std::string()) : value_of_node(node, "value");
+  return ros_value_of(node, "value");
 }
 
 std::vector<NamedValue> values_in_file(const std::string& file, const std::string& node) {

@@ -9,7 +9,7 @@
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
 #include "message_yaml.hpp"
-#include "service_caller.hpp"
+#include "runtime/middleware/service_caller.hpp"
 #include "service_text.hpp"
 #include "topic_session.hpp"
 

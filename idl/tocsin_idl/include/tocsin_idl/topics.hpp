@@ -234,10 +234,6 @@ struct LogRequest {
 
 // Of every container process.
 
-struct ContainerCommand {
-  using Message = tocsin_msgs::msg::ContainerCommand;
-  static constexpr TopicInfo info{"container_command", "event", Scope::host};
-};
 struct ContainerState {
   using Message = tocsin_msgs::msg::ContainerState;
   static constexpr TopicInfo info{"container_state", "state", Scope::host};
@@ -252,6 +248,6 @@ using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation, CmdVelDocking,
          CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs, MuxSetInputs,
          SafetyEnable, EmergencyStopRequest, EmergencyStopState, MissionCommand, Map, LinkBudget,
-         LogRequest, ContainerCommand, ContainerState>;
+         LogRequest, ContainerState>;
 
 }  // namespace tocsin::topic

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tocsin component types | info | list | load | unload | configure | activate | ...
+// tocsin component types | info | list | load | unload
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -12,16 +12,21 @@
 #include "command_line/host_option.hpp"
 #include "container/settings.hpp"
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/names.hpp"
 #include "foundation/printable.hpp"
+#include "foundation/yaml_sources.hpp"
 #include "runtime/middleware/component_library.hpp"
-#include "runtime/middleware/container_client.hpp"
+#include "runtime/middleware/composition_service.hpp"
+#include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/host_bus.hpp"
+#include "runtime/middleware/ros_parameters.hpp"
+#include "runtime/middleware/service_caller.hpp"
 
 namespace tocsin {
 namespace {
 
-using Known = ContainerClient::Known;
+using Known = ContainerStates::Known;
 
 struct Options {
   HostChoice host;
@@ -53,7 +58,7 @@ int info(const std::string& name) {
   return 0;
 }
 
-void print(const ContainerClient::State& state) {
+void print(const ContainerStates::State& state) {
   fmt::print("/{}/{}  process {}\n", printable(state.host()), printable(state.container()),
              state.pid());
   for (const auto& one : state.components()) {
@@ -66,8 +71,8 @@ void print(const ContainerClient::State& state) {
 /// Every container tells its state once a second.
 int list(const Options& options) {
   const auto bus = open_host_bus(options.host, "tocsin_component");
-  ContainerClient client(*bus);
-  const Known known = client.wait(seconds(1.5), [](const Known&) { return false; });
+  ContainerStates states(*bus);
+  const Known known = states.wait(seconds(1.5), [](const Known&) { return false; });
   if (known.empty()) throw EnvironmentError("no container runs on this host");
   for (const auto& one : known) print(one.second);
   return 0;
@@ -75,53 +80,90 @@ int list(const Options& options) {
 
 /// The one of `paths_of(known)` that `given` means, once it has been heard.
 template <class Paths>
-std::vector<std::string> find(ContainerClient& client, const Options& options,
+std::vector<std::string> find(ContainerStates& states, const Options& options,
                               const std::string& given, const Paths& paths_of, const char* what) {
   const auto heard = [&](const Known& known) {
     const auto paths = paths_of(known);
     return std::any_of(paths.begin(), paths.end(),
                        [&given](const std::string& path) { return means(given, path); });
   };
-  const Known known = client.wait(seconds(options.timeout_s), heard);
+  const Known known = states.wait(seconds(options.timeout_s), heard);
   return words_of_path(resolve_path(given, paths_of(known), what));
 }
 
-/// Who a command is for.
-struct Target {
-  std::string container;
-  std::string instance;
-};
+/// The container that `options` mean.
+std::string find_container(ContainerStates& states, const Options& options) {
+  return find(states, options, options.container, container_paths, "container")[1];
+}
 
-Target find_target(ContainerClient& client, const Options& options) {
-  if (options.container.empty()) {
-    const auto words = find(client, options, options.name, instance_paths, "component");
-    return {words[1], words[2]};
+/// `text` in YAML's words, as the service has it.
+std::vector<rcl_interfaces::msg::Parameter> parameters_in(const std::string& text) {
+  std::vector<rcl_interfaces::msg::Parameter> parameters;
+  YamlSources sources;
+  for (const auto& entry : sources.parse(text, "--set")) {
+    rcl_interfaces::msg::Parameter one;
+    one.name(entry.first.Scalar());
+    one.value(ros_value_of(entry.second, "--set " + printable(one.name())));
+    parameters.push_back(std::move(one));
   }
-  const std::string& given = options.name.empty() ? options.component : options.name;
-  const auto words = find(client, options, options.container, container_paths, "container");
-  const auto instance = words_of_path(given);
-  return {words[1], instance.empty() ? given : instance.back()};
+  return parameters;
+}
+
+/// `/gcs/drive/lamp`, `/lamp` and `lamp` are the instance `lamp`.
+std::string bare(const std::string& instance) {
+  const auto words = words_of_path(instance);
+  return words.empty() ? instance : words.back();
+}
+
+int load(const Options& options, Bus& bus) {
+  ContainerStates states(bus);
+  const std::string node = container_node(find_container(states, options));
+  composition_service::LoadNode::Request request;
+  request.plugin_name(options.component);
+  request.node_name(bare(options.name));
+  request.parameters(parameters_in(settings_text(options.set)));
+  const auto response = call_service<composition_service::LoadNode>(bus, node, std::move(request),
+                                                                    seconds(options.timeout_s));
+  if (!response->success()) throw ConfigError(printable(response->error_message()));
+  fmt::print("Loaded component {} into '/{}' container node as '{}'\n", response->unique_id(), node,
+             printable(response->full_node_name()));
+  return 0;
+}
+
+/// The number of the instance; it may have been given by its number. Throws ConfigError.
+std::uint32_t number_of(const Known& known, const std::string& container,
+                        const std::string& instance) {
+  std::vector<std::string> names;
+  for (const auto& [process, state] : known) {
+    if (process.first != container) continue;
+    for (const auto& one : state.components()) {
+      if (one.name() == instance || std::to_string(one.id()) == instance) return one.id();
+      names.push_back(one.name());
+    }
+  }
+  throw ConfigError(printable(instance) + ": no such component; allowed: [" + joined(names, ", ") +
+                    "]");
+}
+
+int unload(const Options& options, Bus& bus) {
+  ContainerStates states(bus);
+  const std::string container = find_container(states, options);
+  const std::string node = container_node(container);
+  const auto known = states.wait(Duration::zero(), [](const Known&) { return true; });
+  composition_service::UnloadNode::Request request;
+  request.unique_id(number_of(known, container, bare(options.name)));
+  const auto number = request.unique_id();
+  const auto response = call_service<composition_service::UnloadNode>(bus, node, std::move(request),
+                                                                      seconds(options.timeout_s));
+  if (!response->success()) throw ConfigError(printable(response->error_message()));
+  fmt::print("Unloaded component {} from '/{}' container node\n", number, node);
+  return 0;
 }
 
 int ask(const std::string& verb, Options& options) {
-  options.host.adopt_host_of(options.container.empty() ? options.name : options.container);
+  options.host.adopt_host_of(options.container);
   const auto bus = open_host_bus(options.host, "tocsin_component");
-  ContainerClient client(*bus);
-  const Target target = find_target(client, options);
-  ContainerClient::Command command;
-  command.container(target.container);
-  command.verb(verb);
-  command.library(options.component);
-  command.name(target.instance);
-  command.parameters(settings_text(options.set));
-  const auto answer = client.ask(command, seconds(options.timeout_s));
-  if (!answer.done()) throw ConfigError(answer.text());
-  std::string text = answer.text();
-  if (verb == "load" || verb == "unload") {
-    text += (verb == "load" ? " into container " : " from container ") + command.container();
-  }
-  std::printf("%s\n", error_line(text).c_str());
-  return 0;
+  return verb == "load" ? load(options, *bus) : unload(options, *bus);
 }
 
 CLI::App* declare(CLI::App& app, const std::string& verb, const std::string& text,
@@ -141,14 +183,6 @@ void declare_load(CLI::App& app, Options& options) {
   load->add_option("--set", options.set, "parameter: key=value")->expected(1)->take_all();
 }
 
-void declare_changes(CLI::App& app, Options& options) {
-  for (const char* verb : {"configure", "activate", "deactivate", "cleanup", "shutdown"}) {
-    CLI::App* const one = declare(app, verb, "lifecycle transition of a component", options);
-    one->add_option("NAME", options.name, "instance, see list")->required();
-    one->add_option("--container", options.container, "that has it [found by the name]");
-  }
-}
-
 int run(int argc, char** argv) {
   CLI::App app("Components: installed ones, and those of running containers", "tocsin component");
   app.require_subcommand(1);
@@ -161,7 +195,6 @@ int run(int argc, char** argv) {
   CLI::App* const unload = declare(app, "unload", "take a component out of its container", options);
   unload->add_option("CONTAINER", options.container, "see list")->required();
   unload->add_option("NAME", options.name, "instance or its number, see list")->required();
-  declare_changes(app, options);
   return run_command(app, argc, argv, [&] {
     const std::string verb = app.get_subcommands().front()->get_name();
     if (verb == "types") return types();

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "foundation/error.hpp"
 #include "foundation/printable.hpp"
+#include "runtime/middleware/qos_change.hpp"
 #include "runtime/middleware/ros_parameters.hpp"
 
 namespace tocsin {
@@ -48,7 +50,9 @@ CompositionServices::CompositionServices(Component& owner, Instances& instances)
       instances_(instances),
       load_(owner, composition_service::LoadNode::name, owner.node()),
       unload_(owner, composition_service::UnloadNode::name, owner.node()),
-      list_(owner, composition_service::ListNodes::name, owner.node()) {}
+      list_(owner, composition_service::ListNodes::name, owner.node()),
+      set_qos_(owner, composition_service::SetQos::name, owner.node()),
+      log_(owner.name(), owner.node()) {}
 
 const Instance* CompositionServices::find(const std::string& name) const {
   const auto& all = instances_.all();
@@ -79,23 +83,43 @@ composition_service::LoadNode::Response CompositionServices::loaded(
 }
 
 bool CompositionServices::answer(const Load& load) {
+  const bool loaded = answer_load(load);
+  const bool unloaded = answer_unload();
+  const bool set = answer_set_qos();
+  answer_list();
+  return loaded || unloaded || set;
+}
+
+bool CompositionServices::answer_load(const Load& load) {
   bool changed = false;
   while (const auto call = load_.take()) {
-    load_.reply(call->id, loaded(*call->request, load));
+    auto response = loaded(*call->request, load);
+    if (!response.success()) log_.warn("load: {}", response.error_message());
+    load_.reply(call->id, std::move(response));
     changed = true;
   }
+  return changed;
+}
+
+bool CompositionServices::answer_unload() {
+  bool changed = false;
   while (const auto call = unload_.take()) {
     const std::string id = std::to_string(call->request->unique_id());
     const bool known = call->request->unique_id() <= UINT32_MAX &&
                        instances_.has(static_cast<std::uint32_t>(call->request->unique_id()));
     const Outcome outcome =
         known ? instances_.unload(id) : Outcome{false, "No node found with unique_id: " + id};
+    if (!outcome.done) log_.warn("unload: {}", outcome.text);
     composition_service::UnloadNode::Response response;
     response.success(outcome.done);
     if (!outcome.done) response.error_message(outcome.text);
     unload_.reply(call->id, std::move(response));
     changed = true;
   }
+  return changed;
+}
+
+void CompositionServices::answer_list() {
   while (const auto call = list_.take()) {
     composition_service::ListNodes::Response response;
     for (const Instance& one : instances_.all()) {
@@ -103,6 +127,24 @@ bool CompositionServices::answer(const Load& load) {
       response.unique_ids().push_back(one.id);
     }
     list_.reply(call->id, std::move(response));
+  }
+}
+
+bool CompositionServices::answer_set_qos() {
+  bool changed = false;
+  while (const auto call = set_qos_.take()) {
+    const auto& request = *call->request;
+    composition_service::SetQos::Response response;
+    try {
+      response.ends(static_cast<std::uint32_t>(owner_.bus().change_qos(
+          {request.topic(), request.writers(), request.readers(), request.settings()})));
+      response.success(true);
+    } catch (const ConfigError& error) {
+      response.message(error.what());
+      log_.warn("set_qos: {}", error.what());
+    }
+    set_qos_.reply(call->id, std::move(response));
+    changed = true;
   }
   return changed;
 }

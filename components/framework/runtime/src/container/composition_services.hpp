@@ -26,8 +26,8 @@ struct LoadReading {
 [[nodiscard]] LoadReading read_load(const composition_service::LoadNode::Request& request,
                                     const std::string& ros_namespace);
 
-/// Puts components into this process and takes them out, for who asks from outside. One thread,
-/// that of its owner.
+/// Puts components into this process, takes them out and changes the QoS of its topics, for who
+/// asks from outside. One thread, that of its owner.
 class CompositionServices {
  public:
   using Load = std::function<Outcome(const LoadOrder& order)>;
@@ -37,6 +37,10 @@ class CompositionServices {
   bool answer(const Load& load);
 
  private:
+  bool answer_load(const Load& load);
+  bool answer_unload();
+  void answer_list();
+  bool answer_set_qos();
   [[nodiscard]] composition_service::LoadNode::Response loaded(
       const composition_service::LoadNode::Request& request, const Load& load) const;
   [[nodiscard]] const Instance* find(const std::string& name) const;
@@ -46,6 +50,8 @@ class CompositionServices {
   Server<composition_service::LoadNode> load_;
   Server<composition_service::UnloadNode> unload_;
   Server<composition_service::ListNodes> list_;
+  Server<composition_service::SetQos> set_qos_;
+  Logger log_;
 };
 
 }  // namespace tocsin

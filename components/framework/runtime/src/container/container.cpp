@@ -10,6 +10,7 @@
 #include "foundation/error.hpp"
 #include "foundation/free_space.hpp"
 #include "runtime/middleware/component_library.hpp"
+#include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "watch/resident_memory.hpp"
 
@@ -53,7 +54,7 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
                    .with_run_dir(deployment.run_dir)
                    .with_request_exit(std::move(request_exit))
                    .with_seed(process_seed(deployment.seed, host.name, container.name))
-                   .with_node(container.name + "_container")),
+                   .with_node(container_node(container.name))),
       watch_(watch_limits(container.health), tell_and_end) {
   const auto notice_failure = [this] { control_->schedule().input_arrived(); };
   threads_ = std::make_unique<RunnerThreads>(*bus_, container.shared_thread, container.name,

@@ -3,17 +3,11 @@
 
 #include <algorithm>
 
-#include "foundation/error.hpp"
-#include "runtime/middleware/qos_change.hpp"
-
 namespace tocsin {
 namespace {
 
-using Command = tocsin_msgs::msg::ContainerCommand;
-
 constexpr Duration neighbour_silence = std::chrono::seconds(3);
 constexpr Duration settling = std::chrono::seconds(10);  // allocations of the start are no leak
-constexpr std::size_t kept_answers = 8;
 constexpr Duration between_drop_lines = std::chrono::minutes(1);  // a flood must not fill the log
 
 }  // namespace
@@ -34,11 +28,6 @@ ControlComponent::~ControlComponent() { bus().watch_callers({}); }
 void ControlComponent::tick(Time now) {
   bool changed = instances_.settle_failures();
   while (const auto state = neighbours_.take()) note_neighbour(*state, now);
-  while (const auto command = command_.take()) {
-    if (!command->container().empty() && command->container() != process_.container) continue;
-    obey(*command);
-    changed = true;
-  }
   if (started_ == Time{}) started_ = now;
   if (now >= next_report_) {
     next_report_ = next_instant(seconds(limits_.period_s), now);
@@ -54,48 +43,10 @@ void ControlComponent::tick(Time now) {
   wake_at(next_report_);
 }
 
-void ControlComponent::obey(const Command& command) {
-  const auto is_it = [&](const auto& answer) { return answer.id() == command.id(); };
-  if (std::any_of(answers_.begin(), answers_.end(), is_it)) return;  // a repetition
-  const Outcome outcome = carry_out(command);
-  if (!outcome.done) log().warn("{}: {}", command.verb(), outcome.text);
-  tocsin_msgs::msg::ContainerAnswer answer;
-  answer.id(command.id());
-  answer.done(outcome.done);
-  answer.text(outcome.text);
-  answers_.push_back(std::move(answer));
-  if (answers_.size() > kept_answers) answers_.pop_front();
-}
-
 Outcome ControlComponent::load(const LoadOrder& order) {
   const std::string twin = twin_of(order.name);
   if (twin.empty()) return instances_.load(order.library, order.name, order.parameters);
   return {false, order.name + ": two nodes of one name; the name is taken in container " + twin};
-}
-
-Outcome ControlComponent::carry_out(const Command& command) {
-  const std::string& verb = command.verb();
-  if (verb == "report") return {true, ""};
-  if (verb == "unload") return instances_.unload(command.name());
-  if (verb == "load") return load({command.library(), command.name(), command.parameters()});
-  if (verb == "set_qos") return set_qos(command);
-  const auto transition = to_transition(verb);
-  if (!transition) return {false, "'" + verb + "' is not a command"};
-  return instances_.change(command.name(), *transition);
-}
-
-Outcome ControlComponent::set_qos(const Command& command) {
-  QosChange change;
-  change.topic = command.name();
-  const std::string& ends = command.library();
-  change.writers = ends.empty() || ends == "writers";
-  change.readers = ends.empty() || ends == "readers";
-  change.settings = command.parameters();
-  try {
-    return {true, std::to_string(bus().change_qos(change))};
-  } catch (const ConfigError& error) {
-    return {false, error.what()};
-  }
 }
 
 void ControlComponent::note_neighbour(const tocsin_msgs::msg::ContainerState& state, Time now) {
@@ -130,7 +81,6 @@ void ControlComponent::publish_state(Time now) {
     one.error(instance.error);
     message.components().push_back(std::move(one));
   }
-  message.answers().assign(answers_.begin(), answers_.end());
   if (state_.write(std::move(message)) == Status::failed) log().warn("its state was not sent");
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -27,8 +26,8 @@ struct ProcessName {
   deployment::ParameterServices parameter_services = deployment::ParameterServices::on_demand;
 };
 
-/// Runs in every container, on a thread of its own: carries out commands on the instances, and
-/// tells their states, health and log. A command that waits for a blocked component delays only
+/// Runs in every container, on a thread of its own: answers the services of its nodes, and tells
+/// the instances' states, health and log. A request that waits for a blocked component delays only
 /// this.
 class ControlComponent final : public Component {
  public:
@@ -52,12 +51,8 @@ class ControlComponent final : public Component {
     Time at;
     std::vector<std::string> names;
   };
-  void obey(const tocsin_msgs::msg::ContainerCommand& command);
   /// Refuses a name that another container has.
   Outcome load(const LoadOrder& order);
-  Outcome carry_out(const tocsin_msgs::msg::ContainerCommand& command);
-  /// The answer's text is the number of ends that were changed.
-  Outcome set_qos(const tocsin_msgs::msg::ContainerCommand& command);
   void note_neighbour(const tocsin_msgs::msg::ContainerState& state, Time now);
   /// The other container that has an instance of this name; empty when there is none.
   [[nodiscard]] std::string twin_of(const std::string& name) const;
@@ -68,7 +63,6 @@ class ControlComponent final : public Component {
   void add_dropped(Time now, diagnostic_msgs::msg::DiagnosticArray& array);
   void add_process(Time now, diagnostic_msgs::msg::DiagnosticArray& array);
 
-  Input<topic::ContainerCommand> command_{*this};
   Input<topic::ContainerState> neighbours_{*this};
   Output<topic::ContainerState> state_{*this};
   Output<topic::Diagnostics> diagnostics_{*this};
@@ -79,7 +73,6 @@ class ControlComponent final : public Component {
   std::map<Other, Heard> heard_;
   std::map<std::uint32_t, InstanceSums> before_;
   std::map<std::string, EndpointHealth> endpoints_before_;
-  std::deque<tocsin_msgs::msg::ContainerAnswer> answers_;
   rtps_filter::DropAccount dropped_before_;
   ServedNodes served_;
   Time next_drop_line_{};

@@ -34,9 +34,9 @@ bool calls_services_of(const std::string& node, const std::vector<std::string>& 
 }
 
 bool calls_composition_of(const std::string& node, const std::vector<std::string>& called) {
-  static const std::array<std::string, 3> names{composition_service::LoadNode::name,
-                                                composition_service::UnloadNode::name,
-                                                composition_service::ListNodes::name};
+  static const std::array<std::string, 4> names{
+      composition_service::LoadNode::name, composition_service::UnloadNode::name,
+      composition_service::ListNodes::name, composition_service::SetQos::name};
   return calls_one_of(names, node, called);
 }
 

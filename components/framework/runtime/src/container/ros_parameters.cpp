@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "foundation/error.hpp"
 #include "foundation/joined.hpp"
 
 namespace tocsin {
@@ -83,6 +84,39 @@ bool is_wanted(const std::string& name,
   return prefixes.empty() ? fits("") : std::any_of(prefixes.begin(), prefixes.end(), fits);
 }
 
+/// Adds to the array of the type that the first item has.
+void add(RosValue& list, const ParameterValue& item) {
+  if (const auto* text = std::get_if<std::string>(&item)) {
+    list.type(type::PARAMETER_STRING_ARRAY);
+    list.string_array_value().push_back(*text);
+  } else if (const auto* number = std::get_if<double>(&item)) {
+    list.type(type::PARAMETER_DOUBLE_ARRAY);
+    list.double_array_value().push_back(*number);
+  } else if (const auto* whole = std::get_if<std::int64_t>(&item)) {
+    list.type(type::PARAMETER_INTEGER_ARRAY);
+    list.integer_array_value().push_back(*whole);
+  } else if (const auto* truth = std::get_if<bool>(&item)) {
+    list.type(type::PARAMETER_BOOL_ARRAY);
+    list.bool_array_value().push_back(*truth);
+  }
+}
+
+RosValue list_in(const YAML::Node& node, const std::string& shown) {
+  RosValue list;
+  std::size_t kind = 0;
+  for (const YAML::Node& one : node) {
+    if (!one.IsScalar()) throw ConfigError(shown + ": must be a list of numbers, texts or truths");
+    const ParameterValue item = scalar_of(one);
+    if (list.type() != type::PARAMETER_NOT_SET && item.index() != kind) {
+      throw ConfigError(shown + ": has elements of several types");
+    }
+    kind = item.index();
+    add(list, item);
+  }
+  if (list.type() == type::PARAMETER_NOT_SET) list.type(type::PARAMETER_STRING_ARRAY);
+  return list;
+}
+
 }  // namespace
 
 RosValue ros_value(const ParameterValue& value) {
@@ -110,6 +144,26 @@ std::optional<YAML::Node> yaml_of(const RosValue& value) {
     default:
       return std::nullopt;
   }
+}
+
+ParameterValue scalar_of(const YAML::Node& node) {
+  constexpr const char* quoted_tag = "!";
+  std::int64_t whole = 0;
+  double number = 0;
+  bool truth = false;
+  if (node.Tag() == quoted_tag) return node.Scalar();
+  if (YAML::convert<std::int64_t>::decode(node, whole)) return whole;
+  if (YAML::convert<double>::decode(node, number)) return number;
+  // `y` and `n` are texts, as in Python's YAML.
+  if (node.Scalar().size() > 1 && YAML::convert<bool>::decode(node, truth)) return truth;
+  return node.Scalar();
+}
+
+RosValue ros_value_of(const YAML::Node& node, const std::string& shown) {
+  if (node.IsNull()) return ros_value(std::string());
+  if (node.IsSequence()) return list_in(node, shown);
+  if (!node.IsScalar()) throw ConfigError(shown + ": must be a value or a list");
+  return ros_value(scalar_of(node));
 }
 
 const char* type_word(std::uint8_t code) {

@@ -20,8 +20,10 @@
 #include "fast_dds/bus_fixture.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
-#include "runtime/middleware/container_client.hpp"
+#include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/host_bus.hpp"
+#include "runtime/middleware/lifecycle_service.hpp"
+#include "runtime/middleware/service_caller.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -110,10 +112,10 @@ class ContainerTest : public ::testing::Test {
     return make_fast_dds_bus(options);
   }
   /// The state of the component in the process, once it is `wanted`; else the last one.
-  static std::string wait_for(ContainerClient& client, pid_t process, const std::string& name,
+  static std::string wait_for(ContainerStates& client, pid_t process, const std::string& name,
                               const std::string& wanted) {
     std::string state = "unknown";
-    (void)client.wait(patience, [&](const ContainerClient::Known& known) {
+    (void)client.wait(patience, [&](const ContainerStates::Known& known) {
       for (const auto& [key, one] : known) {
         if (key.second != process) continue;
         for (const auto& component : one.components()) {
@@ -124,6 +126,12 @@ class ContainerTest : public ::testing::Test {
     });
     return state;
   }
+  static bool is_deactivated(Bus& bus, const std::string& node) {
+    using Service = lifecycle_service::ChangeState;
+    Service::Request request;
+    request.transition().label("deactivate");
+    return call_service<Service>(bus, node, request, patience)->success();
+  }
   const int domain_ = domain();
   const TemporaryFolder folder_;
 };
@@ -131,7 +139,7 @@ class ContainerTest : public ::testing::Test {
 TEST_F(ContainerTest, RunsOneComponentUntilItIsToldToEnd) {
   Process sut(lamp_command());
   const auto bus = make_bus();
-  ContainerClient client(*bus);
+  ContainerStates client(*bus);
   EXPECT_EQ(wait_for(client, sut.pid(), "link_lamp", "active"), "active");
   EXPECT_EQ(sut.end(SIGTERM), 0);
 }
@@ -158,25 +166,25 @@ TEST_F(ContainerTest, AnUnknownComponentOrParameterIsOneLineAndExitCode2) {
   }
 }
 
-TEST_F(ContainerTest, AContainerOfAResolvedFileRunsAndObeysCommands) {
+TEST_F(ContainerTest, AContainerOfAResolvedFileRunsAndDoesWhatItIsAsked) {
   const auto deployment = deployment_with(domain_, folder_.path());
   write_resolved(deployment, deployment.file);
   Process sut({bin + "tocsin-container", deployment.file, "gcs", "drive"});
   const auto bus = make_bus();
-  ContainerClient client(*bus);
+  ContainerStates client(*bus);
   ASSERT_EQ(wait_for(client, sut.pid(), "link_lamp", "active"), "active");
   const std::string at = " --timeout 8 --run-dir " + folder_.path();
   EXPECT_THAT(run("tocsin-component list" + at).text, HasSubstr("/link_lamp  link_lamp  active"));
   const Outcome loaded = run("tocsin-component load drive link_lamp --name second" + at);
-  EXPECT_EQ(loaded.text, "Loaded component 2 as 'second' into container drive\n");
+  EXPECT_EQ(loaded.text,
+            "Loaded component 2 into '/drive_container' container node as '/second'\n");
   EXPECT_EQ(wait_for(client, sut.pid(), "second", "active"), "active");
   const Outcome twice = run("tocsin-component load drive link_lamp --name second" + at);
   EXPECT_EQ(twice.code, 2);
   EXPECT_THAT(twice.text, HasSubstr("second: two nodes of one name; the name is taken"));
-  EXPECT_EQ(run("tocsin-component deactivate second" + at).code, 0);
-  EXPECT_EQ(wait_for(client, sut.pid(), "second", "inactive"), "inactive");
+  EXPECT_TRUE(is_deactivated(*bus, "second"));
   EXPECT_EQ(run("tocsin-component unload drive second" + at).text,
-            "Unloaded component 2 from container drive\n");
+            "Unloaded component 2 from '/drive_container' container node\n");
   EXPECT_EQ(sut.end(SIGINT), 0);
 }
 
@@ -188,22 +196,17 @@ TEST_F(ContainerTest, NamesThatListPrintsAreAccepted) {
   const std::string listed = run("tocsin-component list --host /gcs" + at).text;
   EXPECT_THAT(listed, HasSubstr("/gcs/drive  process"));
   EXPECT_THAT(listed, HasSubstr("  1  /link_lamp  link_lamp  active"));
-  EXPECT_EQ(run("tocsin-component deactivate /link_lamp" + at).code, 0);
-  EXPECT_EQ(run("tocsin-component activate drive/link_lamp" + at).code, 0) << "as top prints it";
-  EXPECT_EQ(run("tocsin-component deactivate /gcs/drive/link_lamp" + at).code, 0);
-  EXPECT_EQ(run("tocsin-component activate /link_lamp --container /gcs/drive" + at).code, 0);
   EXPECT_EQ(run("tocsin-component load /gcs/drive link_lamp --name /second" + at).text,
-            "Loaded component 2 as 'second' into container drive\n");
+            "Loaded component 2 into '/drive_container' container node as '/second'\n");
   EXPECT_EQ(run("tocsin-component unload gcs/drive /second" + at).text,
-            "Unloaded component 2 from container drive\n");
+            "Unloaded component 2 from '/drive_container' container node\n");
   const std::string soon = " --timeout 1.5 --run-dir " + folder_.path();
   const Outcome container = run("tocsin-component load /uxv/drive link_lamp" + soon);
   EXPECT_EQ(container.code, 2);
   EXPECT_THAT(container.text, HasSubstr("/uxv/drive: no such container; allowed: [gcs/drive]"));
-  const Outcome component = run("tocsin-component activate /lamp" + soon);
+  const Outcome component = run("tocsin-component unload drive /lamp" + soon);
   EXPECT_EQ(component.code, 2);
-  EXPECT_THAT(component.text,
-              HasSubstr("/lamp: no such component; allowed: [gcs/drive/link_lamp]"));
+  EXPECT_THAT(component.text, HasSubstr("lamp: no such component; allowed: [link_lamp]"));
   EXPECT_EQ(sut.end(SIGINT), 0);
 }
 
@@ -212,7 +215,7 @@ TEST_F(ContainerTest, FifteenComponentsAreActiveAndHeardSoonAfterExec) {
   const auto deployment = deployment_with(domain_, folder_.path(), 15);
   write_resolved(deployment, deployment.file);
   const auto bus = make_bus();
-  ContainerClient client(*bus);
+  ContainerStates client(*bus);
   const auto begin = std::chrono::steady_clock::now();
   Process sut({bin + "tocsin-container", deployment.file, "gcs", "drive"});
   EXPECT_EQ(wait_for(client, sut.pid(), "link_lamp", "active"), "active");
@@ -261,7 +264,7 @@ TEST_F(ContainerTest, TheBusOfARunIsThatOfItsHost) {
   choice.run_dir = folder_.path();
   ASSERT_TRUE(eventually([&] { return is_running(deployment.run_dir); }));
   const auto bus = open_host_bus(choice, "test");
-  ContainerClient client(*bus);
+  ContainerStates client(*bus);
   EXPECT_EQ(wait_for(client, sut.pid(), "link_lamp", "active"), "active");
   choice.host = "moon";
   EXPECT_THROW((void)open_host_bus(choice, "test"), ConfigError);
@@ -277,7 +280,7 @@ TEST_F(ContainerTest, StartsAndIsFoundThoughItsRunFolderIsGone) {
   HostChoice choice;
   choice.run_dir = folder_.path("run");
   const auto bus = open_host_bus(choice, "test");
-  ContainerClient client(*bus);
+  ContainerStates client(*bus);
   EXPECT_EQ(wait_for(client, sut.pid(), "link_lamp", "active"), "active");
 }
 

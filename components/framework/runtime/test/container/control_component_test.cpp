@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "container/node_asker.hpp"
 #include "foundation/error.hpp"
 #include "runtime/sim_bus.hpp"
 
@@ -12,7 +13,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using Command = tocsin_msgs::msg::ContainerCommand;
 using State = tocsin_msgs::msg::ContainerState;
 
 class Idle : public Component {
@@ -41,19 +41,18 @@ class NoTicker : public Ticker {
 class ControlTest : public ::testing::Test {
  protected:
   ControlTest() { bus_.add(sut_); }
-  Command command(const std::string& verb, const std::string& name) {
-    Command message;
-    message.id(next_id_++);
-    message.container("drive");
-    message.verb(verb);
-    message.library("idle");
-    message.name(name);
-    return message;
-  }
-  State ask(const Command& message) {
+  composition_service::LoadNode::Response load(const std::string& name,
+                                               const std::string& plugin = "idle") {
+    Asker<composition_service::LoadNode> asker(bus_, "drive_container");
+    composition_service::LoadNode::Request request;
+    request.plugin_name(plugin);
+    request.node_name(name);
     (void)states_.take();
-    bus_.publish<topic::ContainerCommand>(message);
-    bus_.run_for(Duration::zero());
+    const auto response = asker.ask(request);
+    EXPECT_TRUE(response);
+    return response ? *response : composition_service::LoadNode::Response();
+  }
+  State state() {
     const auto taken = states_.take();
     return taken.empty() ? State{} : taken.back();
   }
@@ -73,12 +72,12 @@ class ControlTest : public ::testing::Test {
     return taken.empty() ? diagnostic_msgs::msg::DiagnosticArray{} : taken.back();
   }
 
-  std::uint64_t next_id_ = 7;
   SimBus bus_;
   SimReader<topic::ContainerState> states_{bus_};
   SimReader<topic::Diagnostics> reports_{bus_};
   NoTicker ticker_;
-  Context context_ = Context(bus_, "control", Role::uxv).with_run_dir("/runs/7");
+  Context context_ =
+      Context(bus_, "control", Role::uxv).with_node("drive_container").with_run_dir("/runs/7");
   Instances instances_{context_, ticker_, entry_of};
   std::uint64_t resident_ = 20U << 20U;
   std::optional<std::uint64_t> free_ = std::uint64_t{1} << 40U;
@@ -93,14 +92,12 @@ class ControlTest : public ::testing::Test {
                          [this] { return dropped_; }}};
 };
 
-TEST_F(ControlTest, LoadsAndAnswersWithTheNewState) {
-  const State state = ask(command("load", "a"));
-  ASSERT_EQ(state.answers().size(), 1U);
-  EXPECT_EQ(state.answers()[0].id(), 7U);
-  EXPECT_TRUE(state.answers()[0].done());
-  ASSERT_EQ(state.components().size(), 1U);
-  EXPECT_EQ(state.components()[0].state(), "active");
-  EXPECT_EQ(state.host(), "uxv");
+TEST_F(ControlTest, LoadsAndTellsItsNewState) {
+  EXPECT_TRUE(load("a").success());
+  const State told = state();
+  ASSERT_EQ(told.components().size(), 1U);
+  EXPECT_EQ(told.components()[0].state(), "active");
+  EXPECT_EQ(told.host(), "uxv");
 }
 
 TEST_F(ControlTest, TellsOfDroppedPacketsOnceThereAreSome) {
@@ -119,59 +116,35 @@ TEST_F(ControlTest, TellsOfDroppedPacketsOnceThereAreSome) {
 }
 
 TEST_F(ControlTest, AnswersWithTheReasonOfARefusal) {
-  Command unknown = command("load", "a");
-  unknown.library("idel");
-  EXPECT_THAT(ask(unknown).answers()[0].text(), HasSubstr("component 'idel': no library"));
-  EXPECT_FALSE(ask(command("dance", "a")).answers()[1].done());
-}
-
-TEST_F(ControlTest, ObeysARepeatedCommandOnce) {
-  const Command load = command("load", "a");
-  (void)ask(load);
-  const State state = ask(load);
-  EXPECT_EQ(state.answers().size(), 1U);
-  EXPECT_EQ(state.components().size(), 1U);
+  EXPECT_THAT(load("a", "idel").error_message(), HasSubstr("component 'idel': no library"));
 }
 
 TEST_F(ControlTest, AQosChangeIsTheBusesAndAnswersWithTheNumberOfEnds) {
-  Command change = command("set_qos", "odom");
-  change.library("");
-  change.parameters("{deadline_s: 0.5}");
-  const State state = ask(change);
-  ASSERT_EQ(state.answers().size(), 1U);
-  EXPECT_TRUE(state.answers()[0].done());
-  EXPECT_EQ(state.answers()[0].text(), "0") << "the bus of a simulation has no ends";
-}
-
-TEST_F(ControlTest, LeavesTheCommandsOfOthersAlone) {
-  Command other = command("load", "a");
-  other.container("payload");
-  EXPECT_TRUE(ask(other).answers().empty());
-}
-
-TEST_F(ControlTest, WalksThroughTheLifecycle) {
-  (void)ask(command("load", "a"));
-  EXPECT_EQ(ask(command("deactivate", "a")).components()[0].state(), "inactive");
-  EXPECT_EQ(ask(command("cleanup", "a")).components()[0].state(), "unconfigured");
-  EXPECT_EQ(ask(command("configure", "a")).components()[0].state(), "inactive");
-  EXPECT_EQ(ask(command("activate", "a")).components()[0].state(), "active");
-  EXPECT_EQ(ask(command("shutdown", "a")).components()[0].state(), "finalized");
+  Asker<composition_service::SetQos> asker(bus_, "drive_container");
+  composition_service::SetQos::Request request;
+  request.topic("odom");
+  request.writers(true);
+  request.settings("{deadline_s: 0.5}");
+  const auto response = asker.ask(request);
+  ASSERT_TRUE(response);
+  EXPECT_TRUE(response->success()) << response->message();
+  EXPECT_EQ(response->ends(), 0U) << "the bus of a simulation has no ends";
 }
 
 TEST_F(ControlTest, RefusesANameThatANeighbourHas) {
   hear_neighbour("payload", "a");
-  EXPECT_THAT(ask(command("load", "a")).answers()[0].text(),
+  EXPECT_THAT(load("a").error_message(),
               HasSubstr("two nodes of one name; the name is taken in container payload"));
 }
 
 TEST_F(ControlTest, ANeighbourThatFellSilentHoldsNoName) {
   hear_neighbour("payload", "a");
   bus_.run_for(seconds(5));
-  EXPECT_TRUE(ask(command("load", "a")).answers()[0].done());
+  EXPECT_TRUE(load("a").success());
 }
 
 TEST_F(ControlTest, ReportsTwoNodesOfOneName) {
-  (void)ask(command("load", "a"));
+  EXPECT_TRUE(load("a").success());
   hear_neighbour("payload", "a");
   EXPECT_THAT(next_report().status()[1].message(), HasSubstr("also in container payload"));
 }
@@ -182,15 +155,15 @@ TEST_F(ControlTest, ReportsTwoContainersOfOneName) {
 }
 
 TEST_F(ControlTest, ReportsAComponentThatThrew) {
-  (void)ask(command("load", "a"));
+  EXPECT_TRUE(load("a").success());
   ticker_.last->fail("broken");
   const auto report = next_report();
   EXPECT_EQ(report.status()[1].message(), "threw: broken");
-  EXPECT_EQ(ask(command("report", "")).components()[0].error(), "broken");
+  EXPECT_EQ(state().components()[0].error(), "broken");
 }
 
 TEST_F(ControlTest, ReportsEachInstanceAndTheProcessOnceAPeriod) {
-  (void)ask(command("load", "a"));
+  EXPECT_TRUE(load("a").success());
   (void)reports_.take();
   bus_.run_for(seconds(3.5));  // the first comes at its phase
   const auto reports = reports_.take();

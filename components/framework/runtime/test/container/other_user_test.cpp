@@ -8,7 +8,10 @@
 #include "fast_dds/udp_sockets.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
-#include "runtime/middleware/container_client.hpp"
+#include "runtime/middleware/composition_service.hpp"
+#include "runtime/middleware/container_states.hpp"
+#include "runtime/middleware/lifecycle_service.hpp"
+#include "runtime/middleware/service_caller.hpp"
 
 namespace tocsin {
 namespace {
@@ -20,15 +23,11 @@ const std::string config = TOCSIN_REPOSITORY "/config/";
 /// What somebody reaches of the container `drive`; each with all that stands before it.
 enum Reached : int { nothing, its_state, a_load, a_stop };
 
-bool is_obeyed(ContainerClient& client, const std::string& verb, const std::string& name,
-               Duration time) {
-  ContainerClient::Command command;
-  command.container("drive");
-  command.verb(verb);
-  command.library("link_lamp");
-  command.name(name);
+template <class Service>
+bool is_done(Bus& bus, const std::string& node, const typename Service::Request& request,
+             Duration time) {
   try {
-    return client.ask(command, time).done();
+    return call_service<Service>(bus, node, request, time)->success();
   } catch (const EnvironmentError&) {  // no answer
     return false;
   }
@@ -42,11 +41,17 @@ int reach(Duration time) {
   options.traffic_file = config + "traffic.yaml";
   options.host_domain = domain;
   const auto bus = make_fast_dds_bus(options);
-  ContainerClient client(*bus);
+  ContainerStates client(*bus);
   const auto known =
-      client.wait(time, [](const ContainerClient::Known& all) { return !all.empty(); });
-  const bool loaded = is_obeyed(client, "load", "planted", time);
-  if (is_obeyed(client, "deactivate", "drive", time)) return a_stop;
+      client.wait(time, [](const ContainerStates::Known& all) { return !all.empty(); });
+  composition_service::LoadNode::Request load;
+  load.plugin_name("link_lamp");
+  load.node_name("planted");
+  const bool loaded =
+      is_done<composition_service::LoadNode>(*bus, container_node("drive"), load, time);
+  lifecycle_service::ChangeState::Request stop;
+  stop.transition().label("deactivate");
+  if (is_done<lifecycle_service::ChangeState>(*bus, "drive", stop, time)) return a_stop;
   if (loaded) return a_load;
   return known.empty() ? nothing : its_state;
 }

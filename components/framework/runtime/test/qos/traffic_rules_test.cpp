@@ -210,7 +210,7 @@ TEST(TrafficRules, OfAGatewayInternalsOfTheStackStayOnTheirHost) {
   const TrafficRules sut(config + "/traffic_gateway.yaml", Role::uxv);
   EXPECT_EQ(sut.of("camera/image_raw/compressed").traffic_class, TrafficClass::low);
   EXPECT_EQ(sut.of("robot1/odom").traffic_class, TrafficClass::high);
-  for (const char* const topic : {"rosout", "parameter_events", "container_command"}) {
+  for (const char* const topic : {"rosout", "parameter_events", "container_state"}) {
     EXPECT_EQ(sut.find(topic), nullptr) << topic;
   }
 }

@@ -211,7 +211,6 @@ export interface ContainerState {
     readonly state: string;
     readonly error: string;
   }[];
-  readonly answers: readonly { readonly id: bigint; readonly done: boolean; readonly text: string }[];
 }
 
 export interface DiagnosticArray {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "ros_idl/composition_interfaces.hpp"
+#include "tocsin_idl/tocsin_msgs.hpp"
 
 namespace tocsin {
 
-/// Names and types of the three services by which ROS 2 puts nodes into a running container.
+/// Names and types of the three services by which ROS 2 puts nodes into a running container, and of
+/// the one by which we change its QoS: ROS 2 has none for that.
 namespace composition_service {
 struct LoadNode {
   using Request = composition_interfaces::srv::LoadNode_Request;
@@ -21,6 +23,11 @@ struct ListNodes {
   using Request = composition_interfaces::srv::ListNodes_Request;
   using Response = composition_interfaces::srv::ListNodes_Response;
   static constexpr const char* name = "~/_container/list_nodes";
+};
+struct SetQos {
+  using Request = tocsin_msgs::srv::SetQos_Request;
+  using Response = tocsin_msgs::srv::SetQos_Response;
+  static constexpr const char* name = "~/_container/set_qos";
 };
 }  // namespace composition_service
 

@@ -21,6 +21,13 @@ using RosValue = rcl_interfaces::msg::ParameterValue;
 /// of ours has (bytes).
 [[nodiscard]] std::optional<YAML::Node> yaml_of(const RosValue& value);
 
+/// The narrowest of integer, double, boolean and string that a scalar is; `y` and `n` are texts.
+[[nodiscard]] ParameterValue scalar_of(const YAML::Node& node);
+/// A value by YAML's rules: `1` is an integer, `1.0` a double, `[a, b]` an array of strings,
+/// nothing an empty string. Throws ConfigError, which begins with `shown`, for a map and for a list
+/// of several types.
+[[nodiscard]] RosValue ros_value_of(const YAML::Node& node, const std::string& shown);
+
 /// "double", "string array": the code of a type in ROS 2's words.
 [[nodiscard]] const char* type_word(std::uint8_t type);
 /// Why a parameter with this value cannot take the other one's type; empty: it can.

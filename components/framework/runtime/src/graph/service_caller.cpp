@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "service_caller.hpp"
+#include "runtime/middleware/service_caller.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -7,10 +7,13 @@
 #include "command_line/stop_signal.hpp"
 #include "foundation/error.hpp"
 
-namespace tocsin::topic_tool {
+namespace tocsin {
 
 ServiceCaller::ServiceCaller(HostGraph& graph, const ServiceEndpoint& endpoint)
     : name_(service_name(endpoint)), end_(graph.call(endpoint, *this)) {}
+
+ServiceCaller::ServiceCaller(Bus& bus, const ServiceEndpoint& endpoint)
+    : name_(service_name(endpoint)), end_(bus.call(endpoint, *this)) {}
 
 void ServiceCaller::receive(ServiceReply&& reply) {
   {
@@ -54,4 +57,4 @@ std::shared_ptr<const void> ServiceCaller::call(const std::shared_ptr<const void
   return reply(*number);
 }
 
-}  // namespace tocsin::topic_tool
+}  // namespace tocsin

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "service_caller.hpp"
+#include "runtime/middleware/service_caller.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "foundation/error.hpp"
 #include "ros_idl/std_srvs.hpp"
 
-namespace tocsin::topic_tool {
+namespace tocsin {
 namespace {
 
 using ::testing::HasSubstr;
@@ -71,8 +71,8 @@ class ToyGraph final : public HostGraph {
 };
 
 struct SetLamp {
-  using Request = topic_tool::Request;
-  using Response = topic_tool::Response;
+  using Request = std_srvs::srv::SetBool_Request;
+  using Response = std_srvs::srv::SetBool_Response;
   static constexpr const char* name = "~/set";
 };
 
@@ -115,4 +115,4 @@ TEST(ServiceCallerTest, KnowsAtOnceThatAServerIsThere) {
 }
 
 }  // namespace
-}  // namespace tocsin::topic_tool
+}  // namespace tocsin

@@ -15,36 +15,35 @@
 
 namespace tocsin {
 
-/// Hears the containers of a host and sends them commands: the other end of ControlComponent.
+/// Hears what the containers of a host say of themselves: the other end of ControlComponent. What
+/// is asked of them goes by the services of composition_service.hpp and lifecycle_service.hpp.
 /// Waits in real time, so it is for programs of the user, not for components.
-class ContainerClient : private Receiver {
+class ContainerStates : private Receiver {
  public:
   using State = tocsin_msgs::msg::ContainerState;
-  using Command = tocsin_msgs::msg::ContainerCommand;
-  using Answer = tocsin_msgs::msg::ContainerAnswer;
   /// By container name and process id.
   using Known = std::map<std::pair<std::string, int>, State>;
 
-  explicit ContainerClient(Bus& bus);
+  explicit ContainerStates(Bus& bus);
 
   /// What is known when `enough` says so, or after `patience`.
   Known wait(Duration patience, const std::function<bool(const Known&)>& enough);
-  /// Sends the command under a new id until it is answered. Throws EnvironmentError when no answer
-  /// came within `patience`.
-  Answer ask(Command command, Duration patience);
 
  private:
   void receive(const Sample& sample) override;
   std::mutex mutex_;
   std::condition_variable heard_;
   Known known_;
-  std::unique_ptr<Publication> commands_;
   std::unique_ptr<Subscription> states_;
 };
 
-/// "host/container" of all that were heard, and "host/container/instance" of all that they run;
-/// each once. Names of users are looked up among them (foundation/names.hpp).
-[[nodiscard]] std::vector<std::string> container_paths(const ContainerClient::Known& known);
-[[nodiscard]] std::vector<std::string> instance_paths(const ContainerClient::Known& known);
+/// Name of the node of a container, which has its services.
+[[nodiscard]] inline std::string container_node(const std::string& container) {
+  return container + "_container";
+}
+
+/// "host/container" of all that were heard, each once. Names of users are looked up among them
+/// (foundation/names.hpp).
+[[nodiscard]] std::vector<std::string> container_paths(const ContainerStates::Known& known);
 
 }  // namespace tocsin

@@ -11,14 +11,17 @@
 #include <utility>
 
 #include "foundation/time.hpp"
+#include "runtime/bus.hpp"
 #include "runtime/middleware/host_graph.hpp"
 
-namespace tocsin::topic_tool {
+namespace tocsin {
 
-/// A service of a host as a command of a person calls it: waits for the answer.
+/// A service of a host as a command of a person calls it: waits for the answer, in real time, so it
+/// is not for components.
 class ServiceCaller : private ClientReceiver {
  public:
   ServiceCaller(HostGraph& graph, const ServiceEndpoint& endpoint);
+  ServiceCaller(Bus& bus, const ServiceEndpoint& endpoint);
 
   /// Whether somebody serves it, at once or within `patience`.
   [[nodiscard]] bool wait_for_server(Duration patience);
@@ -49,18 +52,17 @@ class ServiceCaller : private ClientReceiver {
   std::unique_ptr<ClientEnd> end_;                               // last: destroyed first
 };
 
-/// Calls a service whose types are known here, of `node` ("/uxv/talker") when its name begins
-/// with ~.
-template <class Service>
-std::shared_ptr<const typename Service::Response> call_service(HostGraph& graph,
-                                                               const std::string& node,
+/// Calls a service whose types are known here, of `node` when its name begins with ~: "/uxv/talker"
+/// of a graph, "talker" in the namespace of a bus.
+template <class Service, class Host>
+std::shared_ptr<const typename Service::Response> call_service(Host& host, const std::string& node,
                                                                typename Service::Request request,
                                                                Duration patience) {
   using Request = typename Service::Request;
   using Response = typename Service::Response;
-  ServiceCaller caller(graph, {Service::name, &type_info<Request>(), &type_info<Response>(), node});
+  ServiceCaller caller(host, {Service::name, &type_info<Request>(), &type_info<Response>(), node});
   return std::static_pointer_cast<const Response>(
       caller.call(std::make_shared<const Request>(std::move(request)), patience));
 }
 
-}  // namespace tocsin::topic_tool
+}  // namespace tocsin
