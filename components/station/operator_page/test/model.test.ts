@@ -333,9 +333,9 @@ describe("Station", () => {
     sut.onMessage("transmission_state", make.transmission({ active: false, reason: "cusum_alarm" }), 2000);
     sut.onMessage("transmission_state", make.transmission({ active: false, reason: "steady" }), 3000);
     assert.equal(sut.uxv.pausedBecause, "cusum_alarm");
-    assert.deepEqual(sut.journal.entries.map(({ text }) => text), ["vehicle pauses: cusum_alarm"]);
+    assert.deepEqual(sut.journal.entries.map(({ text }) => text), ["vehicle pauses: quality has fallen"]);
     sut.onMessage("transmission_state", make.transmission({ reason: "best_so_far" }), 4000);
-    assert.equal(sut.journal.entries[0]?.text, "vehicle sends all again: best_so_far");
+    assert.equal(sut.journal.entries[0]?.text, "vehicle sends all again: quality is the best of the pause");
   });
   it("tells by their bits what hinders the vehicle", () => {
     assert.deepEqual(hindrances(make.safety()), []);
@@ -380,7 +380,7 @@ describe("Alert", () => {
     station.onMessage("transmission_state", make.transmission({ active: false, reason: "cusum_alarm", deadline_s: 20 }), 1000);
     const alert = alertOf(open, station, 3000);
     assert.equal(alert?.severity, "warning");
-    assert.match(alert?.text ?? "", /cusum_alarm, at most 18 s more/);
+    assert.match(alert?.text ?? "", /\(quality has fallen, at most 18 s more\)/);
   });
   it("tells a stop before a pause", () => {
     const station = heard(1000);

@@ -2,6 +2,7 @@
 import type { ConnectionState } from "../protocol/connection.ts";
 import { ageText } from "./freshness.ts";
 import type { Severity } from "./journal.ts";
+import { reasonText } from "./reasons.ts";
 import { type Station, hindrances } from "./station.ts";
 
 /** What the operator must know before all else: one line, not a stack of them. */
@@ -35,8 +36,11 @@ function pausedAlert(station: Station, now: number): Alert | undefined {
   if (told === undefined || told.value.active) return undefined;
   const left = resumesInS(told.value.deadline_s, now - told.at);
   const until = left === undefined ? "" : `, at most ${left.toFixed(0)} s more`;
-  const text = `The link is poor: camera and other topics of class low wait (${station.uxv.pausedBecause ?? told.value.reason}${until}).`;
-  return { severity: "warning", text };
+  const because = reasonText(station.uxv.pausedBecause ?? told.value.reason);
+  return {
+    severity: "warning",
+    text: `The link is poor: camera and other topics of class low wait (${because}${until}).`,
+  };
 }
 
 /** Time to the forced resume [s]; undefined when there is none. */

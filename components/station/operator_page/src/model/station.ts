@@ -30,6 +30,7 @@ import {
   type Waypoint,
   roleOf,
 } from "./messages.ts";
+import { reasonText } from "./reasons.ts";
 import { Route } from "./route.ts";
 import { DecisionSeries } from "./series.ts";
 import { SourceClock, stampMs } from "./source_clock.ts";
@@ -189,10 +190,10 @@ export class Station {
     side.pausedBecause = message.active ? undefined : message.reason;
     const name = message.role === "uxv" ? "vehicle" : "station";
     if (!message.active) {
-      const text = `${name} pauses: ${message.reason}`;
+      const text = `${name} pauses: ${reasonText(message.reason)}`;
       this.journal.add({ at, severity: "warning", source: "link", text });
     } else if (wasActive === false) {
-      const text = `${name} sends all again: ${message.reason}`;
+      const text = `${name} sends all again: ${reasonText(message.reason)}`;
       this.journal.add({ at, severity: "info", source: "link", text });
     }
   }

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+
+/** Why a side pauses or sends again, in an operator's words: of the reasons that policies give (decision/policy.hpp). */
+const words: Readonly<Record<string, string>> = {
+  threshold_low: "quality is below its bound",
+  threshold_high: "quality is above its bound",
+  mild_alarm: "quality has been lower for long",
+  cusum_alarm: "quality has fallen",
+  focus_alarm: "quality has fallen",
+  roberts_alarm: "quality has fallen",
+  reverse_alarm: "quality has risen",
+  best_so_far: "quality is the best of the pause",
+  belief_bad: "the link is probably bad",
+  belief_good: "the link is probably good again",
+  fixed_pause_over: "the pause is over",
+  forced_resume_samples: "a pause lasts no longer",
+  forced_resume_time: "a pause lasts no longer",
+};
+
+/** The policy's own word where there is no better one. */
+export const reasonText = (reason: string): string => words[reason] ?? reason;
