@@ -21,6 +21,8 @@ class FetchTrigger {
   /// When an event began that was not told yet: a sample that fulfils the rule, so long after the
   /// last one that did as the rule says.
   [[nodiscard]] std::optional<Time> take();
+  /// An event of an earlier life goes on: it was told.
+  void resume(Time now) { last_ = now; }
 
  private:
   const FetchRule rule_;

@@ -7,12 +7,14 @@
 #include "fill_in_messages.hpp"
 #include "foundation/enum_words.hpp"
 #include "router_messages.hpp"
+#include "rule_requests.hpp"
 
 namespace tocsin {
 namespace {
 
 /// What somebody wants stands for so long after it was said last: over short outages.
 constexpr Duration lease = std::chrono::seconds(30);
+constexpr Duration rules_stand_for = std::chrono::hours(24);  ///< after the end of what they want
 
 /// A topic in the log has the name that other tools show.
 std::string name_in_log(const std::string& topic) { return "/" + topic; }
@@ -63,14 +65,25 @@ void FillInLink::request(const router::HistoryRange& range, Time now) {
   if (logs(range.topic)) requests_.on_request(range, now + lease);
 }
 
-bool FillInLink::request_by_rule(const router::HistoryRange& range, Time now) {
-  return requests_.on_request(range, now + std::chrono::hours(24));
+bool FillInLink::request(const router::RuleRequest& request, Time now, std::int64_t wall_ns) {
+  return requests_.on_request(request,
+                              now + Duration(request.range.to_ns - wall_ns) + rules_stand_for);
+}
+
+void FillInLink::resume_requests(Time now, std::int64_t wall_ns) {
+  for (const router::RuleRequest& one : rule_requests_in(std::exchange(earlier_requests_, ""))) {
+    const bool is_over = Duration(wall_ns - one.range.to_ns) > rules_stand_for;
+    if (is_over || !logs(one.range.topic)) continue;
+    (void)request(one, now, wall_ns);
+    if (one.range.to_ns > wall_ns) resumed_.insert(one.rule);
+  }
 }
 
 void FillInLink::follow_history(Time now, std::int64_t wall_ns) {
   while (auto answer = parts_.history.take()) {
     std::visit([this](auto& what) { on_history(what); }, *answer);
   }
+  resume_requests(now, wall_ns);
   std::vector<sample_log::SampleId> unwanted = requests_.expire(now);
   for (const sample_log::SampleId& id : unwanted) sender_.withdraw(id);
   parts_.history.forget(std::move(unwanted));
@@ -78,9 +91,15 @@ void FillInLink::follow_history(Time now, std::int64_t wall_ns) {
     parts_.history.find(range.id, {name_in_log(range.topic), at_least_zero(range.from_ns),
                                    at_least_zero(range.to_ns)});
   }
+  if (!knows_requests_) return;
+  if (const auto requests = requests_.take_rule_requests()) {
+    parts_.history.keep_requests(to_text(*requests));
+  }
 }
 
 void FillInLink::on_history(store_answer::Opened& answer) {
+  knows_requests_ = true;
+  earlier_requests_ = std::move(answer.requests);
   for (const sample_log::LoggedStream& stream : answer.streams) {
     if (!logs(flow_of(stream).topic)) continue;  // it was, in an earlier life
     const std::uint64_t key = sample_log::stream_key(stream.name);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "arrival_log.hpp"
@@ -60,9 +61,13 @@ class FillInLink {
   void request(const router::HistoryRange& range, Time now);
   /// The peer that batches go to, whose wishes count.
   [[nodiscard]] bool fills(PeerId peer) const { return session_ && session_->life == peer; }
-  /// A wish of the configuration's, which stands for a day, until its end is past and all of it has
-  /// crossed. False: too many stand.
-  [[nodiscard]] bool request_by_rule(const router::HistoryRange& range, Time now);
+  /// Whether the requests of rules of earlier lives are known; before, none is to be made.
+  [[nodiscard]] bool knows_requests() const { return knows_requests_; }
+  /// Rules of which an earlier life has made a request whose end is still to come; once.
+  [[nodiscard]] std::set<std::string> take_resumed_rules() { return std::exchange(resumed_, {}); }
+  /// A wish of the configuration's, which stands until all of it has crossed, or for a day after
+  /// its end, over the lives of this router. `wall_ns` of `now`. False: too many stand.
+  [[nodiscard]] bool request(const router::RuleRequest& request, Time now, std::int64_t wall_ns);
   /// Whether the traffic file logs anything of this host.
   [[nodiscard]] bool logs() const;
   [[nodiscard]] bool logs(const std::string& topic) const;
@@ -115,6 +120,7 @@ class FillInLink {
   void on(store_answer::Problem& answer);
   void follow_fates();
   void follow_history(Time now, std::int64_t wall_ns);
+  void resume_requests(Time now, std::int64_t wall_ns);
   void on_history(store_answer::Opened& answer);
   void on_history(store_answer::Read& answer);
   void on_history(store_answer::Retired& answer);
@@ -152,6 +158,9 @@ class FillInLink {
   std::map<FlowId, std::uint64_t> logged_live_;  ///< those that cross live, by flow on the link
   std::set<std::uint64_t> logged_streams_;       ///< also those that earlier lives have logged
   router::HistoryRequests requests_;
+  std::string earlier_requests_;  ///< until they are resumed
+  bool knows_requests_ = false;
+  std::set<std::string> resumed_;
   std::vector<sample_log::LoggedSpan> contents_;
 
   router::FillInReceiver receiver_;

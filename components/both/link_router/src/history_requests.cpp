@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace tocsin::router {
 namespace {
@@ -39,6 +40,11 @@ std::vector<HistoryRange> StandingRequests::take_for(const std::string& peer, Ti
 }
 
 bool HistoryRequests::on_request(const HistoryRange& range, Time until) {
+  return on_request(RuleRequest{range, ""}, until);
+}
+
+bool HistoryRequests::on_request(const RuleRequest& wanted, Time until) {
+  const HistoryRange& range = wanted.range;
   if (requests_.count(range.id) == 0 && requests_.size() >= most_requests) {
     const auto done = std::find_if(requests_.begin(), requests_.end(), [](const auto& entry) {
       return entry.second.progress.state == HistoryState::done;
@@ -51,6 +57,8 @@ bool HistoryRequests::on_request(const HistoryRange& range, Time until) {
   request.until = std::max(request.until, until);
   if (!is_new) return true;
   request.range = range;
+  request.rule = wanted.rule;
+  rules_changed_ = rules_changed_ || !request.rule.empty();
   request.next_ns = range.from_ns;
   request.progress.id = range.id;
   request.progress.topic = range.topic;
@@ -87,6 +95,18 @@ void HistoryRequests::update(Request& request) {
   } else {
     request.progress.state = request.has_more ? HistoryState::searching : HistoryState::done;
   }
+  const bool is_done = request.progress.state == HistoryState::done;
+  rules_changed_ = rules_changed_ || (is_done && !request.rule.empty());
+}
+
+std::optional<std::vector<RuleRequest>> HistoryRequests::take_rule_requests() {
+  if (!std::exchange(rules_changed_, false)) return std::nullopt;
+  std::vector<RuleRequest> all;
+  for (const auto& [id, request] : requests_) {
+    const bool is_done = request.progress.state == HistoryState::done;
+    if (!request.rule.empty() && !is_done) all.push_back({request.range, request.rule});
+  }
+  return all;
 }
 
 void HistoryRequests::settle(const std::vector<SampleId>& ids,
@@ -122,6 +142,7 @@ std::vector<HistoryRequests::SampleId> HistoryRequests::expire(Time now) {
       continue;
     }
     left.insert(it->second.missing.begin(), it->second.missing.end());
+    rules_changed_ = rules_changed_ || !it->second.rule.empty();
     it = requests_.erase(it);
   }
   std::vector<SampleId> unwanted;

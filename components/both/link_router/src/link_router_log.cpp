@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a LinkRouterComponent does for its logs now and then, and what this host wants of logs.
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "arrival_log.hpp"
 #include "fetch_trigger.hpp"
@@ -25,7 +27,10 @@ void LinkRouterComponent::take_requests(Time now) {
     standing_.on_request(*range, now);
     fill_ins_->request(*range, now);
   }
+  if (!fill_ins_->knows_requests()) return;
+  const std::set<std::string> resumed = fill_ins_->take_resumed_rules();
   for (const auto& trigger : triggers_) {
+    if (resumed.count(trigger->rule().name) != 0) trigger->resume(now);
     if (const auto event = trigger->take()) fetch_around(*trigger, *event, now);
   }
 }
@@ -41,7 +46,7 @@ void LinkRouterComponent::fetch_around(const FetchTrigger& trigger, Time event, 
     const std::uint64_t id = hash_of(rule.name + " " + topic + " " + std::to_string(event_ns));
     const router::HistoryRange range{id, topic, event_ns - seconds(rule.before_s).count(),
                                      event_ns + seconds(rule.after_s).count()};
-    if (!fill_ins_->request_by_rule(range, now)) {
+    if (!fill_ins_->request({range, rule.name}, now, bus().wall_ns(now))) {
       log().warn("{}: too much is being fetched; {} around this event is left out", rule.name,
                  topic);
     }

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "router_store.hpp"
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/read_file.hpp"
+#include "foundation/replace_file.hpp"
 
 namespace tocsin {
 namespace {
 
 /// Entries that wait for a disk that does not answer; beyond them none is taken.
 constexpr std::size_t most_waiting = 4096;
+constexpr std::size_t longest_requests = 1'000'000;  // [byte]
 
 }  // namespace
 
@@ -35,11 +40,22 @@ void RouterStore::open_files(Time now, std::int64_t wall_ns) {
     opened.waiting = files_.log->waiting();
     for (const auto& entry : files_.log->streams()) opened.streams.push_back(entry.second);
     opened.given = files_.given->done();
+    opened.requests = read_requests();
   } catch (const ConfigError& error) {
     answer(store_answer::Problem{std::string(error.what()) + "; nothing is stored"});
   }
   answer(std::move(opened));
   tell_problems();
+}
+
+std::string RouterStore::read_requests() {
+  try {
+    if (!std::filesystem::exists(requests_file())) return "";
+    return read_file(requests_file(), longest_requests);
+  } catch (const ConfigError& error) {
+    answer(store_answer::Problem{error.what()});
+    return "";
+  }
 }
 
 void RouterStore::add(sample_log::LoggedStream stream) {
@@ -96,6 +112,14 @@ void RouterStore::forget(std::vector<sample_log::SampleId> ids) {
   if (ids.empty()) return;
   post([this, ids = std::move(ids)] {
     if (files_.log) files_.log->forget(ids);
+  });
+}
+
+void RouterStore::keep_requests(std::string text) {
+  post([this, text = std::move(text)] {
+    if (!files_.folder) return;
+    const std::error_code error = replace_file(requests_file(), text);
+    if (error) answer(store_answer::Problem{requests_file() + ": " + error.message()});
   });
 }
 

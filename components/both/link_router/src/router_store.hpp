@@ -25,6 +25,7 @@ struct Opened {  ///< first of all: what earlier lives left
   std::vector<sample_log::SampleId> waiting;
   std::vector<sample_log::LoggedStream> streams;
   sample_log::SampleSet given;
+  std::string requests;  ///< that keep_requests kept
 };
 struct Appended {
   std::vector<std::pair<sample_log::SampleId, sample_log::Logged>> logged;
@@ -84,6 +85,8 @@ class RouterStore {
   void find(std::uint64_t search, sample_log::LogQuery query);
   /// Of a history: what was found is not wanted any more.
   void forget(std::vector<sample_log::SampleId> ids);
+  /// Replaces what is kept of requests for the next life.
+  void keep_requests(std::string text);
   /// The host was given these. A token is answered when that is safe.
   void note_given(std::vector<sample_log::SampleId> ids, std::optional<std::uint64_t> token);
   /// To be called now and then: what is too old goes, and power cuts take nothing older.
@@ -100,6 +103,8 @@ class RouterStore {
   };
   void open_files(Time now, std::int64_t wall_ns);
   void append_now(const sample_log::LogEntry& entry, Time now, std::int64_t wall_ns);
+  [[nodiscard]] std::string read_requests();
+  [[nodiscard]] std::string requests_file() const { return place_.folder + "/requests"; }
   void tell_problems();
   void post(std::function<void()> work) {
     if (background_) background_->post(std::move(work));

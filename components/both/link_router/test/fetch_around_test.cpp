@@ -10,7 +10,15 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-using FetchAroundTest = HistoryLinkTest;
+class FetchAroundTest : public HistoryLinkTest {
+ protected:
+  /// After a kill, and a meeting with the station.
+  void next_life(double fetch_around_stop_s) {
+    start(fetch_around_stop_s);
+    meet_station();
+    (void)begin("odom");
+  }
+};
 
 TEST_F(FetchAroundTest, WhatIsAroundAnEmergencyStopCrossesByItself) {
   start(2);
@@ -35,6 +43,57 @@ TEST_F(FetchAroundTest, WhatIsAroundAnEmergencyStopCrossesByItself) {
   host_->bus.publish<topic::EmergencyStop>(stop);
   run(5);
   EXPECT_THAT(sent(), ElementsAre(2, 3)) << "nothing follows from its end";
+}
+
+TEST_F(FetchAroundTest, WhatIsWantedOutlivesTheRouterAndCrossesOnce) {
+  // Large ones, so that they take several batches.
+  start(4);
+  meet_station();
+  (void)begin("odom");
+  run(10);
+  std_msgs::msg::Bool stop;
+  stop.data(true);
+  host_->bus.publish<topic::EmergencyStop>(stop);
+  for (std::uint64_t sequence = 1; sequence <= 20; ++sequence) write(sequence, host_flow, 900);
+  next_life(4);
+  host_->bus.publish<topic::EmergencyStop>(stop);
+  run(20);  // its clock begins with it
+  ASSERT_GE(sent().size(), 5U) << "the event before the kill";
+  const std::uint64_t confirmed = batches().at(1)->samples().back().sequence_number();
+  ask({}, 1, 2);
+  run(1);
+  next_life(4);
+  run(20);
+  ASSERT_FALSE(sent().empty());
+  EXPECT_EQ(sent().front(), confirmed + 1) << "what was confirmed does not cross again";
+  receipts_ = 0;
+  for (std::uint32_t number = 1; number <= 20; ++number) {
+    ask({}, 1, number);
+    run(1);
+  }
+  EXPECT_EQ(sent().back(), 20U);
+  EXPECT_EQ(state().fetches().at(0).state(), "done");
+  next_life(4);
+  run(20);
+  EXPECT_THAT(sent(), IsEmpty());
+  EXPECT_THAT(state().fetches(), IsEmpty()) << "what is done is not looked for again";
+}
+
+TEST_F(FetchAroundTest, AStopThatGoesOnOverARestartIsOneEvent) {
+  start(8);
+  meet_station();
+  (void)begin("odom");
+  run(2);
+  std_msgs::msg::Bool stop;
+  stop.data(true);
+  host_->bus.publish<topic::EmergencyStop>(stop);
+  run(1);
+  next_life(8);
+  for (int i = 0; i < 20; ++i) {
+    host_->bus.publish<topic::EmergencyStop>(stop);
+    run(0.2);
+  }
+  EXPECT_EQ(state().fetches().size(), 1U);
 }
 
 TEST_F(FetchAroundTest, ARuleOfTheTrafficFileFetchesItsTopicsAroundWhatItNames) {

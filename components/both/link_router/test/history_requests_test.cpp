@@ -137,6 +137,34 @@ TEST_F(HistoryRequestsTest, OneThatIsDoneMakesRoom) {
   EXPECT_TRUE(sut_.on_request(range(65), t0)) << "it is there";
 }
 
+TEST_F(HistoryRequestsTest, ThoseOfRulesAreToldWhenTheyChangeUntilTheyAreDone) {
+  EXPECT_FALSE(sut_.take_rule_requests());
+  sut_.on_request(range(1), t0);
+  EXPECT_FALSE(sut_.take_rule_requests()) << "somebody's";
+  sut_.on_request(RuleRequest{range(2), "stop"}, t0 + s);
+  sut_.on_request(RuleRequest{range(3), "stop"}, t0 + 2 * s);
+  const auto two = sut_.take_rule_requests();
+  ASSERT_TRUE(two);
+  ASSERT_THAT(*two, SizeIs(2));
+  EXPECT_EQ((*two)[0].range.id, 2U);
+  EXPECT_EQ((*two)[0].rule, "stop");
+  EXPECT_FALSE(sut_.take_rule_requests());
+  sut_.on_request(RuleRequest{range(2), "stop"}, t0 + s);
+  EXPECT_FALSE(sut_.take_rule_requests()) << "it stands";
+  (void)sut_.take_searches(30 * second_ns);
+  sut_.on_found(3, {id(1)}, std::nullopt);
+  EXPECT_FALSE(sut_.take_rule_requests()) << "not all of it is given";
+  sut_.on_given({id(1)});
+  const auto one = sut_.take_rule_requests();
+  ASSERT_TRUE(one);
+  ASSERT_THAT(*one, SizeIs(1));
+  EXPECT_EQ((*one)[0].range.id, 2U);
+  (void)sut_.expire(t0 + 2 * s);
+  const auto none = sut_.take_rule_requests();
+  ASSERT_TRUE(none);
+  EXPECT_THAT(*none, IsEmpty());
+}
+
 TEST_F(HistoryRequestsTest, AreSixtyFourAtMost) {
   for (std::uint64_t i = 1; i <= 70; ++i) sut_.on_request(range(i), t0);
   EXPECT_THAT(sut_.progress(), SizeIs(64));

@@ -189,6 +189,28 @@ TEST_F(RouterStoreTest, AHistoryTellsWhatItHasAndFindsIt) {
   EXPECT_TRUE(told && found);
 }
 
+TEST_F(RouterStoreTest, RequestsAreThereForTheNextLife) {
+  start(folder_.path("store"), sample_log::LogUse::history);
+  sut_->keep_requests("7 1 2 stop odom\n");
+  sut_->keep_requests("8 1 2 stop odom\n");
+  disk_.work();
+  EXPECT_THAT(take<store_answer::Problem>(), ::testing::IsEmpty());
+  sut_.reset();
+  start(folder_.path("store"), sample_log::LogUse::history);
+  disk_.work();
+  EXPECT_EQ(take<store_answer::Opened>().at(0).requests, "8 1 2 stop odom\n");
+}
+
+TEST_F(RouterStoreTest, RequestsThatCannotBeKeptAreAProblem) {
+  std::filesystem::create_directories(folder_.path("store/requests/full"));
+  start(folder_.path("store"), sample_log::LogUse::history);
+  sut_->keep_requests("7 1 2 stop odom\n");
+  disk_.work();
+  std::string told;
+  for (const auto& problem : take<store_answer::Problem>()) told += problem.text + "\n";
+  EXPECT_THAT(told, HasSubstr("store/requests: "));
+}
+
 TEST_F(RouterStoreTest, WhatIsTooOldIsTold) {
   start(folder_.path("store"));
   append(1);

@@ -22,6 +22,12 @@ struct HistoryRange {
   std::int64_t to_ns = 0;
 };
 
+/// One that a rule of the configuration has made. It outlives the router.
+struct RuleRequest {
+  HistoryRange range;
+  std::string rule;  ///< its name
+};
+
 /// Requests of this host for logs of others. Each stands as long as somebody repeats it. Pure.
 class StandingRequests {
  public:
@@ -62,6 +68,10 @@ class HistoryRequests {
   /// Stands until `until`, or longer when it is said again. Of 64 one that is done makes room;
   /// false when none is.
   bool on_request(const HistoryRange& range, Time until);
+  /// The same by a rule.
+  bool on_request(const RuleRequest& request, Time until);
+  /// Those of rules that are not done, when they are others than at the last call.
+  [[nodiscard]] std::optional<std::vector<RuleRequest>> take_rule_requests();
   /// What is to be looked for in the log, once each: ranges whose end is past.
   [[nodiscard]] std::vector<HistoryRange> take_searches(std::int64_t wall_ns);
   /// What the log has of it, all of which is to be sent; `next_ns`: from where there is more.
@@ -78,6 +88,7 @@ class HistoryRequests {
  private:
   struct Request {
     HistoryRange range;
+    std::string rule;  ///< that made it, if any
     Time until{};
     std::int64_t next_ns = 0;  ///< where to look on
     bool is_asked = false;     ///< the log is looking
@@ -87,9 +98,10 @@ class HistoryRequests {
   };
   void settle(const std::vector<SampleId>& ids, std::uint64_t HistoryProgress::*count);
   [[nodiscard]] bool is_wanted(const SampleId& id) const;
-  static void update(Request& request);
+  void update(Request& request);
 
   std::map<std::uint64_t, Request> requests_;
+  bool rules_changed_ = false;
 };
 
 }  // namespace tocsin::router
