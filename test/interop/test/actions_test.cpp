@@ -173,6 +173,40 @@ class CycloneResults : public CycloneService<headed_GetResultResponse, headed_Ge
                        result_reply.topic, result_reply.type.c_str()) {}
 };
 
+class CycloneCancels : public CycloneService<headed_CancelGoalResponse, headed_CancelGoalRequest> {
+ public:
+  explicit CycloneCancels(int domain)
+      : CycloneService(domain, headed_CancelGoalRequest_desc, cancel_request.topic,
+                       cancel_request.type.c_str(), headed_CancelGoalResponse_desc,
+                       cancel_reply.topic, cancel_reply.type.c_str()) {}
+};
+
+TEST_F(OurServer, CancelsAGoalOfRmwCyclonedds) {
+  FastClient goals(domain_, goal_request, goal_reply);
+  ASSERT_TRUE(eventually([&] { return goals.is_connected(); }));
+  ASSERT_EQ(answer(goals, joined({id, {100, 0, 0, 0}}))[4], 1);
+  CycloneCancels cancels(domain_);
+  ASSERT_TRUE(eventually([&] { return cancels.is_connected(); }));
+  headed_CancelGoalRequest asked{79, 5, {}, 0, 0};
+  std::copy(id.begin(), id.end(), asked.goal_id);
+  cancels.write(asked);
+  bool came = false;
+  ASSERT_TRUE(eventually([&] {
+    sut_.tick(bus_->now());
+    cancels.take([&](const headed_CancelGoalResponse& reply) {
+      came = true;
+      EXPECT_EQ(reply.client, 79U);
+      EXPECT_EQ(reply.number, 5);
+      EXPECT_EQ(reply.return_code, 0);
+      ASSERT_EQ(reply.goals_canceling._length, 1U);
+      const auto& goal = reply.goals_canceling._buffer[0];
+      EXPECT_TRUE(std::equal(id.begin(), id.end(), goal.goal_id));
+      EXPECT_GT(goal.sec, 0);
+    });
+    return came;
+  }));
+}
+
 TEST_F(OurServer, WorksOnAGoalOfRmwCyclonedds) {
   std::optional<CycloneGoals> goals(domain_);
   ASSERT_TRUE(eventually([&] { return goals->is_connected(); }));
