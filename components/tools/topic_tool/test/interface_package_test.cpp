@@ -123,6 +123,12 @@ nlohmann::json as_ros_reads(const std::string& folder) {
   return nlohmann::json::parse(ended.output);
 }
 
+/// Requests and responses are of services.
+std::string full_name(const std::string& name) {
+  static const std::regex half(".*_(Request|Response)");
+  return std::regex_match(name, half) ? "tocsin_msgs/srv/" + name : "tocsin_msgs/msg/" + name;
+}
+
 TEST(InterfacePackage, IsToTheParserOfRos2WhatTheIdlAndTheAnnouncedHashesSay) {
   load();
   const TemporaryFolder folder;
@@ -132,7 +138,7 @@ TEST(InterfacePackage, IsToTheParserOfRos2WhatTheIdlAndTheAnnouncedHashesSay) {
   for (const char* const file : {"tocsin_msgs", "link_calls"}) {
     for (const auto& [name, fields] :
          structs_in(std::string(TOCSIN_REPOSITORY "/idl/tocsin_idl/idl/") + file + ".idl")) {
-      const std::string type = "tocsin_msgs/msg/" + name;
+      const std::string type = full_name(name);
       ASSERT_TRUE(said.contains(type)) << type;
       std::vector<std::string> read;
       for (const auto& field : said[type]["fields"]) {

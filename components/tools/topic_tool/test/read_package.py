@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What ROS 2's own parser (Debian's python3-rosidl) reads in packages of interfaces, as JSON.
 
-read_package.py PACKAGE DEPENDENCY...: folders. Of each message of PACKAGE {name: {fields, hash}}: a
+read_package.py PACKAGE DEPENDENCY...: folders. Of each message of PACKAGE and of its services {name: {fields, hash}}: a
 field as [type, name, comment]; the hash is RIHS01 (REP 2016), made of what the parser says. Exits
 with 3 where the parser is not installed.
 """
@@ -12,7 +12,7 @@ import pathlib
 import sys
 
 try:
-    from rosidl_adapter.parser import parse_message_file
+    from rosidl_adapter.parser import parse_message_file, parse_service_file
 except ImportError:
     sys.exit(3)
 
@@ -33,10 +33,15 @@ def described(type_):
 
 
 def read(folder):
-    """{full name: what the parser says} of a package's messages."""
+    """{full name: what the parser says} of a package's messages, and of those of its services."""
     package = pathlib.Path(folder).name
-    return {f"{package}/msg/{file.stem}": parse_message_file(package, str(file))
-            for file in sorted(pathlib.Path(folder).glob("msg/*.msg"))}
+    found = {f"{package}/msg/{file.stem}": parse_message_file(package, str(file))
+             for file in sorted(pathlib.Path(folder).glob("msg/*.msg"))}
+    for file in sorted(pathlib.Path(folder).glob("srv/*.srv")):
+        service = parse_service_file(package, str(file))
+        found[f"{package}/srv/{file.stem}_Request"] = service.request
+        found[f"{package}/srv/{file.stem}_Response"] = service.response
+    return found
 
 
 def description(name, known):
