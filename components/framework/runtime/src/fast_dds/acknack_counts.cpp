@@ -15,7 +15,6 @@ constexpr std::size_t prefix_at = 8;
 constexpr std::uint8_t acknack_kind = 0x06;
 constexpr std::uint8_t little_endian_flag = 0x01;
 constexpr std::uint8_t final_flag = 0x02;
-constexpr std::size_t flags_before_content = 3;
 constexpr std::size_t writer_at = 4;
 constexpr std::size_t base_at = 8;
 constexpr std::size_t bits_at = 16;
@@ -39,12 +38,16 @@ struct AckNack {
   bool preemptive;     ///< asks for a HEARTBEAT and for nothing else
 };
 
-/// Makes it a pre-emptive one that Fast DDS knows. What stood behind its count stays behind it.
-void make_preemptive(std::uint8_t* message, const AckNack& one, std::uint32_t count) {
-  std::uint8_t* const content = message + one.content;
-  std::fill(content + base_at, content + bitmap_at, std::uint8_t{0});  // base and number of bits
-  put_number(content + bitmap_at, count, one.little_endian);
-  *(content - flags_before_content) &= static_cast<std::uint8_t>(~final_flag);
+/// Adds a pre-emptive one of the same reader for the same writer, as Fast DDS knows it.
+void add_preemptive(const std::uint8_t* message, const AckNack& like, std::uint32_t count,
+                    std::vector<std::uint8_t>& to) {
+  constexpr std::uint8_t bytes = bitmap_at + sizeof count;
+  const auto flags = like.little_endian ? little_endian_flag : std::uint8_t{0};
+  to.insert(to.end(), {acknack_kind, flags, like.little_endian ? bytes : std::uint8_t{0},
+                       like.little_endian ? std::uint8_t{0} : bytes});
+  to.insert(to.end(), message + like.content, message + like.content + base_at);
+  to.resize(to.size() + bytes - base_at);  // base and number of bits are 0
+  put_number(to.data() + to.size() - sizeof count, count, like.little_endian);
 }
 
 /// Nothing when it is no ACKNACK, or one that is cut off.
@@ -86,9 +89,12 @@ AckNackCounts::Told AckNackCounts::next(const Pair& pair, const Heard& heard) {
   if (place.second) {
     if (const auto known = older_.find(pair); known != older_.end()) count = known->second;
   }
-  const bool anew = heard.preemptive || heard.base < count.base;
+  Told told{std::nullopt, 0};
+  const bool takes_back = !heard.preemptive && heard.base < count.base;
+  const bool anew = heard.preemptive || takes_back;
   const std::uint32_t ahead = heard.count - count.heard;
   const bool newer = ahead != 0 && ahead < 1U << 31U;  // serial number arithmetic
+  if (takes_back) told.before = ++count.told;
   if (anew) {
     ++count.told;
   } else if (newer) {
@@ -98,7 +104,7 @@ AckNackCounts::Told AckNackCounts::next(const Pair& pair, const Heard& heard) {
     count.heard = heard.count;
     count.base = heard.base;
   }
-  const Told told{count.told, anew};
+  told.count = count.told;
   if (counts_.size() >= pairs) {
     older_ = std::move(counts_);
     counts_.clear();
@@ -108,7 +114,12 @@ AckNackCounts::Told AckNackCounts::next(const Pair& pair, const Heard& heard) {
 
 std::pair<const std::uint8_t*, std::size_t> AckNackCounts::translate(
     const std::uint8_t* message, std::size_t size, std::vector<std::uint8_t>& changed) {
-  const std::uint8_t* result = message;
+  changed.clear();
+  std::size_t copied = 0;
+  const auto copy_up_to = [&](std::size_t end) {
+    changed.insert(changed.end(), message + copied, message + end);
+    copied = end;
+  };
   each_acknack(message, size, [&](const AckNack& one) {
     using eprosima::fastrtps::rtps::GuidPrefix_t;
     const GuidPrefix_t prefix = id_at<GuidPrefix_t>(message + prefix_at);
@@ -116,15 +127,19 @@ std::pair<const std::uint8_t*, std::size_t> AckNackCounts::translate(
                     id_at<Entity>(message + one.content + writer_at)};
     const std::uint32_t count = number_at<std::uint32_t>(message + one.count, one.little_endian);
     const Told told = next(pair, {count, one.base, one.preemptive});
-    if (told.count == count && !told.anew) return;
-    if (result == message) {
-      changed.assign(message, message + size);
-      result = changed.data();
-    }
-    if (told.anew) return make_preemptive(changed.data(), one, told.count);
-    put_number(changed.data() + one.count, told.count, one.little_endian);
+    if (told.count == count && !told.before && !one.preemptive) return;
+    copy_up_to(one.content - submessage_header_bytes);
+    if (told.before) add_preemptive(message, one, *told.before, changed);
+    const std::size_t content = changed.size() + submessage_header_bytes;
+    copy_up_to(one.count + sizeof count);
+    put_number(changed.data() + changed.size() - sizeof count, told.count, one.little_endian);
+    constexpr std::size_t base_low = base_at + sizeof(std::uint32_t);
+    if (one.preemptive)
+      put_number<std::uint32_t>(changed.data() + content + base_low, 0, one.little_endian);
   });
-  return {result, size};
+  if (copied == 0) return {message, size};
+  copy_up_to(size);
+  return {changed.data(), changed.size()};
 }
 
 }  // namespace tocsin

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,8 +26,8 @@ namespace tocsin {
 /// readers, asks for the samples themselves, from the first on. Fast DDS takes them for
 /// acknowledged since the reader's former life, and never sends them: what the writer announces in
 /// discovery stays unknown to the peer. No reader takes back what it has acknowledged, so one whose
-/// base is lower than before starts anew, and what it says becomes a pre-emptive ACKNACK.
-/// Thread-safe.
+/// base is lower than before starts anew, and a pre-emptive ACKNACK is put before what it says. Not
+/// in its place: Cyclone DDS asks for the same samples again after a second only. Thread-safe.
 class AckNackCounts {
  public:
   /// The message to hand on: `message` itself, or `changed`, which is overwritten.
@@ -47,8 +48,8 @@ class AckNackCounts {
     bool preemptive;
   };
   struct Told {
+    std::optional<std::uint32_t> before;  ///< of a pre-emptive one that is put before it
     std::uint32_t count;
-    bool anew;
   };
   [[nodiscard]] Told next(const Pair& pair, const Heard& heard);
 
