@@ -6,7 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -41,6 +43,7 @@ class Notes : public Receiver {
     seen_.push_back(shape.color + std::to_string(shape.size));
   }
   void instance_ended(const Sample& sample) override {
+    if (on_end) on_end(sample);
     const std::lock_guard<std::mutex> lock(mutex_);
     seen_.push_back(colors_[sample.instance] +
                     (sample.state == InstanceState::disposed ? " disposed" : " no writers"));
@@ -49,6 +52,8 @@ class Notes : public Receiver {
     const std::lock_guard<std::mutex> lock(mutex_);
     return seen_;
   }
+  /// Set before a reader is there.
+  std::function<void(const Sample&)> on_end;
 
  private:
   std::mutex mutex_;
@@ -126,13 +131,19 @@ TEST_F(Keys, AWriterThatIsGoneLeavesItsInstancesWithoutWriters) {
   const auto b = make_shape_bus(both);
   Notes notes;
   auto writer = a->advertise(square);
-  const auto reader = b->subscribe(square, notes);
+  std::unique_ptr<Subscription> reader;
+  std::atomic<bool> knows_writer{false};
+  notes.on_end = [&](const Sample& sample) {
+    knows_writer = reader->writer(sample.source).has_value();
+  };
+  reader = b->subscribe(square, notes);
   ASSERT_TRUE(eventually([&] { return is_matched(*a) && is_matched(*b); }));
   EXPECT_EQ(writer->write(shape("RED", 1)), Status::ok);
   ASSERT_TRUE(eventually([&] { return notes.seen().size() == 1; }));
   writer.reset();
   EXPECT_TRUE(eventually([&] { return notes.seen().size() == 2; }));
   EXPECT_THAT(notes.seen(), ElementsAre("RED1", "RED no writers"));
+  EXPECT_TRUE(knows_writer);
 }
 
 TEST_F(Keys, ALateReaderGetsTheLastOfEachInstanceOnceFromEitherSide) {

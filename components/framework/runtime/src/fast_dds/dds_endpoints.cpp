@@ -146,18 +146,25 @@ void DdsReader::on_subscription_matched(Reader*, const dds::SubscriptionMatchedS
     return;
   }
   account_.on_matched(status.current_count_change);
-  const std::lock_guard<std::mutex> lock(sources_mutex_);
   if (status.current_count_change > 0) {
+    const std::lock_guard<std::mutex> lock(sources_mutex_);
     sources_[source_of(writer)] = writer;
-    return;
+  } else {
+    forget(writer);
   }
-  for (auto it = sources_.begin(); it != sources_.end();) {
-    if (it->second != writer) {
-      ++it;
-      continue;
-    }
-    exchange_.forget(it->first, std::chrono::steady_clock::now());
-    it = sources_.erase(it);
+}
+
+void DdsReader::forget(const RemoteEnds::Guid& writer) {
+  std::unique_lock<std::mutex> lock(sources_mutex_);
+  const std::map<std::uint64_t, RemoteEnds::Guid> known(sources_.begin(), sources_.end());
+  lock.unlock();  // whoever hears that an instance has ended may ask for its writer
+  for (const auto& [source, its_writer] : known) {
+    if (its_writer != writer) continue;
+    exchange_.forget(source, std::chrono::steady_clock::now());
+    lock.lock();
+    const auto found = sources_.find(source);
+    if (found != sources_.end() && found->second == writer) sources_.erase(found);
+    lock.unlock();
   }
 }
 

@@ -46,6 +46,8 @@ class DdsReader : private eprosima::fastdds::dds::DataReaderListener {
   void hand_over(IncomingSample& incoming, const eprosima::fastdds::dds::SampleInfo& info);
   void on_subscription_matched(
       Reader* reader, const eprosima::fastdds::dds::SubscriptionMatchedStatus& status) override;
+  /// Ends the instances of a writer that is gone, and of those for whom it wrote.
+  void forget(const RemoteEnds::Guid& writer);
   void on_requested_incompatible_qos(
       Reader* reader,
       const eprosima::fastdds::dds::RequestedIncompatibleQosStatus& status) override;
