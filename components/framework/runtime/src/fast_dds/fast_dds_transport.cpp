@@ -32,16 +32,13 @@ constexpr std::uint32_t segment_bytes = 32U << 20U;
 /// A picture of a few MB in one burst must fit; the kernel caps it at net.core.rmem_max.
 constexpr std::uint32_t host_socket_bytes = 4U << 20U;
 
-bool is_on_link(const ParticipantOptions& options) {
-  return options.marks != nullptr || !options.peers.empty();
-}
+bool is_on_link(const ParticipantOptions& options) { return options.marks != nullptr; }
 
 std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(
     const ParticipantOptions& options, const std::shared_ptr<OtherMakers>& others) {
   if (!is_on_link(options)) return host_transport(options.domain, host_socket_bytes);
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {options.address};
-  if (!options.marks) return udp;
   return marked(std::move(udp), options.marks, others);
 }
 
@@ -169,12 +166,11 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   qos.name(options.name);
   qos.user_data().data_vec({options.user_data.begin(), options.user_data.end()});
   qos.transport().use_builtin_transports = false;
-  rtps_filter::Limits limits =
-      limits_in({options.address, options.peers, options.marks != nullptr});
+  const Surroundings surroundings{options.address, options.peers, is_on_link(options)};
+  rtps_filter::Limits limits = limits_in(surroundings);
   limits.secured = !options.enclave.empty();
   const auto others = limits.secured ? std::make_shared<OtherMakers>() : nullptr;
-  auto filter = std::make_shared<PacketFilter>(
-      std::move(limits), local_in({options.address, options.peers, is_on_link(options)}), others);
+  auto filter = std::make_shared<PacketFilter>(std::move(limits), local_in(surroundings), others);
   if (!options.enclave.empty()) secure(options.enclave, qos);
   qos.transport().user_transports = {
       hold(transport_of(options, others), options.reception, std::move(filter))};

@@ -3,7 +3,6 @@
 
 #include <arpa/inet.h>
 #include <fastrtps/utils/IPLocator.h>
-#include <ifaddrs.h>
 
 #include <algorithm>
 #include <chrono>
@@ -29,34 +28,6 @@ std::optional<std::uint32_t> address_of(const std::string& text) {
   return ntohl(parsed.s_addr);
 }
 
-/// The addresses of this computer's interfaces, which come and go.
-class OwnAddresses {
- public:
-  [[nodiscard]] bool contain(std::uint32_t address) {
-    if (known_.count(address) > 0) return true;
-    const Time now = std::chrono::steady_clock::now();
-    if (now < next_look_) return false;
-    next_look_ = now + std::chrono::seconds(1);
-    look();
-    return known_.count(address) > 0;
-  }
-
- private:
-  void look() {
-    ifaddrs* list = nullptr;
-    if (getifaddrs(&list) != 0) return;
-    const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> owner(list, freeifaddrs);
-    known_.clear();
-    for (const ifaddrs* entry = list; entry != nullptr; entry = entry->ifa_next) {
-      if (entry->ifa_addr == nullptr || entry->ifa_addr->sa_family != AF_INET) continue;
-      const auto* inet = reinterpret_cast<const sockaddr_in*>(entry->ifa_addr);
-      known_.insert(ntohl(inet->sin_addr.s_addr));
-    }
-  }
-  std::set<std::uint32_t> known_;
-  Time next_look_{};
-};
-
 Limits limits_on_radio(const std::set<std::uint32_t>& configured) {
   constexpr double wifi_bytes_per_s = 64e6;
   Limits limits;
@@ -69,19 +40,6 @@ Limits limits_on_radio(const std::set<std::uint32_t>& configured) {
   return limits;
 }
 
-/// Ordinary peers of this computer announce the addresses of all of its interfaces, or only one
-/// that is not loopback, and groups.
-Limits limits_on_host(const std::set<std::uint32_t>& configured) {
-  constexpr std::uint32_t loopback = 127;
-  constexpr std::uint32_t groups = 0xe;
-  Limits limits;
-  limits.answers = [configured, own = std::make_shared<OwnAddresses>()](std::uint32_t address) {
-    return address >> 24U == loopback || address >> 28U == groups ||
-           configured.count(address) > 0 || own->contain(address);
-  };
-  return limits;
-}
-
 rtps_filter::Source source_in(const rtps::Locator_t& from) {
   const rtps::octet* const a = rtps::IPLocator::getIPv4(from);
   return {ipv4(a[0], a[1], a[2], a[3]), rtps::IPLocator::getPhysicalPort(from)};
@@ -90,13 +48,14 @@ rtps_filter::Source source_in(const rtps::Locator_t& from) {
 }  // namespace
 
 Limits limits_in(const Surroundings& surroundings) {
+  if (!surroundings.radio) return {};
   std::set<std::uint32_t> configured;
   const auto add = [&](const std::string& text) {
     if (const auto address = address_of(text)) configured.insert(*address);
   };
   add(surroundings.address);
   std::for_each(surroundings.peers.begin(), surroundings.peers.end(), add);
-  return surroundings.radio ? limits_on_radio(configured) : limits_on_host(configured);
+  return limits_on_radio(configured);
 }
 
 std::function<bool(std::uint32_t)> local_in(const Surroundings& surroundings) {

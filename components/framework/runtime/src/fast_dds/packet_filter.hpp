@@ -24,8 +24,8 @@ struct Surroundings {
   std::vector<std::string> peers;  ///< IPv4 that it may speak with
   bool radio = false;              ///< nobody but the peers is heard
 };
-/// What a participant is shown there: on the radio, packets of its peers only; on the host, those
-/// of all. Locators of others than these, of the computer itself on the host, are not answered.
+/// What a participant is shown there: on the radio, packets of its peers only, and their locators
+/// only; on the host, all, since host_transport sends to loopback whatever a locator says.
 [[nodiscard]] rtps_filter::Limits limits_in(const Surroundings& surroundings);
 /// Whether a packet from an address was sent on this computer: on the host always, on the radio
 /// when it is our own address.
