@@ -73,8 +73,10 @@ TEST(RangeOf, IsWhatTheFieldCanHoldAndSigned64BitsCan) {
 /// As fastddsgen makes a type with the key fields `id` and `name`.
 struct Keyed {
   std::int32_t id = 0;
+  double value = 0;
   std::string name;
   void serializeKey(eprosima::fastcdr::Cdr& encoder) const { encoder << id << name; }
+  void deserialize(eprosima::fastcdr::Cdr& decoder) { decoder >> id >> value >> name; }
 };
 
 /// RTPS 2.2, section 9.6.3.3: big endian, without header.
@@ -95,4 +97,75 @@ TEST(SerializeKey, WritesNothingWhereThereIsNoRoom) {
 }
 
 }  // namespace
+
+template <>
+struct Key<Keyed> {
+  static bool skip(WireCursor& c) {
+    return skip_field<std::int32_t>(c) && skip_field<std::string>(c);
+  }
+  static void read(eprosima::fastcdr::Cdr& d, Keyed& m) {
+    read_value(d, m.id);
+    read_value(d, m.name);
+  }
+};
+
 }  // namespace tocsin::cdr
+
+namespace tocsin {
+
+template <>
+const TypeInfo& type_info<cdr::Keyed>() {
+  static const TypeInfo info = [] {
+    TypeInfo made{};
+    made.skip = [](WireCursor& c) {
+      return c.skip(1, 4) && c.skip(1, 8) && cdr::skip_field<std::string>(c);
+    };
+    return made;
+  }();
+  return info;
+}
+
+namespace cdr {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes lone_key(std::uint8_t option = lone_key_options[1]) {
+  return {0, 1, lone_key_options[0], option, 4, 3, 2, 1, 3, 0, 0, 0, 'a', 'b', 0, 0};
+}
+
+TEST(Deserialize, ReadsAKeyThatIsMarkedAsAlone) {
+  Keyed message;
+  const Bytes bytes = lone_key();
+  ASSERT_TRUE(deserialize<Keyed>(bytes.data(), bytes.size(), &message));
+  EXPECT_EQ(message.id, 0x01020304);
+  EXPECT_EQ(message.name, "ab");
+}
+
+TEST(Deserialize, TakesALoneKeyWithoutItsMarkForAMessageThatIsCutOff) {
+  Keyed message;
+  const Bytes bytes = lone_key(0);
+  EXPECT_FALSE(deserialize<Keyed>(bytes.data(), bytes.size(), &message));
+}
+
+TEST(Deserialize, RefusesALoneKeyThatIsCutOff) {
+  Keyed message;
+  for (std::size_t size = 0; size < 15; ++size) {
+    Bytes cut = lone_key();
+    cut.resize(size);
+    EXPECT_FALSE(deserialize<Keyed>(cut.data(), size, &message)) << size;
+  }
+}
+
+TEST(ReadValue, AnEnumeratorIsANumberOf32Bits) {
+  Bytes bytes{1, 0, 0, 0};
+  eprosima::fastcdr::FastBuffer memory(reinterpret_cast<char*>(bytes.data()), bytes.size());
+  eprosima::fastcdr::Cdr decoder(memory, eprosima::fastcdr::Cdr::LITTLE_ENDIANNESS);
+  Colour colour = red;
+  read_value(decoder, colour);
+  EXPECT_EQ(colour, green);
+}
+
+}  // namespace
+}  // namespace cdr
+}  // namespace tocsin

@@ -143,11 +143,6 @@ Departure departure(const ShapeCase& its, Side publisher) {
             "Fast DDS 2.9.1 sends a hash of the key alone, which Cyclone DDS cannot turn into a "
             "colour"};
   }
-  if (!ours && (its.check == Check::disposed || its.check == Check::no_writers)) {
-    return {no_ends,
-            "Cyclone DDS sends the key without its hash, and Fast DDS 2.9.1 ignores keys of more "
-            "than 16 bytes, of participants that leave, too: instances end with the lease, 10 s"};
-  }
   if (ours && its.check == Check::every_tenth) {
     return {no_ends, "Cyclone DDS 0.10.2 has no time-based filter"};
   }

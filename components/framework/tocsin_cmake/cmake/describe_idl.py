@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The TypeInfo of every struct of an IDL file: <stem>.hpp and <stem>_type_info.cpp.
 
-`types` is what idl_dialect.structs() gives, `definitions` what ros_definition.definitions() gives,
-`hashes` tells each one's RIHS01.
+`types` is what idl_dialect.structs() gives, `keys` what its keys() gives, `definitions` what
+ros_definition.definitions() gives, `hashes` tells each one's RIHS01.
 """
 
 
@@ -37,17 +37,28 @@ def skip_function(scope, name, fields):
             f"  using M = {'::'.join(scope + [name])};\n  return {body};\n}}\n")
 
 
+def key_template(qualified, fields):
+    skip = " &&\n           ".join(
+        f"cdr::skip_field<decltype(std::declval<const M&>().{field}())>(c)" for field in fields)
+    read = "".join(f"    cdr::read_value(d, m.{field}());\n" for field in fields)
+    return (f"template <>\nstruct cdr::Key<{qualified}> {{\n  using M = {qualified};\n"
+            f"  static bool skip(WireCursor& c) {{\n    return {skip};\n  }}\n"
+            f"  static void read(eprosima::fastcdr::Cdr& d, M& m) {{\n{read}  }}\n}};\n")
+
+
 def definition_call(name, text, parts):
     listed = ", ".join(f'"{part}"' for part in parts)
     return f'  register_definition({{"{name}", R"ros2msg({text})ros2msg", {{{listed}}}}});\n'
 
 
-def source(package, stem, types, definitions, hashes):
+def source(package, stem, types, keys, definitions, hashes):
     text = [f'// Generated from {stem}.idl.\n#include "{package}/{stem}.hpp"\n\n']
     text.append('#include <utility>\n\n#include "idl_support/cdr_type.hpp"\n')
     text.append('#include "idl_support/type_definition.hpp"\n')
     text.append('#include "idl_support/type_registry.hpp"\n\n')
-    text.append("namespace tocsin {\nnamespace {\n")
+    text.append("namespace tocsin {\n")
+    text += [key_template(*one) for one in keys.items()]
+    text.append("namespace {\n")
     text += [visit_function(*item) + edit_function(*item) + skip_function(*item) for item in types]
     text.append("}  // namespace\n")
     for scope, name, _ in types:

@@ -32,8 +32,9 @@ def files_of(package, idl, parsed, generated, bounds):
     header, source = inline_types.inlined(*generated)
     return {f"{stem}.h": header + "\n", f"{stem}.cxx": source,
             f"{stem}.hpp": describe_idl.header(package, stem, includes, types),
-            f"{stem}_type_info.cpp": describe_idl.source(package, stem, types, definitions,
-                                                          type_hash.Hashes(parsed, bounds))}
+            f"{stem}_type_info.cpp": describe_idl.source(
+                package, stem, types, idl_dialect.keys(parsed), definitions,
+                type_hash.Hashes(parsed, bounds))}
 
 
 def refuse_faults(parsed):

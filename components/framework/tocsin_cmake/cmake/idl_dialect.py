@@ -133,3 +133,11 @@ def structs(parsed):
     return [(one["scope"].split("::") if one["scope"] else [], one["name"],
              [field["name"] for field in one["members"]])
             for one in own_definitions(parsed) if one["kind"] == STRUCT]
+
+
+def keys(parsed):
+    """{qualified name: [fields of its key]} of the file's own structs that have one."""
+    named = {"::".join(filter(None, [one["scope"], one["name"]])):
+             [field["name"] for field in one["members"] if "key" in field["annotations"]]
+             for one in own_definitions(parsed) if one["kind"] == STRUCT}
+    return {name: fields for name, fields in named.items() if fields}

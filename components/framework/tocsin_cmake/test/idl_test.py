@@ -104,6 +104,8 @@ class Accepted(unittest.TestCase):
 
     def test_fields_of_the_key(self):
         self.assertEqual(self.structs_of("key"), [([], "Key", ["name", "id", "w"])])
+        parsed = self.parsed[self.folder.idl("key")]
+        self.assertEqual(idl_dialect.keys(parsed), {"Key": ["name", "id"]})
 
     def test_comments_hold_no_fields(self):
         self.assertEqual(self.structs_of("comments"), [([], "Yes", ["c"])])
@@ -116,10 +118,16 @@ class Accepted(unittest.TestCase):
 
     def test_same_name_in_two_modules(self):
         self.assertEqual(self.structs_of("same_name"), [(["a"], "S", ["x"]), (["b"], "S", ["y"])])
-        source = describe_idl.source("toy", "same_name", self.structs_of("same_name"), [],
+        source = describe_idl.source("toy", "same_name", self.structs_of("same_name"), {}, [],
                                      self.hashes_of("same_name"))
         self.assertIn("bool skip_a_S(", source)
         self.assertIn("bool skip_b_S(", source)
+
+    def test_the_key_is_read_alone(self):
+        keys = idl_dialect.keys(self.parsed[self.folder.idl("key")])
+        source = describe_idl.source("toy", "key", self.structs_of("key"), keys, [],
+                                     self.hashes_of("key"))
+        self.assertIn("cdr::read_value(d, m.name());\n    cdr::read_value(d, m.id());\n  }", source)
 
     def test_enums_and_their_aliases(self):
         self.assertEqual(self.structs_of("enum"), [([], "Uses", ["e", "es"])])

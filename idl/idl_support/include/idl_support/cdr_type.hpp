@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "idl_support/lone_key.hpp"
 #include "idl_support/type_info.hpp"
 #include "idl_support/wire_cursor.hpp"
 
@@ -105,17 +106,39 @@ bool skip_field(WireCursor& cursor) {
   return Skip<std::remove_cv_t<std::remove_reference_t<Getter>>>::value(cursor);
 }
 
+/// Of a type with a key: `skip` passes its encoded key fields, `read` decodes them.
+/// `read`, which decodes them.
+template <class T>
+struct Key {
+  static bool skip(WireCursor&) { return false; }
+  static void read(eprosima::fastcdr::Cdr&, T&) {}
+};
+
+template <class T>
+void read_value(eprosima::fastcdr::Cdr& decoder, T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    std::uint32_t number = 0;
+    decoder >> number;
+    value = static_cast<T>(number);
+  } else {
+    decoder >> value;
+  }
+}
+
 template <class T>
 bool deserialize(const std::uint8_t* buffer, std::size_t size, void* message) {
   WireCursor cursor(buffer, size);
-  if (!cursor.has_header() || !type_info<T>().skip(cursor)) return false;
+  const bool key_alone = is_lone_key(buffer, size);
+  const auto skip = key_alone ? Key<T>::skip : type_info<T>().skip;
+  if (!cursor.has_header() || !skip(cursor)) return false;
   auto* bytes = reinterpret_cast<char*>(const_cast<std::uint8_t*>(buffer));  // Fast CDR only reads
   eprosima::fastcdr::FastBuffer memory(bytes, size);
   eprosima::fastcdr::Cdr decoder(memory, eprosima::fastcdr::Cdr::DEFAULT_ENDIAN,
                                  eprosima::fastcdr::Cdr::DDS_CDR);
   try {
     decoder.read_encapsulation();
-    static_cast<T*>(message)->deserialize(decoder);
+    T& read = *static_cast<T*>(message);
+    key_alone ? Key<T>::read(decoder, read) : read.deserialize(decoder);
   } catch (const eprosima::fastcdr::exception::Exception&) {
     return false;
   }

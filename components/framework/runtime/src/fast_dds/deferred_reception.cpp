@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "fast_dds/discovery_keys.hpp"
+#include "fast_dds/lone_keys.hpp"
 #include "fast_dds/packet_filter.hpp"
 #include "fast_dds/socket_wait.hpp"
 #include "watch/activity.hpp"
@@ -87,7 +87,7 @@ class HoldingTransport : public ChainingTransport {
     std::vector<std::uint8_t> changed;
     descriptor_.filter->pass(
         bytes, size, remote, [&](const rtps::octet* shown, std::size_t length) {
-          const auto [message, its_size] = with_discovery_keys(shown, length, changed);
+          const auto [message, its_size] = with_lone_keys(shown, length, changed);
           next->OnDataReceived(message, static_cast<std::uint32_t>(its_size), local, remote);
         });
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fast_dds/discovery_keys.hpp"
+#include "fast_dds/lone_keys.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
+
+#include "idl_support/lone_key.hpp"
 
 namespace tocsin {
 namespace {
@@ -12,7 +14,9 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::uint8_t inline_qos_and_key = 0x0a;
 const Bytes status_info{0x71, 0, 4, 0, 0, 0, 0, 3};
+const Bytes alive{0x71, 0, 4, 0, 0, 0, 0, 0};
 const Bytes sentinel{1, 0, 0, 0};
+const Bytes topic{0, 0, 1, 2};
 
 Bytes guid() {
   Bytes bytes(16);
@@ -43,11 +47,11 @@ Bytes departure(const Bytes& inline_qos, std::uint8_t flags = inline_qos_and_key
 
 Bytes told(const Bytes& message) {
   Bytes changed;
-  const auto result = with_discovery_keys(message.data(), message.size(), changed);
+  const auto result = with_lone_keys(message.data(), message.size(), changed);
   return {result.first, result.first + result.second};
 }
 
-TEST(DiscoveryKeys, AKeyWithoutHashGetsItsGuidAsHash) {
+TEST(LoneKeys, OfDiscoveryAKeyWithoutHashGetsItsGuidAsHash) {
   for (const auto id : {std::uint8_t{0x50}, std::uint8_t{0x5a}}) {
     const Bytes plain = departure(status_info, inline_qos_and_key, participants(), id);
     const Bytes hashed =
@@ -57,7 +61,7 @@ TEST(DiscoveryKeys, AKeyWithoutHashGetsItsGuidAsHash) {
   }
 }
 
-TEST(DiscoveryKeys, EachDepartureOfAMessageGetsIts) {
+TEST(LoneKeys, EachDepartureOfAMessageGetsIts) {
   for (const Bytes& writer : {Bytes{0, 0, 3, 0xc2}, Bytes{0, 0, 4, 0xc2}}) {
     const Bytes plain = departure(status_info, inline_qos_and_key, writer);
     const Bytes hashed = departure(joined({status_info, key_hash()}), inline_qos_and_key, writer);
@@ -66,25 +70,51 @@ TEST(DiscoveryKeys, EachDepartureOfAMessageGetsIts) {
   }
 }
 
-TEST(DiscoveryKeys, ALengthOfZeroMeansTheRestOfTheMessageAndStaysSo) {
+TEST(LoneKeys, ALengthOfZeroMeansTheRestOfTheMessageAndStaysSo) {
   Bytes plain = departure(status_info);
   Bytes hashed = departure(joined({status_info, key_hash()}));
   plain[2] = hashed[2] = 0;
   EXPECT_EQ(told(joined({header(), plain})), joined({header(), hashed}));
 }
 
-TEST(DiscoveryKeys, WhatHasAHashOrIsNoDepartureOfDiscoveryStaysAsItIs) {
+TEST(LoneKeys, WhatHasAHashOrIsNoDepartureStaysAsItIs) {
   constexpr std::uint8_t inline_qos_and_data = 0x06;
   for (const Bytes& one :
        {departure(joined({key_hash(), status_info})), departure(status_info, inline_qos_and_data),
-        departure(status_info, inline_qos_and_key, {0, 0, 1, 2}),
+        departure(status_info, inline_qos_and_key, {0, 0, 1, 3}),  // of a topic without key
+        departure(alive), departure(alive, inline_qos_and_key, topic), departure({}),
         departure(status_info, inline_qos_and_key, participants(), 0x15)}) {
     const Bytes message = joined({header(), one});
     EXPECT_EQ(told(message), message);
   }
 }
 
-TEST(DiscoveryKeys, WhatIsCutOffAnywhereStaysAsItIs) {
+/// A DATA that the key of a topic became.
+Bytes as_data(Bytes departed, const Bytes& inline_qos) {
+  constexpr std::size_t flags_at = 1;
+  const std::size_t options_at = 4 + 20 + inline_qos.size() + sentinel.size() + 2;
+  departed[flags_at] = 0x07;  // inline QoS and data, little endian
+  departed[options_at] = lone_key_options[0];
+  departed[options_at + 1] = lone_key_options[1];
+  return departed;
+}
+
+TEST(LoneKeys, OfATopicAKeyBecomesDataThatIsMarked) {
+  for (const Bytes& inline_qos : {status_info, joined({status_info, key_hash()})}) {
+    const Bytes plain = departure(inline_qos, inline_qos_and_key, topic);
+    EXPECT_EQ(told(joined({header(), plain, timestamp()})),
+              joined({header(), as_data(plain, inline_qos), timestamp()}));
+  }
+}
+
+TEST(LoneKeys, BehindADepartureThatGrewATopicsIsMarkedToo) {
+  const Bytes grown = departure(joined({status_info, key_hash()}));
+  const Bytes plain = departure(status_info, inline_qos_and_key, topic);
+  EXPECT_EQ(told(joined({header(), departure(status_info), plain, plain})),
+            joined({header(), grown, as_data(plain, status_info), as_data(plain, status_info)}));
+}
+
+TEST(LoneKeys, WhatIsCutOffAnywhereStaysAsItIs) {
   const Bytes whole = joined({header(), departure(status_info)});
   for (std::size_t size = 0; size < whole.size() - sentinel.size(); ++size) {
     const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
