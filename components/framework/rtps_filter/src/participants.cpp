@@ -101,17 +101,16 @@ ToldNumbers* Participants::told_by(const Prefix& prefix, std::uint32_t writer) {
   return endpoint == found->second.endpoints.end() ? nullptr : &endpoint->second;
 }
 
-Checked<std::int64_t> Participants::heartbeat(const Prefix& prefix, const Heartbeat& heartbeat,
-                                              const Addressee& to, Time now) {
+Checked<Participants::Told> Participants::heartbeat(const Prefix& prefix,
+                                                    const Heartbeat& heartbeat, const Addressee& to,
+                                                    Time now) {
   ToldNumbers* const told = told_by(prefix, heartbeat.writer);
   const std::int64_t before = told == nullptr ? 1 : told->first(to);
   const std::int64_t first = std::min(heartbeat.first, before + limits_.jump_step);
-  if (first > before &&
-      !jumps_.take(static_cast<double>(first - before), limits_.jump_numbers, now)) {
-    return DropReason::sequence_jump;
-  }
+  const bool jumps = first - before > limits_.jump_free;
+  if (jumps && jumps_.is_empty(limits_.jump_cpu_s, now)) return DropReason::sequence_jump;
   if (told != nullptr) told->tell(to, first, heartbeat.count);
-  return first;
+  return Told{first, jumps};
 }
 
 Wrong Participants::gap(const Prefix& prefix, const Gap& gap, Time now) {

@@ -24,9 +24,15 @@ class Participants {
   [[nodiscard]] Wrong announced(const Prefix& prefix, const Announcement& what, Source from,
                                 Time now);
   [[nodiscard]] Wrong endpoint(const Prefix& prefix, const Announcement& what);
-  /// The first number that the HEARTBEAT may tell: its own, or a step towards it.
-  [[nodiscard]] Checked<std::int64_t> heartbeat(const Prefix& prefix, const Heartbeat& heartbeat,
-                                                const Addressee& to, Time now);
+  /// What becomes of a HEARTBEAT.
+  struct Told {
+    std::int64_t first;  ///< the number that it may tell: its own, or a step towards it
+    bool jumps;          ///< over more than a few numbers
+  };
+  [[nodiscard]] Checked<Told> heartbeat(const Prefix& prefix, const Heartbeat& heartbeat,
+                                        const Addressee& to, Time now);
+  /// See RtpsFilter::took.
+  void took(Duration cpu, Time now) { jumps_.spend(to_seconds(cpu), limits_.jump_cpu_s, now); }
   [[nodiscard]] Wrong gap(const Prefix& prefix, const Gap& gap, Time now);
   [[nodiscard]] bool knows(const Prefix& prefix) const { return known_.count(prefix) > 0; }
   [[nodiscard]] std::size_t size() const { return known_.size(); }

@@ -63,13 +63,14 @@ class Admission {
     if (place.destination != nullptr) {
       std::copy_n(place.destination, to.participant.size(), to.participant.begin());
     }
-    const auto first = state_.participants.heartbeat(header_.prefix, heartbeat, to, now_);
-    if (const auto* const wrong = std::get_if<DropReason>(&first)) return *wrong;
-    const std::int64_t step = std::get<std::int64_t>(first);
-    if (step == heartbeat.first) return std::nullopt;
+    const auto read = state_.participants.heartbeat(header_.prefix, heartbeat, to, now_);
+    if (const auto* const wrong = std::get_if<DropReason>(&read)) return *wrong;
+    const auto [first, jumps] = std::get<Participants::Told>(read);
+    inspection_.jumps = inspection_.jumps || jumps;
+    if (first == heartbeat.first) return std::nullopt;
     const auto content = static_cast<std::size_t>(submessage.content.here() - context.packet);
-    inspection_.step.push_back(
-        {content + heartbeat_numbers_at, numbers_of(step, step - 1, submessage.content.little())});
+    inspection_.step.push_back({content + heartbeat_numbers_at,
+                                numbers_of(first, first - 1, submessage.content.little())});
     return std::nullopt;
   }
 
@@ -163,6 +164,8 @@ Inspection RtpsFilter::inspect(const std::uint8_t* bytes, std::size_t size, Sour
   if (!found.needs_memory) return {};
   return Admission<State>(*state_, *header, from, now).admit(bytes, size);
 }
+
+void RtpsFilter::took(Duration cpu, Time now) { state_->participants.took(cpu, now); }
 
 std::size_t RtpsFilter::participants() const { return state_->participants.size(); }
 

@@ -13,16 +13,28 @@ class TokenBucket {
  public:
   /// Takes `amount`, or nothing when less is left.
   [[nodiscard]] bool take(double amount, const Rate& rate, Time now) {
-    const double since_s = std::max(0.0, to_seconds(now - at_));
-    const double left = std::max(0.0, rate.burst - used_ + since_s * rate.per_s);
-    at_ = now;
-    used_ = rate.burst - std::min(left, rate.burst);
+    refill(rate, now);
     if (amount > rate.burst - used_) return false;
     used_ += amount;
     return true;
   }
+  /// Takes `amount`, and owes what is not there.
+  void spend(double amount, const Rate& rate, Time now) {
+    refill(rate, now);
+    used_ += amount;
+  }
+  [[nodiscard]] bool is_empty(const Rate& rate, Time now) {
+    refill(rate, now);
+    return used_ >= rate.burst;
+  }
 
  private:
+  void refill(const Rate& rate, Time now) {
+    const double since_s = std::max(0.0, to_seconds(now - at_));
+    used_ = std::max(0.0, used_ - since_s * rate.per_s);
+    at_ = now;
+  }
+
   double used_ = 0;
   Time at_{};
 };

@@ -45,12 +45,13 @@ class Numbers : public testing::Test {
     return message.add(0x07, 0, Wire(content).u32(count).bytes()).bytes();
   }
 
-  RtpsFilter sut = filter_of({1'000'000, 100});
+  RtpsFilter sut = filter_of_small_steps();
 
-  static RtpsFilter filter_of(Rate jumps) {
+  static RtpsFilter filter_of_small_steps() {
     Limits limits;
     limits.jump_step = 100;
-    limits.jump_numbers = jumps;
+    limits.jump_free = 50;
+    limits.jump_cpu_s = {1, 0.1};
     return RtpsFilter(limits);
   }
 
@@ -112,14 +113,21 @@ TEST_F(Numbers, OfWritersThatNobodyAnnouncedAreNotRemembered) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(told(next(500)), 101);
 }
 
-TEST_F(Numbers, OfAllStepsAreLimitedBySecond) {
-  sut = filter_of({150, 10});
-  announce();
-  EXPECT_EQ(told(next(500, 0x203)), 101);
-  EXPECT_EQ(told(next(500, 0x303)), 0);
-  EXPECT_EQ(told(next(51)), 51);  // a small one finds room
-  EXPECT_EQ(told(next(500, 0x303), t0 + seconds(9)), 0);
-  EXPECT_EQ(told(next(500, 0x303), t0 + seconds(10)), 101);
+TEST_F(Numbers, MayCostTheirTimeAndNoMore) {
+  sut.took(std::chrono::milliseconds(999), t0);
+  EXPECT_EQ(told(next(500)), 101);
+  sut.took(std::chrono::milliseconds(301), t0);
+  EXPECT_EQ(told(next(500)), 0);
+  EXPECT_EQ(told(next(151)), 151);  // few cost nothing
+  EXPECT_EQ(told(next(500), t0 + seconds(3)), 0);
+  EXPECT_EQ(told(next(500), t0 + seconds(4)), 251);
+}
+
+TEST_F(Numbers, OfWhichThereAreManySayThatTheirCostIsWanted) {
+  EXPECT_FALSE(inspect(sut, next(51)).jumps);
+  EXPECT_TRUE(inspect(sut, next(102)).jumps);
+  EXPECT_FALSE(inspect(sut, next(102)).jumps);
+  EXPECT_TRUE(inspect(sut, next(52, 0x203)).jumps);  // nobody has announced it
 }
 
 TEST_F(Numbers, WithinAStepAreLeftAsTheyAre) {
@@ -180,13 +188,16 @@ TEST_F(Numbers, BetweenSealsAreLeftAsTheyAre) {
   EXPECT_EQ(inspect(secured, message(false)).step.size(), 1U);
 }
 
-TEST(Steps, OfTheDefaultsAreSixteenAtOnce) {
+TEST(Steps, OfALongLivedWriterAreNotUsedUpByItsHeartbeats) {
   RtpsFilter sut{Limits{}};
-  constexpr std::int64_t far = std::int64_t{1} << 40U;
-  const Inspection inspection = inspect(sut, heartbeat('a', far, far));
-  ASSERT_EQ(inspection.step.size(), 1U);
-  for (int i = 0; i < 15; ++i) EXPECT_EQ(drop_of(sut, heartbeat('a', far, far)), passes);
-  EXPECT_EQ(drop_of(sut, heartbeat('a', far, far)), DropReason::sequence_jump);
+  (void)inspect(sut, announcement('a'));
+  constexpr std::uint32_t liveliness_writer = 0x000200c2;
+  for (int i = 0; i < 1000; ++i) {
+    const Inspection inspection = inspect(sut, heartbeat('a', 900'000, 900'000, liveliness_writer));
+    EXPECT_EQ(inspection.drop, passes);
+    EXPECT_TRUE(inspection.step.empty());
+    sut.took(std::chrono::microseconds(5), t0);  // its reader has heard them
+  }
 }
 
 }  // namespace

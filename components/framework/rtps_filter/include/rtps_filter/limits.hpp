@@ -22,8 +22,10 @@ struct Limits {
   /// one that is further ahead becomes a step of so many. Fast DDS walks from one number to the
   /// next, 0.1 to 0.5 us each, and the reception of that port stands still meanwhile.
   std::int64_t jump_step = 1U << 20U;
-  /// Sequence numbers of all such steps.
-  Rate jump_numbers{16'777'216, 1'048'576};
+  /// CPU time [s] that HEARTBEATs may cost which are more than `jump_free` numbers ahead
+  /// (RtpsFilter::took). Those of a reader that has heard them all cost microseconds.
+  Rate jump_cpu_s{2, 0.1};
+  std::int64_t jump_free = 256;
   /// Sequence numbers in a participant's GAPs. Fast DDS keeps 48 bytes for each that lies beyond a
   /// hole.
   Rate gap_rate{1'048'576, 65'536};

@@ -32,6 +32,9 @@ struct Inspection {
     std::array<std::uint8_t, 16> numbers;
   };
   std::vector<Step> step;
+  /// The participant may walk over many numbers: the CPU time that it takes for the packet is to be
+  /// told to RtpsFilter::took.
+  bool jumps = false;
   /// A message that the participant is to be shown before the packet, whole and stripped already:
   /// an announcement of which the last fragment was hidden. Mostly empty.
   std::vector<std::uint8_t> before;
@@ -54,6 +57,8 @@ class RtpsFilter {
   /// `sender` that is gone only the departure of a participant is believed: it is true.
   [[nodiscard]] Inspection inspect(const std::uint8_t* bytes, std::size_t size, Source from,
                                    Time now, Sender sender = Sender::trusted);
+  /// A packet that jumps has cost the participant so much CPU time.
+  void took(Duration cpu, Time now);
   /// Participants that are admitted now, the ones whose lease ran out unnoticed included.
   [[nodiscard]] std::size_t participants() const;
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <memory>
 #include <optional>
 #include <set>
@@ -85,6 +86,17 @@ rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::si
   }
   if (others_) others_->hear(bytes, size, source.address);
   return inspection;
+}
+
+Duration PacketFilter::thread_cpu() {
+  timespec spent{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+  return std::chrono::seconds(spent.tv_sec) + std::chrono::nanoseconds(spent.tv_nsec);
+}
+
+void PacketFilter::took(Duration cpu) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  filter_.took(cpu, std::chrono::steady_clock::now());
 }
 
 PieceAssembly::Result PacketFilter::assemble(const std::uint8_t* bytes, std::size_t size,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fast_dds/sender_users.hpp"
+#include "foundation/time.hpp"
 #include "link/message_pieces.hpp"
 #include "link/other_makers.hpp"
 #include "rtps_filter/rtps_filter.hpp"
@@ -53,6 +54,7 @@ class PacketFilter {
             const eprosima::fastrtps::rtps::Locator_t& from, Show show) {
     const rtps_filter::Inspection inspection = inspect(bytes, size, from);
     if (inspection.drop) return;
+    const JumpCost cost(*this, inspection.jumps);
     if (secured_) {
       const auto assembled = assemble(bytes, size, from);
       if (assembled.whole) pass(assembled.whole->data(), assembled.whole->size(), from, show);
@@ -67,6 +69,23 @@ class PacketFilter {
   }
 
  private:
+  /// Tells the filter what a packet has cost, where it wants to know.
+  class JumpCost {
+   public:
+    JumpCost(PacketFilter& filter, bool wanted)
+        : filter_(wanted ? &filter : nullptr), begin_(wanted ? thread_cpu() : Duration{}) {}
+    ~JumpCost() {
+      if (filter_ != nullptr) filter_->took(thread_cpu() - begin_);
+    }
+    JumpCost(const JumpCost&) = delete;
+    JumpCost& operator=(const JumpCost&) = delete;
+
+   private:
+    PacketFilter* const filter_;
+    const Duration begin_;
+  };
+  [[nodiscard]] static Duration thread_cpu();
+  void took(Duration cpu);
   rtps_filter::Inspection inspect(const std::uint8_t* bytes, std::size_t size,
                                   const eprosima::fastrtps::rtps::Locator_t& from);
   static std::vector<std::uint8_t> without(const std::uint8_t* bytes, std::size_t size,
