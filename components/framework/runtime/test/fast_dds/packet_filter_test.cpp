@@ -5,6 +5,8 @@
 #include <fastrtps/utils/IPLocator.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <ctime>
 #include <thread>
 
 #include "fast_dds/dropped_packets.hpp"
@@ -68,6 +70,46 @@ TEST(PacketFilter, LocatorOfAThirdIsNotShownAndNothingElseChanges) {
   auto expected = announcement(9);
   expected[locator_at] = 0;
   EXPECT_EQ(shown(sut, announcement(9), locator_of("10.77.0.2")), expected);
+}
+
+/// A HEARTBEAT whose first number, 2^32, is far ahead.
+std::vector<std::uint8_t> far_heartbeat() {
+  std::vector<std::uint8_t> bytes{'R', 'T', 'P', 'S', 2, 1, 1, 3};
+  bytes.insert(bytes.end(), 12, 7);
+  for (const int byte : {7, 1, 28, 0, 0, 0, 0, 0, 0, 0, 1, 3, 1, 0, 0, 0,
+                         0, 0, 0,  0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}) {
+    bytes.push_back(static_cast<std::uint8_t>(byte));
+  }
+  return bytes;
+}
+
+TEST(PacketFilter, HeartbeatThatIsFarAheadIsShownAsAStepAndCounted) {
+  PacketFilter sut(limits_in(radio));
+  const auto before = dropped_packets();
+  const auto seen = shown(sut, far_heartbeat(), locator_of("10.77.0.2"));
+  auto expected = far_heartbeat();
+  const std::vector<std::uint8_t> numbers{0, 0, 0, 0, 1, 0, 0x10, 0, 0, 0, 0, 0, 0, 0, 0x10, 0};
+  std::copy(numbers.begin(), numbers.end(), expected.end() - 20);
+  EXPECT_EQ(seen, expected);
+  EXPECT_EQ(dropped_packets().since(before).count(rtps_filter::DropReason::sequence_jump), 1U);
+}
+
+TEST(PacketFilter, HeartbeatsThatAreFarAheadMayCostSoMuchAndNoMore) {
+  rtps_filter::Limits limits = limits_in(radio);
+  limits.jump_cpu_s = {0.002, 0};
+  PacketFilter sut(limits);
+  const auto packet = far_heartbeat();
+  int count = 0;
+  const auto walk = [&](const std::uint8_t*, std::size_t) {
+    ++count;
+    const std::clock_t begin = std::clock();
+    while (std::clock() - begin < CLOCKS_PER_SEC / 1000) continue;
+  };
+  for (int i = 0; i < 100; ++i) {
+    sut.pass(packet.data(), packet.size(), locator_of("10.77.0.2"), walk);
+  }
+  EXPECT_GE(count, 2);
+  EXPECT_LT(count, 10);
 }
 
 TEST(PacketFilter, AnnouncementInFragmentsIsShownWholeAndTheFragmentsNot) {
