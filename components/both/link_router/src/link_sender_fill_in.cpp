@@ -19,14 +19,14 @@ bool LinkSender::may_fill_in(Time now) const {
   if (peers_.empty() || paused_ || waits) return false;
   if (is_silent(now))
     return now - sent_at_ >= seconds(params_.repair_max_s);  // it may find it alive
-  return bulk_may_go(now);
+  return bulk_may_go(now) && backlog(now) == Duration::zero();
 }
 
 Time LinkSender::fill_in_opens(Time now) const {
   if (may_fill_in(now)) return now;
   if (peers_.empty() || paused_) return never;
   if (is_silent(now)) return sent_at_ + seconds(params_.repair_max_s);
-  const Time drained = now + backlog(now) - seconds(params_.bulk_backlog_s);
+  const Time drained = now + backlog(now);
   return drained > now ? drained : never;
 }
 
