@@ -24,7 +24,7 @@ struct Limits {
   std::int64_t jump_step = 1U << 20U;
   /// CPU time [s] that HEARTBEATs may cost which are more than `jump_free` numbers ahead
   /// (RtpsFilter::took). Those of a reader that has heard them all cost microseconds.
-  Rate jump_cpu_s{2, 0.1};
+  Rate jump_cpu_s{4, 0.25};
   std::int64_t jump_free = 256;
   /// Sequence numbers in a participant's GAPs. Fast DDS keeps 48 bytes for each that lies beyond a
   /// hole.
