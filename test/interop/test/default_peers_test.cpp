@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <iostream>
 #include <memory>
 
 #include "peer_process.hpp"
@@ -49,13 +51,20 @@ constexpr seconds long_enough{2};
 constexpr const char* of_fast_dds = "1.15";  // vendor ids, as the OMG lists them
 constexpr const char* of_cyclone = "1.16";
 
-/// Records how long it took since the last of them was started.
+/// What the machine is given: all that a busy one may need, or $TOCSIN_WITHIN_MS, 2000 on a quiet
+/// one.
+milliseconds limit() {
+  const char* const text = std::getenv("TOCSIN_WITHIN_MS");
+  return text == nullptr ? milliseconds(patience) : milliseconds(std::atoi(text));
+}
+
+/// Prints how long it took since the last of them was started.
 void expect_all_hear_all(const Peers& peers) {
   const auto begin = steady_clock::now();
-  (void)within(patience, [&] { return unheard(peers).empty(); });
+  (void)within(limit(), [&] { return unheard(peers).empty(); });
   EXPECT_THAT(unheard(peers), IsEmpty());
   const auto taken = (steady_clock::now() - begin) / milliseconds(1);
-  ::testing::Test::RecordProperty("all_heard_all_ms", static_cast<int>(taken));
+  std::cout << peers.size() << " heard each other after " << taken << " ms\n";
 }
 
 TEST(DefaultPeers, TwentyOnAHostWithAnInterfaceFindEachOtherAndUs) {

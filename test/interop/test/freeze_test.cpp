@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <iostream>
 #include <list>
 #include <optional>
 
@@ -88,6 +89,9 @@ TEST(Freeze, EitherSideIsHeardAgainSoonAfterItsReturn) {
   };
   (void)within(seconds(75), is_over);
   for (const Pair& one : sut) {
+    if (one.heard_after) {
+      std::cout << one.name() << ": heard after " << one.heard_after->count() << " ms\n";
+    }
     EXPECT_LE(one.heard_after.value_or(patience), seconds(4)) << one.name();
   }
 }
