@@ -20,7 +20,7 @@ export function structs(): Map<string, string[]> {
   for (const folder of ["ros_idl", "tocsin_idl"]) {
     for (const file of fs.readdirSync(path.join(idl, folder, "idl"))) {
       const text = fs.readFileSync(path.join(idl, folder, "idl", file), "utf8").replace(/\/\/.*/g, "");
-      const module = /module (\w+) \{ module msg/.exec(text)?.[1] ?? "";
+      const module = /module (\w+) \{\s*module msg/.exec(text)?.[1] ?? "";
       for (const [, name, body] of text.matchAll(/struct (\w+) \{([^}]*)\}/g)) {
         const fields = [...(body ?? "").matchAll(/^\s*(?:@default\([^)]*\)\s*)?([\w:<> ]+?)\s+(\w+)(\[\d+\])?;/gm)];
         found.set(`${module}/${name}`, fields.map(([, type, field]) => `${rosType(type ?? "")} ${field}`));
