@@ -32,13 +32,16 @@ constexpr std::uint32_t segment_bytes = 32U << 20U;
 /// A picture of a few MB in one burst must fit; the kernel caps it at net.core.rmem_max.
 constexpr std::uint32_t host_socket_bytes = 4U << 20U;
 
-bool is_on_link(const ParticipantOptions& options) { return options.marks != nullptr; }
+bool is_on_link(const ParticipantOptions& options) {
+  return options.marks != nullptr || !options.peers.empty();
+}
 
 std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(
     const ParticipantOptions& options, const std::shared_ptr<OtherMakers>& others) {
   if (!is_on_link(options)) return host_transport(options.domain, host_socket_bytes);
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {options.address};
+  if (!options.marks) return udp;
   return marked(std::move(udp), options.marks, others);
 }
 

@@ -15,13 +15,13 @@
 namespace tocsin {
 
 /// Where a participant lives and whom it looks for: on its host (see host_transport), or on the
-/// link, if its packets are marked. There discovery is unicast, and traffic stays on the interface
+/// link, if it has peers. There discovery is unicast, and traffic stays on the interface
 /// of `address`.
 struct ParticipantOptions {
   std::string name;
   int domain = 0;
   std::string address = "127.0.0.1";    ///< on the link: IPv4 of the only interface that is used
-  std::vector<std::string> peers = {};  ///< on the link: IPv4 addresses
+  std::vector<std::string> peers = {};  ///< on the link: IPv4 addresses; none: on the host
   std::string user_data = "";           ///< of the participant
   bool shared_memory = false;           ///< samples go so where the peer has it, too
   std::map<std::string, FlowController> flow_controllers = {};
@@ -30,7 +30,7 @@ struct ParticipantOptions {
   /// Called by discovery with what others announce; must not call Fast DDS.
   RemoteEnds::OnEnd on_end = {};
   RemoteEnds::OnParticipant on_participant = {};
-  std::shared_ptr<RadioMarks> marks = {};  ///< of a router's packets; null: on the host
+  std::shared_ptr<RadioMarks> marks = {};  ///< of a router's packets; null: as large as UDP carries
   std::string enclave = {};                ///< folder of its identity; empty: no DDS Security
   /// Released when the participant is complete.
   std::shared_ptr<DeferredReception> reception = std::make_shared<DeferredReception>();
