@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the makers' reader says of a file, as JSON: `node read_file.mjs FILE`. It reads by the index
+// What the makers' reader says of a file, as JSON: `node read_file.mjs FILE`. It reads by the index, with @mcap/nodejs,
 // and, apart from that, from the beginning to the end, checks all checksums, and decodes each message of
 // encoding cdr by its ros2msg schema.
 import fs from "node:fs";
 import { parse } from "@foxglove/rosmsg";
 import { MessageReader } from "@foxglove/rosmsg2-serialization";
 import { McapIndexedReader, McapStreamReader } from "@mcap/core";
+import { FileHandleReadable } from "@mcap/nodejs";
 import { loadDecompressHandlers } from "@mcap/support";
 
-const bytes = fs.readFileSync(process.argv[2]);
 const decompressHandlers = await loadDecompressHandlers();
-const readable = {
-  size: async () => BigInt(bytes.length),
-  read: async (offset, size) => bytes.subarray(Number(offset), Number(offset + size)),
-};
+const file = await fs.promises.open(process.argv[2]);
+const readable = new FileHandleReadable(file);
 
 const indexed = await McapIndexedReader.Initialize({ readable, decompressHandlers });
 const readers = new Map();
@@ -40,7 +38,7 @@ for await (const message of indexed.readMessages()) {
 }
 
 const stream = new McapStreamReader({ decompressHandlers, validateCrcs: true });
-stream.append(bytes);
+stream.append(await fs.promises.readFile(process.argv[2]));
 let streamed = 0;
 for (let record; (record = stream.nextRecord()); ) {
   if (record.type === "Message") ++streamed;
@@ -55,6 +53,7 @@ const metadata = {};
 for await (const one of indexed.readMetadata()) {
   metadata[one.name] = Object.fromEntries(one.metadata);
 }
+await file.close();
 console.log(
   JSON.stringify({
     profile: indexed.header.profile,
