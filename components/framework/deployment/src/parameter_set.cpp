@@ -62,7 +62,8 @@ void ParameterSet::add_setting(const std::string& setting, YamlSources& sources)
   const std::string component = setting.substr(0, dot);
   component_places_[component] = "--set " + setting;
   const std::string key = setting.substr(dot + 1, equals - dot - 1);
-  const YAML::Node value = sources.parse(setting.substr(equals + 1), "--set " + setting);
+  const std::string written = setting.substr(equals + 1);
+  const YAML::Node value = sources.parse(written.empty() ? "''" : written, "--set " + setting);
   settings_.push_back({component, sources.parse("'" + key + "'", "--set " + setting), value});
 }
 

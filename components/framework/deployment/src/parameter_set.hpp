@@ -17,7 +17,7 @@ class ParameterSet {
   /// Adds a map of "name -> map" or "host/name -> map"; the process may stand in the name, too.
   /// `sources` must outlive the set.
   void add_file(const YAML::Node& root, const YamlSources& sources);
-  /// Adds "name.key=value" or "host/name.key=value", value in YAML.
+  /// Adds "name.key=value" or "host/name.key=value", value in YAML; no value is an empty text.
   void add_setting(const std::string& setting, YamlSources& sources);
   /// Puts what was added from files below, and the settings above, the instance's own parameters.
   /// `process` is "host/process".

@@ -95,6 +95,12 @@ TEST_F(ParameterSetTest, RejectsUnknownComponentsInSettings) {
   EXPECT_THAT(error(), HasSubstr("--set drivr.port=x"));
 }
 
+TEST_F(ParameterSetTest, ASettingWithoutAValueIsAnEmptyText) {
+  files_ = "[]";
+  overrides_.set = {"driver.port="};
+  EXPECT_EQ(value("driver", "port"), "\"\"");  // as YAML
+}
+
 TEST_F(ParameterSetTest, RejectsSettingsOfTheWrongForm) {
   files_ = "[]";
   for (const char* bad : {"driver", "driver=1", ".port=1", "driver.=1", "a=b.c"}) {

@@ -137,7 +137,8 @@ struct Overrides {
   std::string security;       ///< path in place of the file's `security`; empty: none
   std::string qos;            ///< path in place of the file's `qos`; empty: none
   std::string traffic;        ///< path in place of the file's `traffic`; empty: none
-  /// "name.key=value" or "host/name.key=value", value in YAML; names as in `means`.
+  /// "name.key=value" or "host/name.key=value", value in YAML, an empty text without; names as in
+  /// `means`.
   std::vector<std::string> set;
   /// "host/process" or "host/process/component" left out; names as in `resolve_path`.
   std::vector<std::string> without;

@@ -8,7 +8,8 @@
 
 namespace tocsin {
 
-/// A YAML map of settings "key=value". Throws ConfigError for one without key or '='.
+/// A YAML map of settings "key=value"; no value is an empty text. Throws ConfigError for one
+/// without key or '='.
 [[nodiscard]] inline std::string settings_text(const std::vector<std::string>& settings) {
   std::string text;
   for (const std::string& setting : settings) {
@@ -16,7 +17,8 @@ namespace tocsin {
     if (at == std::string::npos || at == 0) {
       throw ConfigError("--set " + setting + ": is not key=value");
     }
-    text += setting.substr(0, at) + ": " + setting.substr(at + 1) + "\n";
+    const std::string value = setting.substr(at + 1);
+    text += setting.substr(0, at) + ": " + (value.empty() ? "''" : value) + "\n";
   }
   return text;
 }
