@@ -85,12 +85,8 @@ bool are_equal(const std::set<std::string>& heard, const std::set<std::string>& 
 
 TEST(Gateway, VelocitiesScansAndPicturesOfARobotOnCycloneDdsCrossTheRadioByteForByte) {
   const TemporaryFolder folder;
-  const Stack stack({folder.write("gateway_on_one_computer.yaml",
-                                  "extends: gateway.yaml\n"
-                                  "radio:\n"
-                                  "  channel: ${share}/config/radio/open.yaml\n"
-                                  "  walls: ${share}/config/maps/classroom.walls.yaml\n"),
-                     "--seed", "1"});
+  const Stack stack(
+      {folder.write("gateway_on_one_computer.yaml", gateway_on_one_computer), "--seed", "1"});
   ASSERT_TRUE(Stack::eventually(patience, [&] {
     return stack.logged("gcs is on the link") && stack.logged("uxv is on the link");
   })) << stack.output();

@@ -19,6 +19,13 @@ struct Ended {
 /// Runs an installed program to its end, with a shell's words behind it.
 [[nodiscard]] Ended run_to_end(const std::string& program, const std::string& arguments);
 
+/// A bringup file: gateway.yaml with both hosts on this computer, over an emulated radio.
+inline constexpr const char* gateway_on_one_computer =
+    "extends: gateway.yaml\n"
+    "radio:\n"
+    "  channel: ${share}/config/radio/open.yaml\n"
+    "  walls: ${share}/config/maps/classroom.walls.yaml\n";
+
 /// A running `tocsin launch` with a run folder of its own, which is removed in the end; the
 /// launcher is stopped when it still runs.
 class Stack {

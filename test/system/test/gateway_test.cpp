@@ -61,12 +61,8 @@ std::string text_of(const std::string& file) {
 
 TEST(Gateway, AMessageOfATypeThatNobodyKnowsArrivesByteForByte) {
   const TemporaryFolder folder;
-  const Stack stack({folder.write("gateway_on_one_computer.yaml",
-                                  "extends: gateway.yaml\n"
-                                  "radio:\n"
-                                  "  channel: ${share}/config/radio/open.yaml\n"
-                                  "  walls: ${share}/config/maps/classroom.walls.yaml\n"),
-                     "--seed", "1"});
+  const Stack stack(
+      {folder.write("gateway_on_one_computer.yaml", gateway_on_one_computer), "--seed", "1"});
   const auto run = [&](const char* process) { return stack.pid(process) != 0; };
   for (const char* const process : {"uxv/link", "uxv/recorder", "gcs/link", "gcs/recorder"}) {
     ASSERT_TRUE(Stack::eventually(patience, [&] { return run(process); })) << process << '\n'

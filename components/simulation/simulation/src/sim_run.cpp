@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <time.h>
-
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -8,16 +6,11 @@
 
 #include "deployment/run_folder.hpp"
 #include "foundation/error.hpp"
+#include "foundation/thread_cpu.hpp"
 #include "sim_command.hpp"
 
 namespace tocsin::simulation {
 namespace {
-
-double thread_cpu_s() {
-  timespec used{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
-}
 
 /// How long a run took.
 struct Effort {
@@ -66,10 +59,10 @@ SeedOutcome simulate_into(const Options& options, const deployment::RunFolder& r
   auto deployment = deployment::load_deployment(options.file, overrides);
   deployment::write_resolved(deployment, overrides.run_dir + "/deployment.yaml");
   const auto begin = std::chrono::steady_clock::now();
-  const double cpu_begin_s = thread_cpu_s();
+  const Duration cpu_begin = thread_cpu();
   SeedOutcome checked = run(options, std::move(deployment));
   const auto wall = std::chrono::steady_clock::now() - begin;
-  print(checked.outcome, {to_seconds(Duration(wall)), thread_cpu_s() - cpu_begin_s},
+  print(checked.outcome, {to_seconds(Duration(wall)), to_seconds(thread_cpu() - cpu_begin)},
         overrides.run_dir);
   return checked;
 }

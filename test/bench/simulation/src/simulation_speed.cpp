@@ -4,7 +4,6 @@
 // usage: simulation_speed [MISSIONS [SECONDS [ROW]]]   missions with seeds 1.. (default 5), each of
 // so many simulated seconds (0: until it is over; runs of the experiment take 600), all rows or
 // one. CPU time of one thread.
-#include <time.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "deployment/deployment.hpp"
+#include "foundation/thread_cpu.hpp"
 #include "foundation/yaml_file.hpp"
 #include "simulation/sim_world.hpp"
 
@@ -45,11 +45,7 @@ struct Effort {
   simulation::Outcome last;
 };
 
-double cpu_s() {
-  timespec used{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
-}
+double cpu_s() { return to_seconds(thread_cpu()); }
 
 /// Mission, settings, channel and what is left out, as thesis.yaml says.
 void set_experiment(const Setup& setup, deployment::Overrides& overrides) {

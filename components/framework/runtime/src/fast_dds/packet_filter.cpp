@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <memory>
 #include <optional>
 #include <set>
@@ -86,12 +85,6 @@ rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::si
   }
   if (others_) others_->hear(bytes, size, source.address);
   return inspection;
-}
-
-Duration PacketFilter::thread_cpu() {
-  timespec spent{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
-  return std::chrono::seconds(spent.tv_sec) + std::chrono::nanoseconds(spent.tv_nsec);
 }
 
 void PacketFilter::took(Duration cpu) {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "fast_dds/sender_users.hpp"
-#include "foundation/time.hpp"
+#include "foundation/thread_cpu.hpp"
 #include "link/message_pieces.hpp"
 #include "link/other_makers.hpp"
 #include "rtps_filter/rtps_filter.hpp"
@@ -84,7 +84,6 @@ class PacketFilter {
     PacketFilter* const filter_;
     const Duration begin_;
   };
-  [[nodiscard]] static Duration thread_cpu();
   void took(Duration cpu);
   rtps_filter::Inspection inspect(const std::uint8_t* bytes, std::size_t size,
                                   const eprosima::fastrtps::rtps::Locator_t& from);
