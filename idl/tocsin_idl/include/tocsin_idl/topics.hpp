@@ -169,6 +169,12 @@ struct EmergencyStop {
   static constexpr const char* station_name = "station";
 };
 
+/// Of the host's router: what the other side's packets say of the emergency stop. A listener that
+/// has received it once and then not for a second takes that for a stop.
+struct LinkStop {
+  using Message = tocsin_msgs::msg::LinkStop;
+  static constexpr TopicInfo info{"link_stop", "sensor", Scope::host};
+};
 /// What the ground station's people ask for; its component emergency_stop keeps it and sends it.
 struct EmergencyStopRequest {
   using Message = std_msgs::msg::Bool;
@@ -247,7 +253,7 @@ using AllLinkTopics = List<Location, NetworkQuality, NavigationStatus, BatterySt
 using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation, CmdVelDocking,
          CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs, MuxSetInputs,
-         SafetyEnable, EmergencyStopRequest, EmergencyStopState, MissionCommand, Map, LinkBudget,
-         LogRequest, ContainerState>;
+         SafetyEnable, LinkStop, EmergencyStopRequest, EmergencyStopState, MissionCommand, Map,
+         LinkBudget, LogRequest, ContainerState>;
 
 }  // namespace tocsin::topic
