@@ -57,14 +57,13 @@ std::optional<Time> FetchTrigger::take() {
 
 FetchRule around_stop(double s) {
   FetchRule rule;
-  rule.when = topic::EmergencyStop::info.name;
-  rule.field = "data";
+  rule.when = topic::SafetyStatus::info.name;
+  rule.field = "emergency_stop";
   rule.is = FetchRule::Is::equal;
   rule.value = "true";
   rule.topics = {"*"};
   rule.before_s = s;
   rule.after_s = s;
-  // Who wants the vehicle to stop says it several times a second.
   rule.min_interval_s = 5;
   rule.name = "link_router.fetch_around_stop_s";
   return rule;

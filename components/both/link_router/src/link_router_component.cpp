@@ -12,6 +12,7 @@
 #include "foundation/error.hpp"
 #include "held_arrivals.hpp"
 #include "router_messages.hpp"
+#include "router_stop.hpp"
 #include "router_store.hpp"
 #include "runtime/component_entry.hpp"
 #include "runtime/middleware/link_permissions.hpp"
@@ -57,6 +58,7 @@ LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
       sender_(params.link, this_life),
       receiver_(params.link, this_life),
       link_(open_link(bus(), schedule())),
+      stop_(std::make_unique<RouterStop>(*this, context, *link_, log())),
       receipts_(link_->open(receipt_flow(), TrafficClass::critical)),
       store_(std::make_unique<RouterStore>(context.devices, store_place(context, params),
                                            [this] { schedule().input_arrived(); })),
@@ -80,6 +82,7 @@ LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
 LinkRouterComponent::~LinkRouterComponent() = default;
 
 void LinkRouterComponent::tick(Time now) {
+  stop_->follow(now);
   if (now >= next_keep_) keep_store(now);
   follow_gate(now);
   take_requests(now);
@@ -93,7 +96,7 @@ void LinkRouterComponent::tick(Time now) {
   if (now >= next_budget_) tell_budgets(now);
   if (now >= next_report_) report(now);
   wake_at(std::min({sender_.deadline(now), receiver_.deadline(), keeper_.deadline(now),
-                    fill_ins_->deadline(now), calls_->deadline(now), held_->deadline(),
+                    fill_ins_->deadline(now), calls_->deadline(now), held_->deadline(), stop_->deadline(),
                     next_budget_, next_report_, next_keep_}));
 }
 

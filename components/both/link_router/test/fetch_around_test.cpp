@@ -28,10 +28,10 @@ TEST_F(FetchAroundTest, WhatIsAroundAnEmergencyStopCrossesByItself) {
   run(10);
   write(2);
   run(1);
-  std_msgs::msg::Bool stop;
-  stop.data(true);
+  tocsin_msgs::msg::SafetyStatus stop;
+  stop.emergency_stop(true);
   for (int i = 0; i < 5; ++i) {
-    host_->bus.publish<topic::EmergencyStop>(stop);
+    host_->bus.publish<topic::SafetyStatus>(stop);
     run(0.2);
   }
   write(3);
@@ -39,8 +39,8 @@ TEST_F(FetchAroundTest, WhatIsAroundAnEmergencyStopCrossesByItself) {
   write(4);
   run(5);
   EXPECT_THAT(sent(), ElementsAre(2, 3));
-  stop.data(false);
-  host_->bus.publish<topic::EmergencyStop>(stop);
+  stop.emergency_stop(false);
+  host_->bus.publish<topic::SafetyStatus>(stop);
   run(5);
   EXPECT_THAT(sent(), ElementsAre(2, 3)) << "nothing follows from its end";
 }
@@ -51,12 +51,12 @@ TEST_F(FetchAroundTest, WhatIsWantedOutlivesTheRouterAndCrossesOnce) {
   meet_station();
   (void)begin("odom");
   run(10);
-  std_msgs::msg::Bool stop;
-  stop.data(true);
-  host_->bus.publish<topic::EmergencyStop>(stop);
+  tocsin_msgs::msg::SafetyStatus stop;
+  stop.emergency_stop(true);
+  host_->bus.publish<topic::SafetyStatus>(stop);
   for (std::uint64_t sequence = 1; sequence <= 20; ++sequence) write(sequence, host_flow, 900);
   next_life(4);
-  host_->bus.publish<topic::EmergencyStop>(stop);
+  host_->bus.publish<topic::SafetyStatus>(stop);
   run(20);  // its clock begins with it
   ASSERT_GE(sent().size(), 5U) << "the event before the kill";
   const std::uint64_t confirmed = batches().at(1)->samples().back().sequence_number();
@@ -84,13 +84,13 @@ TEST_F(FetchAroundTest, AStopThatGoesOnOverARestartIsOneEvent) {
   meet_station();
   (void)begin("odom");
   run(2);
-  std_msgs::msg::Bool stop;
-  stop.data(true);
-  host_->bus.publish<topic::EmergencyStop>(stop);
+  tocsin_msgs::msg::SafetyStatus stop;
+  stop.emergency_stop(true);
+  host_->bus.publish<topic::SafetyStatus>(stop);
   run(1);
   next_life(8);
   for (int i = 0; i < 20; ++i) {
-    host_->bus.publish<topic::EmergencyStop>(stop);
+    host_->bus.publish<topic::SafetyStatus>(stop);
     run(0.2);
   }
   EXPECT_EQ(state().fetches().size(), 1U);

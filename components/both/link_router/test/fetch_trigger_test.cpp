@@ -37,9 +37,9 @@ class FetchTriggerTest : public ::testing::Test {
  protected:
   FetchTriggerTest() { bus_.add(sut_); }
   void stop(bool on, double then_s) {
-    std_msgs::msg::Bool message;
-    message.data(on);
-    bus_.publish<topic::EmergencyStop>(message);
+    tocsin_msgs::msg::SafetyStatus message;
+    message.emergency_stop(on);
+    bus_.publish<topic::SafetyStatus>(message);
     bus_.run_for(seconds(then_s));
   }
   SimBus bus_;

@@ -62,6 +62,8 @@ class ScriptedLink {
   std::vector<bool> gate;               ///< each time that it changed: open
   bool is_up = true;
   bool host_reads = true;  ///< readers of the host hear at once what is offered there
+  std::vector<StopValue> said_stops;
+  StopNews stop_news;  ///< what the router is told next
   TrafficRules rules;
   ScriptedServices services;
 };
@@ -126,6 +128,8 @@ class ScriptedLinkBus final : public LinkBus {
   [[nodiscard]] HostServices* services() override {
     return script_.rules.call_classes().empty() ? nullptr : &script_.services;
   }
+  void say_stop(const StopValue& value) override { script_.said_stops.push_back(value); }
+  [[nodiscard]] StopNews take_stop_news() override { return std::exchange(script_.stop_news, {}); }
   [[nodiscard]] const TrafficRules& rules() const override { return script_.rules; }
   [[nodiscard]] LinkPackets packets() const override { return {7, 700, 2, 200, {400, 0, 0, 100}}; }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "link_router/wire_cost.hpp"
+#include "stop_bytes.hpp"
 
 namespace tocsin::simulation {
 namespace {
@@ -66,6 +67,7 @@ SimLinkBus::SimLinkBus(Network& network, SimHost& host, std::function<void()> on
   }
   host_.set_router(this);
   announce();
+  repeat_stop();
 }
 
 SimLinkBus::~SimLinkBus() {
@@ -183,18 +185,23 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
   }
   const auto packets = router::packets_of(sample.bytes);
   const std::uint8_t dscp = host_.rules().dscp(sending.traffic_class);
+  const auto stop = packets.size() == 1 ? rider() : nullptr;
+  if (stop) stop_sent_ = network_.core.now;
   for (const auto& peer : peers_) {
-    auto on_whole = [&network = network_, own = life_, other = peer.second, flow, number, sample] {
+    auto on_whole = [&network = network_, own = life_, other = peer.second, flow, number, sample,
+                     stop] {
       if (SimLinkBus* const to = network.find_router(other)) {
+        to->on_packet(own, stop);
         to->on_arrived(own, flow, number, sample);
       }
     };
     const auto transmission = std::make_shared<Transmission>(std::move(on_whole), packets.size());
     for (std::size_t i = 0; i < packets.size(); ++i) {
-      network_.link.send({host_.direction(), dscp}, packets[i], transmission, i);
+      const std::size_t bytes = packets[i] + (stop ? stop_bytes(*stop) : 0);
+      network_.link.send({host_.direction(), dscp}, bytes, transmission, i);
       ++packets_.packets;
-      packets_.bytes += packets[i];
-      packets_.class_bytes[static_cast<std::size_t>(sending.traffic_class)] += packets[i];
+      packets_.bytes += bytes;
+      packets_.class_bytes[static_cast<std::size_t>(sending.traffic_class)] += bytes;
     }
   }
   return number;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/middleware/link_bus.hpp"
@@ -51,6 +52,8 @@ class SimLinkBus final : public LinkBus {
   [[nodiscard]] std::shared_ptr<const void> unpack(const TypeInfo& type,
                                                    const CarriedSample& sample) const override;
   [[nodiscard]] const TrafficRules& rules() const override { return host_.rules(); }
+  void say_stop(const StopValue& value) override;
+  [[nodiscard]] StopNews take_stop_news() override { return std::exchange(stop_news_, {}); }
   [[nodiscard]] LinkPackets packets() const override { return packets_; }
   void on_gate(bool open) override;
 
@@ -60,6 +63,8 @@ class SimLinkBus final : public LinkBus {
   void on_written(const SimProcess::Topic& topic, const Sample& sample);
   /// A transmission of that life of a peer has come.
   void on_arrived(PeerId peer, FlowId flow, std::uint64_t number, const CarriedSample& sample);
+  /// A packet of that life of a peer has come; null: nothing rode in it.
+  void on_packet(PeerId peer, const std::shared_ptr<const StopValue>& rider);
 
  private:
   struct Sending {
@@ -71,6 +76,11 @@ class SimLinkBus final : public LinkBus {
     FlowId id;
     std::vector<const SimProcess::Topic*> writers;
   };
+  /// What rides in a packet with room; null when nothing fresh was said.
+  [[nodiscard]] std::shared_ptr<const StopValue> rider() const;
+  /// Sends the stop's value alone, unless it rode in a packet since `period`.
+  void send_stop(Duration period);
+  void repeat_stop();
   void push(LinkEvent event);
   void tell_observer(GateEvent event) const;
   void meet(SimLinkBus& peer);
@@ -93,6 +103,11 @@ class SimLinkBus final : public LinkBus {
   std::map<std::pair<PeerId, FlowId>, FlowId> peer_flows_;     ///< by the peer's number
   std::map<FlowId, Flow> known_;  ///< flows of peers, and those of offer()
   LinkPackets packets_;
+  std::shared_ptr<const StopValue> stop_;  ///< as it was said last
+  Time stop_said_{};
+  Time stop_sent_{};
+  StopNews stop_news_;
+  std::map<PeerId, std::uint64_t> stop_numbers_;  ///< last received
 };
 
 }  // namespace tocsin::simulation

@@ -181,17 +181,17 @@ TEST_F(LinkBusTest, WhatWasOnItsWayToADeadRouterIsLostForItsSuccessorToo) {
 
 TEST_F(LinkBusTest, FlowsOfOneTopicWithDifferentUserDataAreTwo) {
   connect();
-  Reader& away = read<topic::EmergencyStop>(drive_);
-  const char* station = topic::EmergencyStop::station;
-  const auto one = mission_.advertise(endpoint<topic::EmergencyStop>(station));
-  const auto other = view_.advertise(endpoint<topic::EmergencyStop>());
+  Reader& away = read<topic::MissionStatus>(drive_);
+  const char* station = "tocsin_stop=station;";
+  const auto one = mission_.advertise(endpoint<topic::MissionStatus>(station));
+  const auto other = view_.advertise(endpoint<topic::MissionStatus>());
   run_for(1);
   ASSERT_EQ(up().count<PeerFlow>(), 2U);
   EXPECT_EQ(up().got<PeerFlow>()[0].what.user_data, station);
   EXPECT_EQ(up().got<PeerFlow>()[1].what.user_data, "");
   EXPECT_NE(up().got<PeerFlow>()[0].wire_id, up().got<PeerFlow>()[1].wire_id);
-  (void)one->write(message<topic::EmergencyStop>());
-  (void)other->write(message<topic::EmergencyStop>());
+  (void)one->write(message<topic::MissionStatus>());
+  (void)other->write(message<topic::MissionStatus>());
   run_for(1);
   ASSERT_EQ(away.samples.size(), 2U);
   EXPECT_NE(away.samples[0].source, away.samples[1].source);
@@ -200,11 +200,11 @@ TEST_F(LinkBusTest, FlowsOfOneTopicWithDifferentUserDataAreTwo) {
 TEST_F(LinkBusTest, AReaderIsToldWhoWroteWhatWasCarried) {
   connect();
   Reader away;
-  const auto subscription = drive_.subscribe(endpoint<topic::EmergencyStop>(), away);
-  const char* station = topic::EmergencyStop::station;
-  const auto writer = mission_.advertise(endpoint<topic::EmergencyStop>(station));
+  const auto subscription = drive_.subscribe(endpoint<topic::MissionStatus>(), away);
+  const char* station = "tocsin_stop=station;";
+  const auto writer = mission_.advertise(endpoint<topic::MissionStatus>(station));
   run_for(1);
-  (void)writer->write(message<topic::EmergencyStop>());
+  (void)writer->write(message<topic::MissionStatus>());
   run_for(1);
   ASSERT_EQ(away.samples.size(), 1U);
   const auto info = subscription->writer(away.samples[0].source);

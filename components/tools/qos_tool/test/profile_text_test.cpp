@@ -96,7 +96,7 @@ TEST(ProfileText, AListWithoutTopicsHasEveryProfile) {
 TEST(ProfileText, KnowsTheTopicsOfTheInstalledLibraries) {
   bool found = false;
   for (const TopicUse& use : known_uses()) {
-    found = found || (use.topic == "emergency_stop" && use.crosses_link);
+    found = found || (use.topic == "mission_status" && use.crosses_link);
   }
   EXPECT_TRUE(found);
 }

@@ -158,11 +158,12 @@ struct Map {
   static constexpr TopicInfo info{"map", "state", Scope::host};
 };
 /// True stops the vehicle; it stands until everybody who said true has said false, see
-/// EmergencyStopLatch. Anybody may stop it, so every writer is heard. Who says true goes on
-/// saying it: readers that come late get no older sample.
+/// EmergencyStopLatch. Anybody on the vehicle's or a station's host may stop it, so every writer
+/// counts. Who says true goes on saying it: readers that come late get no older sample. It stays on
+/// its host; the routers carry what stands in each of their packets (LinkStop).
 struct EmergencyStop {
   using Message = std_msgs::msg::Bool;
-  static constexpr TopicInfo info{"emergency_stop", "state", Scope::link, Requests::anything};
+  static constexpr TopicInfo info{"emergency_stop", "state", Scope::host, Requests::anything};
   /// User data of the writers that speak for the ground station's people, and their name in
   /// SafetyStatus.
   static constexpr const char* station = "tocsin_stop=station;";
@@ -246,14 +247,14 @@ struct ContainerState {
 };
 
 using AllLinkTopics = List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage,
-                           CpuLoad, CpuTemperature, CameraImage, Goal, MissionStatus, EmergencyStop,
-                           SafetyStatus, DockingStatus, TeleopCmdVel, DriverState, DriverRequest,
-                           DockingCommand, Heartbeat, TransmissionState, TrafficReport, LinkState>;
+                           CpuLoad, CpuTemperature, CameraImage, Goal, MissionStatus, SafetyStatus,
+                           DockingStatus, TeleopCmdVel, DriverState, DriverRequest, DockingCommand,
+                           Heartbeat, TransmissionState, TrafficReport, LinkState>;
 
 using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation, CmdVelDocking,
          CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs, MuxSetInputs,
-         SafetyEnable, LinkStop, EmergencyStopRequest, EmergencyStopState, MissionCommand, Map,
-         LinkBudget, LogRequest, ContainerState>;
+         SafetyEnable, EmergencyStop, LinkStop, EmergencyStopRequest, EmergencyStopState,
+         MissionCommand, Map, LinkBudget, LogRequest, ContainerState>;
 
 }  // namespace tocsin::topic

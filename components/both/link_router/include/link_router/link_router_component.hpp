@@ -25,6 +25,7 @@ class CallLink;
 class FetchTrigger;
 class FillInLink;
 class HeldArrivals;
+class RouterStop;
 class RouterStore;
 
 /// The one owner of the link on its host. It takes what the traffic file names from the host and
@@ -129,6 +130,7 @@ class LinkRouterComponent final : public Component {
   router::LinkSender sender_;
   router::LinkReceiver receiver_;
   std::unique_ptr<LinkBus> link_;
+  std::unique_ptr<RouterStop> stop_;
   FlowId receipts_;
   std::unique_ptr<RouterStore> store_;
   std::unique_ptr<RouterStore> history_;

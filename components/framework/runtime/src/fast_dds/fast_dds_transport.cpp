@@ -36,22 +36,6 @@ bool is_on_link(const ParticipantOptions& options) {
   return options.marks != nullptr || !options.peers.empty();
 }
 
-std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(
-    const ParticipantOptions& options, const std::shared_ptr<OtherMakers>& others) {
-  if (!is_on_link(options)) return host_transport(options.domain, host_socket_bytes);
-  auto udp = std::make_shared<UDPv4TransportDescriptor>();
-  udp->interfaceWhiteList = {options.address};
-  if (!options.marks) return udp;
-  return marked(std::move(udp), options.marks, others);
-}
-
-std::shared_ptr<SharedMemTransportDescriptor> shared_memory_transport() {
-  auto transport = std::make_shared<SharedMemTransportDescriptor>();
-  transport->segment_size(segment_bytes);
-  transport->max_message_size(segment_bytes / 2);
-  return transport;
-}
-
 rtps::Locator_t udp_locator(const std::string& address, int port) {
   rtps::Locator_t locator;
   locator.kind = LOCATOR_KIND_UDPv4;
@@ -66,6 +50,33 @@ int discovery_port(int domain, int participant) { return 7410 + 250 * domain + 2
 
 /// Routers that may share one address; more than one only where a test needs no second interface.
 constexpr int most_at_one_address = 3;
+
+/// Where routers of the peers receive discovery.
+std::vector<rtps::Locator_t> router_ports(const ParticipantOptions& options) {
+  std::vector<rtps::Locator_t> all;
+  for (const std::string& peer : options.peers) {
+    for (int i = 0; i < (peer == options.address ? most_at_one_address : 1); ++i) {
+      all.push_back(udp_locator(peer, discovery_port(options.domain, i)));
+    }
+  }
+  return all;
+}
+
+std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(
+    const ParticipantOptions& options, const std::shared_ptr<OtherMakers>& others) {
+  if (!is_on_link(options)) return host_transport(options.domain, host_socket_bytes);
+  auto udp = std::make_shared<UDPv4TransportDescriptor>();
+  udp->interfaceWhiteList = {options.address};
+  if (!options.marks) return udp;
+  return marked(std::move(udp), options.marks, others, {options.stop, router_ports(options)});
+}
+
+std::shared_ptr<SharedMemTransportDescriptor> shared_memory_transport() {
+  auto transport = std::make_shared<SharedMemTransportDescriptor>();
+  transport->segment_size(segment_bytes);
+  transport->max_message_size(segment_bytes / 2);
+  return transport;
+}
 
 bool is_free(const std::string& address, int port) {
   const int descriptor = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
@@ -90,10 +101,8 @@ void locate_on_link(const ParticipantOptions& options, dds::DomainParticipantQos
   builtin.metatrafficUnicastLocatorList.push_back(udp_locator(options.address, port));
   qos.wire_protocol().default_unicast_locator_list.push_back(
       udp_locator(options.address, port + 1));
-  for (const std::string& peer : options.peers) {
-    for (int i = 0; i < (peer == options.address ? most_at_one_address : 1); ++i) {
-      builtin.initialPeersList.push_back(udp_locator(peer, discovery_port(options.domain, i)));
-    }
+  for (const rtps::Locator_t& peer : router_ports(options)) {
+    builtin.initialPeersList.push_back(peer);
   }
   builtin.discovery_config.leaseDuration = dds_duration(link_lease_s);
   // Two packets each time: Fast DDS announces to the peer's address and to the peer it has found.

@@ -31,6 +31,7 @@ struct ParticipantOptions {
   RemoteEnds::OnEnd on_end = {};
   RemoteEnds::OnParticipant on_participant = {};
   std::shared_ptr<RadioMarks> marks = {};  ///< of a router's packets; null: as large as UDP carries
+  std::shared_ptr<StopChannel> stop = {};  ///< on the link: the emergency stop's way; null: none
   std::string enclave = {};                ///< folder of its identity; empty: no DDS Security
   /// Released when the participant is complete.
   std::shared_ptr<DeferredReception> reception = std::make_shared<DeferredReception>();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/fast_dds_link_bus.hpp"
 
+#include <arpa/inet.h>
+
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -65,6 +67,18 @@ const BusOptions& with_sound_identity(const BusOptions& options) {
   return options;
 }
 
+/// IPv4 in host byte order; zero for what is none.
+std::uint32_t address_of(const std::string& text) {
+  in_addr parsed{};
+  return inet_pton(AF_INET, text.c_str(), &parsed) == 1 ? ntohl(parsed.s_addr) : 0;
+}
+
+StopChannel::Options stop_options(const BusOptions& options, std::function<void()> on_news) {
+  StopChannel::Options stop{{}, options.enclave, radio_message_bytes, std::move(on_news)};
+  for (const std::string& peer : options.link_peers) stop.peers.push_back(address_of(peer));
+  return stop;
+}
+
 }  // namespace
 
 FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> on_event)
@@ -72,6 +86,7 @@ FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> 
       rules_(options.traffic_file, options.role),
       table_(options.ros_namespace, rules_, std::move(on_event)),
       service_table_(options.ros_namespace, [this] { table_.wake(); }),
+      stop_(std::make_shared<StopChannel>(stop_options(options_, [this] { table_.wake(); }))),
       host_(host_options()),
       services_(host_, options.ros_namespace, service_table_, log_) {
   if (interface_is_running(options_.link_address)) {
@@ -101,6 +116,7 @@ ParticipantOptions FastDdsLinkBus::link_options() {
   ParticipantOptions link{options_.host + router_suffix, options_.link_domain,
                           options_.link_address, options_.link_peers};
   link.marks = marks_;
+  link.stop = stop_;
   link.enclave = options_.enclave;
   link.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_link_end(guid, end, there);
@@ -219,6 +235,12 @@ std::optional<std::uint64_t> FastDdsLinkBus::send(FlowId flow, const CarriedSamp
   const auto found = sending_.find(flow);
   if (found == sending_.end() || !found->second.writer) return std::nullopt;
   return found->second.writer->write(sample);
+}
+
+void FastDdsLinkBus::say_stop(const StopValue& value) {
+  StopValue named = value;
+  named.host = options_.host;
+  stop_->say(named, std::chrono::steady_clock::now());
 }
 
 void FastDdsLinkBus::offer(FlowId id, const Flow& flow) {

@@ -12,6 +12,7 @@
 #include "link/flow_table.hpp"
 #include "link/late_interface.hpp"
 #include "link/radio_transport.hpp"
+#include "link/stop_channel.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/link_bus.hpp"
@@ -47,6 +48,8 @@ class FastDdsLinkBus final : public LinkBus {
   [[nodiscard]] HostServices* services() override {
     return rules_.call_classes().empty() ? nullptr : &services_;
   }
+  void say_stop(const StopValue& value) override;
+  [[nodiscard]] StopNews take_stop_news() override { return stop_->take_news(); }
   [[nodiscard]] const TrafficRules& rules() const override { return rules_; }
   [[nodiscard]] LinkPackets packets() const override { return marks_->packets(); }
 
@@ -77,6 +80,7 @@ class FastDdsLinkBus final : public LinkBus {
   FlowTable table_;
   ServiceTable service_table_;
   const std::shared_ptr<RadioMarks> marks_ = std::make_shared<RadioMarks>();
+  const std::shared_ptr<StopChannel> stop_;
   std::atomic<bool> interface_is_up_{false};
   FastDdsParticipant host_;
   std::unique_ptr<FastDdsParticipant> link_;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstring>
@@ -18,6 +19,7 @@
 #include <thread>
 #include <utility>
 
+#include "fast_dds/this_host.hpp"
 #include "link/discovery_pacer.hpp"
 #include "link/rtps_message.hpp"
 #include "watch/activity.hpp"
@@ -56,19 +58,21 @@ class RadioSocket {
 
   [[nodiscard]] bool usable() const { return usable_; }
   /// A full socket loses the packet, as the radio would.
+  /// `more` follows in the packet.
   [[nodiscard]] bool send(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to,
-                          int dscp) const {
+                          int dscp, const StopChannel::Bytes& more = {}) const {
     sockaddr_in peer{};
     peer.sin_family = AF_INET;
     peer.sin_port = htons(rtps::IPLocator::getPhysicalPort(to));
     std::memcpy(&peer.sin_addr, rtps::IPLocator::getIPv4(to), sizeof peer.sin_addr);
-    iovec data{const_cast<rtps::octet*>(bytes), size};
+    std::array<iovec, 2> data{{{const_cast<rtps::octet*>(bytes), size},
+                               {const_cast<rtps::octet*>(more.data()), more.size()}}};
     alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
     msghdr message{};
     message.msg_name = &peer;
     message.msg_namelen = sizeof peer;
-    message.msg_iov = &data;
-    message.msg_iovlen = 1;
+    message.msg_iov = data.data();
+    message.msg_iovlen = more.empty() ? 1 : 2;
     message.msg_control = control.data();
     message.msg_controllen = control.size();
     cmsghdr* const header = CMSG_FIRSTHDR(&message);
@@ -77,7 +81,8 @@ class RadioSocket {
     header->cmsg_len = CMSG_LEN(sizeof(int));
     const int tos = dscp << 2;  // the lower two bits are ECN (RFC 3168)
     std::memcpy(CMSG_DATA(header), &tos, sizeof tos);
-    return ::sendmsg(descriptor_, &message, MSG_DONTWAIT) == static_cast<ssize_t>(size);
+    const auto whole = static_cast<ssize_t>(size + more.size());
+    return ::sendmsg(descriptor_, &message, MSG_DONTWAIT) == whole;
   }
 
  private:
@@ -85,22 +90,26 @@ class RadioSocket {
   bool usable_ = false;
 };
 
-/// Sends what the pacer holds back when its time has come, on a thread of its own.
+/// Sends what the pacer holds back when its time has come, and values of the emergency stop, on a
+/// thread of its own.
 class MarkingSender : public rtps::SenderResource {
  public:
   MarkingSender(const std::string& address, std::shared_ptr<RadioMarks> marks,
-                std::shared_ptr<OtherMakers> others)
+                std::shared_ptr<OtherMakers> others, StopWay stop)
       : SenderResource(LOCATOR_KIND_UDPv4),
         socket_(address),
         marks_(std::move(marks)),
         others_(std::move(others)),
+        stop_(std::move(stop)),
         thread_([this] { run(); }) {
     pthread_setname_np(thread_.native_handle(), "link_discovery");
     send_lambda_ = [this](const rtps::octet* bytes, std::uint32_t size,
                           rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
                           const Deadline&) { return send_to_all(bytes, size, *first, *last); };
+    if (stop_.channel) stop_.channel->on_say([this] { wake(); });
   }
   ~MarkingSender() override {
+    if (stop_.channel) stop_.channel->on_say({});
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       stopping_ = true;
@@ -128,17 +137,51 @@ class MarkingSender : public rtps::SenderResource {
   }
   bool send_in_pieces(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to) {
     if (size <= radio_message_bytes || (others_ && others_->are_at(address_of(to)))) {
-      return socket_.send(bytes, size, to, marks_->mark(bytes, size, size));
+      return send_one(bytes, size, to, marks_->mark(bytes, size, size));
     }
     bool all = true;
     std::unique_lock<std::mutex> lock(mutex_);
     const auto pieces = pieces_.of(bytes, size);
     lock.unlock();
     for (const auto& piece : pieces) {
-      all = socket_.send(piece.data(), piece.size(), to, marks_->mark(bytes, size, piece.size())) &&
-            all;
+      all =
+          send_one(piece.data(), piece.size(), to, marks_->mark(bytes, size, piece.size())) && all;
     }
     return all;
+  }
+  bool send_one(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to, int dscp) {
+    note_header(bytes, size);
+    const auto stop =
+        stop_.channel ? stop_.channel->ride(address_of(to), size, std::chrono::steady_clock::now())
+                      : nullptr;
+    return stop ? socket_.send(bytes, size, to, dscp, *stop) : socket_.send(bytes, size, to, dscp);
+  }
+  /// Values of the stop that go alone say by it who has sent them.
+  void note_header(const rtps::octet* bytes, std::size_t size) {
+    if (has_header_.load(std::memory_order_acquire) || size < header_bytes) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::copy_n(bytes, header_bytes, header_.begin());
+    has_header_.store(true, std::memory_order_release);
+    changed_.notify_one();
+  }
+  void send_stops(Time now) {
+    if (!stop_.channel || !has_header_.load(std::memory_order_acquire)) return;
+    for (const std::uint32_t peer : stop_.channel->peers()) {
+      for (const auto& bytes : stop_.channel->due(peer, now)) {
+        for (const rtps::Locator_t& to : stop_.peers) {
+          if (address_of(to) != peer) continue;
+          (void)socket_.send(header_.data(), header_.size(), to,
+                             marks_->mark_stop(header_.size() + bytes.size()), bytes);
+        }
+      }
+    }
+  }
+  void wake() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      woken_ = true;
+    }
+    changed_.notify_one();
   }
   bool passes(const StateKey& state, const DiscoveryPacer::Held& message) {
     {
@@ -157,23 +200,36 @@ class MarkingSender : public rtps::SenderResource {
                            marks_->mark(bytes.data(), bytes.size(), bytes.size()));
         continue;
       }
-      const Time deadline = pacer_.deadline();
-      if (deadline == never) {
-        changed_.wait(lock);
-      } else {
-        changed_.wait_until(lock, deadline);
-      }
+      woken_ = false;
+      lock.unlock();
+      send_stops(std::chrono::steady_clock::now());
+      lock.lock();
+      if (!woken_ && !stopping_) sleep(lock);
+    }
+  }
+  void sleep(std::unique_lock<std::mutex>& lock) {
+    const bool says = stop_.channel && has_header_.load(std::memory_order_acquire);
+    const Time deadline =
+        says ? std::min(pacer_.deadline(), stop_.channel->deadline()) : pacer_.deadline();
+    if (deadline == never) {
+      changed_.wait(lock);
+    } else {
+      changed_.wait_until(lock, deadline);
     }
   }
 
   RadioSocket socket_;
   std::shared_ptr<RadioMarks> marks_;
   std::shared_ptr<OtherMakers> others_;
+  const StopWay stop_;
   std::mutex mutex_;
   std::condition_variable changed_;
   DiscoveryPacer pacer_;
   MessagePieces pieces_;
   bool stopping_ = false;
+  bool woken_ = false;
+  std::atomic<bool> has_header_{false};
+  std::array<rtps::octet, header_bytes> header_{};  ///< does not change once it is there
   const std::shared_ptr<Activity> timer_ =
       watched_activity(Duty::announcements, "timer of the link's participant");
   std::thread thread_;  // last: it uses all of this
@@ -181,11 +237,13 @@ class MarkingSender : public rtps::SenderResource {
 
 struct MarkingDescriptor : ChainingTransportDescriptor {
   MarkingDescriptor(std::shared_ptr<TransportDescriptorInterface> low, std::string its_address,
-                    std::shared_ptr<RadioMarks> its_marks, std::shared_ptr<OtherMakers> its_others)
+                    std::shared_ptr<RadioMarks> its_marks, std::shared_ptr<OtherMakers> its_others,
+                    StopWay its_stop)
       : ChainingTransportDescriptor(std::move(low)),
         address(std::move(its_address)),
         marks(std::move(its_marks)),
-        others(std::move(its_others)) {
+        others(std::move(its_others)),
+        stop(std::move(its_stop)) {
     maxMessageSize = others ? largest_datagram : radio_message_bytes;
   }
   [[nodiscard]] TransportInterface* create_transport() const override;
@@ -193,6 +251,7 @@ struct MarkingDescriptor : ChainingTransportDescriptor {
   std::string address;
   std::shared_ptr<RadioMarks> marks;
   std::shared_ptr<OtherMakers> others;
+  StopWay stop;
 };
 
 class MarkingTransport : public ChainingTransport {
@@ -207,7 +266,9 @@ class MarkingTransport : public ChainingTransport {
   }
   void receive(TransportReceiverInterface* next, const rtps::octet* bytes, std::uint32_t size,
                const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
-    next->OnDataReceived(bytes, size, local, remote);
+    const std::size_t left = without_stop(bytes, size, remote);
+    if (left == 0) return;
+    next->OnDataReceived(bytes, static_cast<std::uint32_t>(left), local, remote);
   }
   /// One socket sends to all peers.
   bool OpenOutputChannel(SendResourceList& channels, const rtps::Locator_t& to) override {
@@ -215,8 +276,8 @@ class MarkingTransport : public ChainingTransport {
     for (const auto& one : channels) {
       if (dynamic_cast<const MarkingSender*>(one.get()) != nullptr) return true;
     }
-    auto sender =
-        std::make_unique<MarkingSender>(descriptor_.address, descriptor_.marks, descriptor_.others);
+    auto sender = std::make_unique<MarkingSender>(descriptor_.address, descriptor_.marks,
+                                                  descriptor_.others, descriptor_.stop);
     if (!sender->usable()) return false;
     channels.push_back(std::move(sender));
     return true;
@@ -229,6 +290,14 @@ class MarkingTransport : public ChainingTransport {
   }
 
  private:
+  /// The size of a packet without the value of the stop in it, which has then been taken.
+  [[nodiscard]] std::size_t without_stop(const rtps::octet* bytes, std::size_t size,
+                                         const rtps::Locator_t& remote) const {
+    if (!descriptor_.stop.channel) return size;
+    return descriptor_.stop.channel->take(bytes, size, address_of(remote),
+                                          std::chrono::steady_clock::now(),
+                                          wall_now_ns() / 1'000'000'000);
+  }
   MarkingDescriptor descriptor_;
 };
 
@@ -266,6 +335,14 @@ int RadioMarks::mark(const std::uint8_t* message, std::size_t size, std::size_t 
   return found->second.dscp;
 }
 
+int RadioMarks::mark_stop(std::size_t sent) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++packets_.packets;
+  packets_.bytes += sent + ip_and_udp_bytes;
+  packets_.class_bytes[static_cast<std::size_t>(TrafficClass::critical)] += sent + ip_and_udp_bytes;
+  return network_control;
+}
+
 LinkPackets RadioMarks::packets() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return packets_;
@@ -273,12 +350,13 @@ LinkPackets RadioMarks::packets() const {
 
 std::shared_ptr<TransportDescriptorInterface> marked(std::shared_ptr<UDPv4TransportDescriptor> udp,
                                                      std::shared_ptr<RadioMarks> marks,
-                                                     std::shared_ptr<OtherMakers> others) {
+                                                     std::shared_ptr<OtherMakers> others,
+                                                     StopWay stop) {
   const std::string address =
       udp->interfaceWhiteList.empty() ? "0.0.0.0" : udp->interfaceWhiteList.front();
   udp->maxMessageSize = largest_datagram;
   return std::make_shared<MarkingDescriptor>(std::move(udp), address, std::move(marks),
-                                             std::move(others));
+                                             std::move(others), std::move(stop));
 }
 
 }  // namespace tocsin

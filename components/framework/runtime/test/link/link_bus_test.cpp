@@ -74,10 +74,10 @@ TEST_F(LinkBusTest, WhatAWriterAnnouncesAndOffersIsKnownOnTheOtherHost) {
   const auto station = process(Role::gcs);
   const auto vehicle = process(Role::uxv);
   Samples there;
-  const auto far = vehicle->subscribe(endpoint<topic::EmergencyStop>(), there);
+  const auto far = vehicle->subscribe(endpoint<topic::MissionStatus>(), there);
   const auto writer =
-      station->advertise(endpoint<topic::EmergencyStop>(topic::EmergencyStop::station));
-  ASSERT_TRUE(write_until_heard<topic::EmergencyStop>(*writer, there));
+      station->advertise(endpoint<topic::MissionStatus>(topic::EmergencyStop::station));
+  ASSERT_TRUE(write_until_heard<topic::MissionStatus>(*writer, there));
   const auto known = far->writer(there.all().front().source);
   ASSERT_TRUE(known);
   EXPECT_THAT(known->user_data, ::testing::HasSubstr(topic::EmergencyStop::station));

@@ -22,7 +22,7 @@ TEST(TrafficRules, ShippedFilePausesTheCameraAndNoGoal) {
   EXPECT_EQ(uxv.of(topic::Location::info.name).while_poor, WhilePoor::send);
   const TrafficRules gcs(config + "/traffic.yaml", Role::gcs);
   EXPECT_EQ(gcs.of(topic::Goal::info.name).while_poor, WhilePoor::send);
-  EXPECT_EQ(gcs.of(topic::EmergencyStop::info.name).while_poor, WhilePoor::send);
+  EXPECT_EQ(gcs.of(topic::MissionStatus::info.name).while_poor, WhilePoor::send);
 }
 
 TEST(TrafficRules, ShippedFileOfTheThesisKeepsTheNewestGoal) {

@@ -36,6 +36,8 @@ class IdleLinkBus final : public LinkBus {
                                                    const CarriedSample&) const override {
     return nullptr;
   }
+  void say_stop(const StopValue&) override {}
+  [[nodiscard]] StopNews take_stop_news() override { return {}; }
   [[nodiscard]] const TrafficRules& rules() const override { return rules_; }
   [[nodiscard]] LinkPackets packets() const override { return {}; }
 

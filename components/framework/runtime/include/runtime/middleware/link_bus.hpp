@@ -14,6 +14,7 @@
 #include "foundation/traffic_class.hpp"
 #include "idl_support/type_info.hpp"
 #include "runtime/middleware/host_services.hpp"
+#include "foundation/stop_value.hpp"
 #include "runtime/middleware/traffic_rules.hpp"
 
 namespace tocsin {
@@ -153,6 +154,11 @@ class LinkBus {
   virtual void on_gate(bool /*open*/) {}
   /// The services of this host; null where none cross: in a simulation, or by the rules.
   [[nodiscard]] virtual HostServices* services() { return nullptr; }
+  /// What every packet to the peers says of the emergency stop from now on. It is not sent for
+  /// longer than stop_value_lives unless it is said again. The bus adds the name of its host.
+  virtual void say_stop(const StopValue& value) = 0;
+  /// What packets of the peers said since the last call. The maker is told of what is new.
+  [[nodiscard]] virtual StopNews take_stop_news() = 0;
   /// The topics of this host that cross, and how.
   [[nodiscard]] virtual const TrafficRules& rules() const = 0;
   [[nodiscard]] virtual LinkPackets packets() const = 0;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/component.hpp"
+#include "runtime/middleware/link_bus.hpp"
+#include "runtime/port.hpp"
+#include "stop_keys_file.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// The emergency stop's part of a router: what the host says to the link, and what the link says to
+/// the host. It needs no stream of the router.
+class RouterStop {
+ public:
+  /// A host's side of it.
+  class Side {
+   public:
+    virtual ~Side() = default;
+    virtual void take(const StopNews& news, Time now) = 0;
+    /// What goes into every packet.
+    virtual void fill(StopValue& value, Time now) = 0;
+    /// What the host is told.
+    virtual void fill(topic::LinkStop::Message& message, Time now) = 0;
+    /// What a successor needs.
+    [[nodiscard]] virtual StopKeysFile::Content kept() const = 0;
+  };
+
+  RouterStop(Component& owner, const Context& context, LinkBus& link, Logger& log);
+  ~RouterStop();
+  void follow(Time now);
+  [[nodiscard]] Time deadline() const { return next_; }
+
+ private:
+  void say(Time now);
+  void tell(Time now);
+
+  Component& owner_;
+  LinkBus& link_;
+  Logger& log_;
+  const Role role_;
+  StopKeysFile file_;
+  std::unique_ptr<Side> side_;
+  Output<topic::LinkStop> told_;
+  StopValue value_;
+  std::optional<topic::LinkStop::Message> message_;
+  Time next_ = Time::min();
+};
+
+}  // namespace tocsin

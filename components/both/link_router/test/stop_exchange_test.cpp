@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a station says of the emergency stop, and what stands on a vehicle.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "link_router/stop_listener.hpp"
+#include "link_router/stop_speaker.hpp"
+
+namespace tocsin::router {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+/// A station whose packets are numbered; keys come from a counter.
+class StationSide {
+ public:
+  explicit StationSide(std::uint64_t router, std::string identity = "")
+      : router_(router), identity_(std::move(identity)) {}
+  void host(bool stands, Time now) { speaker.on_host(stands, now); }
+  ReceivedStop said(Time now) {
+    StopValue value;
+    value.role = Role::gcs;
+    value.host = "gcs" + std::to_string(router_);
+    value.number = ++number;
+    speaker.fill(value, now);
+    if (value.stands) value.by = {"station"};
+    return {value, router_, identity_, now};
+  }
+  StopSpeaker speaker{[this] {
+    StopToken key{};
+    key[0] = static_cast<std::uint8_t>(router_);
+    key[1] = ++keys_;
+    return key;
+  }};
+  std::uint64_t number = 0;
+
+ private:
+  std::uint64_t router_;
+  std::string identity_;
+  std::uint8_t keys_ = 0;
+};
+
+class StopExchangeTest : public ::testing::Test {
+ protected:
+  [[nodiscard]] bool stands() {
+    vehicle_.follow(now_);
+    return vehicle_.stands();
+  }
+  StationSide station_{1};
+  StopListener vehicle_;
+  Time now_ = Time(seconds(1000));
+};
+
+TEST_F(StopExchangeTest, APressStandsAndItsReleaseEndsIt) {
+  station_.host(false, now_);
+  vehicle_.on_value(station_.said(now_));
+  EXPECT_FALSE(stands());
+  station_.host(true, now_);
+  vehicle_.on_value(station_.said(now_));
+  EXPECT_TRUE(stands());
+  EXPECT_THAT(vehicle_.stopped_by(), ElementsAre("station"));
+  station_.host(false, now_);
+  vehicle_.on_value(station_.said(now_));
+  EXPECT_FALSE(stands());
+  EXPECT_THAT(vehicle_.stopped_by(), IsEmpty());
+}
+
+TEST_F(StopExchangeTest, OneValueOfAnyAgeIsEnough) {
+  station_.host(true, now_);
+  for (int i = 0; i < 100; ++i) (void)station_.said(now_);
+  vehicle_.on_value(station_.said(now_));
+  EXPECT_TRUE(stands());
+}
+
+TEST_F(StopExchangeTest, NothingThatAnotherSaysReleasesIt) {
+  station_.host(true, now_);
+  const ReceivedStop pressed = station_.said(now_);
+  vehicle_.on_value(pressed);
+  StationSide forger(2);
+  forger.host(true, now_);
+  (void)forger.said(now_);
+  forger.host(false, now_);
+  ReceivedStop forged = forger.said(now_);
+  forged.value.keys.push_back(pressed.value.locks.front());
+  for (const std::uint64_t number : {1ULL, ~0ULL}) {
+    forged.value.number = number;
+    forged.value.host = pressed.value.host;
+    forged.router = pressed.router;
+    vehicle_.on_value(forged);
+    EXPECT_TRUE(stands());
+  }
+}
+
+TEST_F(StopExchangeTest, AForgersPressIsEndedByItsKeyOrAtTheVehicle) {
+  StationSide forger(2);
+  forger.host(true, now_);
+  vehicle_.on_value(forger.said(now_));
+  station_.host(true, now_);
+  vehicle_.on_value(station_.said(now_));
+  station_.host(false, now_);
+  vehicle_.on_value(station_.said(now_));
+  EXPECT_TRUE(stands());
+  now_ += seconds(2);
+  vehicle_.release_left(now_);
+  EXPECT_TRUE(stands()) << "it is still received";
+  now_ += milliseconds(1);
+  vehicle_.release_left(now_);
+  EXPECT_FALSE(stands());
+}
+
+TEST_F(StopExchangeTest, AReplayedPressEndsWhenItsStationHearsOfIt) {
+  station_.host(true, now_);
+  const ReceivedStop pressed = station_.said(now_);
+  station_.host(false, now_);
+  now_ += seconds(60);
+  vehicle_.on_value(pressed);
+  EXPECT_TRUE(stands());
+  EXPECT_THAT(station_.said(now_).value.keys, IsEmpty());
+  station_.speaker.on_report(vehicle_.locks(), now_);
+  vehicle_.on_value(station_.said(now_));
+  EXPECT_FALSE(stands());
+}
+
+TEST_F(StopExchangeTest, ALateReleaseDoesNotEndTheNextPress) {
+  station_.host(true, now_);
+  station_.host(false, now_);
+  const ReceivedStop released = station_.said(now_);
+  station_.host(true, now_);
+  vehicle_.on_value(station_.said(now_));
+  vehicle_.on_value(released);
+  EXPECT_TRUE(stands());
+}
+
+TEST_F(StopExchangeTest, ARestartedStationStandsByTheSamePressAndMayReleaseIt) {
+  station_.host(true, now_);
+  vehicle_.on_value(station_.said(now_));
+  StationSide successor(1);
+  successor.speaker.restore(station_.speaker.presses());
+  successor.host(false, now_);
+  vehicle_.on_value(successor.said(now_));
+  EXPECT_TRUE(stands()) << "it does not know yet that its host's stop stands";
+  successor.host(true, now_);
+  vehicle_.on_value(successor.said(now_));
+  EXPECT_EQ(vehicle_.locks().size(), 1U);
+  successor.host(false, now_);
+  vehicle_.on_value(successor.said(now_));
+  EXPECT_FALSE(stands());
+}
+
+TEST_F(StopExchangeTest, APersonsReleaseEndsWhatAnEarlierProcessLeft) {
+  station_.host(true, now_);
+  vehicle_.on_value(station_.said(now_));
+  StationSide successor(1);
+  successor.speaker.restore(station_.speaker.presses());
+  successor.speaker.on_release(now_);
+  successor.host(false, now_ + StopSpeaker::release_lasts);
+  vehicle_.on_value(successor.said(now_));
+  EXPECT_TRUE(stands()) << "that long after the wish nobody expects it";
+  successor.speaker.on_release(now_);
+  successor.host(false, now_ + milliseconds(1));
+  vehicle_.on_value(successor.said(now_));
+  EXPECT_FALSE(stands());
+}
+
+TEST_F(StopExchangeTest, APersonsReleaseEndsNothingWhileTheHostsStopStands) {
+  station_.host(true, now_);
+  station_.speaker.on_release(now_);
+  station_.host(true, now_);
+  vehicle_.on_value(station_.said(now_));
+  EXPECT_TRUE(stands());
+  EXPECT_THAT(station_.said(now_).value.keys, IsEmpty());
+}
+
+TEST_F(StopExchangeTest, PacketsWithoutAFreshValueAreAStop) {
+  vehicle_.on_value(station_.said(now_));
+  now_ += seconds(1);
+  vehicle_.on_packet({1, now_});
+  EXPECT_FALSE(stands());
+  now_ += milliseconds(1);
+  vehicle_.on_packet({1, now_});
+  EXPECT_TRUE(stands());
+  EXPECT_THAT(vehicle_.stopped_by(), ElementsAre("gcs1: value not fresh"));
+  vehicle_.on_value(station_.said(now_));
+  EXPECT_FALSE(stands());
+}
+
+TEST_F(StopExchangeTest, SilenceIsNoStopButIsTold) {
+  EXPECT_EQ(vehicle_.silence(now_), std::nullopt);
+  vehicle_.on_value(station_.said(now_));
+  now_ += seconds(60);
+  EXPECT_FALSE(stands());
+  EXPECT_EQ(vehicle_.silence(now_), seconds(60));
+}
+
+TEST_F(StopExchangeTest, PacketsOfAPeerThatNeverSaidAValueAreNoStop) {
+  vehicle_.on_packet({9, now_});
+  now_ += seconds(5);
+  vehicle_.on_packet({9, now_});
+  EXPECT_FALSE(stands());
+}
+
+TEST_F(StopExchangeTest, WhatAVehicleSaysPressesNothing) {
+  ReceivedStop report = station_.said(now_);
+  report.value.role = Role::uxv;
+  report.value.stands = true;
+  vehicle_.on_value(report);
+  EXPECT_FALSE(stands());
+}
+
+TEST_F(StopExchangeTest, AFloodOfPressesStandsInBoundedMemoryUntilItIsReleasedAtTheVehicle) {
+  StationSide forger(2);
+  for (int i = 0; i < 250; ++i) {
+    forger.host(true, now_);
+    vehicle_.on_value(forger.said(now_));
+    forger.speaker = StopSpeaker([&] { return StopToken{9, static_cast<std::uint8_t>(i)}; });
+  }
+  EXPECT_LE(vehicle_.memory().locks.size(), StopListener::most_stops);
+  EXPECT_TRUE(vehicle_.memory().more);
+  now_ += seconds(3);
+  vehicle_.release_left(now_);
+  EXPECT_FALSE(stands());
+}
+
+TEST_F(StopExchangeTest, StandsOverARestartOfTheVehiclesRouter) {
+  station_.host(true, now_);
+  vehicle_.on_value(station_.said(now_));
+  StopListener successor;
+  successor.restore(vehicle_.memory(), now_);
+  EXPECT_TRUE(successor.stands());
+  station_.host(false, now_);
+  successor.on_value(station_.said(now_));
+  EXPECT_FALSE(successor.stands());
+}
+
+TEST_F(StopExchangeTest, AnIdentityReleasesWhatItHasPressedThoughItsKeyIsLost) {
+  StationSide before(1, "CN=/gcs");
+  before.host(true, now_);
+  vehicle_.on_value(before.said(now_));
+  StationSide after(7, "CN=/gcs");
+  after.number = before.number;
+  StationSide other(8, "CN=/other");
+  other.number = 1000;
+  vehicle_.on_value(other.said(now_));
+  EXPECT_TRUE(stands());
+  vehicle_.on_value(after.said(now_));
+  EXPECT_FALSE(stands());
+  EXPECT_EQ(vehicle_.releases(), 1U);
+}
+
+TEST_F(StopExchangeTest, ARecordedValueOfAnIdentityReleasesNothingAndIsNotFresh) {
+  StationSide station(1, "CN=/gcs");
+  const ReceivedStop idle = station.said(now_);
+  station.host(true, now_);
+  vehicle_.on_value(station.said(now_));
+  now_ += seconds(5);
+  ReceivedStop replayed = idle;
+  replayed.received = now_;
+  vehicle_.on_value(replayed);
+  EXPECT_TRUE(stands());
+  EXPECT_EQ(vehicle_.silence(now_), seconds(5));
+}
+
+/// A radio that loses, doubles, delays and replays, and a forger who knows all that was sent.
+class StopRun {
+ public:
+  explicit StopRun(std::uint64_t seed) : random_(seed) {}
+  /// What was promised and does not hold; empty: nothing.
+  std::string run() {
+    for (int step = 0; step < 400; ++step) {
+      now_ += milliseconds(25);
+      if (chance(40)) press(!pressed_);
+      if (step % 4 == 0) say();
+      if (chance(10)) forge();
+      if (chance(60)) restart();
+      deliver();
+      const std::string broken = check();
+      if (!broken.empty()) return broken;
+    }
+    return "";
+  }
+
+ private:
+  [[nodiscard]] bool chance(unsigned one_in) { return random_() % one_in == 0; }
+  void press(bool on) {
+    pressed_ = on;
+    station_.host(on, now_);
+    changed_ = now_;
+    received_since_ = false;
+  }
+  void say() {
+    const ReceivedStop said = station_.said(now_);
+    sent_.push_back(said);
+    if (random_() % 10 < 3) return;  // lost
+    under_way_.push_back({now_ + milliseconds(random_() % 80), said, true});
+    if (chance(5)) under_way_.push_back({now_ + milliseconds(random_() % 300), said, true});
+  }
+  void forge() {
+    ReceivedStop forged = sent_.empty() ? station_.said(now_) : sent_[random_() % sent_.size()];
+    if (chance(2)) {
+      forged.value.stands = false;
+      forged.value.number = random_();
+      forged.value.keys = forged.value.locks;
+      forged.value.locks.clear();
+    }
+    under_way_.push_back({now_, forged, false});
+  }
+  /// Of the vehicle's router, or of the station's.
+  void restart() {
+    if (chance(2)) {
+      StopListener successor;
+      successor.restore(vehicle_.memory(), now_);
+      vehicle_ = successor;
+      return;
+    }
+    StationSide successor(1);
+    successor.number = station_.number;
+    successor.speaker.restore(station_.speaker.presses());
+    station_.speaker = StopSpeaker([this] {
+      StopToken key{};
+      for (std::uint8_t& byte : key) byte = static_cast<std::uint8_t>(random_());
+      return key;
+    });
+    station_.speaker.restore(successor.speaker.presses());
+    if (pressed_) station_.host(true, now_);
+  }
+  void deliver() {
+    for (auto it = under_way_.begin(); it != under_way_.end();) {
+      if (it->at > now_) {
+        ++it;
+        continue;
+      }
+      it->value.received = now_;
+      if (it->honest && it->value.value.stands && pressed_ && it->value.value.number > 0 &&
+          it->value.value.locks == station_.said(now_).value.locks) {
+        received_since_ = true;
+      }
+      vehicle_.on_value(it->value);
+      it = under_way_.erase(it);
+    }
+    vehicle_.follow(now_);
+    station_.speaker.on_report(vehicle_.locks(), now_);
+  }
+  [[nodiscard]] std::string check() const {
+    if (pressed_ && received_since_ && !vehicle_.stands()) return "a stop that was received ended";
+    return "";
+  }
+
+  struct Packet {
+    Time at;
+    ReceivedStop value;
+    bool honest;
+  };
+  std::mt19937_64 random_;
+  StationSide station_{1};
+  StopListener vehicle_;
+  std::vector<ReceivedStop> sent_;
+  std::vector<Packet> under_way_;
+  bool pressed_ = false;
+  bool received_since_ = false;
+  Time changed_{};
+  Time now_ = Time(seconds(1000));
+};
+
+TEST(StopRuns, NothingEndsAStopThatWasReceivedButItsOwnRelease) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    ASSERT_EQ(StopRun(seed).run(), "") << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace tocsin::router
