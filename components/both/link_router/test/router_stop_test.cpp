@@ -63,7 +63,7 @@ class RouterStopTest : public ::testing::Test {
   }
   [[nodiscard]] const StopValue& said() const { return script_.said_stops.back(); }
   [[nodiscard]] topic::LinkStop::Message told() {
-    while (const auto one = host_->told.take()) last_ = *one;
+    for (const auto& one : host_->told.take()) last_ = one;
     return last_;
   }
 
@@ -92,7 +92,7 @@ TEST_F(RouterStopTest, AVehicleTellsItsHostTenTimesASecond) {
   int messages = 0;
   for (int i = 0; i < 100; ++i) {
     run(0.01);
-    while (host_->told.take()) ++messages;
+    messages += static_cast<int>(host_->told.take().size());
   }
   EXPECT_GE(messages, 10);
   EXPECT_LE(messages, 11);
