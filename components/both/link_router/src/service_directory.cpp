@@ -40,10 +40,14 @@ void ServiceDirectory::on_client(const ServiceName& service, bool there, Time no
 std::set<std::string> ServiceDirectory::on_peer(PeerLife peer, const ServiceLists& lists) {
   std::set<std::string> refused;
   ServiceLists& own = peers_[peer] = {};
+  // What the file names goes before what a pattern takes.
   const auto take = [&](const auto& from, const auto& rule, std::set<ServiceName>& to) {
-    for (const ServiceName& one : from) {
-      const bool taken = to.size() < most_services && rule(one.name) != Crossing::no;
-      taken ? void(to.insert(one)) : void(refused.insert(one.name));
+    for (const Crossing one : {Crossing::always, Crossing::on_demand, Crossing::no}) {
+      for (const ServiceName& service : from) {
+        if (rule(service.name) != one) continue;
+        const bool taken = one != Crossing::no && to.size() < most_services;
+        taken ? void(to.insert(service)) : void(refused.insert(service.name));
+      }
     }
   };
   take(lists.offered, rules_.called, own.offered);

@@ -226,7 +226,7 @@ TEST_F(CallLinkTest, OfManyNamesEndsAreMadeAFewATickAndNotOfAll) {
   EXPECT_EQ(script_.services.called.size(), 1U);
 }
 
-TEST_F(CallLinkTest, WhatAStrangerNamesDisplacesNothing) {
+TEST_F(CallLinkTest, HundredsOfNamesDoNotDisplaceWhatTheFileNames) {
   begin_as(Role::uxv);
   hear_of({}, {dock});
   EXPECT_EQ(script_.services.called.count("dock"), 1U);
