@@ -53,6 +53,26 @@ TEST(Check, WantsOneRouterOnEachHost) {
   EXPECT_THAT(neither.output, HasSubstr("2 errors, 0 warnings"));
 }
 
+TEST(Check, RefusesATrafficFileByWhichTheLinkWouldDriveTheVehicle) {
+  const TemporaryFolder folder;
+  const std::string named = folder.write(
+      "named.yaml", "extends: traffic.yaml\ngcs:\n  high: {topics: [goal, cmd_vel/teleop]}\n");
+  const Ended refused = check("mission.yaml --traffic " + named);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.output, HasSubstr("error: gcs.high.topics: cmd_vel/teleop moves or stops"));
+  EXPECT_THAT(refused.output, HasSubstr("named.yaml:3"));
+  const std::string pattern =
+      folder.write("pattern.yaml", "extends: traffic.yaml\nuxv:\n  low: {topics: ['*']}\n");
+  const Ended taken = check("mission.yaml --traffic " + pattern);
+  EXPECT_EQ(taken.code, 2);
+  EXPECT_THAT(taken.output, HasSubstr("error: uxv.low.topics: * takes cmd_vel, which moves"));
+}
+
+TEST(Check, LetsVelocitiesCrossToARobotThatIsNotOurs) {
+  const Ended ended = check("gateway.yaml");
+  EXPECT_EQ(ended.code, 0) << ended.output;
+}
+
 TEST(Check, LooksAtAFileWithoutContainers) {
   const TemporaryFolder folder;
   const std::string file =

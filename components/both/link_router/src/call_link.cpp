@@ -2,11 +2,13 @@
 #include "call_link.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "call_messages.hpp"
 #include "router_messages.hpp"
 #include "runtime/middleware/action_ports.hpp"
 #include "runtime/middleware/link_permissions.hpp"
+#include "runtime/middleware/refused_names.hpp"
 
 namespace tocsin {
 namespace {
@@ -58,17 +60,28 @@ Flow services_flow() {
   return flow;
 }
 
-/// Ends what is not in `wanted`, begins what is not in `now`, which becomes `wanted`.
+/// Each is twelve ends of DDS, which a tick makes in some milliseconds.
+constexpr int most_begun = 4;
+constexpr Duration between_begun = std::chrono::milliseconds(10);
+
+/// Ends what is not in `wanted`, and begins some of what is not in `now`. Returns whether more is
+/// to begin. What is there keeps its room: a peer that names too much displaces nothing.
 template <class End, class Begin>
-void follow_set(std::set<router::ServiceName>& now, std::set<router::ServiceName> wanted, End end,
-                Begin begin) {
-  for (const router::ServiceName& one : now) {
-    if (wanted.count(one) == 0) end(one.name);
+bool follow_set(std::set<router::ServiceName>& now, const std::set<router::ServiceName>& wanted,
+                End end, Begin begin) {
+  for (auto it = now.begin(); it != now.end();) {
+    if (wanted.count(*it) == 0) end(it->name);
+    it = wanted.count(*it) == 0 ? now.erase(it) : std::next(it);
   }
+  int begun = 0;
   for (const router::ServiceName& one : wanted) {
-    if (now.count(one) == 0) begin(HostService{one.name, one.type});
+    if (now.count(one) != 0) continue;
+    if (now.size() >= router::ServiceDirectory::most_services) return false;
+    if (begun++ == most_begun) return true;
+    begin(HostService{one.name, one.type});
+    now.insert(one);
   }
-  now = std::move(wanted);
+  return false;
 }
 
 }  // namespace
@@ -154,19 +167,23 @@ void CallLink::on(const host_service_event::Reply& event, Time now) {
   offer(*rule, std::move(message), now);
 }
 
-void CallLink::on_services(PeerId peer, const CarriedSample& sample) {
+void CallLink::on_services(PeerId peer, const std::string& name, const CarriedSample& sample) {
   const auto content = parts_.link.unpack(type_info<ServicesMessage>(), sample);
   const auto* message = static_cast<const ServicesMessage*>(content.get());
-  if (message != nullptr) directory_.on_peer(peer, to_lists(*message));
+  if (message == nullptr) return;
+  for (const std::string& refused : directory_.on_peer(peer, to_lists(*message))) {
+    refuse("service", refused, name, parts_.log);
+  }
 }
 
-void CallLink::on_call(const CarriedSample& sample, Time now) {
+void CallLink::on_call(const std::string& name, const CarriedSample& sample, Time now) {
   const auto content = parts_.link.unpack(type_info<CallMessage>(), sample);
   const auto* message = static_cast<const CallMessage*>(content.get());
   if (host_ == nullptr || message == nullptr) return;
   if (!message->reply()) {
     const CallRule* const rule = parts_.link.rules().served(message->service());
-    if (rule != nullptr) take_request(*message, *rule, now);
+    if (rule == nullptr) return refuse("call of", message->service(), name, parts_.log);
+    take_request(*message, *rule, now);
   } else if (message->caller() == parts_.link.self()) {
     const auto call = own_.take(message->number());
     if (call) host_->reply(call->service, call->what, message->data());
@@ -204,12 +221,13 @@ void CallLink::give_up(Time now) {
 }
 
 void CallLink::follow_directory(Time now) {
-  follow_set(
+  const bool shows = follow_set(
       shown_, directory_.shown(now), [this](const auto& name) { host_->end_serving(name); },
       [this](const HostService& service) { host_->serve(service); });
-  follow_set(
+  const bool asks = follow_set(
       asked_, directory_.asked(), [this](const auto& name) { host_->end_calling(name); },
       [this](const HostService& service) { host_->call(service); });
+  makes_ends_ = shows || asks;
   const router::ServiceLists lists = directory_.told(now);
   if (lists == told_ || parts_.link.self() == 0) return;
   told_ = lists;
@@ -235,8 +253,8 @@ void CallLink::offer(FlowId flow, CarriedSample sample, Time now) {
 }
 
 Time CallLink::deadline(Time now) const {
-  return std::min(
-      {directory_.deadline(now), own_.deadline(), waiting_.deadline(), served_.deadline()});
+  return std::min({directory_.deadline(now), own_.deadline(), waiting_.deadline(),
+                   served_.deadline(), makes_ends_ ? now + between_begun : never});
 }
 
 }  // namespace tocsin

@@ -39,10 +39,10 @@ class CallLink {
 
   /// What has happened on the host, and what follows from that and from what the peers have said.
   void follow(Time now);
-  /// A life of a peer has sent which services its host has and wants.
-  void on_services(PeerId peer, const CarriedSample& sample);
+  /// A life of a peer has sent which services its host has and wants. `name`: of its host.
+  void on_services(PeerId peer, const std::string& name, const CarriedSample& sample);
   /// A peer has sent a request or a reply.
-  void on_call(const CarriedSample& sample, Time now);
+  void on_call(const std::string& name, const CarriedSample& sample, Time now);
   void on_lost(PeerId peer) { directory_.forget_peer(peer); }
   [[nodiscard]] Time deadline(Time now) const;
 
@@ -89,6 +89,7 @@ class CallLink {
   router::ServiceLists told_;
   std::set<router::ServiceName> shown_;
   std::set<router::ServiceName> asked_;
+  bool makes_ends_ = false;  ///< some are left for the next ticks
 
   std::uint64_t last_call_ = 0;
   router::PendingCalls<std::uint64_t, CallId> own_;  ///< of this host's clients, by number

@@ -5,6 +5,7 @@
 
 #include "fill_in_link.hpp"
 #include "fill_in_messages.hpp"
+#include "runtime/middleware/refused_names.hpp"
 
 namespace tocsin {
 namespace {
@@ -15,6 +16,8 @@ using FillInMessage = tocsin_msgs::msg::FillIn;
 constexpr Duration longest_delay = std::chrono::seconds(5);
 /// Batches that wait for them: more than a sender has under way.
 constexpr std::size_t most_early = 16;
+/// Streams of all peers. A stranger would name more on a link that is not secured.
+constexpr std::size_t most_given = 1024;
 
 /// The name that the stream has at the peer, as stream_rule() makes it.
 std::string stream_name(const FillInMessage& message) {
@@ -41,6 +44,11 @@ void FillInLink::on_batch(const FillInPeer& peer, const CarriedSample& sample, T
   const Arrived batch{peer, std::static_pointer_cast<const FillInMessage>(std::move(content))};
   const FillInMessage* const message = batch.message.get();
   if (message == nullptr || message->to_life() != parts_.link.self() || !is_sound(*message)) return;
+  if (!parts_.link.rules().takes_later(message->topic())) {
+    refuse("history of", message->topic(), peer.name, parts_.log);
+    return take(batch, now);  // it is not given, and does not hold up what follows
+  }
+  if (given_.size() >= most_given && given_.count(key_of(batch)) == 0) return;
   Described& described = given_[key_of(batch)];
   Flow& flow = described.what;
   flow.topic = message->topic();
@@ -85,7 +93,9 @@ void FillInLink::take(const Arrived& batch, Time now) {
 }
 
 void FillInLink::give(const router::FillInBatch& batch, Time now) {
-  const Described& described = given_.at(batch.stream);
+  const auto known = given_.find(batch.stream);
+  if (known == given_.end()) return;  // was refused
+  const Described& described = known->second;
   for (const sample_log::LogEntry& entry : batch.samples) {
     CarriedSample sample = parts_.link.sample_of(entry.bytes);
     if (!sample.content) continue;

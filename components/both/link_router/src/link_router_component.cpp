@@ -183,8 +183,10 @@ void LinkRouterComponent::on(const link_event::LinkSample& event, Time now) {
     return fill_ins_->on_batch({peer->second, flow.peer}, event.sample, now);
   }
   if (disposition != router::Disposition::deliver) return;
-  if (flow.kind == Incoming::Kind::services) return calls_->on_services(flow.peer, event.sample);
-  if (flow.kind == Incoming::Kind::calls) return calls_->on_call(event.sample, now);
+  if (flow.kind == Incoming::Kind::services) {
+    return calls_->on_services(flow.peer, peer->second, event.sample);
+  }
+  if (flow.kind == Incoming::Kind::calls) return calls_->on_call(peer->second, event.sample, now);
   const bool was_given =
       flow.rule.stored && !fill_ins_->on_live(peer->second, flow.rule, event.sample);
   if (!was_given) arrivals_->keep(flow.what, event.sample, now);

@@ -37,6 +37,24 @@ void ServiceDirectory::on_client(const ServiceName& service, bool there, Time no
   }
 }
 
+std::set<std::string> ServiceDirectory::on_peer(PeerLife peer, const ServiceLists& lists) {
+  std::set<std::string> refused;
+  ServiceLists& own = peers_[peer] = {};
+  // What the file names goes before what a pattern takes.
+  const auto take = [&](const auto& from, const auto& rule, std::set<ServiceName>& to) {
+    for (const Crossing one : {Crossing::always, Crossing::on_demand, Crossing::no}) {
+      for (const ServiceName& service : from) {
+        if (rule(service.name) != one) continue;
+        const bool taken = one != Crossing::no && to.size() < most_services;
+        taken ? void(to.insert(service)) : void(refused.insert(service.name));
+      }
+    }
+  };
+  take(lists.offered, rules_.called, own.offered);
+  take(lists.wanted, rules_.served, own.wanted);
+  return refused;
+}
+
 bool ServiceDirectory::is_served_here(const std::string& name) const {
   return has_name(servers_, name);
 }
@@ -58,12 +76,12 @@ ServiceLists ServiceDirectory::told(Time now) const {
     const Crossing crossing = rules_.served(server.name);
     const bool offered = crossing == Crossing::always ||
                          (crossing == Crossing::on_demand && is_wanted_there(server.name));
-    if (offered) lists.offered.insert(server);
+    if (offered && lists.offered.size() < most_services) lists.offered.insert(server);
   }
   for (const auto& [client, since] : clients_) {
     const bool wanted = since + own_host_first <= now && !is_served_here(client.name) &&
                         rules_.called(client.name) != Crossing::no;
-    if (wanted) lists.wanted.insert(client);
+    if (wanted && lists.wanted.size() < most_services) lists.wanted.insert(client);
   }
   return lists;
 }

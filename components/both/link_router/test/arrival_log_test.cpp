@@ -23,7 +23,7 @@ class ArrivalLogTest : public FillInLinkTest {
   ArrivalLogTest() {
     (void)folder_.write("traffic.yaml",
                         "uxv: {normal: {topics: [goal, pose]}}\n"
-                        "gcs: {low: {topics: [goal, odom], keep: [goal]}}\n");
+                        "gcs: {low: {topics: [goal, odom], store: [goal], keep: [goal]}}\n");
     script_.rules = TrafficRules(folder_.path("traffic.yaml"), Role::uxv);
     next_life();
   }

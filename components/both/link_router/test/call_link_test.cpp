@@ -8,6 +8,7 @@
 #include "foundation/temporary_folder.hpp"
 #include "link_router_fixture.hpp"
 #include "runtime/middleware/link_permissions.hpp"
+#include "runtime/middleware/refused_names.hpp"
 #include "tocsin_idl/link_calls.hpp"
 
 namespace tocsin {
@@ -197,6 +198,45 @@ TEST_F(CallLinkTest, WhatTheRulesDoNotNameIsNotAsked) {
   EXPECT_THAT(script_.services.called, IsEmpty());
   hear(peer_calls, message);
   EXPECT_THAT(script_.services.asked, IsEmpty());
+}
+
+TEST_F(CallLinkTest, WhatTheRulesDoNotNameIsCountedAsRefused) {
+  begin_as(Role::uxv);
+  const auto before = refused_names().total();
+  CallMessage message = call(station, 1, false, question);
+  message.service("self_destruct");
+  hear(peer_calls, message);
+  hear_of({dock}, {{"self_destruct", "std_srvs/srv/Trigger"}});  // this side has no server to call
+  EXPECT_EQ(refused_names().total() - before, 3U);
+  EXPECT_EQ(refused_names().lines().count("call of self_destruct from gcs"), 1U);
+  EXPECT_THAT(script_.services.served, IsEmpty());
+}
+
+TEST_F(CallLinkTest, OfManyNamesEndsAreMadeAFewATickAndNotOfAll) {
+  begin_as(Role::uxv);
+  std::vector<HostService> wanted;
+  for (int i = 0; i < 700; ++i) {
+    wanted.push_back({"n" + std::to_string(i) + "/get_parameters", "rcl_interfaces/srv/Get"});
+  }
+  hear_of({}, wanted);
+  EXPECT_LE(script_.services.called.size(), 8U);
+  run(5);
+  EXPECT_EQ(script_.services.called.size(), 256U);
+  hear_of({}, {dock});
+  EXPECT_EQ(script_.services.called.size(), 1U);
+}
+
+TEST_F(CallLinkTest, HundredsOfNamesDoNotDisplaceWhatTheFileNames) {
+  begin_as(Role::uxv);
+  hear_of({}, {dock});
+  EXPECT_EQ(script_.services.called.count("dock"), 1U);
+  std::vector<HostService> wanted{dock};
+  for (int i = 0; i < 700; ++i) {
+    wanted.push_back({"a" + std::to_string(i) + "/get_parameters", "rcl_interfaces/srv/Get"});
+  }
+  hear_of({}, wanted);
+  run(5);
+  EXPECT_EQ(script_.services.called.count("dock"), 1U);
 }
 
 TEST_F(CallLinkTest, RepliesToAnotherLifeAreIgnored) {

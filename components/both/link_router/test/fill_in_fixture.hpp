@@ -22,7 +22,8 @@ class FillInLinkTest : public LinkRouterTest {
   FillInLinkTest() {
     (void)folder_.write("traffic.yaml",
                         "uxv:\n  low: {while_poor: drop, topics: [battery_state, cpu_load], "
-                        "store: [battery_state]}\n");
+                        "store: [battery_state]}\n"
+                        "gcs: {low: {topics: [goal], store: [goal]}}\n");
     script_.rules = TrafficRules(folder_.path("traffic.yaml"), Role::uxv);
     start(folder_.path("store"));
   }

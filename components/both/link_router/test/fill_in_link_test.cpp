@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fill_in_fixture.hpp"
+#include "runtime/middleware/refused_names.hpp"
 
 namespace tocsin {
 namespace {
@@ -230,6 +231,18 @@ TEST_F(FillInLinkTest, ABatchOfNoTopicIsIgnored) {
   for (const char* const topic : {"", "a b", "a\n"}) fill_in(1, {10}, topic);
   EXPECT_THAT(given(), IsEmpty());
   EXPECT_EQ(told_number(), 0U);
+}
+
+TEST_F(FillInLinkTest, AHistoryThatNoRuleSendsHereIsNotGivenAndHoldsUpNothing) {
+  meet_station();
+  begin_peer_flow(fill_in_topic, peer_fill_ins);
+  const auto refused = refused_names().total();
+  fill_in(1, {10}, "cmd_vel");
+  fill_in(2, {11}, "goal");
+  EXPECT_THAT(given(), ElementsAre(11));
+  EXPECT_EQ(script_.offered_here.size(), 1U);
+  EXPECT_EQ(refused_names().total(), refused + 1);
+  EXPECT_EQ(told_number(), 2U);
 }
 
 TEST_F(FillInLinkTest, ATransmissionThatIsNotWrittenIsRepeated) {

@@ -32,7 +32,7 @@ struct ServiceDirectoryTest : ::testing::Test {
 TEST_F(ServiceDirectoryTest, AServerThatTheRulesNameIsOfferedAndShownOnThePeersHost) {
   server.on_server(dock, true);
   EXPECT_THAT(server.told(t0).offered, ElementsAre(dock));
-  client.on_peer(1, server.told(t0));
+  (void)client.on_peer(1, server.told(t0));
   EXPECT_THAT(client.shown(t0), ElementsAre(dock));
   client.forget_peer(1);
   EXPECT_THAT(client.shown(t0), IsEmpty());
@@ -49,9 +49,9 @@ TEST_F(ServiceDirectoryTest, WhatNoRuleNamesIsNeitherOfferedNorWantedNorShownNor
   EXPECT_THAT(server.told(t0).offered, IsEmpty());
   client.on_client(secret, true, t0);
   EXPECT_THAT(client.told(t0 + patience).wanted, IsEmpty());
-  client.on_peer(1, {{secret}, {}});
+  (void)client.on_peer(1, {{secret}, {}});
   EXPECT_THAT(client.shown(t0 + patience), IsEmpty());
-  server.on_peer(1, {{}, {secret}});
+  (void)server.on_peer(1, {{}, {secret}});
   EXPECT_THAT(server.asked(), IsEmpty());
 }
 
@@ -66,9 +66,9 @@ TEST_F(ServiceDirectoryTest, AClientIsWantingWhenNobodyOnItsHostHasBegunToServeF
 }
 
 TEST_F(ServiceDirectoryTest, WhatAPeerWantsIsAskedOnTheHostOfTheServer) {
-  server.on_peer(1, {{}, {dock, parameters}});
+  (void)server.on_peer(1, {{}, {dock, parameters}});
   EXPECT_THAT(server.asked(), ElementsAre(parameters, dock));
-  server.on_peer(1, {});
+  (void)server.on_peer(1, {});
   EXPECT_THAT(server.asked(), IsEmpty());
 }
 
@@ -76,9 +76,9 @@ TEST_F(ServiceDirectoryTest, WhatAPatternNamesIsOfferedAndShownToWhoWantsItOnly)
   server.on_server(parameters, true);
   EXPECT_THAT(server.told(t0).offered, IsEmpty());
   client.on_client(parameters, true, t0);
-  server.on_peer(1, client.told(t0 + patience));
+  (void)server.on_peer(1, client.told(t0 + patience));
   EXPECT_THAT(server.told(t0).offered, ElementsAre(parameters));
-  client.on_peer(2, server.told(t0));
+  (void)client.on_peer(2, server.told(t0));
   EXPECT_THAT(client.shown(t0), IsEmpty()) << "the own host has its turn";
   EXPECT_THAT(client.shown(t0 + patience), ElementsAre(parameters));
   client.on_client(parameters, false, t0 + patience);
@@ -87,7 +87,7 @@ TEST_F(ServiceDirectoryTest, WhatAPatternNamesIsOfferedAndShownToWhoWantsItOnly)
 
 TEST_F(ServiceDirectoryTest, AServerOnTheOwnHostGoesBeforeThoseOfThePeers) {
   client.on_client(dock, true, t0);
-  client.on_peer(1, {{dock}, {}});
+  (void)client.on_peer(1, {{dock}, {}});
   client.on_server(dock, true);
   EXPECT_THAT(client.shown(t0 + patience), IsEmpty());
   EXPECT_THAT(client.told(t0 + patience).wanted, IsEmpty());
@@ -95,10 +95,25 @@ TEST_F(ServiceDirectoryTest, AServerOnTheOwnHostGoesBeforeThoseOfThePeers) {
   EXPECT_THAT(client.shown(t0 + patience), ElementsAre(dock));
 }
 
+TEST_F(ServiceDirectoryTest, OfAPeerTakesWhatTheRulesNameAndTellsWhatItRefuses) {
+  EXPECT_THAT(client.on_peer(1, {{dock, secret}, {parameters}}),
+              ElementsAre(parameters.name, secret.name));
+  EXPECT_THAT(client.shown(t0), ElementsAre(dock));
+}
+
+TEST_F(ServiceDirectoryTest, OfAPeersNamesOnlySoManyAreTakenAndTold) {
+  ServiceLists many;
+  for (int i = 0; i < 700; ++i) many.wanted.insert({"arm/" + std::to_string(i), "a/srv/B"});
+  EXPECT_EQ(server.on_peer(1, many).size(), 700 - ServiceDirectory::most_services);
+  EXPECT_EQ(server.asked().size(), ServiceDirectory::most_services);
+  for (const ServiceName& one : many.wanted) client.on_client(one, true, t0);
+  EXPECT_EQ(client.told(t0 + patience).wanted.size(), ServiceDirectory::most_services);
+}
+
 TEST_F(ServiceDirectoryTest, OfTwoPeersThatOfferOneNameOneIsShown) {
   const ServiceName other{"dock", "other_msgs/srv/Dock"};
-  client.on_peer(1, {{dock}, {}});
-  client.on_peer(2, {{other}, {}});
+  (void)client.on_peer(1, {{dock}, {}});
+  (void)client.on_peer(2, {{other}, {}});
   EXPECT_EQ(client.shown(t0).size(), 1U);
 }
 

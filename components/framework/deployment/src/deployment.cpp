@@ -18,6 +18,14 @@
 namespace tocsin::deployment {
 namespace {
 
+bool has_one_of(const Host& host, const std::set<std::string>& components) {
+  return std::any_of(host.containers.begin(), host.containers.end(), [&](const Container& one) {
+    return std::any_of(
+        one.components.begin(), one.components.end(),
+        [&](const ComponentInstance& part) { return components.count(part.component) != 0; });
+  });
+}
+
 /// "host/process" of every process, in starting order.
 std::vector<std::string> process_names(const Deployment& deployment) {
   std::vector<std::string> names;
@@ -270,13 +278,13 @@ const Host* find_host(const Deployment& deployment, const std::string& name) {
   return nullptr;
 }
 
-bool is_routed(const Host& host) {
-  for (const Container& container : host.containers) {
-    for (const ComponentInstance& one : container.components) {
-      if (one.component == "link_router") return true;
-    }
-  }
-  return false;
+bool is_routed(const Host& host) { return has_one_of(host, {"link_router"}); }
+
+bool drives_a_vehicle(const Deployment& deployment) {
+  const std::set<std::string> chain{"kobuki_driver", "safety_controller", "velocity_mux",
+                                    "velocity_smoother"};
+  return std::any_of(deployment.hosts.begin(), deployment.hosts.end(),
+                     [&](const Host& host) { return has_one_of(host, chain); });
 }
 
 const Container* find_container(const Host& host, const std::string& name) {

@@ -35,6 +35,14 @@ TEST_F(DeploymentTest, NamesAComponentAfterItsLibraryUnlessToldOtherwise) {
   EXPECT_EQ(components[1].name, "pilot");
 }
 
+TEST_F(DeploymentTest, DrivesAVehicleWhenAComponentBeforeTheWheelsRunsSomewhere) {
+  EXPECT_FALSE(drives_a_vehicle(load(whole)));
+  for (const char* const one :
+       {"kobuki_driver", "safety_controller", "velocity_mux", "velocity_smoother"}) {
+    EXPECT_TRUE(drives_a_vehicle(load(with(whole, "- driver", std::string("- ") + one)))) << one;
+  }
+}
+
 TEST_F(DeploymentTest, ReplacesVariablesAndRelativePathsInCommands) {
   const Deployment sut = load(whole);
   EXPECT_THAT(

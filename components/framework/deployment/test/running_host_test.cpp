@@ -3,10 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "foundation/error.hpp"
@@ -46,6 +48,18 @@ class RunningHostTest : public ::testing::Test {
     std::string line;
     for (const std::string& word : words) line += word + '\0';
     proc_.write("proc/" + std::to_string(pid) + "/cmdline", line);
+  }
+  /// A container that says that its file is `named`, a path of this computer.
+  void add_naming(int pid, const std::string& named) {
+    command(pid, {"tocsin-container", named, "gcs", "one", named});
+  }
+  [[nodiscard]] RunningHosts seen_by(uid_t user) const {
+    return running_hosts(proc_.path("proc"), user);
+  }
+  /// What the kernel shows as the program of a process.
+  void program(int pid, const std::string& path) {
+    ASSERT_EQ(::symlink(path.c_str(), proc_.path("proc/" + std::to_string(pid) + "/exe").c_str()),
+              0);
   }
   [[nodiscard]] RunningHosts all() const { return running_hosts(proc_.path("proc")); }
   [[nodiscard]] RunningHost one(const std::string& run_dir, const std::string& host) const {
@@ -116,6 +130,63 @@ TEST_F(RunningHostTest, NamesTheHostThatDoesNotRunAndTheOneThatIsUnknown) {
   EXPECT_THAT([&] { (void)one("/gone/c", "gcs"); },
               Throws<EnvironmentError>(
                   Property(&EnvironmentError::what, HasSubstr("nothing runs on /gone/c"))));
+}
+
+TEST_F(RunningHostTest, AFifoAFolderAndADeviceAreNotOpened) {
+  const std::string fifo = proc_.path("fifo");
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  add_naming(7, fifo);
+  add_naming(8, proc_.path("proc"));
+  add_naming(9, "/dev/zero");
+  add(10, "/gone/a", "gcs");
+  const auto found = all();  // a writer would be waited for here
+  ASSERT_EQ(found.hosts.size(), 1U);
+  EXPECT_EQ(found.hosts[0].process, 10);
+  EXPECT_THAT(found.hidden, ElementsAre(7, 8, 9));
+}
+
+TEST_F(RunningHostTest, OfAHugeFileNoMoreIsReadThanARunCanNeed) {
+  const std::string huge = proc_.write("huge", "run_dir: /r\n");
+  ASSERT_EQ(::truncate(huge.c_str(), off_t{1} << 40), 0);
+  add_naming(7, huge);
+  EXPECT_THAT(all().hosts, IsEmpty());
+  EXPECT_THAT(all().hidden, ElementsAre(7));
+}
+
+TEST_F(RunningHostTest, ALongCommandLineIsReadInPartOnly) {
+  command(7, {"tocsin-container", std::string(1U << 20U, 'x'), "gcs", "one"});
+  EXPECT_THAT(all().hosts, IsEmpty());
+}
+
+TEST_F(RunningHostTest, ProcessesOfOthersAreNotLookedInto) {
+  add(7, "/gone/a", "gcs");
+  const uid_t another = ::geteuid() + 1;
+  EXPECT_THAT(seen_by(another).hosts, IsEmpty());
+  EXPECT_THAT(seen_by(another).hidden, ElementsAre(7));
+  EXPECT_EQ(seen_by(::geteuid()).hosts.size(), 1U);
+}
+
+/// Needs root, who alone can give a file away.
+TEST_F(RunningHostTest, RootFindsTheContainersOfOthersByTheirProgramOnly) {
+  if (::geteuid() != 0) GTEST_SKIP() << "not root";
+  const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  add(7, "/gone/a", "gcs");
+  program(7, own / "tocsin-container");
+  add(8, "/gone/b", "gcs");
+  program(8, "/home/mallory/tocsin-container");
+  add(9, "/gone/c", "gcs");  // shows none
+  add(10, "/gone/d", "gcs");
+  program(10, own / "tocsin-container (deleted)");
+  add(11, "/gone/e", "gcs");
+  program(11, own / "running_host_test");
+  for (const char* const pid : {"7", "8", "9", "10", "11"}) {
+    ASSERT_EQ(::chown(proc_.path("proc/" + std::string(pid)).c_str(), 12345, 12345), 0);
+  }
+  const auto found = seen_by(0);
+  ASSERT_EQ(found.hosts.size(), 2U);
+  EXPECT_EQ(found.hosts[0].process, 7);
+  EXPECT_EQ(found.hosts[1].process, 10);
+  EXPECT_THAT(found.hidden, ElementsAre(8, 9, 11));
 }
 
 TEST(EnterNamespaces, NamesAProcessThatIsNotThere) {

@@ -13,7 +13,10 @@ EmergencyStopLatch::Writer EmergencyStopInput::writer(std::uint64_t source) cons
   const auto known = input_.writer(source);
   const std::string user_data = known ? known->user_data : "";
   const bool station = user_data.find(topic::EmergencyStop::station) != std::string::npos;
-  const std::string name = known ? printable(known->name, 40) : "gone";
+  // Who has gone goes by the name that it had when it pressed.
+  if (const auto pressed = latch_.name_of(source)) return {source, station, *pressed};
+  const bool has_name = known && !known->name.empty();
+  const std::string name = has_name ? printable(known->name, 40) : "an unknown writer";
   return {source, station, fmt::format("{} ({:016x})", name, source)};
 }
 

@@ -26,6 +26,11 @@ void EmergencyStopLatch::release(const Writer& writer, const IsThere& is_there) 
   }
 }
 
+std::optional<std::string> EmergencyStopLatch::name_of(std::uint64_t id) const {
+  const auto found = others_.find(id);
+  return found == others_.end() ? std::nullopt : std::optional(found->second);
+}
+
 void EmergencyStopLatch::restore(const Memory& memory) {
   station_ = station_ || memory.station;
   left_ = left_ || memory.others;

@@ -112,10 +112,20 @@ TEST_F(EmergencyStopInputTest, AWriterThatHadGoneBeforeItsWordWasTakenStops) {
     say(brief, true);
   }
   EXPECT_TRUE(stands());
-  EXPECT_THAT(sut_.stop.stopped_by(), ElementsAre(HasSubstr("gone (")));
+  EXPECT_THAT(sut_.stop.stopped_by(), ElementsAre(HasSubstr("an unknown writer (")));
   const auto station = make_station();
   say(*station, false);
   EXPECT_FALSE(stands());
+}
+
+TEST_F(EmergencyStopInputTest, AWriterThatHasGoneKeepsTheNameThatItHadWhenItPressed) {
+  std::optional<Writer> brief(bus_);
+  say(*brief, true);
+  EXPECT_TRUE(stands());
+  say(*brief, true);
+  brief.reset();
+  EXPECT_TRUE(stands());  // the second word is taken when nobody knows whose it is
+  EXPECT_THAT(sut_.stop.stopped_by(), ElementsAre(HasSubstr("simulated (")));
 }
 
 TEST_F(EmergencyStopInputTest, WhatStoodBeforeARestartStands) {

@@ -2,6 +2,8 @@
 #include "sim_host.hpp"
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 #include <utility>
 
 #include "foundation/error.hpp"
@@ -11,11 +13,13 @@
 namespace tocsin::simulation {
 namespace {
 
-TrafficRules rules_of(const std::string& file, Role role) {
-  static FileCache<TrafficRules> of_vehicles;
-  static FileCache<TrafficRules> of_ground_stations;
-  auto& known = role == Role::uxv ? of_vehicles : of_ground_stations;
-  return known.get(file, [&] { return TrafficRules(file, role); });
+TrafficRules rules_of(const std::string& file, Role role, VehicleChain chain) {
+  static std::map<std::pair<Role, VehicleChain>, FileCache<TrafficRules>> known;
+  static std::mutex mutex;
+  std::unique_lock<std::mutex> lock(mutex);
+  auto& of_side = known[{role, chain}];
+  lock.unlock();
+  return of_side.get(file, [&] { return TrafficRules(file, role, chain); });
 }
 
 }  // namespace
@@ -27,11 +31,12 @@ SimLinkBus* Network::find_router(PeerId life) const {
   return nullptr;
 }
 
-SimHost::SimHost(Network& network, std::string name, Role role, const std::string& traffic_file)
+SimHost::SimHost(Network& network, std::string name, Role role, const std::string& traffic_file,
+                 VehicleChain chain)
     : network_(network),
       name_(std::move(name)),
       role_(role),
-      rules_(rules_of(traffic_file, role_)) {}
+      rules_(rules_of(traffic_file, role_, chain)) {}
 
 radio::Direction SimHost::direction() const {
   return role_ == Role::uxv ? radio::Direction::uplink : radio::Direction::downlink;

@@ -101,7 +101,8 @@ struct HostTopic {
 /// One side of the radio link: its processes and what they tell each other.
 class SimHost {
  public:
-  SimHost(Network& network, std::string name, Role role, const std::string& traffic_file);
+  SimHost(Network& network, std::string name, Role role, const std::string& traffic_file,
+          VehicleChain chain);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Role role() const { return role_; }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "link_router/wire_cost.hpp"
+#include "runtime/middleware/link_permissions.hpp"
 #include "stop_bytes.hpp"
 
 namespace tocsin::simulation {
@@ -139,6 +140,8 @@ void SimLinkBus::forget(PeerId peer) {
 void SimLinkBus::learn(SimLinkBus& peer, FlowId flow) {
   const auto found = peer.sending_.find(flow);
   if (found == peer.sending_.end() || peer_flows_.count({peer.life_, flow}) != 0) return;
+  const std::string& topic = found->second.flow.topic;
+  if (!rules().takes(topic) && !is_of_routers(rules(), topic)) return;
   const FlowId id = ++last_flow_;
   peer_flows_[{peer.life_, flow}] = id;
   known_[id] = found->second.flow;

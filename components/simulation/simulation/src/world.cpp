@@ -84,7 +84,9 @@ World::~World() {
 
 void World::add(const deployment::Host& host) {
   Side& side = sides_.emplace_back();
-  side.host = std::make_unique<SimHost>(network_, host.name, host.role, deployment_.traffic);
+  side.host = std::make_unique<SimHost>(
+      network_, host.name, host.role, deployment_.traffic,
+      drives_a_vehicle(deployment_) ? VehicleChain::ours : VehicleChain::foreign);
   side.devices = std::make_unique<SimDevices>(core, link_,
                                               SimDevices::Place{host.name, side.host->direction()},
                                               deployment_.run_dir + "/wireless");

@@ -16,6 +16,7 @@
 
 #include "command_line/command.hpp"
 #include "estop_target.hpp"
+#include "foundation/error.hpp"
 #include "foundation/program.hpp"
 #include "operator_console/operator_console_component.hpp"
 #include "runtime/middleware/component_library.hpp"
@@ -32,8 +33,14 @@ std::unique_ptr<Component> make_router(Context& context) {
   return load_component("link_router").create(context, YAML::Node(YAML::NodeType::Map), {});
 }
 
-/// Gives the order in this process; its exit code.
-int give(const EstopTarget& target, const Params& params) {
+/// Of several targets each line says of which it is.
+void print_of(const std::string& name, const std::string& line) {
+  std::printf("%s\n", error_line((name.empty() ? "" : name + ": ") + line).c_str());
+  std::fflush(stdout);
+}
+
+/// Gives the order in this process; its exit code. `name`: in front of what it prints.
+int give(const EstopTarget& target, const Params& params, const std::string& name) {
   if (target.process) deployment::enter_namespaces(*target.process);
   const auto bus = make_fast_dds_bus(target.bus);
   std::optional<int> code;
@@ -42,7 +49,8 @@ int give(const EstopTarget& target, const Params& params) {
   });
   Context router_context(*bus, "link_router", target.bus.role);
   const auto router = target.needs_router ? make_router(router_context) : nullptr;
-  OperatorConsoleComponent order(context, params);
+  OperatorConsoleComponent order(context, params,
+                                 [&name](const std::string& line) { print_of(name, line); });
   while (!code) {
     if (router) router->tick(bus->now());
     order.tick(bus->now());
@@ -54,12 +62,11 @@ int give(const EstopTarget& target, const Params& params) {
 /// Each in a process of its own, as each has a network of its own, which a process enters before it
 /// has threads: a fork without a program. The greatest exit code.
 int give_all(const std::vector<EstopTarget>& targets, const Params& params) {
-  if (targets.size() == 1) return give(targets.front(), params);
+  if (targets.size() == 1) return give(targets.front(), params, "");
   for (const EstopTarget& target : targets) {
-    std::printf("ordered: %s\n", target.name.c_str());
-    std::fflush(stdout);
+    print_of(target.name, "ordered");
     if (::fork() == 0) {
-      ::_exit(run_program("tocsin estop", [&] { return give(target, params); }));
+      ::_exit(run_program("tocsin estop", [&] { return give(target, params, target.name); }));
     }
   }
   int worst = 0;
@@ -70,7 +77,12 @@ int give_all(const std::vector<EstopTarget>& targets, const Params& params) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Presses or releases the emergency stop of the vehicle", "tocsin estop");
+  CLI::App app(
+      "Presses or releases the emergency stop of the vehicle. Without --run-dir, on and status are "
+      "for every station that runs on this computer; off is for the only one, and refuses to "
+      "choose "
+      "among several",
+      "tocsin estop");
   EstopOptions options;
   std::string order;
   Params params;
@@ -84,8 +96,8 @@ int run(int argc, char** argv) {
   options.declare(app);
   return run_command(app, argc, argv, [&] {
     params.order = "estop_" + order;
-    // When it is not clear which vehicle is meant, all stand.
-    const Among among = order == "on" ? Among::all : Among::only_one;
+    // When it is not clear which vehicle is meant, all stand, and none drives.
+    const Among among = order == "off" ? Among::only_one : Among::all;
     return give_all(find_targets(options, among, deployment::running_hosts()), params);
   });
 }

@@ -60,6 +60,15 @@ EstopTarget target_of(const deployment::RunningHost& running) {
           bus_of(running.deployment, running.itself())};
 }
 
+/// Who lets vehicles drive again says which.
+void refuse_several(const std::vector<deployment::RunningHost>& stations) {
+  if (stations.size() < 2) return;
+  std::string names;
+  for (const auto& one : stations) names += " --run-dir " + one.deployment.run_dir + ",";
+  throw ConfigError("several stations run here, and off lets a vehicle drive: choose" + names +
+                    " or --all");
+}
+
 /// Folders of runs, newest first: they are named by their time.
 std::vector<fs::path> runs_here() {
   std::vector<fs::path> folders;
@@ -99,7 +108,8 @@ std::optional<EstopTarget> target_that_ran(const EstopOptions& options) {
 }  // namespace
 
 void EstopOptions::declare(CLI::App& app) {
-  join.declare(app);
+  join.declare(app, "on, status: each that runs here; off: the only one that does");
+  app.add_flag("--all", all, "with off: the stops of all stations that run here");
   app.add_option("--domain", domain, "DDS domain of the station's host, in place of a run")
       ->check(CLI::Range(0, 231));
   app.add_option("--link-domain", link_domain,
@@ -119,12 +129,10 @@ std::vector<EstopTarget> find_targets(const EstopOptions& options, Among among,
                                       deployment::RunningHosts running) {
   if (names_domains(options)) return {target_of(options)};
   std::vector<EstopTarget> targets;
-  if (among == Among::all) {
-    for (const auto& one : hosts_to_join(options.join, running)) {
-      targets.push_back(target_of(one));
-    }
-    if (!targets.empty()) return targets;
-  }
+  const auto stations = hosts_to_join(options.join, running);
+  if (among == Among::only_one && !options.all) refuse_several(stations);
+  for (const auto& one : stations) targets.push_back(target_of(one));
+  if (!targets.empty()) return targets;
   try {
     targets.push_back(target_of(host_to_join(options.join, std::move(running))));
   } catch (const EnvironmentError& nothing_runs) {

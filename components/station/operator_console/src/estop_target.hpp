@@ -31,6 +31,7 @@ struct EstopOptions {
   std::vector<std::string> peers;
   std::string enclave;  ///< folder of the own identity on a secured link
   std::string ros_namespace;
+  bool all = false;  ///< a release, too, is for every station that runs here
 
   void declare(CLI::App& app);
 };
@@ -40,7 +41,7 @@ enum class Among { all, only_one };
 /// The stations that are meant: those that the options name, else those that run on this computer,
 /// else the one of the last run here, which can still reach the vehicle. Needs no file, except the
 /// last one. Throws EnvironmentError when there is none, ConfigError for options that do not fit
-/// together and, with `only_one`, when several run.
+/// together and, with `only_one`, when several run and the options choose neither one nor all.
 [[nodiscard]] std::vector<EstopTarget> find_targets(const EstopOptions& options, Among among,
                                                     deployment::RunningHosts running);
 

@@ -53,8 +53,8 @@ bool is_wanted(const deployment::RunningHost& host, const JoinOptions& options) 
 
 }  // namespace
 
-void JoinOptions::declare(CLI::App& app) {
-  app.add_option("--run-dir", run_dir, "folder of the run to join [the one that runs]");
+void JoinOptions::declare(CLI::App& app, const std::string& without) {
+  app.add_option("--run-dir", run_dir, "folder of the run to join [" + without + "]");
   add_host_option(app, host, "side of the link to join")->capture_default_str();
 }
 

@@ -17,8 +17,8 @@ namespace tocsin {
 struct JoinOptions {
   std::string run_dir;       ///< empty: the one that runs on this computer
   std::string host = "gcs";  ///< that the component shall run on: its name, or its role
-  /// Adds --run-dir and --host.
-  void declare(CLI::App& app);
+  /// Adds --run-dir and --host. `without`: which run is meant without --run-dir.
+  void declare(CLI::App& app, const std::string& without = "the one that runs");
 };
 
 /// One more component for a system that runs.

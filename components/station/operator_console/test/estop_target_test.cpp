@@ -68,10 +68,20 @@ TEST_F(EstopTargetTest, IsTheStationThatRunsWithAllThatItsProcessesTell) {
   EXPECT_EQ(sut[0].bus.traffic_file, "");
 }
 
-TEST_F(EstopTargetTest, AStopGoesToAllStationsThatRunAndAReleaseToOne) {
+TEST_F(EstopTargetTest, AStopGoesToAllStationsThatRunAndAReleaseToOneOrToAllThatAreMeant) {
   EXPECT_THAT(names(find_targets(options_, Among::all, running({"/a", "/b"}))),
               ElementsAre("/a", "/b"));
-  EXPECT_THROW((void)find_targets(options_, Among::only_one, running({"/a", "/b"})), ConfigError);
+  EXPECT_THAT(
+      [&] {
+        (void)find_targets(options_, Among::only_one, running({"/a", "/b"}));
+      },
+      Throws<ConfigError>(
+          Property(&ConfigError::what, HasSubstr("choose --run-dir /a, --run-dir /b, or --all"))));
+  EXPECT_THAT(names(find_targets(options_, Among::only_one, running({"/a"}))), ElementsAre("/a"));
+  options_.all = true;
+  EXPECT_THAT(names(find_targets(options_, Among::only_one, running({"/a", "/b"}))),
+              ElementsAre("/a", "/b"));
+  options_.all = false;
   options_.join.run_dir = "/b";
   for (const Among among : {Among::all, Among::only_one}) {
     EXPECT_THAT(names(find_targets(options_, among, running({"/a", "/b"}))), ElementsAre("/b"));

@@ -53,8 +53,10 @@ void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) 
   try {
     const QosProfiles qos(deployment.qos);
     std::map<Role, TrafficRules> traffic;
+    const VehicleChain chain =
+        drives_a_vehicle(deployment) ? VehicleChain::ours : VehicleChain::foreign;
     for (const deployment::Host& host : deployment.hosts) {
-      traffic.emplace(host.role, TrafficRules(deployment.traffic, host.role));
+      traffic.emplace(host.role, TrafficRules(deployment.traffic, host.role, chain));
     }
     const bool whole = built.findings.empty();
     for (const Finding& finding : examine(built.graph, {qos, traffic})) {

@@ -19,6 +19,7 @@
 #include "foundation/error.hpp"
 #include "foundation/privileges.hpp"
 #include "launcher.hpp"
+#include "open_link.hpp"
 #include "run_folder.hpp"
 #include "served_port.hpp"
 
@@ -138,6 +139,7 @@ int launch(LaunchOptions& given) {
   Journal journal(overrides.run_dir + "/log", !owns_terminal(deployment),
                   ::isatty(STDOUT_FILENO) == 1);
   if (!user.warning.empty()) journal.say(user.warning);
+  if (const auto warning = open_link_warning(deployment)) journal.say(*warning);
   Launcher launcher(deployment, networks, signals, journal);
   if (deployment.radio) {
     std::vector<int> descriptors;

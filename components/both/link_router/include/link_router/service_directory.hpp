@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -44,11 +45,13 @@ enum class Crossing : std::uint8_t {
 /// and asks on its host in their place.
 ///
 /// A server on the same host goes first: what is served there is neither wanted nor shown. A client
-/// waits 0.5 s for one to be made, since servers of nodes are made for who calls them. Pure; `now`
+/// waits 0.5 s for one to be made, since servers of nodes are made for who calls them. Of a peer it
+/// takes no more than `most_services` names of each list, and those of the rules only. Pure; `now`
 /// never decreases.
 class ServiceDirectory {
  public:
   using PeerLife = std::uint64_t;
+  static constexpr std::size_t most_services = 256;
   /// By the service's name.
   struct Rules {
     std::function<Crossing(const std::string&)> served;  ///< by this host for the peers
@@ -58,7 +61,8 @@ class ServiceDirectory {
 
   void on_server(const ServiceName& service, bool there);
   void on_client(const ServiceName& service, bool there, Time now);
-  void on_peer(PeerLife peer, ServiceLists lists) { peers_[peer] = std::move(lists); }
+  /// Returns what it does not take.
+  std::set<std::string> on_peer(PeerLife peer, const ServiceLists& lists);
   void forget_peer(PeerLife peer) { peers_.erase(peer); }
 
   [[nodiscard]] ServiceLists told(Time now) const;

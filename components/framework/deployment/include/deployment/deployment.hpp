@@ -173,5 +173,9 @@ void write_resolved(const Deployment& deployment, const std::string& path);
 /// Whether one of the host's containers has the component `link_router`: then that alone speaks on
 /// the link.
 [[nodiscard]] bool is_routed(const Host& host);
+/// Whether a component of the chain before the wheels runs on one of its hosts: kobuki_driver,
+/// safety_controller, velocity_mux or velocity_smoother. Then the vehicle obeys this stack's
+/// emergency stop; without them a gateway carries the topics of another's robot.
+[[nodiscard]] bool drives_a_vehicle(const Deployment& deployment);
 
 }  // namespace tocsin::deployment

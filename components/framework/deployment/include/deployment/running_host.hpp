@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,18 @@ struct RunningHost {
 /// What runs on this computer, as its processes themselves tell.
 struct RunningHosts {
   std::vector<RunningHost> hosts;  ///< in the order of their oldest process
-  std::vector<pid_t> hidden;       ///< containers of others, into which this user cannot look
+  /// Processes of that name into which this user does not look: those of others, and who names no
+  /// file of a run.
+  std::vector<pid_t> hidden;
 };
 
 /// Looks through the processes, and reads the copy of the resolved file that each container holds
-/// in memory. Needs no run folder, no launcher and no room. `proc`: where the kernel shows them.
-[[nodiscard]] RunningHosts running_hosts(const std::string& proc = "/proc");
+/// in memory. Needs no run folder, no launcher and no room. Never waits, whatever a process says of
+/// itself: looks at the user's own processes only, root also at those of others whose program is
+/// the tocsin-container of this installation, and opens regular files only. `proc`: where the
+/// kernel shows them; `user`: who looks, this process's user by default.
+[[nodiscard]] RunningHosts running_hosts(const std::string& proc = "/proc",
+                                         std::optional<uid_t> user = std::nullopt);
 
 /// The host of that name or role, empty: the first one, of the run with that folder. Throws
 /// EnvironmentError when nothing runs there, ConfigError when the run has no such host.

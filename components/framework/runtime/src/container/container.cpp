@@ -12,6 +12,7 @@
 #include "runtime/middleware/component_library.hpp"
 #include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
+#include "runtime/middleware/refused_names.hpp"
 #include "watch/resident_memory.hpp"
 
 namespace tocsin {
@@ -19,19 +20,21 @@ namespace {
 
 BusOptions bus_options(const deployment::Deployment& deployment, const deployment::Host& host,
                        const deployment::Container& container) {
-  return {host.name + "_" + container.name,
-          host.role,
-          deployment.ros_namespace,
-          deployment.qos,
-          deployment.traffic,
-          host.local_domain,
-          deployment.link_domain,
-          host.address,
-          host.peers,
-          false,
-          host.name,
-          gid_size_of_environment(),
-          enclave_of(deployment, host)};
+  BusOptions options{host.name + "_" + container.name,
+                     host.role,
+                     deployment.ros_namespace,
+                     deployment.qos,
+                     deployment.traffic,
+                     host.local_domain,
+                     deployment.link_domain,
+                     host.address,
+                     host.peers,
+                     false,
+                     host.name,
+                     gid_size_of_environment(),
+                     enclave_of(deployment, host)};
+  options.chain = drives_a_vehicle(deployment) ? VehicleChain::ours : VehicleChain::foreign;
+  return options;
 }
 
 WatchLimits watch_limits(const deployment::HealthLimits& health) {
@@ -64,9 +67,9 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
       context_, container.health,
       ProcessName{host.name, container.name, static_cast<int>(getpid()),
                   container.parameter_services},
-      *instances_, ControlComponent::Computer{resident_bytes, free_bytes, dropped_packets, [this] {
-                                                return watch_.finding();
-                                              }});
+      *instances_,
+      ControlComponent::Computer{resident_bytes, free_bytes, dropped_packets,
+                                 [this] { return watch_.finding(); }, refused_names});
   for (const deployment::ComponentInstance& one : container.components) {
     instances_->add(one.component, one.name, one.parameters, deployment.sources);
   }

@@ -142,6 +142,14 @@ void ControlComponent::add_dropped(Time now, diagnostic_msgs::msg::DiagnosticArr
   log().warn("{}", finding.message());
 }
 
+void ControlComponent::add_refused(diagnostic_msgs::msg::DiagnosticArray& array) {
+  if (!computer_.refused_names) return;
+  RefusedNames refused = computer_.refused_names();
+  if (refused.total() == 0) return;
+  array.status().push_back(diagnose(process_.container, refused, refused_before_));
+  refused_before_ = std::move(refused);
+}
+
 void ControlComponent::publish_health(Time now) {
   for (auto it = heard_.begin(); it != heard_.end();) {
     it = now - it->second.at > neighbour_silence ? heard_.erase(it) : std::next(it);
@@ -154,6 +162,7 @@ void ControlComponent::publish_health(Time now) {
   }
   add_endpoints(array);
   add_dropped(now, array);
+  add_refused(array);
   for (auto& status : array.status()) status.hardware_id(process_.host);
   if (diagnostics_.write(std::move(array)) == Status::failed) log().warn("health was not sent");
 }

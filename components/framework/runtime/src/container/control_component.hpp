@@ -38,6 +38,7 @@ class ControlComponent final : public Component {
     std::function<rtps_filter::DropAccount()> dropped_packets = {};  ///< empty: none are
     /// What is wrong with the threads of this process; empty: nobody looks.
     std::function<std::optional<std::string>()> finding = {};
+    std::function<RefusedNames()> refused_names = {};  ///< empty: none are
   };
   /// `instances` must outlive it.
   ControlComponent(Context& context, const HealthLimits& limits, ProcessName process,
@@ -61,6 +62,7 @@ class ControlComponent final : public Component {
   [[nodiscard]] InstanceHealth health_of(const Instance& instance, Time now);
   void add_endpoints(diagnostic_msgs::msg::DiagnosticArray& array);
   void add_dropped(Time now, diagnostic_msgs::msg::DiagnosticArray& array);
+  void add_refused(diagnostic_msgs::msg::DiagnosticArray& array);
   void add_process(Time now, diagnostic_msgs::msg::DiagnosticArray& array);
 
   Input<topic::ContainerState> neighbours_{*this};
@@ -74,6 +76,7 @@ class ControlComponent final : public Component {
   std::map<std::uint32_t, InstanceSums> before_;
   std::map<std::string, EndpointHealth> endpoints_before_;
   rtps_filter::DropAccount dropped_before_;
+  RefusedNames refused_before_;
   ServedNodes served_;
   Time next_drop_line_{};
   std::uint64_t first_bytes_ = 0;

@@ -193,6 +193,24 @@ Diagnostic diagnose(const std::string& container, const DropAccount& dropped,
   return finding.status();
 }
 
+Diagnostic diagnose(const std::string& container, const RefusedNames& refused,
+                    const RefusedNames& before) {
+  constexpr std::size_t named = 3;  // in the message; the values have all
+  Finding finding(container + "/link refused", "past events");
+  std::vector<std::string> grown;
+  for (const auto& [line, count] : refused.lines()) {
+    const auto then = before.lines().find(line);
+    const bool grew = then == before.lines().end() || then->second < count;
+    if (grew && grown.size() < named) grown.push_back(line);
+    finding.value(line, count);
+  }
+  if (!grown.empty()) {
+    finding.grade(WARN, fmt::format("{} refused on the link: {}", refused.total() - before.total(),
+                                    joined(grown, ", ")));
+  }
+  return finding.status();
+}
+
 bool is_eventful(const EndpointHealth& endpoint) {
   // A misfit or another type is a state, the counts are a history.
   return endpoint.lost + endpoint.rejected + endpoint.incompatible_qos + endpoint.deadlines_missed +

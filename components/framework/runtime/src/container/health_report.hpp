@@ -10,6 +10,7 @@
 #include "rtps_filter/drop_account.hpp"
 #include "runner/tick_account.hpp"
 #include "runtime/component.hpp"
+#include "runtime/middleware/refused_names.hpp"
 
 namespace tocsin {
 
@@ -55,6 +56,9 @@ using Diagnostic = diagnostic_msgs::msg::DiagnosticStatus;
 [[nodiscard]] Diagnostic diagnose(const std::string& container,
                                   const rtps_filter::DropAccount& dropped,
                                   const rtps_filter::DropAccount& before);
+/// Names that this process's router did not take from the link, in the same way.
+[[nodiscard]] Diagnostic diagnose(const std::string& container, const RefusedNames& refused,
+                                  const RefusedNames& before);
 /// False for an endpoint without an event, of which nothing is told.
 [[nodiscard]] bool is_eventful(const EndpointHealth& endpoint);
 

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "command_line/host_option.hpp"
@@ -16,13 +18,20 @@
 namespace tocsin {
 namespace {
 
+/// A file of a run, which may be another user's: a FIFO would wait for a writer.
+const std::string& regular(const std::string& path) {
+  std::error_code unreadable;
+  if (std::filesystem::is_regular_file(path, unreadable)) return path;
+  throw ConfigError(path + ": the run's file is not there any more, or is none");
+}
+
 BusOptions options_of_run(const deployment::RunningHost& running) {
   deployment::enter_namespaces(running.process);
   BusOptions options;
   options.role = running.itself().role;
   options.ros_namespace = running.deployment.ros_namespace;
-  options.qos_file = running.deployment.qos;
-  options.traffic_file = running.deployment.traffic;
+  options.qos_file = regular(running.deployment.qos);
+  options.traffic_file = regular(running.deployment.traffic);
   options.host_domain = running.itself().local_domain;
   return options;
 }

@@ -83,12 +83,17 @@ StopChannel::Options stop_options(const BusOptions& options, std::function<void(
 
 FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> on_event)
     : options_(with_sound_identity(options)),
-      rules_(options.traffic_file, options.role),
+      rules_(options.traffic_file, options.role, options.chain),
       table_(options.ros_namespace, rules_, std::move(on_event)),
       service_table_(options.ros_namespace, [this] { table_.wake(); }),
       stop_(std::make_shared<StopChannel>(stop_options(options_, [this] { table_.wake(); }))),
       host_(host_options()),
-      services_(host_, options.ros_namespace, service_table_, log_) {
+      services_(host_, options.ros_namespace, service_table_, log_),
+      host_readers_([this](const ReaderKey& key) { return make_host_reader(key); }),
+      link_readers_([this](const ReaderKey& key) {
+        return std::make_unique<FlowReader>(
+            *link_, key, [this](TakenSample&& taken) { on_link_sample(std::move(taken)); });
+      }) {
   if (interface_is_running(options_.link_address)) {
     join_link();
     return;
@@ -153,28 +158,36 @@ std::optional<LinkEvent> FastDdsLinkBus::take() {
   }
   auto event = table_.pop();
   if (!event) return event;
-  if (const auto* host = std::get_if<link_event::HostFlow>(&*event)) listen_on_host(host->what);
-  if (const auto* peer = std::get_if<link_event::PeerFlow>(&*event)) listen_on_link(peer->what);
-  if (const auto* gone = std::get_if<link_event::PeerFlowGone>(&*event)) giving_.erase(gone->flow);
+  if (const auto* host = std::get_if<link_event::HostFlow>(&*event)) {
+    listen_on_host(host->flow, host->what);
+  }
+  if (const auto* gone = std::get_if<link_event::HostFlowGone>(&*event)) {
+    host_readers_.remove(gone->flow);
+  }
+  if (const auto* peer = std::get_if<link_event::PeerFlow>(&*event)) {
+    listen_on_link(peer->flow, peer->what);
+  }
+  if (const auto* gone = std::get_if<link_event::PeerFlowGone>(&*event)) {
+    giving_.erase(gone->flow);
+    link_readers_.remove(gone->flow);
+  }
   return event;
 }
 
-void FastDdsLinkBus::listen_on_host(const Flow& flow) {
-  const ReaderKey key{table_.names().on_wire(flow.topic), flow.type, flow.reliable,
-                      flow.transient_local};
-  auto& reader = host_readers_[key];
-  if (reader) return;
-  reader = std::make_unique<FlowReader>(
+std::unique_ptr<FlowReader> FastDdsLinkBus::make_host_reader(const ReaderKey& key) {
+  return std::make_unique<FlowReader>(
       host_, key, [this, key](TakenSample&& taken) { on_host_sample(key, std::move(taken)); });
 }
 
-void FastDdsLinkBus::listen_on_link(const Flow& flow) {
+void FastDdsLinkBus::listen_on_host(FlowId id, const Flow& flow) {
+  host_readers_.add(
+      id, {table_.names().on_wire(flow.topic), flow.type, flow.reliable, flow.transient_local});
+}
+
+void FastDdsLinkBus::listen_on_link(FlowId id, const Flow& flow) {
   const ReaderKey key{table_.names().on_wire(flow.topic), flow.type};
-  auto& reader = link_readers_[key];
-  if (reader) return;
   try {
-    reader = std::make_unique<FlowReader>(
-        *link_, key, [this](TakenSample&& taken) { on_link_sample(std::move(taken)); });
+    link_readers_.add(id, key);
   } catch (const EnvironmentError& error) {
     log_refusal("receive", key.topic, error);
   }

@@ -9,6 +9,7 @@
 #include "foundation/error.hpp"
 #include "link/fast_dds_host_services.hpp"
 #include "link/flow_ends.hpp"
+#include "link/flow_readers.hpp"
 #include "link/flow_table.hpp"
 #include "link/late_interface.hpp"
 #include "link/radio_transport.hpp"
@@ -59,8 +60,6 @@ class FastDdsLinkBus final : public LinkBus {
     TrafficClass traffic_class;
     std::unique_ptr<FlowWriter> writer;  ///< null while the link is not up
   };
-  using Readers = std::map<ReaderKey, std::unique_ptr<FlowReader>>;
-
   void offer(FlowId id, const Flow& flow);
   [[nodiscard]] ParticipantOptions host_options();
   [[nodiscard]] ParticipantOptions link_options();
@@ -68,8 +67,9 @@ class FastDdsLinkBus final : public LinkBus {
   /// Without a writer, and with a line in the log, when Fast DDS refuses.
   void connect(FlowId id, Sending& sending);
   void log_refusal(const char* what, const std::string& topic, const EnvironmentError& error);
-  void listen_on_host(const Flow& flow);
-  void listen_on_link(const Flow& flow);
+  [[nodiscard]] std::unique_ptr<FlowReader> make_host_reader(const ReaderKey& key);
+  void listen_on_host(FlowId id, const Flow& flow);
+  void listen_on_link(FlowId id, const Flow& flow);
   [[nodiscard]] bool has_outlived_its_lifespan(const TakenSample& taken, FlowId id) const;
   void on_host_sample(const ReaderKey& key, TakenSample&& taken);
   void on_link_sample(TakenSample&& taken);
@@ -85,8 +85,8 @@ class FastDdsLinkBus final : public LinkBus {
   FastDdsParticipant host_;
   std::unique_ptr<FastDdsParticipant> link_;
   FastDdsHostServices services_;
-  Readers host_readers_;  // after the participants: destroyed first
-  Readers link_readers_;
+  FlowReaders host_readers_;  // after the participants: destroyed first
+  FlowReaders link_readers_;
   std::map<FlowId, Sending> sending_;
   std::map<FlowId, std::unique_ptr<FlowWriter>> giving_;
   std::unique_ptr<LateInterface> late_;  // last: destroyed first, as it calls back

@@ -7,6 +7,8 @@
 #include "foundation/hash.hpp"
 #include "link/flow_text.hpp"
 #include "link/origin.hpp"
+#include "runtime/middleware/link_permissions.hpp"
+#include "runtime/middleware/refused_names.hpp"
 
 namespace tocsin {
 namespace {
@@ -37,6 +39,7 @@ std::optional<Flow> FlowTable::flow_in(const AnnouncedEnd& end, bool on_link) co
   const auto topic = names_.of_people(end.topic);
   if (!end.writer || !topic) return std::nullopt;
   if (!on_link && rules_.find(*topic) == nullptr) return std::nullopt;
+  if (on_link && !rules_.takes(*topic) && !is_of_routers(rules_, *topic)) return std::nullopt;
   Flow flow;
   flow.topic = *topic;
   flow.type = end.type;
@@ -48,11 +51,29 @@ std::optional<Flow> FlowTable::flow_in(const AnnouncedEnd& end, bool on_link) co
   return flow;
 }
 
+std::string FlowTable::name_of(const Participant& participant) const {
+  const auto found = peers_.find(participant);
+  return found == peers_.end() ? "" : found->second;
+}
+
+bool FlowTable::has_room(const Guid& guid, bool on_link) {
+  const bool link_is_full = on_link && flows_.size() - host_flows_ >= most_link_flows;
+  std::size_t* const own = on_link ? &link_flows_[guid.guidPrefix] : &host_flows_;
+  if (*own < most_flows && !link_is_full) return ++*own > 0;
+  if (*own == 0) link_flows_.erase(guid.guidPrefix);
+  if (!std::exchange(told_full_, true)) {
+    log_.warn("more than {} flows {}; what comes beyond them does not cross", most_flows,
+              on_link ? "of " + name_of(guid.guidPrefix) : "of this host");
+  }
+  return false;
+}
+
 void FlowTable::add(const Guid& guid, const Flow& flow, bool on_link) {
   if (by_writer_.count(guid) != 0) return;  // announced again
   const auto found = std::find_if(flows_.begin(), flows_.end(), [&](const auto& entry) {
     return !on_link && !entry.second.on_link && entry.second.flow == flow;
   });
+  if (found == flows_.end() && !has_room(guid, on_link)) return;
   const FlowId id = found == flows_.end() ? ++last_id_ : found->first;
   by_writer_[guid] = id;
   flows_[id].writers.insert(guid);
@@ -76,8 +97,11 @@ void FlowTable::remove(const Guid& guid) {
   known.writers.erase(guid);
   if (!known.writers.empty()) return;
   if (known.on_link) {
+    const auto count = link_flows_.find(guid.guidPrefix);
+    if (--count->second == 0) link_flows_.erase(count);
     events_.push_back(link_event::PeerFlowGone{id});
   } else {
+    --host_flows_;
     events_.push_back(link_event::HostFlowGone{id});
   }
   flows_.erase(id);
@@ -103,12 +127,16 @@ void FlowTable::on_host_end(const Guid& guid, const AnnouncedEnd& end, bool ther
 }
 
 void FlowTable::on_link_end(const Guid& guid, const AnnouncedEnd& end, bool there) {
+  const auto topic = names_.of_people(end.topic);
+  if (!end.writer || !topic) return;
+  std::optional<std::string> refused;  // of this peer
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto flow = flow_in(end, true);
-    if (!flow) return;
-    there ? add(guid, *flow, true) : remove(guid);
+    if (!flow && there) refused = name_of(guid.guidPrefix);
+    if (flow) there ? add(guid, *flow, true) : remove(guid);
   }
+  if (refused) return refuse("topic", *topic, *refused, log_);
   on_event_();
 }
 

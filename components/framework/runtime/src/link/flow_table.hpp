@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fast_dds/remote_ends.hpp"
+#include "runtime/logger.hpp"
 #include "runtime/middleware/link_bus.hpp"
 
 namespace tocsin {
@@ -30,11 +31,17 @@ class TopicNames {
 };
 
 /// Which flows there are on a host and on the link, from what discovery tells, and what has
-/// happened to them. Any thread; `on_event` is called without a lock held.
+/// happened to them. Of the link it takes what the rules say, of a host and of each peer at most
+/// `most_flows`; what it does not take of the link is counted, see refuse(). Any thread; `on_event`
+/// is called without a lock held.
 class FlowTable {
  public:
   using Guid = eprosima::fastrtps::rtps::GUID_t;
   using Participant = eprosima::fastrtps::rtps::GuidPrefix_t;
+  /// Many more than a robot has topics.
+  static constexpr std::size_t most_flows = 1024;
+  /// Of all peers.
+  static constexpr std::size_t most_link_flows = 4096;
 
   FlowTable(const std::string& ros_namespace, const TrafficRules& rules,
             std::function<void()> on_event);
@@ -66,6 +73,9 @@ class FlowTable {
     std::set<Guid> writers;
   };
   [[nodiscard]] std::optional<Flow> flow_in(const AnnouncedEnd& end, bool on_link) const;
+  /// Whether there is room for one more flow of this writer's side.
+  [[nodiscard]] bool has_room(const Guid& guid, bool on_link);
+  [[nodiscard]] std::string name_of(const Participant& participant) const;
   void add(const Guid& guid, const Flow& flow, bool on_link);
   void remove(const Guid& guid);
   void remove_peer(const Participant& participant);
@@ -73,7 +83,11 @@ class FlowTable {
   const TopicNames names_;
   const TrafficRules& rules_;
   const std::function<void()> on_event_;
+  Logger log_{"link"};
   mutable std::mutex mutex_;
+  std::size_t host_flows_ = 0;
+  std::map<Participant, std::size_t> link_flows_;
+  bool told_full_ = false;
   FlowId last_id_ = 0;
   std::map<FlowId, Known> flows_;
   std::map<Guid, FlowId> by_writer_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/middleware/link_permissions.hpp"
 
+#include <algorithm>
+
 #include "link/flow_table.hpp"
 
 namespace tocsin {
@@ -34,6 +36,15 @@ std::vector<std::string> topics_of(Role role, const LinkSide& side) {
 std::string link_calls_topic(const CallClass& calls) { return topic_of("link_calls_", calls); }
 
 std::string link_results_topic(const CallClass& calls) { return topic_of("link_results_", calls); }
+
+bool is_of_routers(const TrafficRules& rules, const std::string& topic) {
+  if (topic == link_receipt_topic || topic == fill_in_topic) return true;
+  const auto& calls = rules.call_classes();
+  if (topic == link_services_topic) return !calls.empty();
+  return std::any_of(calls.begin(), calls.end(), [&](const CallClass& one) {
+    return topic == link_calls_topic(one) || topic == link_results_topic(one);
+  });
+}
 
 keystore::Permissions link_permissions(const LinkSide& side) {
   const Role other = side.role == Role::uxv ? Role::gcs : Role::uxv;

@@ -4,9 +4,9 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
-#include "class_entry.hpp"
 #include "command_line/programs.hpp"
 #include "deployment/traffic_file.hpp"
 #include "dscp_entry.hpp"
@@ -15,14 +15,11 @@
 #include "foundation/parameters.hpp"
 #include "foundation/spelling.hpp"
 #include "foundation/yaml_file.hpp"
+#include "named_class.hpp"
 #include "runtime/middleware/action_ports.hpp"
 
 namespace tocsin {
 namespace {
-
-/// What a role says beside its classes.
-const std::string stays_key = "stays";
-const std::string fetch_key = "fetch";
 
 void refuse_unknown_maps(const YAML::Node& file, const YamlSources& sources) {
   std::vector<std::string> known{"dscp"};
@@ -59,15 +56,6 @@ bool names(const std::vector<std::string>& list, const std::string& topic) {
   return std::find(list.begin(), list.end(), topic) != list.end();
 }
 
-TrafficClass class_named(const YAML::Node& name, const std::string& role,
-                         const YamlSources& sources) {
-  if (const auto found = traffic_class_of(name.Scalar())) return *found;
-  std::vector<std::string> words;
-  for (const TrafficClass one : traffic_classes) words.emplace_back(to_string(one));
-  throw ConfigError(role + "." + name.Scalar() + ": is no traffic class" +
-                    did_you_mean(words, name.Scalar(), "they are") + yaml_place(sources, name));
-}
-
 /// Of what a log keeps, the newest still goes on resume as it is.
 WhilePoor to_while_poor(const std::string& word) {
   if (word == "latest" || word == "store") return WhilePoor::latest;
@@ -86,46 +74,6 @@ TrafficRule rule_of(const std::string& topic, TrafficClass traffic_class, const 
   rule.depth = entry.depth;
   if (entry.lifespan_s > 0) rule.lifespan_s = entry.lifespan_s;
   return rule;
-}
-
-/// What a class of a role says, and where.
-struct NamedClass {
-  Role role;
-  TrafficClass traffic_class;
-  ClassEntry entry;
-  std::string key;    ///< `uxv.high`
-  std::string place;  ///< in the file, for messages
-
-  [[nodiscard]] bool has_calls() const { return !entry.services.empty() || !entry.actions.empty(); }
-  [[nodiscard]] CallClass calls() const { return {role, traffic_class, entry.call_deadline_s}; }
-  template <class Rule>
-  void add(NameRules<Rule>& rules, const char* list, const std::string& name,
-           const Rule& rule) const {
-    if (rules.add(name, rule)) return;
-    throw ConfigError(key + "." + list + ": " + name + " is in two classes" + place);
-  }
-};
-
-void add_classes(const YAML::Node& classes, Role role, const YamlSources& sources,
-                 std::vector<NamedClass>& all) {
-  for (const auto& entry : classes) {
-    const std::string word = entry.first.Scalar();
-    if (word == stays_key || word == fetch_key) continue;
-    const TrafficClass one = class_named(entry.first, to_string(role), sources);
-    const std::string key = std::string(to_string(role)) + "." + to_string(one);
-    all.push_back({role, one, load_parameters<ClassEntry>(entry.second, key, sources), key,
-                   yaml_place(sources, entry.first)});
-  }
-}
-
-/// Of all roles that the file has.
-std::vector<NamedClass> all_classes(const YAML::Node& file, const YamlSources& sources) {
-  std::vector<NamedClass> all;
-  for (const Role role : roles) {
-    const YAML::Node classes = file[to_string(role)];
-    if (classes.IsDefined() && classes.IsMap()) add_classes(classes, role, sources, all);
-  }
-  return all;
 }
 
 /// The list `stays` of a role; none: it says nothing.
@@ -156,9 +104,9 @@ void add_topics(const NamedClass& from, NameRules<TrafficRule>& rules) {
 
 /// What its list `log` names: topics of this class, or of none. One that a pattern fits goes on
 /// crossing by that.
-void add_logged(const NamedClass& from, NameRules<TrafficRule>& rules) {
+void add_logged(const NamedClass& from, SentTopics& sent) {
   for (const std::string& topic : from.entry.log) {
-    const TrafficRule* const known = rules.find(topic);
+    const TrafficRule* const known = sent.find(topic);
     if (known != nullptr && known->stored) {
       throw ConfigError(from.key + ".log: " + topic +
                         " is stored, so that all of it crosses anyway" + from.place);
@@ -169,7 +117,7 @@ void add_logged(const NamedClass& from, NameRules<TrafficRule>& rules) {
     if (known != nullptr) rule = *known;
     rule.logged = true;
     rule.live = known != nullptr;
-    from.add(rules, "log", topic, rule);
+    from.add(sent.rules, "log", topic, rule);
   }
 }
 
@@ -203,6 +151,46 @@ void add_services(const NamedClass& from, NameRules<CallRule>& rules) {
   }
 }
 
+/// Of one role.
+SentTopics sent_by(Role role, const YAML::Node& file, const std::vector<NamedClass>& classes,
+                   const YamlSources& sources) {
+  const std::string word = to_string(role);
+  SentTopics sent;
+  const YAML::Node own = file[word];
+  if (!own.IsDefined() || !own.IsMap()) return sent;
+  for (const std::string& name : names_in(own[stays_key], word, sources)) {
+    (void)sent.stays.add(name, {});
+  }
+  for (const NamedClass& one : classes) {
+    if (one.role == role) add_topics(one, sent.rules);
+  }
+  refuse_unknown_topics(own, word, sent.rules, sources);
+  for (const NamedClass& one : classes) {
+    if (one.role == role) add_logged(one, sent);
+  }
+  return sent;
+}
+
+/// Nothing that drives the vehicle crosses the link, whoever names it.
+void refuse_chain(const NamedClass& from, const SentTopics& sent) {
+  const auto refuse = [&](const std::string& name, const std::string& what, const char* help) {
+    throw ConfigError(from.key + ".topics: " + name + what +
+                      " moves or stops this deployment's vehicle, and never crosses the link" +
+                      help + from.place);
+  };
+  for (const std::string& name : from.entry.topics) {
+    if (is_of_chain(name)) {
+      refuse(name, "", "; goal, teleop/cmd_vel and docking/command do, and its log may cross");
+    }
+    if (!is_pattern(name)) continue;
+    for (const char* const topic : chain_topics) {
+      if (!fits(name, topic) || sent.find(topic) == nullptr || !sent.find(topic)->live) continue;
+      refuse(name, std::string(" takes ") + topic + ", which",
+             "; `stays` lists what no pattern takes");
+    }
+  }
+}
+
 /// The map of a role. Throws ConfigError when the file has none.
 YAML::Node map_of(const YAML::Node& file, Role role, const std::string& path) {
   YAML::Node own = file.IsMap() ? file[to_string(role)] : YAML::Node();
@@ -220,35 +208,60 @@ bool fits(const std::string& pattern, const std::string& name) {
   return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
 }
 
-TrafficRules::TrafficRules(const std::string& path, Role of) : path_(path), role_(of) {
+const TrafficRule* SentTopics::find(const std::string& topic) const {
+  const auto named = rules.names().find(topic);
+  if (named != rules.names().end()) return &named->second;
+  return stays.find(topic) == nullptr ? rules.find(topic) : nullptr;
+}
+
+TrafficRules::TrafficRules(const std::string& path, Role of, VehicleChain chain)
+    : path_(path), role_(of), chain_(chain) {
   YamlSources sources;
   const YAML::Node file =
       deployment::read_traffic_file(path, share_folder(own_program()).string(), sources);
   const YAML::Node own = map_of(file, of, path);
   refuse_unknown_maps(file, sources);
   dscp_ = to_dscp(load_parameters<DscpEntry>(file["dscp"], "dscp", sources));
-  for (const std::string& name : names_in(own[stays_key], std::string(to_string(of)), sources)) {
-    (void)stays_.add(name, {});
-  }
   NameRules<Keeps> kept_there;  // looked at, and kept by the others
   const std::vector<NamedClass> classes = all_classes(file, sources);
   for (const NamedClass& one : classes) {
-    if (one.role == of) add_topics(one, rules_);
     add_kept(one, one.role == of ? kept_there : kept_here_);
     add_services(one, one.role == of ? served_ : called_);
     if (one.has_calls()) call_classes_.push_back(one.calls());
   }
-  refuse_unknown_topics(own, to_string(of), rules_, sources);
-  for (const NamedClass& one : classes) {
-    if (one.role == of) add_logged(one, rules_);
+  for (const Role role : roles) {
+    SentTopics sent = sent_by(role, file, classes, sources);
+    for (const NamedClass& one : classes) {
+      if (chain == VehicleChain::ours && one.role == role) refuse_chain(one, sent);
+    }
+    if (role == of) {
+      own_ = std::move(sent);
+    } else {
+      others_.push_back(std::move(sent));
+    }
   }
-  fetches_ = fetch_rules(own[fetch_key], to_string(of), rules_, sources);
+  fetches_ = fetch_rules(own[fetch_key], to_string(of), own_.rules, sources);
 }
 
 const TrafficRule* TrafficRules::find(const std::string& topic) const {
-  const auto named = rules_.names().find(topic);
-  if (named != rules_.names().end()) return &named->second;
-  return stays_.find(topic) == nullptr ? rules_.find(topic) : nullptr;
+  const TrafficRule* const found = own_.find(topic);
+  const bool stays = found != nullptr && found->live && chain_ == VehicleChain::ours;
+  return stays && is_of_chain(topic) ? nullptr : found;
+}
+
+bool TrafficRules::takes(const std::string& topic) const {
+  if (chain_ == VehicleChain::ours && is_of_chain(topic)) return false;
+  return path_.empty() || std::any_of(others_.begin(), others_.end(), [&](const SentTopics& sent) {
+           const TrafficRule* const rule = sent.find(topic);
+           return rule != nullptr && rule->live;
+         });
+}
+
+bool TrafficRules::takes_later(const std::string& topic) const {
+  return path_.empty() || std::any_of(others_.begin(), others_.end(), [&](const SentTopics& sent) {
+           const TrafficRule* const rule = sent.find(topic);
+           return rule != nullptr && (rule->stored || rule->logged);
+         });
 }
 
 const TrafficRule& TrafficRules::of(const std::string& topic) const {

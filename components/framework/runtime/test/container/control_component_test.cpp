@@ -83,13 +83,16 @@ class ControlTest : public ::testing::Test {
   std::optional<std::uint64_t> free_ = std::uint64_t{1} << 40U;
   std::string folder_;
   rtps_filter::DropAccount dropped_;
+  RefusedNames refused_;
   ControlComponent sut_{context_,
                         {},
                         {"uxv", "drive", 1},
                         instances_,
                         {[this] { return resident_; },
                          [this](const std::string& folder) { return folder_ = folder, free_; },
-                         [this] { return dropped_; }}};
+                         [this] { return dropped_; },
+                         {},
+                         [this] { return refused_; }}};
 };
 
 TEST_F(ControlTest, LoadsAndTellsItsNewState) {
@@ -98,6 +101,21 @@ TEST_F(ControlTest, LoadsAndTellsItsNewState) {
   ASSERT_EQ(told.components().size(), 1U);
   EXPECT_EQ(told.components()[0].state(), "active");
   EXPECT_EQ(told.host(), "uxv");
+}
+
+TEST_F(ControlTest, TellsWhatItsRouterRefusedOnceThereIsSomething) {
+  const auto findings = [this] {
+    std::vector<std::string> found;
+    const auto report = next_report();
+    for (const auto& status : report.status()) {
+      if (status.name() == "drive/link refused") found.push_back(status.message());
+    }
+    return found;
+  };
+  EXPECT_THAT(findings(), ::testing::IsEmpty());
+  (void)refused_.add("topic cmd_vel", "gcs");
+  EXPECT_THAT(findings(), ::testing::ElementsAre("1 refused on the link: topic cmd_vel from gcs"));
+  EXPECT_THAT(findings(), ::testing::ElementsAre("past events"));
 }
 
 TEST_F(ControlTest, TellsOfDroppedPacketsOnceThereAreSome) {

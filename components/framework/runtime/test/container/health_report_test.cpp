@@ -65,6 +65,23 @@ TEST(HealthReport, DroppedPacketsAreAFindingWhileTheyComeAndHistoryAfterwards) {
   EXPECT_EQ(value(later, "fragment"), "none");
 }
 
+TEST(HealthReport, WhatTheRouterRefusesIsAFindingWhileItComesAndHistoryAfterwards) {
+  RefusedNames refused;
+  (void)refused.add("topic cmd_vel", "gcs");
+  const RefusedNames before = refused;
+  (void)refused.add("topic cmd_vel", "gcs");
+  (void)refused.add("topic odom", "stranger");
+  const Diagnostic now = diagnose("link", refused, before);
+  EXPECT_EQ(now.level(), WARN);
+  EXPECT_EQ(now.name(), "link/link refused");
+  EXPECT_EQ(now.message(),
+            "2 refused on the link: topic cmd_vel from gcs, topic odom from stranger");
+  EXPECT_EQ(value(now, "topic cmd_vel from gcs"), "2");
+  const Diagnostic later = diagnose("link", refused, refused);
+  EXPECT_EQ(later.level(), OK);
+  EXPECT_EQ(value(later, "topic odom from stranger"), "1");
+}
+
 TEST(HealthReport, WarnsOnlyOfATickLongerThanTheLimit) {
   InstanceHealth health = healthy();
   health.now.ticks.longest = seconds(0.5);

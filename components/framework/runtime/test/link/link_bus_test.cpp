@@ -8,8 +8,10 @@
 #include <algorithm>
 
 #include "fast_dds/rtps_capture.hpp"
+#include "foundation/temporary_folder.hpp"
 #include "idl_support/topic_registry.hpp"
 #include "link/link_bus_fixture.hpp"
+#include "runtime/middleware/refused_names.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -45,6 +47,30 @@ TEST_F(LinkBusTest, ASampleCrossesToAnOrdinaryReaderOfTheOtherHostWithItsWriterN
   EXPECT_EQ(sample.sent_wall_ns, same->sample.sent_wall_ns);
   EXPECT_LE(sample.sent_wall_ns, sample.received_wall_ns);
   EXPECT_GT(sample.bytes, 300U);
+}
+
+TEST_F(LinkBusTest, AVelocityThatAPeerSendsIsNotGivenToTheVehicle) {
+  const TemporaryFolder folder;
+  BusOptions hostile = options(Role::gcs);
+  hostile.traffic_file =
+      folder.write("traffic.yaml", "uxv: {}\ngcs: {high: {topics: [goal, cmd_vel]}}\n");
+  Relay uxv(options(Role::uxv));
+  const Relay gcs(hostile);
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
+  Samples goals;
+  Samples velocities;
+  const auto hears_goals = vehicle->subscribe(endpoint<topic::Goal>(), goals);
+  const auto hears_velocities = vehicle->subscribe(endpoint<topic::CmdVel>(), velocities);
+  const auto velocity = station->advertise(endpoint<topic::CmdVel>());
+  const auto goal = station->advertise(endpoint<topic::Goal>());
+  ASSERT_TRUE(eventually([&] {
+    (void)velocity->write(std::make_shared<const topic::CmdVel::Message>());
+    (void)goal->write(std::make_shared<const topic::Goal::Message>());
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return goals.all().size() > 20 && refused_names().lines().count("topic cmd_vel from gcs") != 0;
+  }));
+  EXPECT_TRUE(velocities.all().empty());
 }
 
 TEST_F(LinkBusTest, EachTransmissionHasTheNextNumberOfItsFlow) {

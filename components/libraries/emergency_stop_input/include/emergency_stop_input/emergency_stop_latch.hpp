@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,8 @@ class EmergencyStopLatch {
   [[nodiscard]] bool stands_by_station() const { return station_; }
   /// Names of those besides the station whose stops stand.
   [[nodiscard]] std::vector<std::string> others() const;
+  /// Of one of them, as it was when it pressed first.
+  [[nodiscard]] std::optional<std::string> name_of(std::uint64_t id) const;
   [[nodiscard]] Memory memory() const { return {station_, left_ || !others_.empty()}; }
 
  private:

@@ -33,6 +33,8 @@ struct BusOptions {
   /// empty: the link is open.
   std::string enclave = "";
   bool plain_names = false;  ///< topics are called on the wire as they are, without ROS's `rt/`
+  /// Of a router: whether topics of the chain before the wheels may cross, see TrafficRules.
+  VehicleChain chain = VehicleChain::foreign;
 };
 
 /// The bus on Fast DDS in real time. All topics stay on the host, where any participant with the

@@ -19,6 +19,9 @@ inline constexpr const char* link_services_topic = "link_services";
 [[nodiscard]] std::string link_calls_topic(const CallClass& calls);
 [[nodiscard]] std::string link_results_topic(const CallClass& calls);
 
+/// Whether a topic is one of those, of which no rule tells: of calls if the file has some.
+[[nodiscard]] bool is_of_routers(const TrafficRules& rules, const std::string& topic);
+
 /// Whose permissions on a secured link are meant.
 struct LinkSide {
   Role role = Role::uxv;

@@ -10,6 +10,7 @@
 #include "foundation/traffic_class.hpp"
 #include "runtime/middleware/fetch_rule.hpp"
 #include "runtime/middleware/name_rules.hpp"
+#include "runtime/middleware/vehicle_chain.hpp"
 
 namespace tocsin {
 
@@ -49,27 +50,43 @@ struct CallRule {
   bool on_demand = false;
 };
 
+/// The topics that one role sends over the link.
+struct SentTopics {
+  struct Stays {};
+  NameRules<TrafficRule> rules;
+  NameRules<Stays> stays;  ///< go before the patterns of rules
+  /// Null: none fits, or the file says that it stays on its host.
+  [[nodiscard]] const TrafficRule* find(const std::string& topic) const;
+};
+
 /// A file such as config/traffic.yaml for one role: which class each link topic is in, and the DSCP
 /// of each class, and which services and actions the sides serve each other. Names may be patterns.
 /// It may `extends` others; a name leaves the class that it has there. A bare name that is not
 /// beside it is a file of share/config.
 class TrafficRules {
  public:
-  /// Without a file: everything is of class normal and never paused.
+  /// Without a file: everything but the chain before the wheels crosses, of class normal and never
+  /// paused.
   TrafficRules() = default;
   /// Throws ConfigError with file and line: unreadable file, no map for the role, unknown class or
   /// key, a DSCP above 63, a topic named twice, one that is both stored and logged, one that is
-  /// kept and not in its class, a rule of `fetch` as fetch_rules() has it.
-  TrafficRules(const std::string& path, Role role);
+  /// kept and not in its class, a rule of `fetch` as fetch_rules() has it, and, where the chain is
+  /// ours, a name or pattern by which a topic of the chain would cross.
+  TrafficRules(const std::string& path, Role role, VehicleChain chain = VehicleChain::foreign);
   /// Throws ConfigError when no rule of the role fits the topic.
   [[nodiscard]] const TrafficRule& of(const std::string& topic) const;
-  /// Null when no rule of the role fits the topic, or the file says that it stays on its host.
+  /// Null when no rule of the role fits the topic, the file says that it stays on its host, or it
+  /// is of the chain, which may be logged only.
   [[nodiscard]] const TrafficRule* find(const std::string& topic) const;
   /// By topic, those of patterns left out.
-  [[nodiscard]] const std::map<std::string, TrafficRule>& all() const { return rules_.names(); }
+  [[nodiscard]] const std::map<std::string, TrafficRule>& all() const { return own_.rules.names(); }
   [[nodiscard]] const std::map<std::string, TrafficRule>& patterns() const {
-    return rules_.patterns();
+    return own_.rules.patterns();
   }
+  /// Whether this role takes a topic from the link: another role sends it.
+  [[nodiscard]] bool takes(const std::string& topic) const;
+  /// Whether another role stores or logs a topic, so that it comes later, too.
+  [[nodiscard]] bool takes_later(const std::string& topic) const;
   /// Whether this role keeps what arrives of a topic of another role in its log.
   [[nodiscard]] bool keeps(const std::string& topic) const {
     return kept_here_.find(topic) != nullptr;
@@ -97,11 +114,11 @@ class TrafficRules {
  private:
   std::string path_;  ///< empty: without a file
   Role role_ = Role::uxv;
-  struct Stays {};
+  VehicleChain chain_ = VehicleChain::ours;
   struct Keeps {};
-  NameRules<TrafficRule> rules_;
-  NameRules<Stays> stays_;      ///< go before the patterns of rules_
-  NameRules<Keeps> kept_here_;  ///< topics of other roles
+  SentTopics own_;
+  std::vector<SentTopics> others_;  ///< of each other role
+  NameRules<Keeps> kept_here_;      ///< topics of other roles
   NameRules<CallRule> served_;
   NameRules<CallRule> called_;
   std::vector<CallClass> call_classes_;
