@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "parameters.hpp"
 
@@ -99,6 +100,19 @@ Duration lease_of(Cursor value) {
   return seconds(whole + static_cast<double>(value.u32()) / fractions_per_s);
 }
 
+/// What a participant says of itself, besides who it is.
+void note_property(const Parameter& parameter, const Context& context, Announcement& announcement) {
+  Cursor value = parameter.value;
+  if (parameter.id == pid::builtin_endpoints) announcement.has_announcer = (value.u32() & 1U) != 0;
+  if (parameter.id != pid::lease) return;
+  announcement.lease = lease_of(parameter.value);
+  announcement.lease_at = {static_cast<std::size_t>(value.here() - context.packet), value.little()};
+  const Duration longest = context.limits.longest_lease;
+  if (longest > Duration{} && !context.sealed) {
+    announcement.lease = std::min(announcement.lease, longest);
+  }
+}
+
 /// One parameter of an announcement: its form, whose it is, and whether it may be read.
 Wrong note_parameter(const Parameter& parameter, const Context& context,
                      Announcement& announcement) {
@@ -108,7 +122,7 @@ Wrong note_parameter(const Parameter& parameter, const Context& context,
     return std::nullopt;
   }
   if (const Wrong wrong = check_parameter(parameter)) return wrong;
-  if (parameter.id == pid::lease) announcement.lease = lease_of(parameter.value);
+  note_property(parameter, context, announcement);
   const bool names_somebody = parameter.id == pid::participant_guid ||
                               parameter.id == pid::endpoint_guid || parameter.id == pid::key_hash;
   if (!names_somebody) return std::nullopt;
@@ -146,7 +160,19 @@ Wrong note_list(Cursor payload, const Context& context, Announcement& announceme
   return std::nullopt;
 }
 
+/// Automatic, or manual by participant (RTPS 2.5, 9.6.2.2.4 names no other).
+bool is_liveliness_kind(const std::uint8_t* kind) {
+  return kind[0] == 0 && kind[1] == 0 && kind[2] == 0 && kind[3] <= 2;
+}
+
 }  // namespace
+
+std::array<std::uint8_t, 8> lease_bytes(Duration lease, bool little) {
+  constexpr double fractions_per_s = 4294967296.0;
+  const double whole = std::floor(to_seconds(lease));
+  const auto fraction = static_cast<std::uint32_t>((to_seconds(lease) - whole) * fractions_per_s);
+  return number_bytes(static_cast<std::int64_t>(std::uint64_t(whole) << 32U | fraction), little);
+}
 
 Purpose purpose_of(std::uint32_t reader, std::uint32_t writer) {
   const Purpose of_writer = purpose_of_builtin(writer);
@@ -159,6 +185,8 @@ Checked<Announcement> read_announcement(const Data& data, const Context& context
   constexpr int default_lease_s = 100;  // RTPS 2.5, table 9.18
   Announcement announcement;
   announcement.lease = std::chrono::seconds(default_lease_s);
+  announcement.number = data.number;
+  announcement.content = data.payload;
   announcement.leaves = leaves(data.inline_qos);
   if (const Wrong wrong = note_keys(data.inline_qos, context.header.prefix, announcement)) {
     return *wrong;
@@ -179,13 +207,19 @@ Checked<Announcement> read_announcement(const Data& data, const Context& context
 
 Wrong check_liveliness(const Data& data, const Header& header) {
   constexpr std::size_t key_bytes = 16;  // prefix and kind
-  Announcement ignored;
-  if (const Wrong wrong = note_keys(data.inline_qos, header.prefix, ignored)) return wrong;
+  constexpr std::size_t most_bytes = 512;
+  Announcement about;
+  if (const Wrong wrong = note_keys(data.inline_qos, header.prefix, about)) return wrong;
+  // Fast DDS keeps a sample for each kind.
+  if (about.guid && !is_liveliness_kind(about.guid->data() + header.prefix.size())) {
+    return DropReason::discovery_payload;
+  }
+  if (data.payload.left() > most_bytes) return DropReason::discovery_payload;
   if (!data.has_payload) return std::nullopt;
   if (data.payload.left() < encapsulation_bytes + key_bytes) return DropReason::discovery_payload;
-  if (!is_of(header.prefix, data.payload.here() + encapsulation_bytes)) {
-    return DropReason::foreign_identity;
-  }
+  const std::uint8_t* const key = data.payload.here() + encapsulation_bytes;
+  if (!is_of(header.prefix, key)) return DropReason::foreign_identity;
+  if (!is_liveliness_kind(key + header.prefix.size())) return DropReason::discovery_payload;
   return std::nullopt;
 }
 

@@ -38,9 +38,20 @@ struct Context {
 struct Announcement {
   bool leaves = false;
   std::optional<std::array<std::uint8_t, 16>> guid;  ///< of whom; begins with the sender's prefix
-  Duration lease{};                ///< of a participant; the standard's default where it says none
+  Duration lease{};  ///< of a participant; the standard's default where it says none
+  /// Where in the packet its lease stands; nothing where it says none.
+  struct LeasePlace {
+    std::size_t at;
+    bool little;  ///< its byte order
+  };
+  std::optional<LeasePlace> lease_at;
+  bool has_announcer = false;      ///< its builtin endpoints include the one that announces it
+  std::int64_t number = 0;         ///< of the sample
+  Cursor content;                  ///< the payload as it was sent
   std::vector<std::size_t> strip;  ///< see Inspection
 };
+/// A lease as it stands on the wire.
+[[nodiscard]] std::array<std::uint8_t, 8> lease_bytes(Duration lease, bool little);
 /// What a DATA of `participants` or `endpoints` tells. The reason when it is no such thing.
 [[nodiscard]] Checked<Announcement> read_announcement(const Data& data, const Context& context);
 

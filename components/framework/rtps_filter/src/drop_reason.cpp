@@ -28,7 +28,9 @@ std::string_view to_text(DropReason reason) {
                                                                     "too_many_participants",
                                                                     "too_many_endpoints",
                                                                     "too_many_announcements",
-                                                                    "too_many_bytes"};
+                                                                    "too_many_bytes",
+                                                                    "unsealed",
+                                                                    "unauthenticated"};
   return names[static_cast<std::size_t>(reason)];
 }
 

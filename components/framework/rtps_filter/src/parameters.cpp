@@ -6,6 +6,7 @@ namespace {
 
 constexpr std::size_t locator_bytes = 24;
 constexpr std::size_t duration_bytes = 8;
+constexpr std::size_t builtin_endpoints_bytes = 4;
 constexpr std::size_t string_bytes_at_least = 4;
 
 /// A CDR string: its length, the closing zero included, then its characters.
@@ -100,6 +101,8 @@ std::size_t fixed_bytes_of(std::uint16_t id) {
       return guid_bytes;
     case pid::lease:
       return duration_bytes;
+    case pid::builtin_endpoints:
+      return builtin_endpoints_bytes;
     default:
       return 0;
   }

@@ -19,12 +19,13 @@ inline constexpr std::uint16_t pad = 0x0000, sentinel = 0x0001, lease = 0x0002, 
                                metatraffic_unicast_locator = 0x0032,
                                metatraffic_multicast_locator = 0x0033, content_filter = 0x0035,
                                default_multicast_locator = 0x0048, participant_guid = 0x0050,
-                               property_list = 0x0059, endpoint_guid = 0x005a, entity_name = 0x0062,
-                               type_id = 0x0069, key_hash = 0x0070, status_info = 0x0071,
-                               type_object = 0x0072, data_representation = 0x0073,
-                               type_information = 0x0075, identity_token = 0x1001,
-                               permissions_token = 0x1002, identity_status_token = 0x1006,
-                               domain_tag = 0x4014, data_sharing = 0x8006;
+                               builtin_endpoints = 0x0058, property_list = 0x0059,
+                               endpoint_guid = 0x005a, entity_name = 0x0062, type_id = 0x0069,
+                               key_hash = 0x0070, status_info = 0x0071, type_object = 0x0072,
+                               data_representation = 0x0073, type_information = 0x0075,
+                               identity_token = 0x1001, permissions_token = 0x1002,
+                               identity_status_token = 0x1006, domain_tag = 0x4014,
+                               data_sharing = 0x8006;
 }  // namespace pid
 
 struct Parameter {

@@ -6,8 +6,19 @@
 
 namespace tocsin::rtps_filter {
 
-bool Participants::is_over(const Participant& participant, Time now) {
-  return now - participant.heard > participant.lease;
+namespace {
+
+/// Whether an announcement says what the one before has said, to the last octet.
+bool is_same(const Announcement& what, const Octets& content) {
+  return what.content.left() == content.size() &&
+         std::equal(content.begin(), content.end(), what.content.here());
+}
+
+}  // namespace
+
+bool Participants::is_over(const Participant& participant, Time now) const {
+  const Duration lease = participant.departure ? limits_.departure_wait : participant.lease;
+  return now - participant.heard > lease;
 }
 
 bool Participants::is_source(Participant& participant, Source from, Time now) const {
@@ -25,6 +36,7 @@ bool Participants::is_source(Participant& participant, Source from, Time now) co
 
 Participants::Known::iterator Participants::erase(Known::iterator at) {
   endpoints_ -= at->second.endpoints.size();
+  waiting_ -= at->second.departure ? 1U : 0U;
   return known_.erase(at);
 }
 
@@ -40,38 +52,130 @@ Wrong Participants::heard(const Prefix& prefix, Source from, Time now) {
   return std::nullopt;
 }
 
-Wrong Participants::announced(const Prefix& prefix, const Announcement& what, Source from,
-                              Time now) {
+Checked<Participants::Verdict> Participants::announced(const Prefix& prefix,
+                                                       const Announcement& what, Source from,
+                                                       Time now) {
   const auto found = known_.find(prefix);
   if (what.leaves) {
-    if (found == known_.end()) return std::nullopt;  // and not known to Fast DDS either
-    const auto& sources = found->second.sources;
-    if (std::find(sources.begin(), sources.end(), from) == sources.end()) {
-      return DropReason::forged_disposal;
-    }
-    erase(found);
-    return std::nullopt;
+    if (found == known_.end()) return Verdict{};  // and not known to Fast DDS either
+    return leaves(found, from, now);
   }
   if (!what.guid) return DropReason::discovery_payload;
   if (found == known_.end()) return admit(prefix, what, from, now);
   Participant& participant = found->second;
   if (!is_source(participant, from, now)) return DropReason::forged_source;
-  participant.lease = what.lease;
-  return std::nullopt;
+  if (participant.authenticated && !is_same(what, participant.content)) {
+    return DropReason::unauthenticated;
+  }
+  return renew(found, what, now);
 }
 
-Wrong Participants::admit(const Prefix& prefix, const Announcement& what, Source from, Time now) {
-  if (known_.size() >= limits_.participants) {
-    for (auto at = known_.begin(); at != known_.end();) {
-      at = is_over(at->second, now) ? erase(at) : std::next(at);
-    }
+Checked<Participants::Verdict> Participants::leaves(Known::iterator at, Source from, Time now) {
+  Participant& participant = at->second;
+  const auto& sources = participant.sources;
+  if (std::find(sources.begin(), sources.end(), from) == sources.end()) {
+    return DropReason::forged_disposal;
   }
-  if (known_.size() >= limits_.participants) return DropReason::too_many_participants;
+  if (participant.authenticated) return DropReason::unauthenticated;
+  const Duration wait = limits_.departure_wait;
+  if (wait <= Duration{} || !participant.copy.has_lease() || is_over(participant, now)) {
+    erase(at);
+    return Verdict{};
+  }
+  Verdict verdict;
+  verdict.hide = true;
+  if (participant.departure) return verdict;
+  participant.departure = now;
+  ++waiting_;
+  verdict.before.push_back(participant.copy.with(wait, ++participant.number));
+  return verdict;
+}
+
+std::optional<Octets> Participants::stays(const Prefix& prefix, Time now) {
+  // What it sent before it left may still be on its way.
+  constexpr Duration settling = std::chrono::milliseconds(300);
+  const auto found = known_.find(prefix);
+  if (found == known_.end()) return std::nullopt;
+  Participant& participant = found->second;
+  if (!participant.departure || now - *participant.departure < settling) return std::nullopt;
+  participant.departure.reset();
+  --waiting_;
+  return participant.copy.with(participant.lease, ++participant.number);
+}
+
+Participants::Verdict Participants::renew(Known::iterator at, const Announcement& what, Time now) {
+  // A handshake that has not ended by then waits for what will not come.
+  constexpr Duration longest_handshake = std::chrono::seconds(10);
+  Participant& participant = at->second;
+  Verdict verdict{false, what.number, {}};
+  const bool same = is_same(what, participant.content);
+  const bool late = now - participant.admitted > longest_handshake;
+  if (limits_.secured && !participant.authenticated && (!same || late)) {
+    // Fast DDS speaks to where the first announcement has told it to until it forgets it.
+    verdict.before.push_back(departure_of(at->first, ++participant.number));
+    participant.admitted = now;
+    participant.number = 0;
+  }
+  if (!same) {
+    if (limits_.departure_wait > Duration{}) {
+      verdict.number = std::max(what.number, participant.number + 1);
+    }
+    participant.content.assign(what.content.here(), what.content.here() + what.content.left());
+  }
+  participant.number = std::max(participant.number, verdict.number);
+  participant.lease = what.lease;
+  return verdict;
+}
+
+Participants::Known::iterator Participants::longest_silent() {
+  auto found = known_.end();
+  for (auto at = known_.begin(); at != known_.end(); ++at) {
+    if (at->second.authenticated) continue;
+    if (found == known_.end() || at->second.heard < found->second.heard) found = at;
+  }
+  return found;
+}
+
+bool Participants::make_room(Time now, Verdict& verdict) {
+  if (known_.size() < limits_.participants) return true;
+  for (auto at = known_.begin(); at != known_.end();) {
+    at = is_over(at->second, now) ? erase(at) : std::next(at);
+  }
+  if (known_.size() < limits_.participants) return true;
+  if (limits_.yields_after <= Duration{}) return false;
+  const auto silent = longest_silent();
+  if (silent == known_.end() || now - silent->second.heard < limits_.yields_after) return false;
+  verdict.before.push_back(departure_of(silent->first, silent->second.number + 1));
+  erase(silent);
+  return true;
+}
+
+Checked<Participants::Verdict> Participants::admit(const Prefix& prefix, const Announcement& what,
+                                                   Source from, Time now) {
+  // Fast DDS believes the departure of no other.
+  if (limits_.yields_after > Duration{} && !what.has_announcer) {
+    return DropReason::discovery_payload;
+  }
+  Verdict verdict{false, what.number, {}};
+  if (!make_room(now, verdict)) return DropReason::too_many_participants;
   Participant& participant = known_[prefix];
   participant.sources = {from};
   participant.admitted = participant.heard = now;
   participant.lease = what.lease;
-  return std::nullopt;
+  participant.number = what.number;
+  participant.content.assign(what.content.here(), what.content.here() + what.content.left());
+  return verdict;
+}
+
+void Participants::authenticate(const Prefix& prefix) {
+  const auto found = known_.find(prefix);
+  if (found != known_.end()) found->second.authenticated = true;
+}
+
+void Participants::forget(const Prefix& prefix) {
+  const auto found = known_.find(prefix);
+  // What the filter itself has made DDS forget is announced again.
+  if (found != known_.end() && found->second.authenticated) erase(found);
 }
 
 Wrong Participants::endpoint(const Prefix& prefix, const Announcement& what) {
@@ -113,9 +217,20 @@ Checked<Participants::Told> Participants::heartbeat(const Prefix& prefix,
   return Told{first, jumps};
 }
 
-Wrong Participants::gap(const Prefix& prefix, const Gap& gap, Time now) {
+Wrong Participants::fragment(const Prefix& prefix, const Data& data, Time now) {
+  if (told_by(prefix, data.writer) == nullptr) return std::nullopt;  // and nobody takes it
+  return unfinished_.add(prefix, data, limits_.unfinished_bytes, now);
+}
+
+Wrong Participants::gap(const Prefix& prefix, const Gap& gap, const Addressee& to, Time now) {
   const auto found = known_.find(prefix);
   if (found == known_.end()) return std::nullopt;
+  const ToldNumbers* const told = told_by(prefix, gap.writer);
+  const bool joins = gap.start <= (told == nullptr ? 1 : told->first(to));
+  const std::uint64_t kept = joins ? gap.bits : gap.numbers;
+  if (!kept_.take(static_cast<double>(kept), limits_.kept_numbers, now)) {
+    return DropReason::gap_range;
+  }
   const auto numbers = static_cast<double>(gap.numbers);
   if (!found->second.gaps.take(numbers, limits_.gap_rate, now)) return DropReason::gap_range;
   return std::nullopt;

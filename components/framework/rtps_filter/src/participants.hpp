@@ -5,10 +5,12 @@
 #include <unordered_map>
 #include <vector>
 
+#include "announcement_copy.hpp"
 #include "discovery.hpp"
 #include "rtps_filter/source.hpp"
 #include "token_bucket.hpp"
 #include "told_numbers.hpp"
+#include "unfinished_samples.hpp"
 
 namespace tocsin::rtps_filter {
 
@@ -20,9 +22,23 @@ class Participants {
 
   /// Any packet.
   [[nodiscard]] Wrong heard(const Prefix& prefix, Source from, Time now);
-  /// Announces a participant, or that it leaves.
-  [[nodiscard]] Wrong announced(const Prefix& prefix, const Announcement& what, Source from,
-                                Time now);
+  /// What becomes of an announcement of a participant, or of its departure.
+  struct Verdict {
+    bool hide = false;
+    std::int64_t number = 0;     ///< that it is shown with
+    std::vector<Octets> before;  ///< messages that are to be shown first
+  };
+  [[nodiscard]] Checked<Verdict> announced(const Prefix& prefix, const Announcement& what,
+                                           Source from, Time now);
+  /// The announcement of a known participant is shown so.
+  void shown(const Prefix& prefix, AnnouncementCopy copy) { known_[prefix].copy = std::move(copy); }
+  /// Whether a departure waits for its confirmation by silence.
+  [[nodiscard]] bool waits() const { return waiting_ > 0; }
+  /// A packet that is no departure: what is to be shown before it, as its participant has not left.
+  [[nodiscard]] std::optional<Octets> stays(const Prefix& prefix, Time now);
+  /// See RtpsFilter.
+  void authenticate(const Prefix& prefix);
+  void forget(const Prefix& prefix);
   [[nodiscard]] Wrong endpoint(const Prefix& prefix, const Announcement& what);
   /// What becomes of a HEARTBEAT.
   struct Told {
@@ -33,7 +49,9 @@ class Participants {
                                         const Addressee& to, Time now);
   /// See RtpsFilter::took.
   void took(Duration cpu, Time now) { jumps_.spend(to_seconds(cpu), limits_.jump_cpu_s, now); }
-  [[nodiscard]] Wrong gap(const Prefix& prefix, const Gap& gap, Time now);
+  [[nodiscard]] Wrong gap(const Prefix& prefix, const Gap& gap, const Addressee& to, Time now);
+  /// A fragment of user data.
+  [[nodiscard]] Wrong fragment(const Prefix& prefix, const Data& data, Time now);
   [[nodiscard]] bool knows(const Prefix& prefix) const { return known_.count(prefix) > 0; }
   [[nodiscard]] std::size_t size() const { return known_.size(); }
 
@@ -52,14 +70,26 @@ class Participants {
     Time admitted{};
     Time heard{};
     Duration lease{};
+    std::int64_t number = 0;        ///< the highest that was shown of its announcements
+    Octets content;                 ///< of the last one, as it was sent
+    AnnouncementCopy copy;          ///< of the last one, as it was shown
+    std::optional<Time> departure;  ///< when it said that it leaves
+    bool authenticated = false;
     std::unordered_map<std::uint32_t, ToldNumbers> endpoints;
     TokenBucket gaps;
   };
   using Known = std::unordered_map<Prefix, Participant, Hash>;
-  [[nodiscard]] Wrong admit(const Prefix& prefix, const Announcement& what, Source from, Time now);
+  [[nodiscard]] Checked<Verdict> leaves(Known::iterator at, Source from, Time now);
+  [[nodiscard]] Checked<Verdict> admit(const Prefix& prefix, const Announcement& what, Source from,
+                                       Time now);
+  /// Takes an announcement of a known participant.
+  [[nodiscard]] Verdict renew(Known::iterator at, const Announcement& what, Time now);
+  /// Whether there is room for one more; `verdict` gets the departure of who yields.
+  [[nodiscard]] bool make_room(Time now, Verdict& verdict);
+  Known::iterator longest_silent();
   /// Whether a participant announces itself from there; at first it may have several sockets.
   [[nodiscard]] bool is_source(Participant& participant, Source from, Time now) const;
-  static bool is_over(const Participant& participant, Time now);
+  [[nodiscard]] bool is_over(const Participant& participant, Time now) const;
   Known::iterator erase(Known::iterator at);
   /// What is known of a writer's readers; null where nothing is: of a writer that is not announced,
   /// and of those of discovery, whose readers begin anew with their participant.
@@ -68,7 +98,10 @@ class Participants {
   const Limits& limits_;
   Known known_;
   std::size_t endpoints_ = 0;
+  std::size_t waiting_ = 0;
   TokenBucket jumps_;
+  TokenBucket kept_;
+  UnfinishedSamples unfinished_;
 };
 
 }  // namespace tocsin::rtps_filter

@@ -2,6 +2,7 @@
 #include "rtps_filter/rtps_filter.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "fragments.hpp"
@@ -19,6 +20,21 @@ struct RtpsFilter::State {
   Fragments best_effort{Fragments::Rule::hide_all};  ///< fragments of SPDP and of authentication
   Fragments reliable{Fragments::Rule::hide_last};    ///< of SEDP and of liveliness
 };
+
+std::vector<std::uint8_t> changed(const std::uint8_t* bytes, std::size_t size,
+                                  const Inspection& inspection) {
+  constexpr std::uint8_t pid_pad = 0;
+  std::vector<std::uint8_t> copy(bytes, bytes + size);
+  for (const std::size_t at : inspection.strip) std::fill_n(copy.data() + at, 2, pid_pad);
+  for (const std::size_t at : inspection.hide) copy[at] = kind::pad;
+  for (const auto& step : inspection.step) {
+    std::copy(step.numbers.begin(), step.numbers.end(), copy.data() + step.at);
+  }
+  for (const auto& patch : inspection.patch) {
+    std::copy(patch.bytes.begin(), patch.bytes.end(), copy.data() + patch.at);
+  }
+  return copy;
+}
 
 namespace {
 
@@ -51,18 +67,24 @@ class Admission {
     if (submessage.kind == kind::data) return admit_data(submessage, context);
     if (submessage.kind == kind::heartbeat) return admit_heartbeat(submessage, context, place);
     if (submessage.kind == kind::gap) {
-      return state_.participants.gap(header_.prefix, std::get<Gap>(read_gap(submessage)), now_);
+      const Gap gap = std::get<Gap>(read_gap(submessage));
+      return state_.participants.gap(header_.prefix, gap, addressee(gap.reader, place), now_);
     }
     return std::nullopt;
+  }
+
+  static Addressee addressee(std::uint32_t reader, const Place& place) {
+    Addressee to{{}, reader};
+    if (place.destination != nullptr) {
+      std::copy_n(place.destination, to.participant.size(), to.participant.begin());
+    }
+    return to;
   }
 
   Wrong admit_heartbeat(const Submessage& submessage, const Context& context, const Place& place) {
     if (context.sealed) return std::nullopt;  // cannot be changed, and comes from who may
     const Heartbeat heartbeat = std::get<Heartbeat>(read_heartbeat(submessage));
-    Addressee to{{}, heartbeat.reader};
-    if (place.destination != nullptr) {
-      std::copy_n(place.destination, to.participant.size(), to.participant.begin());
-    }
+    const Addressee to = addressee(heartbeat.reader, place);
     const auto read = state_.participants.heartbeat(header_.prefix, heartbeat, to, now_);
     if (const auto* const wrong = std::get_if<DropReason>(&read)) return *wrong;
     const auto [first, jumps] = std::get<Participants::Told>(read);
@@ -82,29 +104,57 @@ class Admission {
     if (const Wrong wrong = state_.sources.announcement(from_, now_)) return wrong;
     inspection_.strip.insert(inspection_.strip.end(), what.strip.begin(), what.strip.end());
     if (purpose == Purpose::endpoints) return state_.participants.endpoint(header_.prefix, what);
-    return state_.participants.announced(header_.prefix, what, from_, now_);
+    return admit_participant(submessage, what, context);
+  }
+
+  Wrong admit_participant(const Submessage& submessage, const Announcement& what,
+                          const Context& context) {
+    if (context.sealed) return std::nullopt;  // comes from who may, of whom Fast DDS knows the key
+    auto read = state_.participants.announced(header_.prefix, what, from_, now_);
+    if (const auto* const wrong = std::get_if<DropReason>(&read)) return *wrong;
+    auto& verdict = std::get<Participants::Verdict>(read);
+    std::move(verdict.before.begin(), verdict.before.end(), std::back_inserter(inspection_.before));
+    if (verdict.hide) hide(submessage, context.packet);
+    if (what.leaves) return std::nullopt;
+    if (verdict.number != what.number) {
+      inspection_.patch.push_back({number_place(submessage, context.packet),
+                                   number_bytes(verdict.number, submessage.content.little())});
+    }
+    if (what.lease_at && state_.limits.longest_lease > Duration{}) {
+      inspection_.patch.push_back(
+          {what.lease_at->at, lease_bytes(what.lease, what.lease_at->little)});
+    }
+    if (state_.limits.departure_wait > Duration{}) {
+      state_.participants.shown(header_.prefix, {submessage, what, context, inspection_});
+    }
+    return std::nullopt;
+  }
+
+  void hide(const Submessage& submessage, const std::uint8_t* packet) {
+    constexpr std::size_t submessage_header = 4;
+    const auto content = static_cast<std::size_t>(submessage.content.here() - packet);
+    inspection_.hide.push_back(content - submessage_header);
   }
 
   /// Looks at a sample of discovery once all of it is there, which nobody behind must have before.
   Wrong admit_fragment(const Submessage& submessage, const Place& place) {
-    constexpr std::size_t submessage_header = 4;
     const Data data = std::get<Data>(read_data_frag(submessage, state_.limits.sample_bytes));
     const Purpose purpose = purpose_of(data.reader, data.writer);
-    if (purpose == Purpose::user_data) return std::nullopt;
+    if (purpose == Purpose::user_data) {
+      return state_.participants.fragment(header_.prefix, data, now_);
+    }
     const bool reliable = purpose == Purpose::endpoints || purpose == Purpose::liveliness;
     FragmentFate fate;
     if (inspection_.before.empty()) {  // else one at a time; it is sent again
       fate = reliable ? add_reliable(submessage, data, place)
                       : state_.best_effort.add(submessage, data, place);
     }
-    if (fate.hide) {
-      const auto content = static_cast<std::size_t>(submessage.content.here() - place.packet);
-      inspection_.hide.push_back(content - submessage_header);
-    }
+    if (fate.hide) hide(submessage, place.packet);
     if (!fate.whole) return std::nullopt;
     if (const Wrong wrong = admit_whole(*fate.whole)) return wrong;
     if (reliable) state_.reliable.close();
-    inspection_.before = reliable ? as_fragments(*fate.whole, data.fragments) : *fate.whole;
+    inspection_.before.push_back(reliable ? as_fragments(*fate.whole, data.fragments)
+                                          : *fate.whole);
     return std::nullopt;
   }
 
@@ -119,10 +169,11 @@ class Admission {
   Wrong admit_whole(std::vector<std::uint8_t>& whole) {
     const Survey found = survey(whole.data(), whole.size(), header_, state_.limits);
     if (found.wrong) return found.wrong;
-    const Inspection inspection =
+    Inspection inspection =
         Admission(state_, header_, from_, now_).admit(whole.data(), whole.size());
-    for (const std::size_t at : inspection.strip)
-      std::fill_n(whole.data() + at, 2, std::uint8_t{0});
+    whole = changed(whole.data(), whole.size(), inspection);
+    std::move(inspection.before.begin(), inspection.before.end(),
+              std::back_inserter(inspection_.before));
     return inspection.drop;
   }
 
@@ -161,8 +212,24 @@ Inspection RtpsFilter::inspect(const std::uint8_t* bytes, std::size_t size, Sour
   }
   if (const Wrong wrong = state_->participants.heard(header->prefix, from, now))
     return dropped(*wrong);
-  if (!found.needs_memory) return {};
-  return Admission<State>(*state_, *header, from, now).admit(bytes, size);
+  std::optional<Octets> again;
+  if (state_->participants.waits() && !says_goodbye(bytes, size, {*header, limits, bytes, false})) {
+    again = state_->participants.stays(header->prefix, now);
+  }
+  Inspection inspection;
+  if (found.needs_memory) {
+    inspection = Admission<State>(*state_, *header, from, now).admit(bytes, size);
+  }
+  if (again) inspection.before.insert(inspection.before.begin(), std::move(*again));
+  return inspection;
+}
+
+void RtpsFilter::authenticate(const std::array<std::uint8_t, 12>& prefix) {
+  state_->participants.authenticate(prefix);
+}
+
+void RtpsFilter::forget(const std::array<std::uint8_t, 12>& prefix) {
+  state_->participants.forget(prefix);
 }
 
 void RtpsFilter::took(Duration cpu, Time now) { state_->participants.took(cpu, now); }

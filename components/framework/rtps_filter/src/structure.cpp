@@ -164,7 +164,49 @@ Wrong check(const Submessage& submessage, const Context& context) {
   }
 }
 
-/// DATA and fragments of discovery, and what tells numbers of a writer.
+/// Builtin endpoints that DDS Security leaves without a seal (DDS Security 1.1, 7.4.3): those of
+/// participants and of authentication. Those of discovery and liveliness for what is not protected
+/// are there, and heartbeats of them harmless, but nothing of ours uses them.
+bool is_open(std::uint32_t entity, bool sample) {
+  switch (entity & ~std::uint32_t{7}) {
+    case 0x000100c0:
+    case 0x000201c0:
+      return true;
+    case 0x000003c0:
+    case 0x000004c0:
+    case 0x000200c0:
+      return !sample;
+    default:
+      return false;
+  }
+}
+
+/// Fast DDS 2.9.1 gives a protected endpoint what comes without a seal all the same.
+Wrong check_unsealed(const Submessage& submessage) {
+  Cursor at = submessage.content;
+  bool sample = false;
+  switch (submessage.kind) {
+    case kind::data:
+    case kind::data_frag:
+      sample = true;
+      at.skip(2 + 2);
+      break;
+    case kind::heartbeat:
+    case kind::gap:
+    case kind::acknack:
+    case kind::nack_frag:
+    case kind::heartbeat_frag:
+      break;
+    default:
+      return std::nullopt;
+  }
+  const std::uint32_t reader = at.entity();
+  const std::uint32_t writer = at.entity();
+  const bool open = (reader == 0 || is_open(reader, sample)) && is_open(writer, sample);
+  return open ? std::nullopt : Wrong(DropReason::unsealed);
+}
+
+/// DATA of discovery, fragments, and what tells numbers of a writer.
 bool needs_memory(const Submessage& submessage) {
   if (submessage.kind == kind::heartbeat || submessage.kind == kind::gap) return true;
   const bool whole = submessage.kind == kind::data;
@@ -173,7 +215,7 @@ bool needs_memory(const Submessage& submessage) {
   at.skip(2 + 2);
   const std::uint32_t reader = at.entity();
   const Purpose purpose = purpose_of(reader, at.entity());
-  if (!whole) return purpose != Purpose::user_data;
+  if (!whole) return true;
   return purpose == Purpose::participants || purpose == Purpose::endpoints;
 }
 
@@ -195,6 +237,9 @@ Survey survey(const std::uint8_t* bytes, std::size_t size, const Header& header,
   while (const auto submessage = submessages.next()) {
     seals.pass(submessage->kind);
     found.wrong = check(*submessage, {header, limits, bytes, limits.secured && seals.sealed()});
+    if (!found.wrong && limits.secured && !seals.sealed()) {
+      found.wrong = check_unsealed(*submessage);
+    }
     if (found.wrong) return found;
     found.needs_memory = found.needs_memory || needs_memory(*submessage);
   }

@@ -18,16 +18,21 @@ struct Survey {
                                 const Context& context);
 
 /// Whether a submessage lies between the seals of DDS Security, of which it is told one by one.
+/// Fast DDS opens the seal of a whole message at its begin only.
 class Seals {
  public:
   void pass(std::uint8_t kind) {
-    if (kind == kind::sec_prefix || kind == kind::srtps_prefix) sealed_ = true;
-    if (kind == kind::sec_postfix) sealed_ = false;
+    if (kind == kind::srtps_prefix && first_) whole_ = true;
+    if (kind == kind::sec_prefix) part_ = true;
+    if (kind == kind::sec_postfix) part_ = false;
+    first_ = false;
   }
-  [[nodiscard]] bool sealed() const { return sealed_; }
+  [[nodiscard]] bool sealed() const { return whole_ || part_; }
 
  private:
-  bool sealed_ = false;
+  bool first_ = true;
+  bool whole_ = false;
+  bool part_ = false;
 };
 
 }  // namespace tocsin::rtps_filter

@@ -150,31 +150,39 @@ Checked<Heartbeat> read_heartbeat(const Submessage& submessage) {
   return heartbeat;
 }
 
-std::array<std::uint8_t, 16> numbers_of(std::int64_t first, std::int64_t last, bool little) {
-  std::array<std::uint8_t, 16> bytes{};
+std::array<std::uint8_t, 8> number_bytes(std::int64_t number, bool little) {
+  std::array<std::uint8_t, 8> bytes{};
   std::size_t at = 0;
-  for (const std::int64_t number : {first, last}) {
-    for (const unsigned word : {32U, 0U}) {  // the high word stands first in either byte order
-      for (unsigned octet = 0; octet < 4; ++octet) {
-        const unsigned shift = word + 8 * (little ? octet : 3 - octet);
-        bytes[at++] = static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> shift);
-      }
+  for (const unsigned word : {32U, 0U}) {
+    for (unsigned octet = 0; octet < 4; ++octet) {
+      const unsigned shift = word + 8 * (little ? octet : 3 - octet);
+      bytes[at++] = static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> shift);
     }
   }
   return bytes;
 }
 
+std::array<std::uint8_t, 16> numbers_of(std::int64_t first, std::int64_t last, bool little) {
+  std::array<std::uint8_t, 16> bytes{};
+  const auto head = number_bytes(first, little);
+  const auto tail = number_bytes(last, little);
+  std::copy(head.begin(), head.end(), bytes.begin());
+  std::copy(tail.begin(), tail.end(), bytes.begin() + head.size());
+  return bytes;
+}
+
 Checked<Gap> read_gap(const Submessage& submessage) {
   Cursor at = submessage.content;
-  at.skip(4);  // reader
   Gap gap;
+  gap.reader = at.entity();
   gap.writer = at.entity();
-  const std::int64_t start = at.number();
+  const std::int64_t start = gap.start = at.number();
   const std::int64_t base = at.number();
   const auto bits = read_bitmap(at);
   if (!bits) return at.ok() ? DropReason::sequence_number : DropReason::submessage_length;
   if (!is_number(start) || !is_number(base)) return DropReason::sequence_number;
   gap.numbers = static_cast<std::uint64_t>(std::max<std::int64_t>(base - start, 0)) + *bits;
+  gap.bits = *bits;
   return gap;
 }
 

@@ -90,6 +90,8 @@ struct Heartbeat {
   std::int64_t first = 0;
   std::uint32_t count = 0;
 };
+/// A sequence number, or a lease, as it stands on the wire: the high word first in either order.
+[[nodiscard]] std::array<std::uint8_t, 8> number_bytes(std::int64_t number, bool little);
 /// A HEARTBEAT's first and last number as they stand on the wire.
 [[nodiscard]] std::array<std::uint8_t, 16> numbers_of(std::int64_t first, std::int64_t last,
                                                       bool little);
@@ -98,8 +100,11 @@ inline constexpr std::size_t heartbeat_numbers_at = 4 + 4;
 [[nodiscard]] Checked<Heartbeat> read_heartbeat(const Submessage& submessage);
 
 struct Gap {
+  std::uint32_t reader = 0;  ///< entity ids
   std::uint32_t writer = 0;
+  std::int64_t start = 0;
   std::uint64_t numbers = 0;  ///< that are said to be irrelevant
+  std::uint32_t bits = 0;     ///< the last of them, which may lie apart
 };
 [[nodiscard]] Checked<Gap> read_gap(const Submessage& submessage);
 

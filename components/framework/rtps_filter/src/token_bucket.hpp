@@ -18,10 +18,10 @@ class TokenBucket {
     used_ += amount;
     return true;
   }
-  /// Takes `amount`, and owes what is not there.
+  /// Takes `amount`, and owes what is not there; gives it back where it is negative.
   void spend(double amount, const Rate& rate, Time now) {
     refill(rate, now);
-    used_ += amount;
+    used_ = std::max(0.0, used_ + amount);
   }
   [[nodiscard]] bool is_empty(const Rate& rate, Time now) {
     refill(rate, now);

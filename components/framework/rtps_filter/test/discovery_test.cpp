@@ -164,7 +164,7 @@ TEST(Liveliness, MessageIsWholeAndTheSenders) {
     return drop_of(
         Message().add(0x15, with_data, data_head(0x000200c2).raw(payload.bytes()).bytes()).bytes());
   };
-  EXPECT_EQ(with(Wire().raw(prefix_of('a')).u32(1).u32(0).bytes()), passes);
+  EXPECT_EQ(with(Wire().raw(prefix_of('a')).entity(1).u32(0).bytes()), passes);
   EXPECT_EQ(with(Wire().raw(prefix_of('b')).u32(1).u32(0).bytes()), DropReason::foreign_identity);
   EXPECT_EQ(with(prefix_of('a')), DropReason::discovery_payload);
 }

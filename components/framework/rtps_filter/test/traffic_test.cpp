@@ -23,6 +23,8 @@ TEST_P(Traffic, PassesAgainUnderTheLimitsOfALink) {
   limits.participant_has_address = true;
   limits.source_has_port = false;
   limits.bytes = {8e6, 8e6};
+  limits.yields_after = limits.departure_wait = std::chrono::seconds(1);
+  limits.longest_lease = std::chrono::seconds(300);
   RtpsFilter sut(limits);
   for (const Captured& packet : read_captures(GetParam())) {
     EXPECT_EQ(drop_of(sut, packet.bytes, packet.from), passes);
@@ -54,6 +56,16 @@ TEST(FragmentedAnnouncements, OfCycloneDdsAreShownWhole) {
     whole += inspection.before.empty() ? 0U : 1U;
   }
   EXPECT_GE(whole, endpoints);
+}
+
+/// Announcements and handshakes are open, all else is sealed.
+TEST(SecuredTraffic, PassesWhereSealsAreOpened) {
+  Limits limits;
+  limits.secured = true;
+  RtpsFilter sut(limits);
+  for (const Captured& packet : read_captures("secured")) {
+    EXPECT_EQ(drop_of(sut, packet.bytes, packet.from), passes);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Vendors, Traffic,

@@ -33,9 +33,11 @@ enum class DropReason : std::uint8_t {
   too_many_endpoints,      ///< more endpoints than are admitted
   too_many_announcements,  ///< more discovery a second than a source may send
   too_many_bytes,          ///< more bytes a second than a source may send
+  unsealed,                ///< DDS Security would have sealed it
+  unauthenticated,  ///< without a seal, other news of a participant that has proved who it is
 };
 
-inline constexpr std::size_t drop_reasons = 23;
+inline constexpr std::size_t drop_reasons = 25;
 
 /// The enumerator's name, as in diagnostics and logs.
 [[nodiscard]] std::string_view to_text(DropReason reason);

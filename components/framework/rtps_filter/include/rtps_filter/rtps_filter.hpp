@@ -32,13 +32,24 @@ struct Inspection {
     std::array<std::uint8_t, 16> numbers;
   };
   std::vector<Step> step;
+  /// Places of numbers and leases of announcements, and the 8 bytes that take their place.
+  struct Patch {
+    std::size_t at;
+    std::array<std::uint8_t, 8> bytes;
+  };
+  std::vector<Patch> patch;
   /// The participant may walk over many numbers: the CPU time that it takes for the packet is to be
   /// told to RtpsFilter::took.
   bool jumps = false;
-  /// A message that the participant is to be shown before the packet, whole and stripped already:
-  /// an announcement of which the last fragment was hidden. Mostly empty.
-  std::vector<std::uint8_t> before;
+  /// Messages that the participant is to be shown before the packet, whole and stripped already: an
+  /// announcement of which the last fragment was hidden, or what the filter itself says of a
+  /// participant. Mostly empty.
+  std::vector<std::vector<std::uint8_t>> before;
 };
+
+/// A copy of a packet without what must not be read, and with what takes its place.
+[[nodiscard]] std::vector<std::uint8_t> changed(const std::uint8_t* bytes, std::size_t size,
+                                                const Inspection& inspection);
 
 /// Decides which packets that arrive at a participant's sockets it may be shown.
 ///
@@ -59,6 +70,11 @@ class RtpsFilter {
                                    Time now, Sender sender = Sender::trusted);
   /// A packet that jumps has cost the participant so much CPU time.
   void took(Duration cpu, Time now);
+  /// DDS Security has found that a participant is who it says: from now on it is announced as it
+  /// has been until then, and does not leave but by its silence. `prefix`: of its GUIDs.
+  void authenticate(const std::array<std::uint8_t, 12>& prefix);
+  /// The participant is not known to DDS any more: its next announcement is a stranger's.
+  void forget(const std::array<std::uint8_t, 12>& prefix);
   /// Participants that are admitted now, the ones whose lease ran out unnoticed included.
   [[nodiscard]] std::size_t participants() const;
 

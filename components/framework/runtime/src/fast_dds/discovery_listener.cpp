@@ -10,6 +10,7 @@
 #include <array>
 #include <limits>
 
+#include "fast_dds/packet_filter.hpp"
 #include "foundation/printable.hpp"
 
 namespace tocsin {
@@ -96,6 +97,7 @@ void DiscoveryListener::on_participant_discovery(dds::DomainParticipant*,
     if (gone) strangers_.erase(prefix);
     if (info.status == Info::DISCOVERED_PARTICIPANT) strangers_[prefix] = name;
     if (!gone) return;
+    filter_->forget(prefix);
   }
   const auto& data = info.info.m_userData;
   gone ? ends_.remove(prefix) : ends_.add(prefix, name, {data.begin(), data.end()});
@@ -107,9 +109,13 @@ void DiscoveryListener::onParticipantAuthentication(dds::DomainParticipant*,
   const auto stranger = strangers_.find(info.guid.guidPrefix);
   if (stranger == strangers_.end()) return;
   const std::string name = stranger->second;
-  strangers_.erase(stranger);
+  const bool authorized =
+      info.status == rtps::ParticipantAuthenticationInfo::AUTHORIZED_PARTICIPANT;
+  // A message that anybody has sent in its name may have been refused; its own may follow.
+  if (authorized) strangers_.erase(stranger);
   lock.unlock();
-  if (info.status == rtps::ParticipantAuthenticationInfo::AUTHORIZED_PARTICIPANT) {
+  if (authorized) {
+    filter_->authenticate(info.guid.guidPrefix);
     ends_.add(info.guid.guidPrefix, name);
   } else {
     log_.warn("participant '{}' is refused: its identity is not accepted", printable(name));

@@ -42,6 +42,11 @@ dds::Subscriber* subscriber_of(dds::DataReader* reader) {
 
 Keys keys_of(const TypeInfo& type) { return type.longest_key > 0 ? Keys::some : Keys::none; }
 
+ParticipantOptions with_filter(ParticipantOptions options) {
+  options.filter = packet_filter(options);
+  return options;
+}
+
 /// Moves what holds an end; false when Fast DDS refused it.
 template <class Holder>
 bool move_to(Holder* holder, const std::vector<std::string>& partition) {
@@ -54,7 +59,7 @@ bool move_to(Holder* holder, const std::vector<std::string>& partition) {
 }  // namespace
 
 FastDdsParticipant::FastDdsParticipant(ParticipantOptions options)
-    : options_(std::move(options)), farewell_(options_.farewell) {
+    : options_(with_filter(std::move(options))), farewell_(options_.farewell) {
   if (options_.shared_memory) remove_shared_memory_leftovers();
   participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
       static_cast<std::uint32_t>(options_.domain), participant_qos(options_), &discovery_listener_,

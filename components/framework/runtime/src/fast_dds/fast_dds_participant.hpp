@@ -58,9 +58,10 @@ class FastDdsParticipant {
 
   const ParticipantOptions options_;
   RemoteEnds remote_ends_{options_.on_end, options_.on_participant};
-  DiscoveryListener discovery_listener_{remote_ends_, options_.enclave.empty()
-                                                          ? Acquaintance::at_once
-                                                          : Acquaintance::when_authenticated};
+  DiscoveryListener discovery_listener_{
+      remote_ends_,
+      options_.enclave.empty() ? Acquaintance::at_once : Acquaintance::when_authenticated,
+      options_.filter};
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastrtps::rtps::GuidPrefix_t prefix_;
   std::mutex mutex_;

@@ -173,19 +173,24 @@ void secure(const std::string& enclave, dds::DomainParticipantQos& qos) {
 
 }  // namespace
 
+std::shared_ptr<PacketFilter> packet_filter(const ParticipantOptions& options) {
+  const Surroundings surroundings{options.address, options.peers, is_on_link(options)};
+  rtps_filter::Limits limits = limits_in(surroundings);
+  limits.secured = !options.enclave.empty();
+  auto others = limits.secured ? std::make_shared<OtherMakers>() : nullptr;
+  return std::make_shared<PacketFilter>(std::move(limits), local_in(surroundings),
+                                        std::move(others));
+}
+
 dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   dds::DomainParticipantQos qos;
   qos.name(options.name);
   qos.user_data().data_vec({options.user_data.begin(), options.user_data.end()});
   qos.transport().use_builtin_transports = false;
-  const Surroundings surroundings{options.address, options.peers, is_on_link(options)};
-  rtps_filter::Limits limits = limits_in(surroundings);
-  limits.secured = !options.enclave.empty();
-  const auto others = limits.secured ? std::make_shared<OtherMakers>() : nullptr;
-  auto filter = std::make_shared<PacketFilter>(std::move(limits), local_in(surroundings), others);
+  auto filter = options.filter ? options.filter : packet_filter(options);
   if (!options.enclave.empty()) secure(options.enclave, qos);
   qos.transport().user_transports = {
-      hold(transport_of(options, others), options.reception, std::move(filter))};
+      hold(transport_of(options, filter->others()), options.reception, filter)};
   if (options.shared_memory) {
     qos.transport().user_transports.push_back(shared_memory_transport());
     qos.wire_protocol().default_unicast_locator_list.push_back(fresh_shared_memory_port());

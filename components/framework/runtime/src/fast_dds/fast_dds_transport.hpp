@@ -33,9 +33,14 @@ struct ParticipantOptions {
   std::shared_ptr<RadioMarks> marks = {};  ///< of a router's packets; null: as large as UDP carries
   std::shared_ptr<StopChannel> stop = {};  ///< on the link: the emergency stop's way; null: none
   std::string enclave = {};                ///< folder of its identity; empty: no DDS Security
+  /// Of its packets; null: participant_qos makes one.
+  std::shared_ptr<PacketFilter> filter = {};
   /// Released when the participant is complete.
   std::shared_ptr<DeferredReception> reception = std::make_shared<DeferredReception>();
 };
+
+/// The filter of the packets of such a participant.
+[[nodiscard]] std::shared_ptr<PacketFilter> packet_filter(const ParticipantOptions& options);
 
 /// `options` must outlive the participant: Fast DDS keeps pointers to the names.
 [[nodiscard]] eprosima::fastdds::dds::DomainParticipantQos participant_qos(

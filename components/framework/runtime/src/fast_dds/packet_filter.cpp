@@ -5,6 +5,7 @@
 #include <fastrtps/utils/IPLocator.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include "fast_dds/dropped_packets.hpp"
 #include "foundation/time.hpp"
+#include "runtime/middleware/link_limits.hpp"
 
 namespace tocsin {
 namespace {
@@ -37,12 +39,20 @@ Limits limits_on_radio(const std::set<std::uint32_t>& configured) {
   limits.participant_has_address = true;
   limits.hears = [configured](std::uint32_t address) { return configured.count(address) > 0; };
   limits.answers = limits.hears;
+  limits.yields_after = limits.departure_wait = std::chrono::seconds(1);
+  limits.longest_lease = seconds(link_lease_s);
   return limits;
 }
 
 rtps_filter::Source source_in(const rtps::Locator_t& from) {
   const rtps::octet* const a = rtps::IPLocator::getIPv4(from);
   return {ipv4(a[0], a[1], a[2], a[3]), rtps::IPLocator::getPhysicalPort(from)};
+}
+
+std::array<std::uint8_t, 12> octets_of(const rtps::GuidPrefix_t& participant) {
+  std::array<std::uint8_t, 12> octets{};
+  std::copy_n(participant.value, octets.size(), octets.begin());
+  return octets;
 }
 
 }  // namespace
@@ -100,17 +110,14 @@ PieceAssembly::Result PacketFilter::assemble(const std::uint8_t* bytes, std::siz
                      std::chrono::steady_clock::now());
 }
 
-std::vector<std::uint8_t> PacketFilter::without(const std::uint8_t* bytes, std::size_t size,
-                                                const rtps_filter::Inspection& inspection) {
-  constexpr std::uint8_t pid_pad = 0;
-  constexpr std::uint8_t kind_pad = 1;
-  std::vector<std::uint8_t> copy(bytes, bytes + size);
-  for (const std::size_t at : inspection.strip) std::fill_n(copy.data() + at, 2, pid_pad);
-  for (const std::size_t at : inspection.hide) copy[at] = kind_pad;
-  for (const auto& step : inspection.step) {
-    std::copy(step.numbers.begin(), step.numbers.end(), copy.data() + step.at);
-  }
-  return copy;
+void PacketFilter::authenticate(const rtps::GuidPrefix_t& participant) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  filter_.authenticate(octets_of(participant));
+}
+
+void PacketFilter::forget(const rtps::GuidPrefix_t& participant) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  filter_.forget(octets_of(participant));
 }
 
 }  // namespace tocsin

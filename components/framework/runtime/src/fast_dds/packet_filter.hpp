@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fastdds/rtps/common/Locator.h>
+#include <fastdds/rtps/common/GuidPrefix_t.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -60,13 +61,21 @@ class PacketFilter {
       if (assembled.whole) pass(assembled.whole->data(), assembled.whole->size(), from, show);
       if (assembled.piece) return;
     }
-    if (!inspection.before.empty()) show(inspection.before.data(), inspection.before.size());
-    if (inspection.strip.empty() && inspection.hide.empty() && inspection.step.empty()) {
+    for (const auto& message : inspection.before) show(message.data(), message.size());
+    if (inspection.strip.empty() && inspection.hide.empty() && inspection.step.empty() &&
+        inspection.patch.empty()) {
       return show(bytes, size);
     }
-    const std::vector<std::uint8_t> shown = without(bytes, size, inspection);
+    const std::vector<std::uint8_t> shown = rtps_filter::changed(bytes, size, inspection);
     show(shown.data(), shown.size());
   }
+
+  /// What DDS Security has found out (RtpsFilter::authenticate, forget). `participant`: GUID
+  /// prefix.
+  void authenticate(const eprosima::fastrtps::rtps::GuidPrefix_t& participant);
+  void forget(const eprosima::fastrtps::rtps::GuidPrefix_t& participant);
+  /// Null where nobody is told.
+  [[nodiscard]] const std::shared_ptr<OtherMakers>& others() const { return others_; }
 
  private:
   /// Tells the filter what a packet has cost, where it wants to know.
@@ -87,8 +96,6 @@ class PacketFilter {
   void took(Duration cpu);
   rtps_filter::Inspection inspect(const std::uint8_t* bytes, std::size_t size,
                                   const eprosima::fastrtps::rtps::Locator_t& from);
-  static std::vector<std::uint8_t> without(const std::uint8_t* bytes, std::size_t size,
-                                           const rtps_filter::Inspection& inspection);
   PieceAssembly::Result assemble(const std::uint8_t* bytes, std::size_t size,
                                  const eprosima::fastrtps::rtps::Locator_t& from);
   [[nodiscard]] rtps_filter::Sender sender(const rtps_filter::Source& source);

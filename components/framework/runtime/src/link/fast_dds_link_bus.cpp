@@ -13,6 +13,7 @@
 #include "idl_support/decode.hpp"
 #include "idl_support/encode.hpp"
 #include "keystore/enclave.hpp"
+#include "keystore/participant.hpp"
 #include "link/flow_text.hpp"
 #include "link/origin.hpp"
 #include "link/raw_type.hpp"
@@ -127,9 +128,17 @@ ParticipantOptions FastDdsLinkBus::link_options() {
     table_.on_link_end(guid, end, there);
   };
   link.on_participant = [this](const auto& prefix, const std::string& name, bool there) {
-    table_.on_peer(prefix, host_in(name), there);
+    table_.on_peer(prefix, peer_name(prefix, host_in(name)), there);
   };
   return link;
+}
+
+std::string FastDdsLinkBus::peer_name(const RemoteEnds::Participant& participant,
+                                      const std::string& host) const {
+  if (options_.enclave.empty() || host.empty()) return host;
+  keystore::GuidStart identity{};
+  std::copy_n(participant.value, identity.size(), identity.begin());
+  return keystore::proven_name(host, identity);
 }
 
 void FastDdsLinkBus::join_link() {

@@ -64,6 +64,9 @@ class FastDdsLinkBus final : public LinkBus {
   [[nodiscard]] ParticipantOptions host_options();
   [[nodiscard]] ParticipantOptions link_options();
   void join_link();
+  /// The name of a peer that calls itself the router of `host`; empty for one that has left.
+  [[nodiscard]] std::string peer_name(const RemoteEnds::Participant& participant,
+                                      const std::string& host) const;
   /// Without a writer, and with a line in the log, when Fast DDS refuses.
   void connect(FlowId id, Sending& sending);
   void log_refusal(const char* what, const std::string& topic, const EnvironmentError& error);

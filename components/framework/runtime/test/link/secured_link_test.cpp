@@ -10,6 +10,7 @@
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "keystore/keystore.hpp"
+#include "link/forger.hpp"
 #include "link/link_bus_fixture.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -143,6 +144,45 @@ TEST_F(SecuredLinkTest, WhoMayOnlyListenWritesNothing) {
   }
   EXPECT_THAT(gcs.crossed(), IsEmpty());
   EXPECT_THAT(gcs.peer_flows(), IsEmpty());
+}
+
+TEST_F(SecuredLinkTest, WhatIsForgedInThePeersNameChangesNothing) {
+  const Forger forger(options(Role::uxv).link_domain);
+  if (!forger.ok()) GTEST_SKIP() << "no raw socket: CAP_NET_RAW is needed";
+  Relay uxv(secured(Role::uxv));
+  Relay gcs(secured(Role::gcs));
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
+  Samples there;
+  const auto far = station->subscribe(endpoint<topic::Location>(), there);
+  const auto writer = vehicle->advertise(endpoint<topic::Location>());
+  ASSERT_TRUE(write_until_heard<topic::Location>(*writer, there));
+  const auto victim = forger.overhear("uxv");
+  ASSERT_TRUE(victim);
+  for (int i = 0; i < 10; ++i) {
+    forger.send(Forger::departure_of(*victim), victim->port);
+    forger.send(Forger::with_lease(*victim, 0), victim->port);
+    std::this_thread::sleep_for(milliseconds(50));
+  }
+  EXPECT_EQ(gcs.lost_peers(), 0);
+  const std::size_t before = there.all().size();
+  ASSERT_TRUE(eventually([&] {
+    (void)writer->write(std::make_shared<const topic::Location::Message>());
+    std::this_thread::sleep_for(milliseconds(5));
+    return there.all().size() > before + 10;
+  }));
+}
+
+TEST_F(SecuredLinkTest, AnIdentityThatTakesTheStationsNameDoesNotDisplaceIt) {
+  Relay uxv(secured(Role::uxv));
+  const Relay gcs(secured(Role::gcs));
+  ASSERT_TRUE(eventually([&] { return uxv.peers().size() == 1; }));
+  BusOptions impostor = secured(Role::uxv, "spy");
+  impostor.host = "gcs";
+  const Relay spy(impostor);
+  ASSERT_TRUE(eventually([&] { return uxv.peers().size() == 2; }));
+  EXPECT_THAT(uxv.peers(), ElementsAre("gcs", ::testing::StartsWith("gcs_of_")));
+  EXPECT_EQ(uxv.lost_peers(), 0);
 }
 
 TEST_F(SecuredLinkTest, AnIdentityThatNobodyWouldAcceptEndsTheStartWithItsReason) {

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// What strangers say of participants where that is a hint only, until traffic confirms it.
+#include <gtest/gtest.h>
+
+#include "message_builder.hpp"
+
+namespace tocsin::rtps_filter {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+Limits on_link() {
+  Limits limits;
+  limits.participants = 2;
+  limits.yields_after = seconds(1);
+  limits.departure_wait = seconds(1);
+  limits.longest_lease = seconds(300);
+  return limits;
+}
+
+/// The announcement of a participant that announces itself; `more` comes last.
+Bytes announced(char name, std::uint32_t lease_s = 20, const Wire& more = {}) {
+  return announcement(name, Wire()
+                                .parameter(0x58, Wire().u32(0xc3f).bytes())
+                                .parameter(0x02, Wire().u32(lease_s).u32(0).bytes())
+                                .raw(more.bytes()));
+}
+constexpr std::size_t number_at = 20 + 4 + 12;
+constexpr std::size_t lease_at = 20 + 4 + 20 + 4 + 20 + 8 + 4;
+
+Bytes with_number_and_lease(Bytes bytes, std::int64_t number, double lease_s) {
+  const Bytes numbers = Wire().number(number).bytes();
+  std::copy(numbers.begin(), numbers.end(), bytes.begin() + number_at);
+  const auto whole = static_cast<std::uint32_t>(lease_s);
+  const Bytes lease = Wire().u32(whole).u32(0).bytes();
+  std::copy(lease.begin(), lease.end(), bytes.begin() + lease_at);
+  bytes[22] = bytes[23] = 0;  // the length of the DATA: until the end
+  return bytes;
+}
+
+/// The packet as the participant is shown it.
+Bytes shown(RtpsFilter& sut, const Bytes& bytes, Time now = t0) {
+  return changed(bytes.data(), bytes.size(), inspect(sut, bytes, alice, now));
+}
+
+TEST(Lease, ThatIsTooLongIsShownAsTheLongest) {
+  for (const std::uint32_t lease_s : {299U, 300U, 301U, 0x7fffffffU}) {
+    RtpsFilter sut(on_link());
+    const Bytes bytes = shown(sut, announced('a', lease_s));
+    EXPECT_EQ(Bytes(bytes.begin() + lease_at, bytes.begin() + lease_at + 8),
+              Wire().u32(std::min(lease_s, 300U)).u32(0).bytes());
+  }
+}
+
+TEST(Departure, IsShownAsAShortLease) {
+  RtpsFilter sut(on_link());
+  (void)inspect(sut, announced('a'));
+  const Inspection inspection = inspect(sut, departure('a', 'a'));
+  EXPECT_EQ(inspection.drop, passes);
+  EXPECT_EQ(inspection.hide.size(), 1U);
+  ASSERT_EQ(inspection.before.size(), 1U);
+  EXPECT_EQ(inspection.before[0], with_number_and_lease(announced('a'), 2, 1));
+}
+
+TEST(Departure, ThatIsRepeatedChangesNothingMore) {
+  RtpsFilter sut(on_link());
+  (void)inspect(sut, announced('a'));
+  (void)inspect(sut, departure('a', 'a'));
+  const Inspection again = inspect(sut, departure('a', 'a'), alice, t0 + milliseconds(900));
+  EXPECT_EQ(again.hide.size(), 1U);
+  EXPECT_TRUE(again.before.empty());
+}
+
+TEST(Departure, IsTakenBackByTrafficButNotByWhatWasOnItsWay) {
+  RtpsFilter sut(on_link());
+  (void)inspect(sut, announced('a'));
+  (void)inspect(sut, departure('a', 'a'));
+  EXPECT_TRUE(inspect(sut, gap('a', 1, 2), alice, t0 + milliseconds(299)).before.empty());
+  EXPECT_TRUE(inspect(sut, departure('a', 'a'), alice, t0 + milliseconds(300)).before.empty());
+  const Inspection back = inspect(sut, gap('a', 1, 2), alice, t0 + milliseconds(300));
+  ASSERT_EQ(back.before.size(), 1U);
+  EXPECT_EQ(back.before[0], with_number_and_lease(announced('a'), 3, 20));
+  EXPECT_TRUE(inspect(sut, gap('a', 1, 2), alice, t0 + milliseconds(301)).before.empty());
+}
+
+TEST(Departure, OfWhomThereWasSilenceIsTakenBackByTheFirstPacket) {
+  RtpsFilter sut(on_link());
+  (void)inspect(sut, announced('a'));
+  (void)inspect(sut, departure('a', 'a'));
+  EXPECT_EQ(inspect(sut, heartbeat('a', 1, 1), alice, t0 + seconds(60)).before.size(), 1U);
+}
+
+TEST(Departure, OfOneParticipantIsNotTakenBackByAnother) {
+  RtpsFilter sut(on_link());
+  (void)inspect(sut, announced('a'));
+  (void)inspect(sut, announced('b'));
+  (void)inspect(sut, departure('a', 'a'));
+  EXPECT_TRUE(inspect(sut, heartbeat('b', 1, 1), alice, t0 + seconds(1)).before.empty());
+}
+
+TEST(Announcement, ThatDiffersIsShownWithANumberThatIsNotIgnored) {
+  RtpsFilter sut(on_link());
+  (void)inspect(sut, announced('a'));
+  (void)inspect(sut, departure('a', 'a'));
+  (void)inspect(sut, announced('a'), alice, t0 + seconds(1));  // taken back with number 3
+  const Bytes other = announced('a', 30);
+  const Bytes bytes = shown(sut, other, t0 + seconds(2));
+  EXPECT_EQ(Bytes(bytes.begin() + number_at, bytes.begin() + number_at + 8),
+            Wire().number(4).bytes());
+}
+
+/// Whether the first message that is shown before the newcomer says that `name` leaves.
+bool yields(const Inspection& inspection, char name) {
+  if (inspection.drop || inspection.before.size() != 1) return false;
+  RtpsFilter sut{Limits{}};
+  (void)inspect(sut, announced(name));
+  (void)inspect(sut, inspection.before[0]);
+  return sut.participants() == 0;
+}
+
+TEST(Newcomer, TakesThePlaceOfWhoWasSilentLongest) {
+  RtpsFilter sut(on_link());
+  (void)inspect(sut, announced('a', 0x7fffffff));
+  (void)inspect(sut, announced('b', 0x7fffffff), alice, t0 + milliseconds(1));
+  EXPECT_EQ(drop_of(sut, announced('c'), alice, t0 + milliseconds(999)),
+            DropReason::too_many_participants);
+  EXPECT_TRUE(yields(inspect(sut, announced('c'), alice, t0 + milliseconds(1000)), 'a'));
+  EXPECT_EQ(sut.participants(), 2U);
+}
+
+TEST(Newcomer, DoesNotTakeThePlaceOfWhoIsHeard) {
+  RtpsFilter sut(on_link());
+  (void)inspect(sut, announced('a'));
+  (void)inspect(sut, announced('b'));
+  (void)inspect(sut, heartbeat('a', 1, 1), alice, t0 + seconds(5));
+  EXPECT_TRUE(yields(inspect(sut, announced('c'), alice, t0 + seconds(5)), 'b'));
+}
+
+TEST(Newcomer, ThatCouldNotLeaveIsDropped) {
+  RtpsFilter sut(on_link());
+  EXPECT_EQ(drop_of(sut, announcement('a')), DropReason::discovery_payload);
+  EXPECT_EQ(drop_of(sut, announcement('a', Wire().parameter(0x58, Wire().u32(0xc3e).bytes()))),
+            DropReason::discovery_payload);
+}
+
+/// A burst of strangers, whoever they are, is over for the next one after a second.
+TEST(Newcomer, IsNotLockedOutByStrangersWithEndlessLeases) {
+  Limits limits = on_link();
+  limits.participants = 128;
+  RtpsFilter sut(limits);
+  for (int i = 0; i < 128; ++i) {
+    (void)inspect(sut, announced(static_cast<char>(i), 0x7fffffff));
+  }
+  EXPECT_EQ(sut.participants(), 128U);
+  EXPECT_EQ(drop_of(sut, announced('\xf0'), alice, t0 + seconds(1)), passes);
+}
+
+}  // namespace
+}  // namespace tocsin::rtps_filter
