@@ -10,8 +10,12 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <thread>
 
 #include "command_line/command.hpp"
@@ -39,6 +43,22 @@ void print_of(const std::string& name, const std::string& line) {
   std::fflush(stdout);
 }
 
+/// Where the own router keeps the key of a press, by which a later order releases it: in
+/// $XDG_STATE_HOME/tocsin or ~/.local/state/tocsin. Empty when there is neither: then it must be
+/// released at the vehicle.
+std::string keys_folder() {
+  const auto variable = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return value != nullptr && *value == '/' ? std::string(value) : std::string();
+  };
+  std::string folder = variable("XDG_STATE_HOME");
+  if (folder.empty() && !variable("HOME").empty()) folder = variable("HOME") + "/.local/state";
+  if (folder.empty()) return folder;
+  std::error_code failed;
+  std::filesystem::create_directories(folder + "/tocsin", failed);
+  return failed ? "" : folder + "/tocsin";
+}
+
 /// Gives the order in this process; its exit code. `name`: in front of what it prints.
 int give(const EstopTarget& target, const Params& params, const std::string& name) {
   if (target.process) deployment::enter_namespaces(*target.process);
@@ -47,7 +67,8 @@ int give(const EstopTarget& target, const Params& params, const std::string& nam
   Context context = Context(*bus, "estop", target.bus.role).with_request_exit([&code](int wanted) {
     code = wanted;
   });
-  Context router_context(*bus, "link_router", target.bus.role);
+  Context router_context =
+      Context(*bus, "estop_router", target.bus.role).with_run_dir(keys_folder());
   const auto router = target.needs_router ? make_router(router_context) : nullptr;
   OperatorConsoleComponent order(context, params,
                                  [&name](const std::string& line) { print_of(name, line); });
