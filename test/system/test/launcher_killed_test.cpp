@@ -98,7 +98,8 @@ class LauncherKilledTest : public ::testing::Test {
 TEST_F(LauncherKilledTest, TheBaseComesToRestByItsOwnTimeout) {
   const OperatorProcess wheels(base(), folder_.path("base.log"));
   Stack stack({"mission.yaml", "--seed", "1", "--without", "uxv/base", "--without", "uxv/payload",
-               "--without", "gcs/view", "--set", "kobuki_driver.port=" + folder_.path("kobuki")});
+               "--without", "gcs/view", "--set",
+               "kobuki_driver.device_port=" + folder_.path("kobuki")});
   ASSERT_TRUE(drives()) << stack.output();
   const pid_t driver = stack.pid("uxv/drive");
   const auto at_kill = position_.now();

@@ -2,109 +2,17 @@
 // Calls through a router on a scripted link and a scripted host, in virtual time.
 #include <gmock/gmock.h>
 
-#include <memory>
 #include <vector>
 
-#include "foundation/temporary_folder.hpp"
-#include "link_router_fixture.hpp"
-#include "runtime/middleware/link_permissions.hpp"
-#include "runtime/middleware/refused_names.hpp"
-#include "tocsin_idl/link_calls.hpp"
+#include "call_link_fixture.hpp"
 
 namespace tocsin {
 namespace {
 
-using CallMessage = tocsin_msgs::msg::LinkCall;
-using ServicesMessage = tocsin_msgs::msg::LinkServices;
-using Bytes = std::vector<std::uint8_t>;
 using ::testing::Contains;
 using ::testing::IsEmpty;
 using ::testing::Key;
 using ::testing::Not;
-
-constexpr FlowId peer_services = 700;
-constexpr FlowId peer_calls = 800;
-const HostService dock{"dock", "std_srvs/srv/Trigger"};
-const Bytes question{0, 1, 0, 0, 1, 2};
-const Bytes answer{0, 1, 0, 0, 7};
-const std::string rules =
-    "uxv:\n  high: {services: [dock, '*/get_parameters'], actions: [drive], call_deadline_s: 2}\n"
-    "gcs:\n  high: {topics: [goal]}\n";
-
-class CallLinkTest : public LinkRouterTest {
- protected:
-  /// A router of the vehicle, which serves, or of the station, which calls.
-  void begin_as(Role role) {
-    host_.reset();
-    script_.opened.clear();
-    script_.rules = TrafficRules(folder_.write("traffic.yaml", rules), role);
-    start({}, real_devices());
-    meet();
-    begin_peer_flow(link_services_topic, peer_services);
-    begin_peer_flow("link_calls_uxv_high", peer_calls);
-  }
-  void happen(HostServiceEvent event) {
-    script_.services.events.push_back(std::move(event));
-    script_.on_event();
-    run(0);
-  }
-  template <class Message>
-  void hear(FlowId flow, const Message& message) {
-    CarriedSample sample;
-    sample.content = std::make_shared<Message>(message);
-    sample.bytes = 100;
-    sample.source = flow;
-    sample.sequence = ++heard_;
-    sample.sent_wall_ns = host_->bus.wall_ns(host_->bus.now());
-    script_.happen(link_event::LinkSample{flow, heard_, sample, host_->bus.now()});
-    run(0);
-  }
-  /// The peer's host has or wants these.
-  void hear_of(const std::vector<HostService>& offered, const std::vector<HostService>& wanted) {
-    ServicesMessage message;
-    const auto add = [](auto& list, const HostService& one) {
-      list.emplace_back();
-      list.back().name(one.name);
-      list.back().type(one.type);
-    };
-    for (const HostService& one : offered) add(message.offered(), one);
-    for (const HostService& one : wanted) add(message.wanted(), one);
-    hear(peer_services, message);
-  }
-  static CallMessage call(std::uint64_t caller, std::uint64_t number, bool reply,
-                          const Bytes& data) {
-    CallMessage message;
-    message.caller(caller);
-    message.number(number);
-    message.reply(reply);
-    message.service(dock.name);
-    message.data(data);
-    return message;
-  }
-  template <class Message>
-  [[nodiscard]] std::vector<Message> sent(const std::string& topic) const {
-    std::vector<Message> messages;
-    for (const ScriptedLink::Sent& one : script_.sent) {
-      if (script_.opened.at(one.flow).flow.topic != topic) continue;
-      messages.push_back(*static_cast<const Message*>(one.sample.content.get()));
-    }
-    return messages;
-  }
-  [[nodiscard]] std::vector<CallMessage> sent_calls() const {
-    return sent<CallMessage>("link_calls_uxv_high");
-  }
-  static CallId id(std::uint8_t client) {
-    CallId id;
-    id.client[0] = client;
-    id.number = 5;
-    return id;
-  }
-
-  const TemporaryFolder folder_;
-
- private:
-  std::uint64_t heard_ = 0;
-};
 
 TEST_F(CallLinkTest, WithoutServicesInTheTrafficFileNothingIsOpenedForThem) {
   host_.reset();
@@ -198,45 +106,6 @@ TEST_F(CallLinkTest, WhatTheRulesDoNotNameIsNotAsked) {
   EXPECT_THAT(script_.services.called, IsEmpty());
   hear(peer_calls, message);
   EXPECT_THAT(script_.services.asked, IsEmpty());
-}
-
-TEST_F(CallLinkTest, WhatTheRulesDoNotNameIsCountedAsRefused) {
-  begin_as(Role::uxv);
-  const auto before = refused_names().total();
-  CallMessage message = call(station, 1, false, question);
-  message.service("self_destruct");
-  hear(peer_calls, message);
-  hear_of({dock}, {{"self_destruct", "std_srvs/srv/Trigger"}});  // this side has no server to call
-  EXPECT_EQ(refused_names().total() - before, 3U);
-  EXPECT_EQ(refused_names().lines().count("call of self_destruct from gcs"), 1U);
-  EXPECT_THAT(script_.services.served, IsEmpty());
-}
-
-TEST_F(CallLinkTest, OfManyNamesEndsAreMadeAFewATickAndNotOfAll) {
-  begin_as(Role::uxv);
-  std::vector<HostService> wanted;
-  for (int i = 0; i < 700; ++i) {
-    wanted.push_back({"n" + std::to_string(i) + "/get_parameters", "rcl_interfaces/srv/Get"});
-  }
-  hear_of({}, wanted);
-  EXPECT_LE(script_.services.called.size(), 8U);
-  run(5);
-  EXPECT_EQ(script_.services.called.size(), 256U);
-  hear_of({}, {dock});
-  EXPECT_EQ(script_.services.called.size(), 1U);
-}
-
-TEST_F(CallLinkTest, HundredsOfNamesDoNotDisplaceWhatTheFileNames) {
-  begin_as(Role::uxv);
-  hear_of({}, {dock});
-  EXPECT_EQ(script_.services.called.count("dock"), 1U);
-  std::vector<HostService> wanted{dock};
-  for (int i = 0; i < 700; ++i) {
-    wanted.push_back({"a" + std::to_string(i) + "/get_parameters", "rcl_interfaces/srv/Get"});
-  }
-  hear_of({}, wanted);
-  run(5);
-  EXPECT_EQ(script_.services.called.count("dock"), 1U);
 }
 
 TEST_F(CallLinkTest, RepliesToAnotherLifeAreIgnored) {

@@ -102,7 +102,7 @@ struct HostTopic {
 class SimHost {
  public:
   SimHost(Network& network, std::string name, Role role, const std::string& traffic_file,
-          VehicleChain chain);
+          VehicleChain chain = VehicleChain::ours);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Role role() const { return role_; }

@@ -12,13 +12,13 @@ namespace {
 constexpr std::size_t longest_name = 100;
 
 /// Of the process, as its router is.
-struct Shared {
+struct Refused {
   std::mutex mutex;
   RefusedNames names;
 };
 
-Shared& shared() {
-  static Shared instance;
+Refused& refused_here() {
+  static Refused instance;
   return instance;
 }
 
@@ -43,8 +43,8 @@ void refuse(const std::string& what, const std::string& name, const std::string&
             Logger& log) {
   RefusedNames::News news{};
   {
-    const std::lock_guard<std::mutex> lock(shared().mutex);
-    news = shared().names.add(what + " " + name, peer);
+    const std::lock_guard<std::mutex> lock(refused_here().mutex);
+    news = refused_here().names.add(what + " " + name, peer);
   }
   if (news == RefusedNames::News::first) {
     log.warn("{} {} from {} is refused: no rule of the traffic file sends it here", what, name,
@@ -57,8 +57,8 @@ void refuse(const std::string& what, const std::string& name, const std::string&
 }
 
 RefusedNames refused_names() {
-  const std::lock_guard<std::mutex> lock(shared().mutex);
-  return shared().names;
+  const std::lock_guard<std::mutex> lock(refused_here().mutex);
+  return refused_here().names;
 }
 
 }  // namespace tocsin

@@ -33,7 +33,8 @@ std::shared_ptr<const String> text(const std::string& data) {
 BusOptions options_of(const std::string& address, const std::string& peer) {
   static const std::string file = [] {
     const std::string path = ::testing::TempDir() + "late_link_" + std::to_string(getpid());
-    std::ofstream(path) << "uxv: {low: {while_poor: drop, topics: [low]}}\n";
+    std::ofstream(path) << "uxv: {low: {while_poor: drop, topics: [low]}}\n"
+                           "gcs: {low: {while_poor: drop, topics: [low]}}\n";
     return path;
   }();
   BusOptions options;

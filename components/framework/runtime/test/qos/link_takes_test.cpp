@@ -70,6 +70,7 @@ TEST(LinkTakes, TheChainIsEveryTopicThatMovesOrStopsTheVehicle) {
   EXPECT_TRUE(is_of_chain("cmd_vel/of_a_component_of_ones_own"));
   EXPECT_TRUE(is_of_chain("commands/motor_power"));
   EXPECT_TRUE(is_of_chain("link_stop"));
+  EXPECT_TRUE(is_of_chain("emergency_stop"));
   for (const char* const other :
        {"goal", "teleop/cmd_vel", "docking/command", "odom", "cmd_vel_x", "cmd_vel/filled_in"}) {
     EXPECT_FALSE(is_of_chain(other)) << other;

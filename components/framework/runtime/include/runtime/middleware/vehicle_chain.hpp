@@ -29,6 +29,7 @@ inline constexpr std::array chain_topics{
     "commands/controller_info",
     "commands/digital_output",
     "commands/external_power",
+    "emergency_stop",
     "emergency_stop/request",
     "link_stop",
 };
