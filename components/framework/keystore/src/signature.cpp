@@ -16,7 +16,7 @@
 namespace tocsin::keystore {
 namespace {
 
-using Digest = std::unique_ptr<EVP_MD_CTX, Freed<EVP_MD_CTX, EVP_MD_CTX_free>>;
+using DigestContext = std::unique_ptr<EVP_MD_CTX, Freed<EVP_MD_CTX, EVP_MD_CTX_free>>;
 
 Bytes der_of(const X509& certificate) {
   Bytes bytes(static_cast<std::size_t>(std::max(0, i2d_X509(&certificate, nullptr))));
@@ -38,7 +38,7 @@ Key key_at(const std::string& path) {
 
 }  // namespace
 
-std::uint64_t certificate_id(const Bytes& certificate) {
+std::uint64_t signer_id(const Bytes& certificate) {
   std::array<unsigned char, SHA256_DIGEST_LENGTH> hash{};
   SHA256(certificate.data(), certificate.size(), hash.data());
   std::uint64_t id = 0;
@@ -59,7 +59,7 @@ Signer::~Signer() = default;
 Signer::Signer(Signer&&) noexcept = default;
 
 Bytes Signer::sign(const Bytes& message) const {
-  const Digest digest(EVP_MD_CTX_new());
+  const DigestContext digest(EVP_MD_CTX_new());
   std::size_t size = 0;
   if (EVP_DigestSignInit(digest.get(), nullptr, EVP_sha256(), nullptr, state_->key.get()) != 1 ||
       EVP_DigestSign(digest.get(), nullptr, &size, message.data(), message.size()) != 1) {
@@ -101,7 +101,7 @@ SignatureCheck::~SignatureCheck() = default;
 SignatureCheck::SignatureCheck(SignatureCheck&&) noexcept = default;
 
 bool SignatureCheck::learn(const Bytes& certificate, std::int64_t now_s) {
-  const std::uint64_t id = certificate_id(certificate);
+  const std::uint64_t id = signer_id(certificate);
   if (knows(id)) return true;
   Certificate one = certificate_of(certificate);
   if (!one || X509_verify(one.get(), X509_get0_pubkey(state_->authority.get())) != 1) return false;
@@ -119,7 +119,7 @@ std::optional<std::string> SignatureCheck::signer_of(const Bytes& message, const
                                                      std::uint64_t id) const {
   const State::Known* const signer = state_->find(id);
   if (signer == nullptr) return std::nullopt;
-  const Digest digest(EVP_MD_CTX_new());
+  const DigestContext digest(EVP_MD_CTX_new());
   EVP_PKEY* const key = X509_get0_pubkey(signer->certificate.get());
   const bool is_his =
       EVP_DigestVerifyInit(digest.get(), nullptr, EVP_sha256(), nullptr, key) == 1 &&

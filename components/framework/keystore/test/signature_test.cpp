@@ -11,7 +11,7 @@ const Bytes message{1, 2, 3};
 TEST_F(KeystoreTest, ASignatureNamesItsIdentity) {
   const Signer station(enclave("gcs"));
   SignatureCheck vehicle(enclave("uxv1"));
-  const auto id = certificate_id(station.certificate());
+  const auto id = signer_id(station.certificate());
   EXPECT_FALSE(vehicle.knows(id));
   ASSERT_TRUE(vehicle.learn(station.certificate(), now_s));
   EXPECT_TRUE(vehicle.knows(id));
@@ -21,7 +21,7 @@ TEST_F(KeystoreTest, ASignatureNamesItsIdentity) {
 TEST_F(KeystoreTest, AChangedMessageOrSignatureIsOfNobody) {
   const Signer station(enclave("gcs"));
   SignatureCheck vehicle(enclave("uxv1"));
-  const auto id = certificate_id(station.certificate());
+  const auto id = signer_id(station.certificate());
   Bytes signature = station.sign(message);
   EXPECT_EQ(vehicle.signer_of(message, signature, id), std::nullopt) << "not learned";
   ASSERT_TRUE(vehicle.learn(station.certificate(), now_s));
@@ -38,8 +38,7 @@ TEST_F(KeystoreTest, AnotherIdentitysSignatureDoesNotPassForThis) {
   ASSERT_TRUE(vehicle.learn(station.certificate(), now_s));
   ASSERT_TRUE(vehicle.learn(other.certificate(), now_s));
   const Bytes signature = other.sign(message);
-  EXPECT_EQ(vehicle.signer_of(message, signature, certificate_id(station.certificate())),
-            std::nullopt);
+  EXPECT_EQ(vehicle.signer_of(message, signature, signer_id(station.certificate())), std::nullopt);
 }
 
 TEST_F(KeystoreTest, CertificatesOfOtherAuthoritiesOrDatesAreNotLearned) {

@@ -46,12 +46,12 @@ class SignatureCheck {
   /// Learns a certificate (DER). False: it is none of the authority, not valid at `now_s`
   /// [s since the Unix epoch], or revoked.
   bool learn(const Bytes& certificate, std::int64_t now_s);
-  /// Whether a certificate with these first bytes of its hash (certificate_id) is known.
-  [[nodiscard]] bool knows(std::uint64_t certificate_id) const;
+  /// Whether a certificate with these first bytes of its hash (signer_id) is known.
+  [[nodiscard]] bool knows(std::uint64_t signer_id) const;
   /// The subject (RFC 2253: `CN=/gcs`) of the known certificate that has signed the message;
   /// nothing when none has.
   [[nodiscard]] std::optional<std::string> signer_of(const Bytes& message, const Bytes& signature,
-                                                     std::uint64_t certificate_id) const;
+                                                     std::uint64_t signer_id) const;
 
  private:
   struct State;
@@ -59,6 +59,6 @@ class SignatureCheck {
 };
 
 /// The first eight bytes of a certificate's SHA-256, big endian.
-[[nodiscard]] std::uint64_t certificate_id(const Bytes& certificate);
+[[nodiscard]] std::uint64_t signer_id(const Bytes& certificate);
 
 }  // namespace tocsin::keystore

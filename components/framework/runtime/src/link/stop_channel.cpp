@@ -66,7 +66,7 @@ StopChannel::Bytes StopChannel::sealed(const StopValue& value) const {
   Bytes content = to_bytes(value);
   if (!seal_) return submessage(value_kind, content);
   const Bytes signature = seal_->signer.sign(content);
-  const std::uint64_t id = keystore::certificate_id(seal_->signer.certificate());
+  const std::uint64_t id = keystore::signer_id(seal_->signer.certificate());
   content.resize(content.size() + id_bytes + 2);
   put_number(content.data() + content.size() - id_bytes - 2, id, true);
   put_number(content.data() + content.size() - 2, static_cast<std::uint16_t>(signature.size()),
