@@ -34,6 +34,8 @@ Limits limits_on_radio(const std::set<std::uint32_t>& configured) {
   constexpr double wifi_bytes_per_s = 64e6;
   Limits limits;
   limits.sample_bytes = 16U << 20U;
+  // A picture crosses 2 s after a forger ends that has begun the largest sample.
+  limits.unfinished_bytes.per_s = 8U << 20U;
   limits.bytes = {wifi_bytes_per_s, wifi_bytes_per_s};
   limits.source_has_port = false;
   limits.participant_has_address = true;
