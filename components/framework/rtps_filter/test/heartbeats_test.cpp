@@ -82,7 +82,7 @@ TEST_F(Numbers, AreToldInTheByteOrderOfTheirSubmessage) {
   const Inspection inspection = inspect(sut, message);
   ASSERT_EQ(inspection.step.size(), 1U);
   const std::array<std::uint8_t, 16> wanted{0, 0, 0, 0, 0, 0, 0, 101, 0, 0, 0, 0, 0, 0, 0, 100};
-  EXPECT_EQ(inspection.step[0].numbers, wanted);
+  EXPECT_EQ(inspection.step[0].bytes, wanted);
 }
 
 TEST_F(Numbers, OfEachWriterAndReaderAreTheirOwn) {
@@ -156,7 +156,7 @@ TEST_F(Numbers, OfSeveralHeartbeatsInAPacketAreEachAStep) {
   const Inspection inspection = inspect(sut, message);
   EXPECT_EQ(inspection.drop, passes);
   ASSERT_EQ(inspection.step.size(), 2U);
-  EXPECT_EQ(inspection.step[0].numbers[4], 101U);
+  EXPECT_EQ(inspection.step[0].bytes[4], 101U);
   EXPECT_EQ(inspection.step[1].numbers[4], 201U);
   EXPECT_EQ(told(with_count(500, 3)), 301);
 }

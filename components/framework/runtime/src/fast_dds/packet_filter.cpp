@@ -51,6 +51,12 @@ rtps_filter::Source source_in(const rtps::Locator_t& from) {
   return {ipv4(a[0], a[1], a[2], a[3]), rtps::IPLocator::getPhysicalPort(from)};
 }
 
+bool is_stepped(const rtps_filter::Inspection& inspection) {
+  return std::any_of(inspection.step.begin(), inspection.step.end(), [](const auto& step) {
+    return step.size == rtps_filter::Inspection::Step::of_heartbeat;
+  });
+}
+
 std::array<std::uint8_t, 12> octets_of(const rtps::GuidPrefix_t& participant) {
   std::array<std::uint8_t, 12> octets{};
   std::copy_n(participant.value, octets.size(), octets.begin());
@@ -92,7 +98,7 @@ rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::si
     count_dropped_packet(*inspection.drop, source.address);
     return inspection;
   }
-  if (!inspection.step.empty()) {
+  if (is_stepped(inspection)) {
     count_dropped_packet(rtps_filter::DropReason::sequence_jump, source.address);
   }
   if (others_) others_->hear(bytes, size, source.address);
