@@ -28,10 +28,7 @@ std::vector<std::uint8_t> changed(const std::uint8_t* bytes, std::size_t size,
   for (const std::size_t at : inspection.strip) std::fill_n(copy.data() + at, 2, pid_pad);
   for (const std::size_t at : inspection.hide) copy[at] = kind::pad;
   for (const auto& step : inspection.step) {
-    std::copy(step.numbers.begin(), step.numbers.end(), copy.data() + step.at);
-  }
-  for (const auto& patch : inspection.patch) {
-    std::copy(patch.bytes.begin(), patch.bytes.end(), copy.data() + patch.at);
+    std::copy_n(step.bytes.begin(), step.size, copy.data() + step.at);
   }
   return copy;
 }
@@ -91,8 +88,8 @@ class Admission {
     inspection_.jumps = inspection_.jumps || jumps;
     if (first == heartbeat.first) return std::nullopt;
     const auto content = static_cast<std::size_t>(submessage.content.here() - context.packet);
-    inspection_.step.push_back({content + heartbeat_numbers_at,
-                                numbers_of(first, first - 1, submessage.content.little())});
+    replace(content + heartbeat_numbers_at,
+            numbers_of(first, first - 1, submessage.content.little()));
     return std::nullopt;
   }
 
@@ -117,17 +114,23 @@ class Admission {
     if (verdict.hide) hide(submessage, context.packet);
     if (what.leaves) return std::nullopt;
     if (verdict.number != what.number) {
-      inspection_.patch.push_back({number_place(submessage, context.packet),
-                                   number_bytes(verdict.number, submessage.content.little())});
+      replace(number_place(submessage, context.packet),
+              number_bytes(verdict.number, submessage.content.little()));
     }
     if (what.lease_at && state_.limits.longest_lease > Duration{}) {
-      inspection_.patch.push_back(
-          {what.lease_at->at, lease_bytes(what.lease, what.lease_at->little)});
+      replace(what.lease_at->at, lease_bytes(what.lease, what.lease_at->little));
     }
     if (state_.limits.departure_wait > Duration{}) {
       state_.participants.shown(header_.prefix, {submessage, what, context, inspection_});
     }
     return std::nullopt;
+  }
+
+  template <std::size_t size>
+  void replace(std::size_t at, const std::array<std::uint8_t, size>& bytes) {
+    Inspection::Step step{at, size, {}};
+    std::copy(bytes.begin(), bytes.end(), step.bytes.begin());
+    inspection_.step.push_back(step);
   }
 
   void hide(const Submessage& submessage, const std::uint8_t* packet) {

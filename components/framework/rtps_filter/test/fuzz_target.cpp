@@ -35,8 +35,8 @@ void check_strips(const std::uint8_t* packet, std::size_t size, const Inspection
 void check_steps(const std::uint8_t* packet, std::size_t size, const Inspection& inspection) {
   constexpr std::size_t before = 20 + 4 + 8;
   for (const auto& step : inspection.step) {
-    assert(step.at >= before && step.at + step.numbers.size() + 4 <= size);
-    assert(!std::equal(step.numbers.begin(), step.numbers.end(), packet + step.at));
+    assert(step.at >= before && step.at + step.size + 4 <= size);
+    assert(!std::equal(step.bytes.begin(), step.bytes.begin() + step.size, packet + step.at));
   }
 }
 

@@ -29,8 +29,8 @@ class Numbers : public testing::Test {
     if (inspection.step.empty()) return number_at(bytes.data() + bytes.size() - 20);
     const auto& step = inspection.step.at(0);
     EXPECT_EQ(step.at, bytes.size() - 20);
-    EXPECT_EQ(number_at(&step.numbers[8]), number_at(step.numbers.data()) - 1);  // no sample
-    return number_at(step.numbers.data());
+    EXPECT_EQ(number_at(&step.bytes[8]), number_at(step.bytes.data()) - 1);  // no sample
+    return number_at(step.bytes.data());
   }
   /// A HEARTBEAT of one of a's writers, of a count above those before; its last is far away.
   Bytes next(std::int64_t first, std::uint32_t writer = user_writer, std::uint32_t reader = 0) {
@@ -82,7 +82,7 @@ TEST_F(Numbers, AreToldInTheByteOrderOfTheirSubmessage) {
   const Inspection inspection = inspect(sut, message);
   ASSERT_EQ(inspection.step.size(), 1U);
   const std::array<std::uint8_t, 16> wanted{0, 0, 0, 0, 0, 0, 0, 101, 0, 0, 0, 0, 0, 0, 0, 100};
-  EXPECT_EQ(inspection.step[0].numbers, wanted);
+  EXPECT_EQ(inspection.step[0].bytes, wanted);
 }
 
 TEST_F(Numbers, OfEachWriterAndReaderAreTheirOwn) {
@@ -156,8 +156,8 @@ TEST_F(Numbers, OfSeveralHeartbeatsInAPacketAreEachAStep) {
   const Inspection inspection = inspect(sut, message);
   EXPECT_EQ(inspection.drop, passes);
   ASSERT_EQ(inspection.step.size(), 2U);
-  EXPECT_EQ(inspection.step[0].numbers[4], 101U);
-  EXPECT_EQ(inspection.step[1].numbers[4], 201U);
+  EXPECT_EQ(inspection.step[0].bytes[4], 101U);
+  EXPECT_EQ(inspection.step[1].bytes[4], 201U);
   EXPECT_EQ(told(with_count(500, 3)), 301);
 }
 

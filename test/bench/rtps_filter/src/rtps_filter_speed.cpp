@@ -20,7 +20,7 @@ Limits link_limits() {
   Limits limits;
   limits.bytes = {1e15, 1e15};
   limits.announcements = {1e15, 1e15};
-  limits.gap_rate = {1e15, 1e15};
+  limits.gap_rate = limits.kept_numbers = {1e15, 1e15};
   limits.participant_has_address = true;
   limits.source_has_port = false;
   limits.hears = [](std::uint32_t address) { return address >> 24U == 127; };

@@ -35,7 +35,7 @@ struct Limits {
   Rate kept_numbers{524'288, 32'768};
   /// Bytes of samples that have begun in fragments, less those of the fragments that came since.
   /// Fast DDS takes memory for the whole at the first one.
-  Rate unfinished_bytes{48U << 20U, 4U << 20U};
+  Rate unfinished_bytes{32U << 20U, 1U << 20U};
   Rate announcements{4096, 512};  ///< of participants and endpoints, by a source
   Rate bytes{0, 0};               ///< by a source; burst 0: any number
   /// Admitted at the same time; about 5 kB each, and 0.1 % of a core, as each is told twice a

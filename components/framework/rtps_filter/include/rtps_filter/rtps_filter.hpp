@@ -24,20 +24,16 @@ struct Inspection {
   /// Places of submessages in the packet that the participant must not read. Their kind, one byte
   /// there, becomes PAD before the packet is handed on.
   std::vector<std::size_t> hide;
-  /// Places of the first and last number of HEARTBEATs in the packet that are too far ahead, and
-  /// the 16 bytes that take their place before the packet is handed on: a step towards it, with no
-  /// sample to ask for.
+  /// Places in the packet whose bytes are replaced before it is handed on: the first and last
+  /// number of HEARTBEATs that are too far ahead by a step towards it, with no sample to ask for
+  /// (16 bytes); numbers and leases of announcements (8 bytes).
   struct Step {
+    static constexpr std::size_t of_heartbeat = 16;
     std::size_t at;
-    std::array<std::uint8_t, 16> numbers;
+    std::size_t size;
+    std::array<std::uint8_t, of_heartbeat> bytes;
   };
   std::vector<Step> step;
-  /// Places of numbers and leases of announcements, and the 8 bytes that take their place.
-  struct Patch {
-    std::size_t at;
-    std::array<std::uint8_t, 8> bytes;
-  };
-  std::vector<Patch> patch;
   /// The participant may walk over many numbers: the CPU time that it takes for the packet is to be
   /// told to RtpsFilter::took.
   bool jumps = false;

@@ -62,8 +62,7 @@ class PacketFilter {
       if (assembled.piece) return;
     }
     for (const auto& message : inspection.before) show(message.data(), message.size());
-    if (inspection.strip.empty() && inspection.hide.empty() && inspection.step.empty() &&
-        inspection.patch.empty()) {
+    if (inspection.strip.empty() && inspection.hide.empty() && inspection.step.empty()) {
       return show(bytes, size);
     }
     const std::vector<std::uint8_t> shown = rtps_filter::changed(bytes, size, inspection);

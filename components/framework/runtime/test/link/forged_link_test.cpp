@@ -74,7 +74,7 @@ TEST_F(ForgedLinkTest, StrangersWithEndlessLeasesDoNotLockOutARouterThatComesBac
   ASSERT_TRUE(victim);
   uxv.reset();
   for (std::uint32_t number = 1; number <= 128; ++number) {
-    forger().send(Forger::stranger_like(*victim, number), victim->port);
+    forger().send(Forger::stranger_like(*victim, number), forger().port());
     std::this_thread::sleep_for(milliseconds(2));
   }
   const std::size_t strangers = gcs.peers().size();

@@ -46,7 +46,15 @@ void set_high_number(Forger::Packet& packet) {
 Forger::Forger(int link_domain)
     : link_domain_(link_domain),
       raw_(::socket(AF_INET, SOCK_RAW, IPPROTO_RAW)),
-      capture_(::socket(AF_PACKET, SOCK_DGRAM, htons(ETH_P_IP))) {
+      capture_(::socket(AF_PACKET, SOCK_DGRAM, htons(ETH_P_IP))),
+      own_(::socket(AF_INET, SOCK_DGRAM, 0)) {
+  sockaddr_in own{};
+  own.sin_family = AF_INET;
+  own.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof own;
+  (void)::bind(own_, reinterpret_cast<const sockaddr*>(&own), sizeof own);
+  (void)::getsockname(own_, reinterpret_cast<sockaddr*>(&own), &size);
+  port_ = ntohs(own.sin_port);
   sockaddr_ll loopback{};
   loopback.sll_family = AF_PACKET;
   loopback.sll_protocol = htons(ETH_P_IP);
@@ -59,6 +67,7 @@ Forger::Forger(int link_domain)
 Forger::~Forger() {
   if (raw_ >= 0) ::close(raw_);
   if (capture_ >= 0) ::close(capture_);
+  ::close(own_);
 }
 
 std::optional<Forger::Overheard> Forger::overhear(const std::string& host) const {

@@ -27,6 +27,8 @@ class Forger {
   [[nodiscard]] bool ok() const { return raw_ >= 0 && capture_ >= 0; }
   /// Waits up to 5 s for the announcement of the router of `host`.
   [[nodiscard]] std::optional<Overheard> overhear(const std::string& host) const;
+  /// Its own port on loopback: of a socket that is there.
+  [[nodiscard]] std::uint16_t port() const { return port_; }
   /// To all who are on the link, as if `from` had sent it.
   void send(const Packet& packet, std::uint16_t from) const;
 
@@ -41,6 +43,8 @@ class Forger {
   const int link_domain_;
   int raw_;
   int capture_;
+  int own_;
+  std::uint16_t port_ = 0;
 };
 
 }  // namespace tocsin
