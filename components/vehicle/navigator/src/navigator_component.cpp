@@ -48,7 +48,7 @@ void NavigatorComponent::tick(Time now) {
     report_status(output.status, now);
   }
   remember(now);
-  wake_at(next_turn_);
+  wake_at(std::min(next_turn_, emergency_stop_.deadline()));
 }
 
 /// Whether a velocity is due: it need not follow each of fifty poses a second.
@@ -68,7 +68,7 @@ void NavigatorComponent::take_odometry(Time now) {
 /// True when there was one to answer at once.
 bool NavigatorComponent::take_orders(Time now) {
   bool any = false;
-  if (emergency_stop_.take()) {
+  if (emergency_stop_.take(now)) {
     navigator_.on_emergency_stop(emergency_stop_.stands());
     any = true;
   }

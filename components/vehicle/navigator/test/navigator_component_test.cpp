@@ -154,6 +154,21 @@ TEST_F(NavigatorComponentTest, StandsOnEmergencyStopUntilItIsReleased) {
   EXPECT_GT(command_.linear().x(), 0.2);
 }
 
+TEST_F(NavigatorComponentTest, StandsWhileTheLinkSaysSoAndWhenItsRouterFallsSilent) {
+  run(0.2);
+  send_goal(5, 4);
+  run(2);
+  hear_link(true);
+  run(0.05);
+  EXPECT_EQ(command_.linear().x(), 0);
+  hear_link(false);
+  run(0.9);
+  EXPECT_GT(command_.linear().x(), 0.2);
+  run(0.2);
+  EXPECT_EQ(command_.linear().x(), 0);
+  EXPECT_EQ(status_.state(), "held");
+}
+
 TEST_F(NavigatorComponentTest, AGoalLivesFromItsArrivalWhateverTheClocksSay) {
   for (const double age_s : {86400.0, -86400.0}) {
     start();
@@ -223,7 +238,7 @@ TEST_F(NavigatorComponentTest, RefusesToStartWithoutAMap) {
 }
 
 TEST_F(NavigatorComponentTest, ParametersPrintAsYaml) {
-  EXPECT_THAT(default_yaml<NavigatorComponent::Params>(), HasSubstr("on_link_lost: continue"));
+  EXPECT_THAT(default_yaml<NavigatorComponent::Params>(), HasSubstr("on_link_lost: hold"));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(Navigator, HaltsAtOnceOnEmergencyStopUntilItIsReleased) {
   vehicle.sut.on_emergency_stop(true);
   EXPECT_EQ(vehicle.step().velocity.linear_mps, 0);
   ASSERT_EQ(vehicle.send(2, {3, 1, 0}), Answer::accepted);
-  const auto output = vehicle.run(100);
+  const auto output = vehicle.run(20);
   EXPECT_EQ(output.velocity.linear_mps, 0);
   EXPECT_EQ(output.status.reason, std::string("emergency_stop"));
   vehicle.sut.on_emergency_stop(false);
@@ -54,8 +54,15 @@ TEST(Navigator, HaltsAtOnceOnEmergencyStopUntilItIsReleased) {
   EXPECT_EQ(vehicle.run(10).status.state, State::reached);
 }
 
-TEST(Navigator, DrivesOnThroughALostLinkByDefault) {
-  Vehicle vehicle;
+TEST(Navigator, HoldsAfterThirtySecondsWithoutTheGroundStationByDefault) {
+  Vehicle vehicle({}, 4.0);  // so that it never arrives
+  ASSERT_EQ(vehicle.send(1, {6, 1, 0}), Answer::accepted);
+  EXPECT_EQ(vehicle.run(30).status.state, State::blocked);
+  EXPECT_EQ(vehicle.step().status.reason, std::string("link_lost"));
+}
+
+TEST(Navigator, DrivesOnThroughALostLinkWhenItShall) {
+  Vehicle vehicle(on_link_lost("continue"));
   vehicle.sut.on_ground_station(vehicle.now);
   ASSERT_EQ(vehicle.send(1, {7, 3, 0}), Answer::accepted);
   EXPECT_EQ(vehicle.run(40).status.state, State::reached);
@@ -143,7 +150,7 @@ TEST(Navigator, IsNotStuckAfterALongHold) {
   Vehicle vehicle;
   ASSERT_EQ(vehicle.send(1, {3, 1, 0}), Answer::accepted);
   vehicle.sut.on_emergency_stop(true);
-  (void)vehicle.run(60);
+  (void)vehicle.run(20);
   vehicle.sut.on_emergency_stop(false);
   EXPECT_EQ(vehicle.step().status.state, State::driving);
 }

@@ -65,6 +65,11 @@ class NavigatorComponentTest : public ::testing::Test {
     message.data(is_pressed);
     bus_.publish<topic::EmergencyStop>(message);
   }
+  void hear_link(bool stands) {
+    topic::LinkStop::Message message;
+    message.stands(stands);
+    bus_.publish<topic::LinkStop>(message);
+  }
   void send_heartbeat(const char* role) {
     topic::Heartbeat::Message message;
     message.role(role);

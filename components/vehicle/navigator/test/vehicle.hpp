@@ -80,6 +80,7 @@ class Vehicle {
 inline Navigator::Params on_link_lost(const char* what) {
   Navigator::Params params;
   params.on_link_lost = what;
+  params.link_lost_after_s = 10;
   return params;
 }
 

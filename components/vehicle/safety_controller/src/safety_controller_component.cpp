@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "safety_controller/safety_controller_component.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "runtime/component_entry.hpp"
@@ -29,7 +30,7 @@ bool same(const topic::SafetyStatus::Message& a, const topic::SafetyStatus::Mess
 SafetyControllerComponent::SafetyControllerComponent(Context& context, const Params& params)
     : Component(context), file_(context.state_path(".stop")), controller_(params) {
   sensors_.emplace(*this);
-  emergency_stop_.restore(file_.load());
+  emergency_stop_.restore(file_.load(), bus().now());
   controller_.on_emergency_stop(emergency_stop_.stands());
   if (emergency_stop_.stands()) log().warn("the emergency stop stands, as before the restart");
 }
@@ -37,7 +38,7 @@ SafetyControllerComponent::SafetyControllerComponent(Context& context, const Par
 void SafetyControllerComponent::tick(Time now) {
   take_state_at_start(now);
   take_events(now);
-  take_emergency_stop();
+  take_emergency_stop(now);
   while (const auto enable = enable_.take()) controller_.set_enabled(enable->data());
   if (const auto wanted = wanted_.take_latest()) {
     send(controller_.on_wanted({wanted->linear().x(), wanted->angular().z()}, now));
@@ -45,7 +46,7 @@ void SafetyControllerComponent::tick(Time now) {
     send(*velocity);
   }
   report(now);
-  wake_at(controller_.next_deadline(now));
+  wake_at(std::min(controller_.next_deadline(now), emergency_stop_.deadline()));
 }
 
 void SafetyControllerComponent::take_state_at_start(Time now) {
@@ -57,8 +58,8 @@ void SafetyControllerComponent::take_state_at_start(Time now) {
   sensors_.reset();
 }
 
-void SafetyControllerComponent::take_emergency_stop() {
-  if (emergency_stop_.take()) controller_.on_emergency_stop(emergency_stop_.stands());
+void SafetyControllerComponent::take_emergency_stop(Time now) {
+  if (emergency_stop_.take(now)) controller_.on_emergency_stop(emergency_stop_.stands());
   if (!file_.save(emergency_stop_.memory())) {
     log().warn("the emergency stop cannot be kept for a restart");
   }

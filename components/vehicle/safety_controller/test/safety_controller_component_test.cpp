@@ -50,6 +50,12 @@ class SafetyControllerComponentTest : public ::testing::Test {
     bus_.publish<Topic>(message);
   }
 
+  void hear_link(bool stands) {
+    topic::LinkStop::Message message;
+    message.stands(stands);
+    if (stands) message.stopped_by({"station"});
+    bus_.publish<topic::LinkStop>(message);
+  }
   using Station = SimWriter<topic::EmergencyStop>;
   static void say(Station& station, bool pressed) {
     topic::EmergencyStop::Message word;
@@ -192,8 +198,41 @@ TEST_F(SafetyControllerComponentTest, AStopOfAnotherLaunchIsNotKept) {
   const TemporaryFolder folder;
   context_.run_dir = folder.path();
   StateFile other(folder.path("safety_controller.stop"));
-  ASSERT_TRUE(other.save("1 1 1"));
+  ASSERT_TRUE(other.save("1 1 1 1 1"));
   start();
+  EXPECT_EQ(drive(0.5), 0.5);
+}
+
+TEST_F(SafetyControllerComponentTest, StandsWhileTheLinkSaysSo) {
+  drive(0.5);
+  hear_link(true);
+  EXPECT_EQ(speed_after(), 0);
+  EXPECT_EQ(drive(0.5), 0);
+  EXPECT_THAT(statuses_.take().back().stopped_by(), ElementsAre("station"));
+  hear_link(false);
+  EXPECT_EQ(drive(0.5), 0.5);
+  EXPECT_FALSE(statuses_.take().back().emergency_stop());
+}
+
+TEST_F(SafetyControllerComponentTest, StandsWhenTheRouterFallsSilent) {
+  hear_link(false);
+  EXPECT_EQ(drive(0.5), 0.5);
+  const Time silent = sut_->schedule().due();
+  EXPECT_LE(silent, bus_.now() + seconds(1));
+  EXPECT_EQ(speed_after(1), 0);
+  EXPECT_THAT(statuses_.take().back().stopped_by(), ElementsAre("link_router is silent"));
+}
+
+TEST_F(SafetyControllerComponentTest, AStopOfTheLinkStandsOverARestart) {
+  const TemporaryFolder folder;
+  context_.run_dir = folder.path();
+  start();
+  hear_link(true);
+  EXPECT_EQ(drive(0.5), 0);
+  sut_.reset();
+  start();
+  EXPECT_EQ(drive(0.5), 0);
+  hear_link(false);
   EXPECT_EQ(drive(0.5), 0.5);
 }
 

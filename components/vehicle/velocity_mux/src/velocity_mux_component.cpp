@@ -18,12 +18,12 @@ VelocityMuxComponent::VelocityMuxComponent(Context& context, const Params& param
 }
 
 void VelocityMuxComponent::tick(Time now) {
-  if (emergency_stop_.take()) mux_.on_emergency_stop(emergency_stop_.stands());
+  if (emergency_stop_.take(now)) mux_.on_emergency_stop(emergency_stop_.stands());
   take_list();
   take_commands(now);
   if (mux_.on_time(now)) send(std::make_shared<const topic::CmdVelSelected::Message>());
   report_active();
-  wake_at(mux_.next_deadline());
+  wake_at(std::min(mux_.next_deadline(), emergency_stop_.deadline()));
 }
 
 /// Ports for new inputs; those of inputs that are gone go, the others keep what waits in them.

@@ -35,6 +35,11 @@ class VelocityMuxComponentTest : public ::testing::Test {
     message.data(pressed);
     bus_.publish<topic::EmergencyStop>(message);
   }
+  void hear_link(bool stands) {
+    topic::LinkStop::Message message;
+    message.stands(stands);
+    bus_.publish<topic::LinkStop>(message);
+  }
   void set_inputs(const std::string& text) {
     topic::MuxSetInputs::Message message;
     message.data(text);
@@ -126,6 +131,28 @@ TEST_F(VelocityMuxComponentTest, StandsDuringAnEmergencyStop) {
   stop(false);
   drive<topic::CmdVelTeleop>(0.3);
   EXPECT_EQ(speeds(0.1), (Speeds{0.3}));
+}
+
+TEST_F(VelocityMuxComponentTest, StandsWhileTheLinkSaysSo) {
+  drive<topic::CmdVelNavigation>(0.3);
+  speeds(0.1);
+  hear_link(true);
+  EXPECT_EQ(speeds(0), (Speeds{0}));
+  drive<topic::CmdVelTeleop>(0.3);
+  EXPECT_EQ(speeds(0.1), (Speeds{}));
+  hear_link(false);
+  drive<topic::CmdVelTeleop>(0.3);
+  EXPECT_EQ(speeds(0.1), (Speeds{0.3}));
+}
+
+TEST_F(VelocityMuxComponentTest, StandsWhenTheRouterFallsSilent) {
+  hear_link(false);
+  bus_.run_for(seconds(0.7));
+  drive<topic::CmdVelTeleop>(0.3);
+  EXPECT_EQ(speeds(0.299), (Speeds{0.3}));
+  EXPECT_EQ(speeds(0.001), (Speeds{0}));
+  drive<topic::CmdVelTeleop>(0.3);
+  EXPECT_EQ(speeds(1), (Speeds{}));
 }
 
 TEST_F(VelocityMuxComponentTest, ChangesItsListWhileRunning) {

@@ -28,8 +28,8 @@ class Navigator {
     navigation::InflationParams inflation;
     navigation::FollowerParams follower;
     double pose_timeout_s = 0.5;
-    std::string on_link_lost = "continue";
-    double link_lost_after_s = 10;
+    std::string on_link_lost = "hold";
+    double link_lost_after_s = 30;
     double stuck_after_s = 4;
     double retry_after_s = 3;
     double replan_beside_m = 0.4;

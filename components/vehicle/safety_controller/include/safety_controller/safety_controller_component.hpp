@@ -4,12 +4,12 @@
 #include <optional>
 
 #include "emergency_stop_input/emergency_stop_input.hpp"
+#include "emergency_stop_input/stop_file.hpp"
 #include "geometry/twist.hpp"
 #include "kobuki_idl/topics.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "safety_controller/safety_controller.hpp"
-#include "safety_controller/stop_file.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -25,7 +25,7 @@ class SafetyControllerComponent final : public Component {
  private:
   void take_state_at_start(Time now);
   void take_events(Time now);
-  void take_emergency_stop();
+  void take_emergency_stop(Time now);
   void send(const geometry::Twist& velocity);
   void report(Time now);
 
