@@ -89,6 +89,9 @@ Diagnosis motor_current(const Reading& reading) {
 }
 
 Diagnosis motor_state(const KobukiDriver& driver) {
+  if (driver.emergency_stop()) {
+    return {Health::warn, "Motor State", "held by the emergency stop: velocities are ignored", {}};
+  }
   if (driver.motor_power()) return {Health::ok, "Motor State", "on", {}};
   return {Health::ok, "Motor State", "off: velocities are ignored", {}};
 }

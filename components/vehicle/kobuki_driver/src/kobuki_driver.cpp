@@ -84,6 +84,17 @@ void KobukiDriver::set_motor_power(bool on) {
   velocity_.stop();
 }
 
+void KobukiDriver::on_emergency_stop(bool stands, Time now) {
+  if (stands == emergency_stop()) return;
+  velocity_.hold(stands);
+  if (!stands) return;
+  next_command_ = now;  // to stand
+  waiting_.erase(
+      std::remove_if(waiting_.begin(), waiting_.end(),
+                     [](const Command& c) { return std::holds_alternative<SetGains>(c); }),
+      waiting_.end());
+}
+
 void KobukiDriver::resume(const OdometrySnapshot& snapshot, Time odometry_time) {
   odometry_.restore(snapshot);
   odometry_time_ = odometry_time;
@@ -91,7 +102,8 @@ void KobukiDriver::resume(const OdometrySnapshot& snapshot, Time odometry_time) 
 
 bool KobukiDriver::set_gains(const ControllerGains& gains) {
   const auto& firmware = inquiry_.firmware();
-  if (!firmware || !has_gains(*firmware) || !send_once(SetGains{gains})) return false;
+  if (emergency_stop() || !firmware || !has_gains(*firmware) || !send_once(SetGains{gains}))
+    return false;
   inquiry_.forget_gains();
   return true;
 }

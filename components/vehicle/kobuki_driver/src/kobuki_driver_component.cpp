@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -38,9 +39,13 @@ KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& par
       frame_topics_(*this, params.frame, params.driver.odometry.use_gyro_heading),
       devices_(context.devices),
       driver_(params.driver),
-      file_(context.state_path(".odometry")) {
+      file_(context.state_path(".odometry")),
+      stop_file_(context.state_path(".stop")) {
   if (params.publish_serial_bytes) serial_topics_.emplace(*this);
   if (const auto memory = file_.load()) driver_.resume(memory->odometry, memory->taken);
+  emergency_stop_.restore(stop_file_.load(), bus().now());
+  driver_.on_emergency_stop(emergency_stop_.stands(), bus().now());
+  if (driver_.emergency_stop()) log().warn("the emergency stop stands, as before the restart");
   open_at_start();
 }
 
@@ -86,14 +91,26 @@ void KobukiDriverComponent::close(const char* why) {
 void KobukiDriverComponent::tick(Time now) {
   if (!port_) retry(now);
   if (port_) read_port(now);
+  take_emergency_stop(now);
   take_commands(now);
   driver_.run(now, to_port_);
   if (port_ && write_failed_) close("cannot be written");
   report();
   if (!frame_topics_.publish_diagnostics(driver_, now)) log().warn("no diagnostics published");
   remember(now);
-  wake_at(
-      std::min(port_ ? driver_.next_deadline() : next_retry_, frame_topics_.next_diagnostics()));
+  wake_at(std::min({port_ ? driver_.next_deadline() : next_retry_, frame_topics_.next_diagnostics(),
+                    emergency_stop_.deadline()}));
+}
+
+void KobukiDriverComponent::take_emergency_stop(Time now) {
+  if (emergency_stop_.take(now)) {
+    driver_.on_emergency_stop(emergency_stop_.stands(), now);
+    log().warn("emergency stop {} {}", emergency_stop_.stands() ? "ON: the base stands;" : "off",
+               joined(emergency_stop_.stopped_by()));
+  }
+  if (!stop_file_.save(emergency_stop_.memory())) {
+    log().warn("the emergency stop cannot be kept for a restart");
+  }
 }
 
 void KobukiDriverComponent::take_commands(Time now) {

@@ -7,6 +7,7 @@
 namespace tocsin::kobuki {
 
 void VelocityHold::on_command(const geometry::Twist& velocity, Time now) {
+  if (held_) return;
   received_ = now;
   command_ = {};
   if (!std::isfinite(velocity.linear_mps) || !std::isfinite(velocity.angular_rad_s)) return;
@@ -15,8 +16,13 @@ void VelocityHold::on_command(const geometry::Twist& velocity, Time now) {
   command_ = {velocity.linear_mps / excess, velocity.angular_rad_s / excess};
 }
 
+void VelocityHold::hold(bool held) {
+  held_ = held;
+  stop();
+}
+
 geometry::Twist VelocityHold::velocity(Time now) const {
-  if (received_ == Time::min() || now - received_ > timeout_) return {};
+  if (held_ || received_ == Time::min() || now - received_ > timeout_) return {};
   return command_;
 }
 

@@ -79,6 +79,14 @@ TEST_F(Diagnostics, SaysThatTheMotorsAreOff) {
   EXPECT_EQ(of("Motor State").message, "off: velocities are ignored");
 }
 
+TEST_F(Diagnostics, SaysThatTheEmergencyStopHoldsTheBase) {
+  rig.driver.on_emergency_stop(true, rig.now);
+  EXPECT_EQ(of("Motor State").level, Health::warn);
+  EXPECT_EQ(of("Motor State").message, "held by the emergency stop: velocities are ignored");
+  rig.driver.on_emergency_stop(false, rig.now);
+  EXPECT_EQ(of("Motor State").level, Health::ok);
+}
+
 TEST_F(Diagnostics, CallsSensorsOfASilentBaseStale) {
   rig.run(0.5);
   rig.silent = true;

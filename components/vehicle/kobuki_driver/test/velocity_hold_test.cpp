@@ -58,5 +58,21 @@ TEST(VelocityHold, StopsAtOnceWhenTold) {
   EXPECT_EQ(sut.velocity(t0).linear_mps, 0);
 }
 
+TEST(VelocityHold, StandsWhileHeldWhateverIsCommandedAndThenWaitsForACommand) {
+  VelocityHold sut{VelocityParams{}};
+  sut.on_command({0.3, 0}, t0);
+  sut.hold(true);
+  EXPECT_TRUE(sut.is_held());
+  EXPECT_EQ(sut.velocity(t0).linear_mps, 0);
+  sut.on_command({0.5, 1}, t0);
+  EXPECT_EQ(sut.velocity(t0).linear_mps, 0);
+  EXPECT_EQ(sut.velocity(t0).angular_rad_s, 0);
+  sut.hold(false);
+  EXPECT_FALSE(sut.is_held());
+  EXPECT_EQ(sut.velocity(t0).linear_mps, 0);
+  sut.on_command({0.2, 0}, t0);
+  EXPECT_EQ(sut.velocity(t0).linear_mps, 0.2);
+}
+
 }  // namespace
 }  // namespace tocsin::kobuki

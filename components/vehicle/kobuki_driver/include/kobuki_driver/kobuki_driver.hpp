@@ -46,8 +46,11 @@ enum class BaseState {
 /// Nothing is sent before the first good frame, so that a wrong device gets no bytes. From then on
 /// a velocity follows each frame (every 20 ms, as kobuki_core does it), 30 ms after the last one
 /// when no frame comes, and every 20 ms while the base is silent (then zero).
-/// Going silent forgets the velocity: driving resumes only by a new command. Pure, one thread;
-/// `now` must not decrease.
+/// Going silent forgets the velocity: driving resumes only by a new command.
+///
+/// It is the last component before the wheels and holds the emergency stop itself: while one stands
+/// each velocity that it sends is zero, and nothing is sent that changes how the wheels are
+/// controlled. Driving resumes only by a new command. Pure, one thread; `now` must not decrease.
 class KobukiDriver {
  public:
   struct Params {
@@ -79,13 +82,17 @@ class KobukiDriver {
   /// Off keeps the base standing whatever is commanded; on waits for the next velocity.
   void set_motor_power(bool on);
   [[nodiscard]] bool motor_power() const { return motor_power_; }
+  /// True: the base is commanded to stand at once, and as long as it is not called with false.
+  void on_emergency_stop(bool stands, Time now);
+  [[nodiscard]] bool emergency_stop() const { return velocity_.is_held(); }
   /// LEDs, outputs and supplies; sent now and again after every reconnection.
   void set_outputs(const OutputRegister& outputs);
   [[nodiscard]] const OutputRegister& outputs() const { return outputs_; }
   /// A sound for the next period. Dropped and false when too many wait.
   [[nodiscard]] bool send_once(const Command& command);
   /// Gains of the wheel controllers, asked for again afterwards. Dropped and false unless the
-  /// firmware is known to have them (1.2).
+  /// firmware is known to have them (1.2), and while the emergency stop stands: a controller with
+  /// other gains may move a wheel that stands.
   [[nodiscard]] bool set_gains(const ControllerGains& gains);
   void reset_odometry() { odometry_.reset(); }
   /// Goes on from the odometry of an earlier driver.

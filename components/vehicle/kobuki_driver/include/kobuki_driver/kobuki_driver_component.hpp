@@ -8,6 +8,8 @@
 #include <string>
 
 #include "devices/devices.hpp"
+#include "emergency_stop_input/emergency_stop_input.hpp"
+#include "emergency_stop_input/stop_file.hpp"
 #include "kobuki_driver/base_topics.hpp"
 #include "kobuki_driver/command_topics.hpp"
 #include "kobuki_driver/frame_topics.hpp"
@@ -21,6 +23,7 @@
 namespace tocsin {
 
 /// A Kobuki base as topics: velocity and commands in; odometry, sensors, events and health out.
+/// Holds the emergency stop itself: while one stands the base stands, whoever publishes velocities.
 class KobukiDriverComponent final : public Component {
  public:
   struct Params {
@@ -54,6 +57,7 @@ class KobukiDriverComponent final : public Component {
   void adopt(std::unique_ptr<SerialDevice> port);
   void retry(Time now);
   void close(const char* why);
+  void take_emergency_stop(Time now);
   void take_commands(Time now);
   void read_port(Time now);
   void send(kobuki::ByteView bytes);
@@ -66,6 +70,7 @@ class KobukiDriverComponent final : public Component {
   void remember(Time now);
 
   Input<topic::CmdVel> cmd_vel_{*this, WakeMode::time_triggered};
+  EmergencyStopInput emergency_stop_{*this};
   CommandTopics commands_{*this};
   BaseTopics base_topics_{*this};
 
@@ -76,6 +81,7 @@ class KobukiDriverComponent final : public Component {
   kobuki::KobukiDriver driver_;
   const kobuki::KobukiDriver::ByteSink to_port_ = [this](kobuki::ByteView bytes) { send(bytes); };
   kobuki::OdometryFile file_;
+  StopFile stop_file_;
   std::unique_ptr<SerialDevice> port_;
   std::array<std::uint8_t, 1024> received_{};
   bool write_failed_ = false;

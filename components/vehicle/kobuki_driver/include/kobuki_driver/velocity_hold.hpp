@@ -20,7 +20,8 @@ struct VelocityParams {
   }
 };
 
-/// The velocity that the base shall have: the last command, until it is stale.
+/// The velocity that the base shall have: the last command, until it is stale. Zero while held, as
+/// by the emergency stop, whatever is commanded.
 /// Pure; `now` must not decrease.
 class VelocityHold {
  public:
@@ -31,6 +32,9 @@ class VelocityHold {
   void on_command(const geometry::Twist& velocity, Time now);
   /// Forgets the command: stop until the next one.
   void stop() { command_ = {}; }
+  /// True: stop, and take no command until called with false; then stop until the next one.
+  void hold(bool held);
+  [[nodiscard]] bool is_held() const { return held_; }
   [[nodiscard]] geometry::Twist velocity(Time now) const;
 
  private:
@@ -38,6 +42,7 @@ class VelocityHold {
   Duration timeout_;
   geometry::Twist command_;
   Time received_ = Time::min();
+  bool held_ = false;
 };
 
 }  // namespace tocsin::kobuki
