@@ -2,15 +2,16 @@
 #include "emergency_stop/emergency_stop_component.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
 namespace {
 
-bool is_by_station(const topic::SafetyStatus::Message& status) {
-  const auto& names = status.stopped_by();
+bool is_by_station(const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), topic::EmergencyStop::station_name) != names.end();
 }
 
@@ -26,7 +27,7 @@ EmergencyStopComponent::EmergencyStopComponent(Context& context, const Params& p
 
 void EmergencyStopComponent::tick(Time now) {
   take_requests(now);
-  take_status();
+  take_vehicle(now);
   if (const auto word = keeper_.word(now)) say(*word, now);
   keep();
   tell(now);
@@ -42,15 +43,27 @@ void EmergencyStopComponent::take_requests(Time now) {
   }
 }
 
-void EmergencyStopComponent::take_status() {
-  while (const auto status = vehicle_.take()) {
-    keeper_.on_vehicle(status->emergency_stop(), is_by_station(*status));
-    const char* vehicle = status->emergency_stop() ? "stands" : "may_drive";
-    if (known_.vehicle() == vehicle && known_.stopped_by() == status->stopped_by()) continue;
-    known_.vehicle(vehicle);
-    known_.stopped_by(status->stopped_by());
-    told_ = false;
+void EmergencyStopComponent::take_vehicle(Time now) {
+  bool any = false;
+  while (const auto status = status_.take()) {
+    vehicle_.on_safety_status({status->emergency_stop(), status->stopped_by()}, now);
+    any = true;
   }
+  while (const auto link = link_.take()) {
+    vehicle_.on_link({link->stands(), link->stopped_by()}, link->silence_s(), now);
+    any = true;
+  }
+  const auto report = any ? vehicle_.report() : std::nullopt;
+  if (report) see(*report);
+}
+
+void EmergencyStopComponent::see(const VehicleStop::Report& vehicle) {
+  keeper_.on_vehicle(vehicle.stands, is_by_station(vehicle.stopped_by));
+  const char* state = vehicle.stands ? "stands" : "may_drive";
+  if (known_.vehicle() == state && known_.stopped_by() == vehicle.stopped_by) return;
+  known_.vehicle(state);
+  known_.stopped_by(vehicle.stopped_by);
+  told_ = false;
 }
 
 void EmergencyStopComponent::say(bool pressed, Time now) {

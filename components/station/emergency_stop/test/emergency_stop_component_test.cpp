@@ -34,6 +34,14 @@ class EmergencyStopComponentTest : public ::testing::Test {
     bus_.publish<topic::SafetyStatus>(message);
     sut_->tick(bus_.now());
   }
+  void hear_link(const std::vector<std::string>& stopped_by, double silence_s = 0.05) {
+    topic::LinkStop::Message message;
+    message.stands(!stopped_by.empty());
+    message.stopped_by(stopped_by);
+    message.silence_s(silence_s);
+    bus_.publish<topic::LinkStop>(message);
+    sut_->tick(bus_.now());
+  }
   /// The words of the next `s` seconds.
   std::vector<bool> sent(double s = 0) {
     for (double passed = 0; passed < s; passed += 0.1) {
@@ -98,6 +106,36 @@ TEST_F(EmergencyStopComponentTest, TellsWhatTheVehicleMakesOfItOnceForEachChange
   EXPECT_TRUE(states_.take().empty());
   hear({});
   EXPECT_EQ(state().vehicle(), "may_drive");
+}
+
+TEST_F(EmergencyStopComponentTest, TellsWhatTheLinkReportsOfTheVehicle) {
+  hear_link({"station"}, 3);
+  EXPECT_EQ(state().vehicle(), "unheard") << "the value is not fresh";
+  hear_link({"station"});
+  const auto told = state();
+  EXPECT_EQ(told.vehicle(), "stands");
+  EXPECT_THAT(told.stopped_by(), ElementsAre("station"));
+  hear_link({"station"});
+  EXPECT_TRUE(states_.take().empty());
+  hear_link({});
+  EXPECT_EQ(state().vehicle(), "may_drive");
+}
+
+TEST_F(EmergencyStopComponentTest, ALinkThatSaysOtherwiseForASecondOverrulesAnOldStatus) {
+  hear({"station"});
+  bus_.run_for(seconds(1));
+  hear_link({});
+  EXPECT_EQ(state().vehicle(), "may_drive");
+}
+
+TEST_F(EmergencyStopComponentTest, TheLinkConfirmsARelease) {
+  ask(true);
+  hear_link({"station"});
+  ask(false);
+  EXPECT_EQ(sent(0.4).back(), false);
+  hear_link({});
+  (void)sent();
+  EXPECT_EQ(sent(1), (Sent{}));
 }
 
 TEST_F(EmergencyStopComponentTest, StaysPressedOverARestart) {

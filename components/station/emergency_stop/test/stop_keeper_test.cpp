@@ -70,6 +70,16 @@ TEST_F(StopKeeperTest, DoesNotReleaseAStopThatComesAfterTheConfirmation) {
   EXPECT_FALSE(say(t0 + seconds(1)));
 }
 
+TEST_F(StopKeeperTest, AReportOfBeforeTheReleaseIsNoConfirmation) {
+  sut_.on_request(true, t0);
+  (void)say(t0);
+  sut_.on_request(false, t0 + tick);
+  vehicle_may_drive();  // it has not received the stop yet
+  EXPECT_EQ(say(t0 + tick), false);
+  vehicle_may_drive();
+  EXPECT_FALSE(say(t0 + seconds(0.5)));
+}
+
 TEST_F(StopKeeperTest, AReleaseThatNobodyConfirmsLapses) {
   sut_.on_request(false, t0);
   EXPECT_EQ(say(t0 + seconds(2) - tick), false);

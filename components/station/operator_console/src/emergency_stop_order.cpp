@@ -1,19 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "operator_console/emergency_stop_order.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "foundation/joined.hpp"
+#include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
+namespace {
+
+bool has_station(const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), topic::EmergencyStop::station_name) != names.end();
+}
+
+}  // namespace
+
 void EmergencyStopOrder::on_vehicle(bool stands, std::vector<std::string> stopped_by) {
+  if (!stands_) stood_by_station_ = has_station(stopped_by);
   stands_ = stands;
   stopped_by_ = std::move(stopped_by);
 }
 
-std::optional<bool> EmergencyStopOrder::request() const {
+std::optional<bool> EmergencyStopOrder::wanted() const {
   if (wish_ == Wish::status) return std::nullopt;
   return wish_ == Wish::on;
+}
+
+std::optional<bool> EmergencyStopOrder::request() const {
+  const bool is_press_at_vehicle = place_ == Place::vehicle && wish_ == Wish::on;
+  return is_press_at_vehicle ? std::nullopt : wanted();
 }
 
 bool EmergencyStopOrder::is_taken() const {
@@ -21,34 +37,49 @@ bool EmergencyStopOrder::is_taken() const {
 }
 
 std::optional<bool> EmergencyStopOrder::direct(Time now) const {
-  return is_taken() || now < direct_at_ ? std::nullopt : request();
+  if (place_ == Place::vehicle) return wanted();
+  return is_taken() || now < direct_at_ ? std::nullopt : wanted();
+}
+
+/// A stop that stood before under the same name may be another's, so that ours takes its time.
+bool EmergencyStopOrder::is_pressed_here(Time now) const {
+  return has_station(stopped_by_) && (!stood_by_station_ || now >= direct_at_);
+}
+
+bool EmergencyStopOrder::is_done(Time now) const {
+  if (stands_ != wanted()) return false;
+  if (place_ == Place::vehicle) return wish_ == Wish::off || is_pressed_here(now);
+  return is_taken() || now >= direct_at_;
 }
 
 std::optional<OrderResult> EmergencyStopOrder::result(Time now) const {
-  const bool station_heard_or_late = asked_ || now >= direct_at_;
+  const bool station_heard_or_late = asked_ || now >= direct_at_ || place_ == Place::vehicle;
   if (wish_ == Wish::status) {
     if ((stands_ && station_heard_or_late) || now >= deadline_) return status();
     return std::nullopt;
   }
-  const bool stands_as_wanted = stands_ == request();
-  if (stands_as_wanted && (is_taken() || now >= direct_at_)) return obeyed();
+  if (is_done(now)) return obeyed();
   if (now < deadline_) return std::nullopt;
   return failure();
 }
 
 OrderResult EmergencyStopOrder::obeyed() const {
   if (wish_ == Wish::off) return {0, "emergency stop off: the vehicle may drive"};
-  std::string text = "emergency stop ON: the vehicle stands";
-  if (!is_taken())
-    text += " (told directly; no component emergency_stop at the station says it on)";
-  return {0, text};
+  const std::string text = "emergency stop ON: the vehicle stands";
+  if (place_ == Place::vehicle) {
+    return {0, text + " (pressed on its own host; release it there or at the station)"};
+  }
+  if (is_taken()) return {0, text};
+  return {0, text + " (told directly; no component emergency_stop at the station says it on)"};
 }
 
 OrderResult EmergencyStopOrder::failure() const {
   if (!stands_) return {1, "the vehicle is not heard; it was told again and again"};
   if (wish_ == Wish::on) return {1, "the vehicle has not confirmed the emergency stop yet"};
-  return {1, "the vehicle still stands by the emergency stop of: " + joined(stopped_by_) +
-                 "; each must release it itself"};
+  const char* const how = place_ == Place::vehicle
+                              ? "; who pressed it and is still received must release it"
+                              : "; each must release it itself";
+  return {1, "the vehicle still stands by the emergency stop of: " + joined(stopped_by_) + how};
 }
 
 OrderResult EmergencyStopOrder::status() const {
@@ -59,6 +90,7 @@ OrderResult EmergencyStopOrder::status() const {
   std::string vehicle = "not heard";
   if (stands_) vehicle = *stands_ ? "stands by emergency stop" : "may drive";
   if (!stopped_by_.empty()) vehicle += " of: " + joined(stopped_by_);
+  if (place_ == Place::vehicle) return {stands_ ? 0 : 1, "vehicle " + vehicle};
   return {stands_ ? 0 : 1, std::string("emergency stop ") + asked + "; vehicle " + vehicle};
 }
 

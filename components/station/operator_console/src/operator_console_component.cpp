@@ -55,7 +55,9 @@ void OperatorConsoleComponent::tick(Time now) {
   if (std::holds_alternative<std::monostate>(order_)) {
     const Duration wait = seconds(params_.wait_s);
     if (const auto stop = wish_of<EmergencyStopOrder>(params_.order)) {
-      order_.emplace<EmergencyStopOrder>(*stop, now, wait);
+      using Place = EmergencyStopOrder::Place;
+      order_.emplace<EmergencyStopOrder>(*stop, now, wait,
+                                         is_at_vehicle() ? Place::vehicle : Place::station);
     } else if (const auto dock = wish_of<DockOrder>(params_.order)) {
       order_.emplace<DockOrder>(*dock, now, wait);
     }
@@ -65,16 +67,25 @@ void OperatorConsoleComponent::tick(Time now) {
   wake_at(now + look_again);
 }
 
-void OperatorConsoleComponent::hear(EmergencyStopOrder& order) {
+void OperatorConsoleComponent::hear(EmergencyStopOrder& order, Time now) {
   while (const auto state = station_.take()) {
     order.on_station(asked_of(state->asked()));
     if (state->vehicle() != "unheard") {
       order.on_vehicle(state->vehicle() == "stands", state->stopped_by());
     }
   }
+  bool any = false;
   while (const auto status = safety_.take()) {
-    order.on_vehicle(status->emergency_stop(), status->stopped_by());
+    vehicle_.on_safety_status({status->emergency_stop(), status->stopped_by()}, now);
+    any = true;
   }
+  while (const auto link = link_.take()) {
+    if (is_at_vehicle()) continue;  // there it reports the station, not the vehicle
+    vehicle_.on_link({link->stands(), link->stopped_by()}, link->silence_s(), now);
+    any = true;
+  }
+  const auto report = any ? vehicle_.report() : std::nullopt;
+  if (report) order.on_vehicle(report->stands, report->stopped_by);
 }
 
 template <class Topic>
@@ -85,7 +96,7 @@ void OperatorConsoleComponent::say(Output<Topic>& output, bool pressed) {
 }
 
 void OperatorConsoleComponent::give(EmergencyStopOrder& order, Time now) {
-  hear(order);
+  hear(order, now);
   if (const auto result = order.result(now)) return end(*result);
   if (const auto word = direct_ ? order.direct(now) : std::nullopt) say(*direct_, *word);
   const auto request = order.request();

@@ -29,6 +29,14 @@ class OperatorConsoleComponentTest : public ::testing::Test {
     bus_.publish<topic::EmergencyStopState>(message);
     bus_.run_for(seconds(0.01));
   }
+  void hear_link(bool stands, double silence_s = 0.05) {
+    topic::LinkStop::Message message;
+    message.stands(stands);
+    if (stands) message.stopped_by({"station"});
+    message.silence_s(silence_s);
+    bus_.publish<topic::LinkStop>(message);
+    bus_.run_for(seconds(0.01));
+  }
   void hear_docking(std::uint32_t run, const char* state, const char* result) {
     topic::DockingStatus::Message message;
     message.run(run);
@@ -87,6 +95,52 @@ TEST_F(OperatorConsoleComponentTest, BelievesTheStationWhatTheVehicleSaid) {
   order("estop_on");
   hear_station("on", "stands");
   EXPECT_EQ(code_, 0);
+}
+
+TEST_F(OperatorConsoleComponentTest, TheLinkConfirmsThatTheVehicleStands) {
+  order("estop_on");
+  hear_station("on", "may_drive");
+  hear_link(true, 7);
+  EXPECT_FALSE(code_) << "the value is not fresh";
+  hear_link(true);
+  EXPECT_EQ(code_, 0);
+  EXPECT_EQ(lines_, (std::vector<std::string>{"emergency stop ON: the vehicle stands"}));
+}
+
+TEST_F(OperatorConsoleComponentTest, AStatusThatIsOldDoesNotDenyWhatTheLinkReports) {
+  order("estop_off");
+  hear_vehicle(true);
+  hear_station("off", "stands");
+  bus_.run_for(seconds(1));
+  EXPECT_FALSE(code_);
+  hear_link(false);
+  EXPECT_EQ(code_, 0);
+}
+
+TEST_F(OperatorConsoleComponentTest, AtTheVehicleAReleaseIsSaidToItselfAndToItsRouter) {
+  context_.role = Role::uxv;
+  params_.direct = true;
+  order("estop_off");
+  hear_vehicle(true);
+  bus_.run_for(seconds(0.6));
+  const auto said = stops_.take();
+  ASSERT_FALSE(said.empty());
+  EXPECT_FALSE(said.back().data());
+  const auto asked = requests_.take();
+  ASSERT_EQ(asked.size(), 2U);
+  EXPECT_FALSE(asked.back().data());
+  hear_vehicle(false);
+  EXPECT_EQ(code_, 0);
+}
+
+TEST_F(OperatorConsoleComponentTest, AtTheVehicleTheLinkIsNotTheAnswer) {
+  context_.role = Role::uxv;
+  params_.direct = true;
+  order("estop_on");
+  hear_link(true);
+  EXPECT_FALSE(code_);
+  EXPECT_TRUE(stops_.take().back().data());
+  EXPECT_TRUE(requests_.take().empty());
 }
 
 TEST_F(OperatorConsoleComponentTest, SaysNothingToTheVehicleItselfUnlessItShall) {

@@ -108,6 +108,64 @@ TEST_F(EmergencyStopOrderTest, StatusWithoutAStationOrAVehicleSaysSo) {
   EXPECT_THAT(status_.result(late_)->text, HasSubstr("kept by nobody at the station"));
 }
 
+/// Orders that are given on the vehicle's own host.
+class StopAtVehicleTest : public EmergencyStopOrderTest {
+ protected:
+  using Place = EmergencyStopOrder::Place;
+  EmergencyStopOrder on_{StopWish::on, t0, wait, Place::vehicle};
+  EmergencyStopOrder off_{StopWish::off, t0, wait, Place::vehicle};
+  EmergencyStopOrder status_{StopWish::status, t0, wait, Place::vehicle};
+};
+
+TEST_F(StopAtVehicleTest, IsPressedAtOnceAndAsksNobody) {
+  EXPECT_EQ(on_.direct(t0), true);
+  EXPECT_FALSE(on_.request());
+  on_.on_vehicle(false, {});
+  EXPECT_FALSE(on_.result(t0));
+  on_.on_vehicle(true, {"station"});
+  EXPECT_EQ(on_.result(t0)->code, 0);
+  EXPECT_EQ(
+      on_.result(t0)->text,
+      "emergency stop ON: the vehicle stands (pressed on its own host; release it there or at "
+      "the station)");
+}
+
+TEST_F(StopAtVehicleTest, TheStopOfAnotherIsNotTheAnswer) {
+  on_.on_vehicle(true, {"button (7)"});
+  EXPECT_FALSE(on_.result(late_));
+  on_.on_vehicle(true, {"station", "button (7)"});
+  EXPECT_EQ(on_.result(t0)->code, 0);
+}
+
+TEST_F(StopAtVehicleTest, AStopOfTheStationThatStoodBeforeIsTheAnswerAfterASecondOnly) {
+  on_.on_vehicle(true, {"station"});
+  EXPECT_FALSE(on_.result(late_ - tick));
+  EXPECT_EQ(on_.result(late_)->code, 0);
+}
+
+TEST_F(StopAtVehicleTest, AReleaseIsSaidToTheVehicleAndToItsRouter) {
+  EXPECT_EQ(off_.direct(t0), false);
+  EXPECT_EQ(off_.request(), false);
+  off_.on_vehicle(true, {"station"});
+  EXPECT_FALSE(off_.result(deadline_ - tick));
+  off_.on_vehicle(false, {});
+  EXPECT_EQ(off_.result(t0)->text, "emergency stop off: the vehicle may drive");
+}
+
+TEST_F(StopAtVehicleTest, NamesWhoMustReleaseItThemselves) {
+  off_.on_vehicle(true, {"station"});
+  EXPECT_EQ(off_.result(deadline_)->code, 1);
+  EXPECT_THAT(off_.result(deadline_)->text,
+              HasSubstr("of: station; who pressed it and is still received must release it"));
+}
+
+TEST_F(StopAtVehicleTest, StatusWaitsForNoStation) {
+  EXPECT_FALSE(status_.direct(t0));
+  EXPECT_FALSE(status_.request());
+  status_.on_vehicle(true, {"station"});
+  EXPECT_EQ(status_.result(t0)->text, "vehicle stands by emergency stop of: station");
+}
+
 struct Docking : ::testing::Test {
   std::optional<std::string> hear(std::uint32_t run, const char* state,
                                   const char* result = "none") {

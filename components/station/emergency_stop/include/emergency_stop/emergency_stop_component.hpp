@@ -5,6 +5,7 @@
 
 #include "emergency_stop/request_file.hpp"
 #include "emergency_stop/stop_keeper.hpp"
+#include "emergency_stop_input/vehicle_stop.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -12,7 +13,7 @@
 namespace tocsin {
 
 /// The ground station's end of the emergency stop. A person's command lives for a second; this says
-/// it on, and tells what the vehicle makes of it.
+/// it on, and tells what the vehicle makes of it, by the rule of VehicleStop.
 class EmergencyStopComponent final : public Component {
  public:
   using Params = StopKeeper::Params;
@@ -21,17 +22,20 @@ class EmergencyStopComponent final : public Component {
 
  private:
   void take_requests(Time now);
-  void take_status();
+  void take_vehicle(Time now);
+  void see(const VehicleStop::Report& vehicle);
   void say(bool pressed, Time now);
   void keep();
   void tell(Time now);
 
   OptionalInput<topic::EmergencyStopRequest> request_{*this};
-  Input<topic::SafetyStatus> vehicle_{*this};
+  Input<topic::SafetyStatus> status_{*this};
+  OptionalInput<topic::LinkStop> link_{*this};
   Output<topic::EmergencyStop> stop_{*this, topic::EmergencyStop::station};
   Output<topic::EmergencyStopState> state_{*this};
   RequestFile file_;
   StopKeeper keeper_;
+  VehicleStop vehicle_;
   std::optional<bool> kept_;  ///< in the file
   topic::EmergencyStopState::Message known_;
   bool told_ = false;  ///< `known_`

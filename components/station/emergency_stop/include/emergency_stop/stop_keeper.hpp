@@ -39,7 +39,7 @@ class StopKeeper {
   [[nodiscard]] std::optional<bool> wanted() const { return wanted_; }
   /// What must be said now, if anything. Call `said` when it was.
   [[nodiscard]] std::optional<bool> word(Time now) const;
-  void said(Time now) { next_ = now + repeat_; }
+  void said(Time now);
   /// When to ask for the next word.
   [[nodiscard]] Time due(Time now) const;
 
@@ -49,7 +49,8 @@ class StopKeeper {
   std::optional<bool> wanted_;
   Time next_ = Time::min();
   Time release_until_ = Time::min();
-  bool confirmed_ = false;  ///< the vehicle has said since the request that it does not stand
+  bool release_said_ = false;  ///< since the request
+  bool confirmed_ = false;     ///< the vehicle has said since then that it does not stand
 };
 
 }  // namespace tocsin

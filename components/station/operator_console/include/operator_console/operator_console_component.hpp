@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "emergency_stop_input/vehicle_stop.hpp"
 #include "operator_console/dock_order.hpp"
 #include "operator_console/emergency_stop_order.hpp"
 #include "runtime/component.hpp"
@@ -38,7 +39,8 @@ class OperatorConsoleComponent final : public Component {
 
  private:
   void give(EmergencyStopOrder& order, Time now);
-  void hear(EmergencyStopOrder& order);
+  void hear(EmergencyStopOrder& order, Time now);
+  [[nodiscard]] bool is_at_vehicle() const { return context().role == Role::uxv; }
   template <class Topic>
   void say(Output<Topic>& output, bool pressed);
   void give(DockOrder& order, Time now);
@@ -47,12 +49,14 @@ class OperatorConsoleComponent final : public Component {
 
   Input<topic::EmergencyStopState> station_{*this};
   Input<topic::SafetyStatus> safety_{*this};
+  OptionalInput<topic::LinkStop> link_{*this};
   Input<topic::DockingStatus> docking_{*this};
   Output<topic::EmergencyStopRequest> request_{*this};
   std::optional<Output<topic::EmergencyStop>> direct_;
   Output<topic::DockingCommand> command_{*this};
 
   Params params_;
+  VehicleStop vehicle_;
   Printer print_;
   std::variant<std::monostate, EmergencyStopOrder, DockOrder> order_;
   Time next_send_ = Time::min();
