@@ -89,7 +89,10 @@ void BaseModel::receive(ByteView bytes, Time now) {
 }
 
 void BaseModel::obey(const Command& command, Time now) {
-  if (const auto* control = std::get_if<BaseControl>(&command)) drive_.command(*control, now);
+  if (const auto* control = std::get_if<BaseControl>(&command)) {
+    outputs_.control = *control;
+    drive_.command(*control, now);
+  }
   if (const auto* extra = std::get_if<RequestExtra>(&command)) request(*extra);
   if (const auto* outputs = std::get_if<OutputRegister>(&command)) outputs_.outputs = *outputs;
   if (const auto* tune = std::get_if<Tune>(&command)) {

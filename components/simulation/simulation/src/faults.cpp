@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <random>
 
 #include "foundation/error.hpp"
@@ -15,8 +16,11 @@
 namespace tocsin::simulation {
 namespace {
 
-constexpr std::array<const char*, 8> names{"crash",      "loss",         "delay",  "duplication",
-                                           "clock_jump", "serial_noise", "unplug", "disk_full"};
+constexpr std::array<const char*, 10> names{"crash",      "loss",          "delay",  "duplication",
+                                            "clock_jump", "serial_noise",  "unplug", "disk_full",
+                                            "stop",       "rogue_velocity"};
+/// The first of them are drawn from one sequence of numbers.
+constexpr std::size_t drawn_together = 8;
 
 /// A fault as in the file.
 struct FaultEntry {
@@ -28,8 +32,8 @@ struct FaultEntry {
   template <class Visitor>
   void visit(Visitor& v) {
     v("kind", kind,
-      {"crash", "loss", "delay", "duplication", "clock_jump", "serial_noise", "unplug",
-       "disk_full"},
+      {"crash", "loss", "delay", "duplication", "clock_jump", "serial_noise", "unplug", "disk_full",
+       "stop", "rogue_velocity"},
       "what goes wrong");
     v("at_s", at_s, {0, 1e6}, "[s] from the start of the run");
     v("for_s", for_s, {0.001, 1e6}, "[s] how long; of a crash: until it is started again");
@@ -83,7 +87,7 @@ std::vector<std::string> processes_of(const deployment::Deployment& deployment) 
 Fault draw_fault(Draw& draw, const deployment::Deployment& deployment) {
   const auto processes = processes_of(deployment);
   Fault fault;
-  fault.kind = static_cast<FaultKind>(draw.below(names.size()));
+  fault.kind = static_cast<FaultKind>(draw.below(drawn_together));
   if (draw.below(3) == 0) fault.kind = FaultKind::crash;  // what hurts most comes most often
   if (fault.kind == FaultKind::crash && processes.empty()) fault.kind = FaultKind::loss;
   fault.at_s = draw.between(2, 60);
@@ -102,12 +106,42 @@ Fault draw_fault(Draw& draw, const deployment::Deployment& deployment) {
   return fault;
 }
 
+/// Numbers for one kind of faults alone.
+Draw draw_of(FaultKind kind, std::uint64_t seed) {
+  return Draw(seed + (static_cast<std::uint64_t>(kind) << 48U));
+}
+
+std::optional<Fault> draw_stop(std::uint64_t seed) {
+  Draw draw = draw_of(FaultKind::stop, seed);
+  if (draw.below(2) == 0) return std::nullopt;
+  Fault fault;
+  fault.kind = FaultKind::stop;
+  fault.at_s = draw.between(2, 60);
+  fault.for_s = draw.between(0.2, 10);
+  return fault;
+}
+
+/// While the stop stands, and somewhat longer: nobody promises to hold back others without one.
+std::optional<Fault> draw_rogue_velocity(std::uint64_t seed, const Fault& stop) {
+  Draw draw = draw_of(FaultKind::rogue_velocity, seed);
+  if (draw.below(2) == 0) return std::nullopt;
+  Fault fault;
+  fault.kind = FaultKind::rogue_velocity;
+  fault.at_s = stop.at_s + draw.between(0, stop.for_s);
+  fault.for_s = draw.between(0.2, 5);
+  return fault;
+}
+
 }  // namespace
 
 FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment) {
   Draw draw(seed);
   FaultPlan plan(1 + draw.below(6));
   for (Fault& fault : plan) fault = draw_fault(draw, deployment);
+  if (const auto stop = draw_stop(seed)) {
+    plan.push_back(*stop);
+    if (const auto rogue = draw_rogue_velocity(seed, *stop)) plan.push_back(*rogue);
+  }
   std::sort(plan.begin(), plan.end(), earlier);
   return plan;
 }

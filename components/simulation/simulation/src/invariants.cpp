@@ -45,6 +45,7 @@ void Invariants::await(const TopicEnd& end, std::uint64_t sequence, Time since) 
 void Invariants::on_written(const Written& written) {
   const TopicEnd& end = written.from;
   check_message(written);
+  see_stop(written);
   if (!end.traffic_class) return;
   if (!is_closed(end)) return await(end, written.sequence, written.time);
   if (!end.drops) kept_[&end] = {written.sequence, written.time};
@@ -65,6 +66,18 @@ void Invariants::check_message(const Written& written) {
     const auto& state = *static_cast<const topic::TransmissionState::Message*>(written.message);
     expect(is_percent(state.qni()), written.time, "QNI out of its range",
            std::to_string(state.qni()));
+  }
+}
+
+void Invariants::see_stop(const Written& written) {
+  const TopicEnd& end = written.from;
+  if (end.role != Role::uxv) return;
+  if (is(end, topic::LinkStop::info)) {
+    const auto& link = *static_cast<const topic::LinkStop::Message*>(written.message);
+    stop_.on_link(link.stands(), written.time);
+  } else if (is(end, topic::EmergencyStop::info)) {
+    const auto& stop = *static_cast<const topic::EmergencyStop::Message*>(written.message);
+    stop_.on_writer(end, stop.data(), written.time);
   }
 }
 
@@ -100,6 +113,18 @@ void Invariants::on_position(const BasePosition& base) {
          "the base moves without commands", base.host);
   expect(stands || since(wanted_) <= limits_.vehicle_stops_s, base.time,
          "the vehicle moves though nobody wants it", base.host);
+  vehicle_ = base.host;
+  check_stop(base, stands);
+}
+
+void Invariants::check_stop(const BasePosition& base, bool stands) {
+  const auto since = stop_.since(base.time);
+  if (!since) return;
+  const Time commanded = *since + seconds(limits_.stop_commanded_s);
+  expect(base.commanded_to_stand || base.commanded <= commanded, base.time,
+         "commanded to move though an emergency stop stands", base.host);
+  expect(stands || base.time <= commanded + seconds(limits_.base_stops_s), base.time,
+         "the base moves though an emergency stop stands", base.host);
 }
 
 void Invariants::forget(Marks& marks, const std::function<bool(const TopicEnd&)>& which) {
@@ -128,7 +153,12 @@ void Invariants::on_gate(const GateChange& change) {
 }
 
 void Invariants::on_process(const ProcessChange& change) {
-  if (change.event == ProcessEvent::started) return;
+  if (change.event == ProcessEvent::started) {
+    const std::string host = change.process.substr(0, change.process.find('/'));
+    if (host == vehicle_) stop_.on_process_started(change.time);
+    return;
+  }
+  stop_.on_process_ended(change.process);
   const auto dead = [&](const TopicEnd& end) { return process_of(end) == change.process; };
   forget(kept_, dead);
   forget(awaited_, dead);

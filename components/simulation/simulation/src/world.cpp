@@ -175,7 +175,8 @@ void World::feed_position(const std::string& host, const SimBase& base) {
   if (core.observer != nullptr) {
     const geometry::Twist& velocity = base.model().velocity();
     core.observer->on_position({host, core.now, pose.x_m, pose.y_m, pose.heading_rad,
-                                velocity.linear_mps, velocity.angular_rad_s, base.commanded()});
+                                velocity.linear_mps, velocity.angular_rad_s, base.commanded(),
+                                base.model().outputs().control.speed_mm_s == 0});
   }
   core.events.at(core.now + position_period, [this, &host, &base] { feed_position(host, base); });
 }

@@ -12,6 +12,7 @@
 #include "sim_devices.hpp"
 #include "sim_host.hpp"
 #include "simulation/sim_world.hpp"
+#include "strangers.hpp"
 
 namespace tocsin::simulation {
 
@@ -73,12 +74,17 @@ class World {
   void plan_air(const Fault& fault);
   void plan_serial(const Fault& fault);
   void plan_disk(const Fault& fault);
+  void plan_stop(const Fault& fault);
+  void plan_rogue(const Fault& fault);
+  void ask_again();
   void fill_disk(bool full);
   void kill(Process& process);
   void revive(Process& process);
   void at(double time_s, std::function<void()> action);
   [[nodiscard]] Process* find_process(const std::string& path);
   [[nodiscard]] Side* find_side(const std::string& host);
+  /// The first of this role; throws ConfigError when there is none.
+  [[nodiscard]] Side& side_of(Role role);
 
   deployment::Deployment deployment_;
   WorldOptions options_;
@@ -87,6 +93,8 @@ class World {
   Scheduler scheduler_;
   std::list<Side> sides_;
   std::list<Process> processes_;
+  std::unique_ptr<Person> person_;  ///< at the station, from the first stop on
+  std::list<Rogue> rogues_;
   std::optional<FullDisk> full_disk_;
   std::optional<int> exit_code_;
   Time off_air_ = Time::min();  ///< when next() last saw something to do besides the radio

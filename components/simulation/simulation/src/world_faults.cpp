@@ -11,6 +11,8 @@ namespace {
 
 constexpr double retry_s = 1;
 constexpr double look_for_files_s = 0.1;
+constexpr double ask_again_s = 0.5;  // as `tocsin estop`
+constexpr double rogue_period_s = 0.05;
 
 }  // namespace
 
@@ -31,6 +33,10 @@ void World::plan(const Fault& fault) {
       return plan_serial(fault);
     case FaultKind::disk_full:
       return plan_disk(fault);
+    case FaultKind::stop:
+      return plan_stop(fault);
+    case FaultKind::rogue_velocity:
+      return plan_rogue(fault);
     case FaultKind::clock_jump:
       break;
   }
@@ -78,6 +84,34 @@ void World::plan_disk(const Fault& fault) {
   at(fault.at_s + fault.for_s, [this] { fill_disk(false); });
 }
 
+void World::plan_stop(const Fault& fault) {
+  SimHost& station = *side_of(Role::gcs).host;
+  at(fault.at_s, [this, &station] {
+    if (!person_) {
+      person_ = std::make_unique<Person>(station.add_process("person"));
+      at(ask_again_s, [this] { ask_again(); });
+    }
+    person_->press();
+  });
+  at(fault.at_s + fault.for_s, [this] { person_->release(); });
+}
+
+void World::ask_again() {
+  person_->ask();
+  at(ask_again_s, [this] { ask_again(); });
+}
+
+void World::plan_rogue(const Fault& fault) {
+  SimHost& vehicle = *side_of(Role::uxv).host;
+  Rogue& rogue = rogues_.emplace_back();
+  const std::string name = "rogue_" + std::to_string(rogues_.size());
+  at(fault.at_s, [&rogue, &vehicle, name] { rogue.begin(vehicle.add_process(name)); });
+  for (double passed_s = 0; passed_s < fault.for_s; passed_s += rogue_period_s) {
+    at(fault.at_s + passed_s, [&rogue] { rogue.drive(); });
+  }
+  at(fault.at_s + fault.for_s, [&rogue] { rogue.end(); });
+}
+
 void World::fill_disk(bool full) {
   full_disk_.reset();
   if (full) full_disk_.emplace(deployment_.run_dir);
@@ -115,6 +149,13 @@ World::Process* World::find_process(const std::string& path) {
   const auto found = std::find_if(processes_.begin(), processes_.end(),
                                   [&](const Process& one) { return one.path == path; });
   return found == processes_.end() ? nullptr : &*found;
+}
+
+Side& World::side_of(Role role) {
+  for (Side& side : sides_) {
+    if (side.host->role() == role) return side;
+  }
+  throw ConfigError(std::string("faults.kind: there is no host of role ") + to_string(role));
 }
 
 Side* World::find_side(const std::string& host) {

@@ -50,13 +50,19 @@ TEST(RandomFaults, AreTheSameForTheSameSeedOnly) {
   EXPECT_NE(to_yaml(random_faults(7, deployment)), to_yaml(random_faults(8, deployment)));
 }
 
+bool is_drawn_apart(const Fault& fault) {
+  return fault.kind == FaultKind::stop || fault.kind == FaultKind::rogue_velocity;
+}
+
 TEST(RandomFaults, AreOneToSixInOrderAndOverInTime) {
   const auto deployment = two_hosts();
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const FaultPlan plan = random_faults(seed, deployment);
-    EXPECT_GE(plan.size(), 1U);
-    EXPECT_LE(plan.size(), 6U);
-    EXPECT_LE(end_of(plan), 70);
+    const auto apart = std::count_if(plan.begin(), plan.end(), is_drawn_apart);
+    const auto together = static_cast<std::ptrdiff_t>(plan.size()) - apart;
+    EXPECT_GE(together, 1);
+    EXPECT_LE(together, 6);
+    EXPECT_LE(end_of(plan), 75);
     for (std::size_t i = 1; i < plan.size(); ++i) EXPECT_LE(plan[i - 1].at_s, plan[i].at_s);
     for (const Fault& fault : plan) {
       EXPECT_GE(fault.at_s, 2);
@@ -64,6 +70,38 @@ TEST(RandomFaults, AreOneToSixInOrderAndOverInTime) {
       EXPECT_EQ(fault.target.find("view"), std::string::npos);
     }
   }
+}
+
+// So that a seed of an older version replays.
+TEST(RandomFaults, OfTheFirstEightKindsAreWhatTheyWereBeforeOthersWereAdded) {
+  FaultPlan plan = random_faults(8, two_hosts());
+  plan.erase(std::remove_if(plan.begin(), plan.end(), is_drawn_apart), plan.end());
+  EXPECT_EQ(to_yaml(plan),
+            "faults:\n"
+            "  - {kind: crash, at_s: 4.056, for_s: 0.895, target: \"gcs/link\", amount: 0}\n"
+            "  - {kind: crash, at_s: 24.861, for_s: 3.429, target: \"uxv/link\", amount: 0}\n"
+            "  - {kind: crash, at_s: 52.551, for_s: 1.683, target: \"gcs/link\", amount: 0}\n");
+}
+
+TEST(RandomFaults, PressAStopInEverySecondRunAndHaveARogueDuringHalfOfThem) {
+  int stops = 0;
+  int rogues = 0;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    const FaultPlan plan = random_faults(seed, two_hosts());
+    const auto find = [&](FaultKind kind) {
+      return std::find_if(plan.begin(), plan.end(), [&](const Fault& f) { return f.kind == kind; });
+    };
+    const auto stop = find(FaultKind::stop);
+    const auto rogue = find(FaultKind::rogue_velocity);
+    if (stop == plan.end()) continue;
+    ++stops;
+    if (rogue == plan.end()) continue;
+    ++rogues;
+    EXPECT_GE(rogue->at_s, stop->at_s);
+    EXPECT_LE(rogue->at_s, stop->at_s + stop->for_s);
+  }
+  EXPECT_NEAR(stops, 500, 50);
+  EXPECT_NEAR(rogues, 250, 50);
 }
 
 bool crashes(const FaultPlan& plan, const std::string& process) {

@@ -53,6 +53,19 @@ class InvariantsTest : public ::testing::Test {
     message.linear().x(0.2);
     sut_.on_written({end, at, 1, 0, &message});
   }
+  void report_stop(bool stands, Time at) {
+    TopicEnd end;
+    end.topic = topic::LinkStop::info.name;
+    topic::LinkStop::Message message;
+    message.stands(stands);
+    sut_.on_written({end, at, 1, 0, &message});
+  }
+  /// Moves, or was told to, so long after t0.
+  void be_at(double after_s, double speed_mps, bool commanded_to_stand) {
+    const Time now = t0 + seconds(after_s);
+    want_velocity(now);
+    sut_.on_position({uxv, now, 0, 0, 0, speed_mps, 0, now, commanded_to_stand});
+  }
   [[nodiscard]] std::size_t broken() const { return sut_.violations().size(); }
 
   Invariants sut_;
@@ -183,6 +196,55 @@ TEST_F(InvariantsTest, TheVehicleStopsWhenNobodyWantsItToMove) {
   move(0.3, 0.02);
   EXPECT_EQ(broken(), 0U);
   sut_.on_position({uxv, t0 + seconds(0.01), 0, 0, 0, 0.3, 0, t0});
+  EXPECT_EQ(broken(), 1U);
+}
+
+TEST_F(InvariantsTest, TheBaseIsCommandedToStandHalfASecondAfterAStop) {
+  report_stop(true, t0);
+  be_at(0.5, 0.3, false);
+  EXPECT_EQ(broken(), 0U);
+  report_stop(true, t0 + seconds(0.5));
+  be_at(0.51, 0.3, false);
+  EXPECT_EQ(broken(), 1U);
+}
+
+TEST_F(InvariantsTest, TheBaseRestsSoonAfterAStop) {
+  report_stop(true, t0);
+  be_at(1.7, 0.3, true);
+  EXPECT_EQ(broken(), 0U);
+  be_at(1.71, 0.3, true);
+  EXPECT_EQ(broken(), 1U);
+}
+
+TEST_F(InvariantsTest, ALocalWriterStopsTheBaseUntilItReleases) {
+  TopicEnd button;
+  button.topic = topic::EmergencyStop::info.name;
+  topic::EmergencyStop::Message message;
+  message.data(true);
+  sut_.on_written({button, t0, 1, 0, &message});
+  be_at(0.6, 0.3, false);
+  EXPECT_EQ(broken(), 1U);
+  message.data(false);
+  sut_.on_written({button, t0, 2, 0, &message});
+  be_at(0.7, 0.3, false);
+  EXPECT_EQ(broken(), 1U);
+}
+
+TEST_F(InvariantsTest, ARouterThatFallsSilentIsAStop) {
+  report_stop(false, t0);
+  be_at(1.5, 0.3, false);
+  EXPECT_EQ(broken(), 0U);
+  be_at(1.51, 0.3, false);
+  EXPECT_EQ(broken(), 1U);
+}
+
+TEST_F(InvariantsTest, ADriverThatIsStartedAgainHasItsTimeToStand) {
+  be_at(0, 0, true);
+  report_stop(true, t0);
+  sut_.on_process({"uxv/drive", ProcessEvent::started, t0 + seconds(3), 0});
+  be_at(3.5, 0.3, false);
+  EXPECT_EQ(broken(), 0U);
+  be_at(3.51, 0.3, false);
   EXPECT_EQ(broken(), 1U);
 }
 

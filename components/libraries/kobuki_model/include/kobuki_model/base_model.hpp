@@ -35,6 +35,7 @@ struct BaseInputs {
 
 /// What the computer has set or asked for.
 struct BaseOutputs {
+  BaseControl control;  ///< the last velocity
   OutputRegister outputs;
   std::optional<Tune> last_tune;
   std::optional<Tone> last_tone;

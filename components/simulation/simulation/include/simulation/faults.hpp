@@ -19,6 +19,9 @@ enum class FaultKind : std::uint8_t {
   serial_noise,  ///< a share `amount` of the bytes from the base is flipped, lost or invented
   unplug,        ///< the base's serial port is gone
   disk_full,     ///< files of the run folder that grow take nothing
+  stop,  ///< a person at the station presses the emergency stop, and releases it after `for_s`
+  rogue_velocity,  ///< somebody on the vehicle's host publishes cmd_vel besides the driver's own
+                   ///< chain
 };
 
 /// One fault, at a time after the start of the run.
@@ -35,6 +38,10 @@ using FaultPlan = std::vector<Fault>;
 
 /// One to six faults between 2 s and 60 s, each over after at most 10 s; the same for the same seed
 /// and processes. Processes that own the terminal do not crash.
+///
+/// Besides them, in every second run, a stop, and in the half of these somebody who publishes
+/// velocities meanwhile. These are drawn from numbers of their own: a kind that is added does not
+/// change what a seed draws of the others.
 [[nodiscard]] FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment);
 
 /// Reads `faults: [{kind: crash, at_s: 12, for_s: 1, target: uxv/drive}, ...]`. Throws ConfigError

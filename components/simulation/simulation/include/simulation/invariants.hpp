@@ -11,6 +11,7 @@
 #include "sample_log/sequence_set.hpp"
 #include "simulation/observer.hpp"
 #include "simulation/sim_world.hpp"
+#include "simulation/standing_stop.hpp"
 
 namespace tocsin::simulation {
 
@@ -27,6 +28,8 @@ struct InvariantLimits {
   double base_stops_s = 1.2;
   /// [s] and this long after the last velocity that anybody wanted: the driver's hold besides.
   double vehicle_stops_s = 2.0;
+  /// [s] an emergency stop has stood for so long: no velocity but zero is commanded any more.
+  double stop_commanded_s = 0.5;
   /// [s] after it was written a sample of class critical or high has been put on the radio: strict
   /// priority, on a radio whose queue holds 0.3 s at its slowest.
   double leaves_s = 0.5;
@@ -37,11 +40,12 @@ struct InvariantLimits {
 /// Checks what the stack promises while a world runs:
 /// a router puts samples of classes critical and high on the air soon, unless its gate is closed
 /// for them, and sends nothing that its gate is closed for; what the gate kept it sends soon after
-/// it opens, within its lifespan; the base stops whatever dies; nothing comes later than its
-/// lifespan; the samples of a writer come in order and once; of a stored topic each sample that a
-/// router has taken is given to the other host once, live or filled in and then in the order of its
-/// writer, or it is still in the log when the world ends; network quality is in its range; no
-/// component throws; the mission is over in time.
+/// it opens, within its lifespan; the base stops whatever dies; while an emergency stop stands on
+/// the vehicle's host the base is commanded to stand and stands, whoever publishes velocities;
+/// nothing comes later than its lifespan; the samples of a writer come in order and once; of a
+/// stored topic each sample that a router has taken is given to the other host once, live or filled
+/// in and then in the order of its writer, or it is still in the log when the world ends; network
+/// quality is in its range; no component throws; the mission is over in time.
 class Invariants : public Observer {
  public:
   explicit Invariants(const InvariantLimits& limits = {}) : limits_(limits) {}
@@ -69,6 +73,8 @@ class Invariants : public Observer {
  private:
   void expect(bool kept, Time now, const char* promise, const std::string& detail);
   void check_message(const Written& written);
+  void see_stop(const Written& written);
+  void check_stop(const BasePosition& base, bool stands);
   InvariantLimits limits_;
   double x_m_ = 0;
   double y_m_ = 0;
@@ -99,6 +105,8 @@ class Invariants : public Observer {
   [[nodiscard]] StoredEnd& stored(const TopicEnd& end);
   std::map<const TopicEnd*, StoredEnd> stored_;
   Time wanted_ = Time::min();  ///< when a velocity was last wanted
+  StandingStop stop_;
+  std::string vehicle_;  ///< the host of the base
 };
 
 }  // namespace tocsin::simulation

@@ -103,7 +103,8 @@ struct BasePosition {
   double heading_rad;
   double speed_mps;
   double turn_rate_radps;
-  Time commanded;  ///< when bytes last came from the computer; Time::min() never
+  Time commanded;                  ///< when bytes last came from the computer; Time::min() never
+  bool commanded_to_stand = true;  ///< by the last velocity from the computer; there was none: true
 };
 
 enum class ProcessEvent : std::uint8_t { started, killed, exited };
