@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "emergency_stop_input/vehicle_stop.hpp"
+#include "emergency_stop_input/vehicle_stop_view.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace tocsin {
 
-void VehicleStop::on_link(Report report, double silence_s, Time now) {
+void VehicleStopView::on_link(Report report, double silence_s, Time now) {
   if (silence_s < to_seconds(counts_for)) link_ = {std::move(report), now};
 }
 
-std::optional<VehicleStop::Report> VehicleStop::report() const {
+std::optional<VehicleStopView::Report> VehicleStopView::report() const {
   if (!status_ && !link_) return std::nullopt;
   if (!status_ || !link_) return status_ ? status_->report : link_->report;
   const bool link_is_last = link_->time >= status_->time;

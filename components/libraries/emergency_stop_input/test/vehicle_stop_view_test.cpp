@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "emergency_stop_input/vehicle_stop.hpp"
+#include "emergency_stop_input/vehicle_stop_view.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,28 +14,28 @@ using ::testing::IsEmpty;
 
 const Time t0 = Time{} + seconds(100);
 constexpr Duration tick{1};
-const VehicleStop::Report drives{false, {}};
-const VehicleStop::Report stands{true, {"station"}};
+const VehicleStopView::Report drives{false, {}};
+const VehicleStopView::Report stands{true, {"station"}};
 
-class VehicleStopTest : public ::testing::Test {
+class VehicleStopViewTest : public ::testing::Test {
  protected:
-  void hear_link(const VehicleStop::Report& report, Time at) { sut_.on_link(report, 0.05, at); }
+  void hear_link(const VehicleStopView::Report& report, Time at) { sut_.on_link(report, 0.05, at); }
   [[nodiscard]] bool says_stands() const { return sut_.report().value().stands; }
-  VehicleStop sut_;
+  VehicleStopView sut_;
 };
 
-TEST_F(VehicleStopTest, IsNotHeardAtFirst) { EXPECT_FALSE(sut_.report()); }
+TEST_F(VehicleStopViewTest, IsNotHeardAtFirst) { EXPECT_FALSE(sut_.report()); }
 
-TEST_F(VehicleStopTest, EitherReportAloneIsEnough) {
+TEST_F(VehicleStopViewTest, EitherReportAloneIsEnough) {
   sut_.on_safety_status(stands, t0);
   EXPECT_TRUE(says_stands());
-  VehicleStop other;
+  VehicleStopView other;
   other.on_link(stands, 0, t0);
   EXPECT_TRUE(other.report().value().stands);
   EXPECT_THAT(other.report().value().stopped_by, ElementsAre("station"));
 }
 
-TEST_F(VehicleStopTest, EitherConfirmsAStopAtOnce) {
+TEST_F(VehicleStopViewTest, EitherConfirmsAStopAtOnce) {
   sut_.on_safety_status(drives, t0);
   hear_link(drives, t0);
   hear_link(stands, t0 + seconds(5));
@@ -46,22 +46,22 @@ TEST_F(VehicleStopTest, EitherConfirmsAStopAtOnce) {
   EXPECT_TRUE(says_stands());
 }
 
-TEST_F(VehicleStopTest, AStatusLeftFromAStreamThatEndedYieldsToTheLinkAfterASecond) {
+TEST_F(VehicleStopViewTest, AStatusLeftFromAStreamThatEndedYieldsToTheLinkAfterASecond) {
   sut_.on_safety_status(stands, t0);
-  hear_link(drives, t0 + VehicleStop::counts_for - tick);
+  hear_link(drives, t0 + VehicleStopView::counts_for - tick);
   EXPECT_TRUE(says_stands());
-  hear_link(drives, t0 + VehicleStop::counts_for);
+  hear_link(drives, t0 + VehicleStopView::counts_for);
   EXPECT_FALSE(says_stands());
   EXPECT_THAT(sut_.report()->stopped_by, IsEmpty());
 }
 
-TEST_F(VehicleStopTest, ALinkThatIsLostYieldsToALaterStatus) {
+TEST_F(VehicleStopViewTest, ALinkThatIsLostYieldsToALaterStatus) {
   hear_link(stands, t0);
-  sut_.on_safety_status(drives, t0 + VehicleStop::counts_for);
+  sut_.on_safety_status(drives, t0 + VehicleStopView::counts_for);
   EXPECT_FALSE(says_stands());
 }
 
-TEST_F(VehicleStopTest, AValueThatIsNotFreshReportsNothing) {
+TEST_F(VehicleStopViewTest, AValueThatIsNotFreshReportsNothing) {
   sut_.on_link(stands, nan, t0);
   sut_.on_link(stands, 1, t0);
   EXPECT_FALSE(sut_.report());
@@ -71,7 +71,7 @@ TEST_F(VehicleStopTest, AValueThatIsNotFreshReportsNothing) {
   EXPECT_TRUE(says_stands()) << "what was fresh last";
 }
 
-TEST_F(VehicleStopTest, NamesAllWhoseStopsStandOnce) {
+TEST_F(VehicleStopViewTest, NamesAllWhoseStopsStandOnce) {
   sut_.on_safety_status({true, {"station", "button (7)"}}, t0);
   hear_link({true, {"station", "gcs"}}, t0);
   EXPECT_THAT(sut_.report()->stopped_by, ElementsAre("station", "gcs", "button (7)"));

@@ -19,7 +19,7 @@ namespace tocsin {
 /// is not fresh reports nothing.
 ///
 /// Pure; `now` must not decrease.
-class VehicleStop {
+class VehicleStopView {
  public:
   struct Report {
     bool stands = false;
