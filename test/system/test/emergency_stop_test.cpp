@@ -6,20 +6,14 @@
 #include <signal.h>
 
 #include <chrono>
-#include <cstring>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <thread>
 
+#include "emergency_stop_rig.hpp"
 #include "foundation/temporary_folder.hpp"
-#include "operator_process.hpp"
-#include "peer.hpp"
-#include "stack.hpp"
-#include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
 namespace {
@@ -27,20 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::seconds;
 using ::testing::HasSubstr;
-
-double wall_s() {
-  timespec now{};
-  clock_gettime(CLOCK_REALTIME, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// DDS domains of a bringup file's first host, its second one, and the link.
-BusOptions vehicle_domain(int domain) {
-  BusOptions options;
-  options.name = "peer";
-  options.host_domain = domain;
-  return options;
-}
 
 /// As a peer at the station, on the link too.
 BusOptions station_domains(int domain) {
@@ -50,78 +30,6 @@ BusOptions station_domains(int domain) {
   options.link_peers = {"10.77.0.1"};
   return options;
 }
-
-/// Repeats a message for ever, twenty times a second.
-template <class Topic>
-std::function<void(Bus&)> repeat(typename Topic::Message message) {
-  return [message = std::make_shared<const typename Topic::Message>(std::move(message))](Bus& bus) {
-    const auto writer = bus.advertise({Topic::info, &type_info<typename Topic::Message>()});
-    for (;;) {
-      (void)writer->write(message);
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
-  };
-}
-
-topic::EmergencyStop::Message word(bool pressed) {
-  topic::EmergencyStop::Message message;
-  message.data(pressed);
-  return message;
-}
-
-class EmergencyStopTest : public ::testing::Test {
- protected:
-  static constexpr int domain = 40;  // of bringup/mission.yaml
-
-  /// Starts Mission A and waits until the vehicle drives.
-  void drive(const std::vector<std::string>& more = {}, int disk_mib = 0) {
-    std::vector<std::string> arguments{"mission.yaml", "--seed",    "1",       "--without",
-                                       "uxv/payload",  "--without", "gcs/view"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    stack_.emplace(arguments, disk_mib);
-    wheels_ = stack_->scratch() + "/wheels";
-    // The last process of the file: all others run then.
-    ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack_->pid("gcs/mission") != 0; }))
-        << stack_->output();
-    watch_.emplace(stack_->pid("uxv/recorder"), vehicle_domain(domain), watch_wheels(wheels_));
-    ASSERT_TRUE(moves()) << stack_->output();
-  }
-  /// `tocsin estop` as a person types it, from a folder of no run; its exit code.
-  int estop(const std::vector<std::string>& words) {
-    std::vector<std::string> command{Stack::program("operator_console", "tocsin-estop")};
-    command.insert(command.end(), words.begin(), words.end());
-    said_ = stack_->scratch() + "/said";
-    fs::remove(said_);
-    return OperatorProcess(command, said_).exit_code(seconds(30));
-  }
-  [[nodiscard]] std::string said() const {
-    std::ifstream file(said_);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  /// Whether the vehicle moves within the next half minute.
-  bool moves() const {
-    const double now = wall_s();
-    return Stack::eventually(seconds(30), [&] { return last_moved(wheels_) > now; });
-  }
-  /// Whether it comes to rest within 1.5 s, stays so for 3 s, and is heard to stand.
-  bool stands() const {
-    const double rests = wall_s() + 1.5;
-    return Stack::eventually(seconds(20), [&] { return last_seen(wheels_) > rests + 3; }) &&
-           last_moved(wheels_) <= rests;
-  }
-  /// Fills the disk of the run folder to the last byte.
-  void fill_disk() const {
-    std::ofstream file(stack_->path("fill"));
-    const std::string block(1U << 16U, 'x');
-    while (file << block << std::flush) {
-    }
-  }
-
-  std::optional<Stack> stack_;
-  std::string wheels_;
-  std::optional<Peer> watch_;
-  std::string said_;
-};
 
 TEST_F(EmergencyStopTest, WorksOnAFullDisk) {
   drive({}, 24);

@@ -57,7 +57,7 @@ void EmergencyStopComponent::take_vehicle(Time now) {
   if (report) see(*report);
 }
 
-void EmergencyStopComponent::see(const VehicleStop::Report& vehicle) {
+void EmergencyStopComponent::see(const VehicleStopView::Report& vehicle) {
   keeper_.on_vehicle(vehicle.stands, is_by_station(vehicle.stopped_by));
   const char* state = vehicle.stands ? "stands" : "may_drive";
   if (known_.vehicle() == state && known_.stopped_by() == vehicle.stopped_by) return;

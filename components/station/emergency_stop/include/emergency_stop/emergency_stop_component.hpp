@@ -5,7 +5,7 @@
 
 #include "emergency_stop/request_file.hpp"
 #include "emergency_stop/stop_keeper.hpp"
-#include "emergency_stop_input/vehicle_stop.hpp"
+#include "emergency_stop_input/vehicle_stop_view.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -13,7 +13,7 @@
 namespace tocsin {
 
 /// The ground station's end of the emergency stop. A person's command lives for a second; this says
-/// it on, and tells what the vehicle makes of it, by the rule of VehicleStop.
+/// it on, and tells what the vehicle makes of it, by the rule of VehicleStopView.
 class EmergencyStopComponent final : public Component {
  public:
   using Params = StopKeeper::Params;
@@ -23,7 +23,7 @@ class EmergencyStopComponent final : public Component {
  private:
   void take_requests(Time now);
   void take_vehicle(Time now);
-  void see(const VehicleStop::Report& vehicle);
+  void see(const VehicleStopView::Report& vehicle);
   void say(bool pressed, Time now);
   void keep();
   void tell(Time now);
@@ -35,7 +35,7 @@ class EmergencyStopComponent final : public Component {
   Output<topic::EmergencyStopState> state_{*this};
   RequestFile file_;
   StopKeeper keeper_;
-  VehicleStop vehicle_;
+  VehicleStopView vehicle_;
   std::optional<bool> kept_;  ///< in the file
   topic::EmergencyStopState::Message known_;
   bool told_ = false;  ///< `known_`

@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "emergency_stop_input/vehicle_stop.hpp"
+#include "emergency_stop_input/vehicle_stop_view.hpp"
 #include "operator_console/dock_order.hpp"
 #include "operator_console/emergency_stop_order.hpp"
 #include "runtime/component.hpp"
@@ -56,7 +56,7 @@ class OperatorConsoleComponent final : public Component {
   Output<topic::DockingCommand> command_{*this};
 
   Params params_;
-  VehicleStop vehicle_;
+  VehicleStopView vehicle_;
   Printer print_;
   std::variant<std::monostate, EmergencyStopOrder, DockOrder> order_;
   Time next_send_ = Time::min();

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "operator_process.hpp"
+#include "peer.hpp"
+#include "stack.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+inline double wall_s() {
+  timespec now{};
+  clock_gettime(CLOCK_REALTIME, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// DDS domains of a bringup file's first host, its second one, and the link.
+inline BusOptions vehicle_domain(int domain) {
+  BusOptions options;
+  options.name = "peer";
+  options.host_domain = domain;
+  return options;
+}
+
+/// Repeats a message for ever, twenty times a second unless told otherwise.
+template <class Topic>
+std::function<void(Bus&)> repeat(
+    typename Topic::Message message,
+    std::chrono::milliseconds period = std::chrono::millistd::chrono::seconds(50)) {
+  return [message = std::make_shared<const typename Topic::Message>(std::move(message)),
+          period](Bus& bus) {
+    const auto writer = bus.advertise({Topic::info, &type_info<typename Topic::Message>()});
+    for (;;) {
+      (void)writer->write(message);
+      std::this_thread::sleep_for(period);
+    }
+  };
+}
+
+/// Somebody on a host who drives the base at 0.5 m/s, fifty times a second, past all components.
+inline std::function<void(Bus&)> drive_past_all() {
+  topic::CmdVel::Message message;
+  message.linear().x(0.5);
+  return repeat<topic::CmdVel>(message, std::chrono::millistd::chrono::seconds(20));
+}
+
+inline topic::EmergencyStop::Message word(bool pressed) {
+  topic::EmergencyStop::Message message;
+  message.data(pressed);
+  return message;
+}
+
+/// The main job, its emergency stop, and the wheels as a peer sees them.
+class EmergencyStopTest : public ::testing::Test {
+ protected:
+  static constexpr int domain = 40;  // of bringup/mission.yaml
+
+  /// Starts Mission A and waits until the vehicle drives.
+  void drive(const std::vector<std::string>& more = {}, int disk_mib = 0) {
+    std::vector<std::string> arguments{"mission.yaml", "--seed",    "1",       "--without",
+                                       "uxv/payload",  "--without", "gcs/view"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    stack_.emplace(arguments, disk_mib);
+    wheels_ = stack_->scratch() + "/wheels";
+    // The last process of the file: all others run then.
+    ASSERT_TRUE(Stack::eventually(std::chrono::seconds(30), [&] {
+      return stack_->pid("gcs/mission") != 0;
+    })) << stack_->output();
+    watch_.emplace(stack_->pid("uxv/recorder"), vehicle_domain(domain), watch_wheels(wheels_));
+    ASSERT_TRUE(moves()) << stack_->output();
+  }
+  /// `tocsin estop` as a person types it, from a folder of no run; its exit code.
+  int estop(const std::vector<std::string>& words) {
+    std::vector<std::string> command{Stack::program("operator_console", "tocsin-estop")};
+    command.insert(command.end(), words.begin(), words.end());
+    said_ = stack_->scratch() + "/said";
+    std::filesystem::remove(said_);
+    return OperatorProcess(command, said_).exit_code(std::chrono::seconds(30));
+  }
+  [[nodiscard]] std::string said() const {
+    std::ifstream file(said_);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  /// Whether the vehicle moves within the next half minute.
+  bool moves() const {
+    const double now = wall_s();
+    return Stack::eventually(std::chrono::seconds(30), [&] { return last_moved(wheels_) > now; });
+  }
+  /// Whether it comes to rest within 1.5 s, stays so for a while, and is heard to stand.
+  bool stands(double for_s = 3) const {
+    const double rests = wall_s() + 1.5;
+    return Stack::eventually(std::chrono::seconds(20),
+                             [&] { return last_seen(wheels_) > rests + for_s; }) &&
+           last_moved(wheels_) <= rests;
+  }
+  /// Fills the disk of the run folder to the last byte.
+  void fill_disk() const {
+    std::ofstream file(stack_->path("fill"));
+    const std::string block(1U << 16U, 'x');
+    while (file << block << std::flush) {
+    }
+  }
+
+  std::optional<Stack> stack_;
+  std::string wheels_;
+  std::optional<Peer> watch_;
+  std::string said_;
+};
+
+}  // namespace tocsin
