@@ -96,8 +96,8 @@ void LinkRouterComponent::tick(Time now) {
   if (now >= next_budget_) tell_budgets(now);
   if (now >= next_report_) report(now);
   wake_at(std::min({sender_.deadline(now), receiver_.deadline(), keeper_.deadline(now),
-                    fill_ins_->deadline(now), calls_->deadline(now), held_->deadline(), stop_->deadline(),
-                    next_budget_, next_report_, next_keep_}));
+                    fill_ins_->deadline(now), calls_->deadline(now), held_->deadline(),
+                    stop_->deadline(), next_budget_, next_report_, next_keep_}));
 }
 
 void LinkRouterComponent::follow_gate(Time now) {

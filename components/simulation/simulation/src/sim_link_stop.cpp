@@ -7,7 +7,7 @@ namespace tocsin::simulation {
 namespace {
 
 constexpr std::size_t ip_udp_rtps_bytes = 28 + 20;
-constexpr std::uint8_t network_control_dscp = 48;  // CS6
+constexpr std::uint8_t stop_dscp = 48;  // CS6
 /// A changed value goes alone so often more, so far apart.
 constexpr int repeats_of_change = 3;
 constexpr Duration repeat_period = std::chrono::milliseconds(15);
@@ -49,7 +49,7 @@ void SimLinkBus::send_stop(Duration period) {
   const std::size_t bytes = ip_udp_rtps_bytes + stop_bytes(*stop);
   for (const auto& entry : network_.routers) {
     if (entry.second == this) continue;
-    network_.link.send({host_.direction(), network_control_dscp}, bytes,
+    network_.link.send({host_.direction(), stop_dscp}, bytes,
                        [&network = network_, own = life_, other = entry.second->life_, stop] {
                          SimLinkBus* const to = network.find_router(other);
                          if (to != nullptr) to->on_packet(own, stop);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "foundation/time.hpp"
 #include "foundation/stop_value.hpp"
+#include "foundation/time.hpp"
 
 namespace tocsin::router {
 

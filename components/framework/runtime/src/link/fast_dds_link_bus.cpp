@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/fast_dds_link_bus.hpp"
 
-#include <arpa/inet.h>
-
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -14,7 +12,7 @@
 #include "idl_support/encode.hpp"
 #include "keystore/enclave.hpp"
 #include "keystore/participant.hpp"
-#include "link/flow_text.hpp"
+#include "link/flow_qos.hpp"
 #include "link/origin.hpp"
 #include "link/raw_type.hpp"
 
@@ -24,40 +22,12 @@ namespace {
 /// The link's participant of a host has the host's name and this.
 const std::string router_suffix = "_link_router";
 
-constexpr int burst_depth = 32;
-
 Time steady_now() { return std::chrono::steady_clock::now(); }
 
 std::string host_in(const std::string& participant) {
   const std::size_t end = participant.rfind(router_suffix);
   const bool router = end != std::string::npos && end + router_suffix.size() == participant.size();
   return router ? participant.substr(0, end) : participant;
-}
-
-/// What a flow's writer offers on the host.
-QosProfile offered(const Flow& flow) {
-  QosProfile profile;
-  profile.reliability = flow.reliable ? Reliability::reliable : Reliability::best_effort;
-  profile.durability =
-      flow.transient_local ? Durability::transient_local : Durability::volatile_kind;
-  // What came in one burst is not pushed out before the readers have it; who comes late gets no
-  // more of a state than its writer keeps.
-  profile.depth = flow.transient_local ? flow.depth : std::max(flow.depth, burst_depth);
-  profile.lifespan_s = flow.lifespan_s;
-  // A reader that had forgotten us learns by a heartbeat from which sample on it hears, and Fast
-  // DDS sends none when the unacknowledged sample has outlived its lifespan.
-  profile.heartbeat_period_s = std::clamp(flow.lifespan_s / 4, 0.01, 0.1);
-  profile.user_data = flow.user_data;
-  return profile;
-}
-
-/// On the link each sample is sent once, when the router says so.
-QosProfile offered_on_link(const Flow& flow) {
-  QosProfile profile;
-  profile.reliability = Reliability::best_effort;
-  profile.publish_mode = PublishMode::synchronous;
-  profile.user_data = announcement_of(flow);
-  return profile;
 }
 
 /// Fast DDS gives no reason when it refuses an identity.
@@ -68,16 +38,9 @@ const BusOptions& with_sound_identity(const BusOptions& options) {
   return options;
 }
 
-/// IPv4 in host byte order; zero for what is none.
-std::uint32_t address_of(const std::string& text) {
-  in_addr parsed{};
-  return inet_pton(AF_INET, text.c_str(), &parsed) == 1 ? ntohl(parsed.s_addr) : 0;
-}
-
 StopChannel::Options stop_options(const BusOptions& options, std::function<void()> on_news) {
-  StopChannel::Options stop{{}, options.enclave, radio_message_bytes, std::move(on_news)};
-  for (const std::string& peer : options.link_peers) stop.peers.push_back(address_of(peer));
-  return stop;
+  return {ipv4_addresses(options.link_peers), options.enclave, radio_message_bytes,
+          std::move(on_news)};
 }
 
 }  // namespace

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/radio_transport.hpp"
 
-#include <arpa/inet.h>
 #include <fastdds/rtps/transport/ChainingTransport.h>
 #include <fastrtps/utils/IPLocator.h>
 #include <pthread.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <thread>
@@ -21,6 +17,7 @@
 
 #include "fast_dds/this_host.hpp"
 #include "link/discovery_pacer.hpp"
+#include "link/radio_socket.hpp"
 #include "link/rtps_message.hpp"
 #include "watch/activity.hpp"
 
@@ -32,63 +29,6 @@ using namespace eprosima::fastdds::rtps;
 using Deadline = std::chrono::steady_clock::time_point;
 
 constexpr std::uint32_t largest_datagram = 65500;
-constexpr std::size_t ip_and_udp_bytes = 28;
-
-std::uint32_t address_of(const rtps::Locator_t& locator) {
-  in_addr address{};
-  std::memcpy(&address, rtps::IPLocator::getIPv4(locator), sizeof address);
-  return ntohl(address.s_addr);
-}
-
-/// A UDP socket bound to the address of the radio's interface.
-class RadioSocket {
- public:
-  explicit RadioSocket(const std::string& address)
-      : descriptor_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-    sockaddr_in own{};
-    own.sin_family = AF_INET;
-    usable_ = descriptor_ >= 0 && inet_pton(AF_INET, address.c_str(), &own.sin_addr) == 1 &&
-              ::bind(descriptor_, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;
-  }
-  ~RadioSocket() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  RadioSocket(const RadioSocket&) = delete;
-  RadioSocket& operator=(const RadioSocket&) = delete;
-
-  [[nodiscard]] bool usable() const { return usable_; }
-  /// A full socket loses the packet, as the radio would.
-  /// `more` follows in the packet.
-  [[nodiscard]] bool send(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to,
-                          int dscp, const StopChannel::Bytes& more = {}) const {
-    sockaddr_in peer{};
-    peer.sin_family = AF_INET;
-    peer.sin_port = htons(rtps::IPLocator::getPhysicalPort(to));
-    std::memcpy(&peer.sin_addr, rtps::IPLocator::getIPv4(to), sizeof peer.sin_addr);
-    std::array<iovec, 2> data{{{const_cast<rtps::octet*>(bytes), size},
-                               {const_cast<rtps::octet*>(more.data()), more.size()}}};
-    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
-    msghdr message{};
-    message.msg_name = &peer;
-    message.msg_namelen = sizeof peer;
-    message.msg_iov = data.data();
-    message.msg_iovlen = more.empty() ? 1 : 2;
-    message.msg_control = control.data();
-    message.msg_controllen = control.size();
-    cmsghdr* const header = CMSG_FIRSTHDR(&message);
-    header->cmsg_level = IPPROTO_IP;
-    header->cmsg_type = IP_TOS;
-    header->cmsg_len = CMSG_LEN(sizeof(int));
-    const int tos = dscp << 2;  // the lower two bits are ECN (RFC 3168)
-    std::memcpy(CMSG_DATA(header), &tos, sizeof tos);
-    const auto whole = static_cast<ssize_t>(size + more.size());
-    return ::sendmsg(descriptor_, &message, MSG_DONTWAIT) == whole;
-  }
-
- private:
-  int descriptor_;
-  bool usable_ = false;
-};
 
 /// Sends what the pacer holds back when its time has come, and values of the emergency stop, on a
 /// thread of its own.
@@ -136,7 +76,7 @@ class MarkingSender : public rtps::SenderResource {
     return all;
   }
   bool send_in_pieces(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to) {
-    if (size <= radio_message_bytes || (others_ && others_->are_at(address_of(to)))) {
+    if (size <= radio_message_bytes || (others_ && others_->are_at(ipv4_of(to)))) {
       return send_one(bytes, size, to, marks_->mark(bytes, size, size));
     }
     bool all = true;
@@ -151,9 +91,9 @@ class MarkingSender : public rtps::SenderResource {
   }
   bool send_one(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to, int dscp) {
     note_header(bytes, size);
-    const auto stop =
-        stop_.channel ? stop_.channel->ride(address_of(to), size, std::chrono::steady_clock::now())
-                      : nullptr;
+    const auto stop = stop_.channel
+                          ? stop_.channel->ride(ipv4_of(to), size, std::chrono::steady_clock::now())
+                          : nullptr;
     return stop ? socket_.send(bytes, size, to, dscp, *stop) : socket_.send(bytes, size, to, dscp);
   }
   /// Values of the stop that go alone say by it who has sent them.
@@ -169,7 +109,7 @@ class MarkingSender : public rtps::SenderResource {
     for (const std::uint32_t peer : stop_.channel->peers()) {
       for (const auto& bytes : stop_.channel->due(peer, now)) {
         for (const rtps::Locator_t& to : stop_.peers) {
-          if (address_of(to) != peer) continue;
+          if (ipv4_of(to) != peer) continue;
           (void)socket_.send(header_.data(), header_.size(), to,
                              marks_->mark_stop(header_.size() + bytes.size()), bytes);
         }
@@ -294,7 +234,7 @@ class MarkingTransport : public ChainingTransport {
   [[nodiscard]] std::size_t without_stop(const rtps::octet* bytes, std::size_t size,
                                          const rtps::Locator_t& remote) const {
     if (!descriptor_.stop.channel) return size;
-    return descriptor_.stop.channel->take(bytes, size, address_of(remote),
+    return descriptor_.stop.channel->take(bytes, size, ipv4_of(remote),
                                           std::chrono::steady_clock::now(),
                                           wall_now_ns() / 1'000'000'000);
   }
@@ -306,47 +246,6 @@ TransportInterface* MarkingDescriptor::create_transport() const {
 }
 
 }  // namespace
-
-void RadioMarks::set(const Endpoint& endpoint, int dscp, TrafficClass traffic_class) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  marks_[endpoint] = {dscp, traffic_class};
-}
-
-void RadioMarks::forget(const Endpoint& endpoint) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  marks_.erase(endpoint);
-}
-
-int RadioMarks::mark(const std::uint8_t* message, std::size_t size, std::size_t sent) {
-  const auto endpoint = sender_in(message, size);
-  const bool discovery = !endpoint || is_builtin(*endpoint);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  ++packets_.packets;
-  packets_.bytes += sent + ip_and_udp_bytes;
-  if (discovery) {
-    ++packets_.discovery_packets;
-    packets_.discovery_bytes += sent + ip_and_udp_bytes;
-    return network_control;
-  }
-  const auto found = marks_.find(*endpoint);
-  if (found == marks_.end()) return network_control;
-  packets_.class_bytes[static_cast<std::size_t>(found->second.traffic_class)] +=
-      sent + ip_and_udp_bytes;
-  return found->second.dscp;
-}
-
-int RadioMarks::mark_stop(std::size_t sent) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  ++packets_.packets;
-  packets_.bytes += sent + ip_and_udp_bytes;
-  packets_.class_bytes[static_cast<std::size_t>(TrafficClass::critical)] += sent + ip_and_udp_bytes;
-  return network_control;
-}
-
-LinkPackets RadioMarks::packets() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return packets_;
-}
 
 std::shared_ptr<TransportDescriptorInterface> marked(std::shared_ptr<UDPv4TransportDescriptor> udp,
                                                      std::shared_ptr<RadioMarks> marks,

@@ -10,7 +10,7 @@
 namespace tocsin {
 namespace {
 
-constexpr std::array<std::uint8_t, 3> mark{'T', 'S', 1};  // 1: version of this layout
+constexpr std::array<std::uint8_t, 3> layout_mark{'T', 'S', 1};  // 1: version of this layout
 constexpr std::uint8_t stands_bit = 1;
 constexpr std::uint8_t known_bit = 2;
 
@@ -92,7 +92,7 @@ class Reader {
 }  // namespace
 
 std::vector<std::uint8_t> to_bytes(const StopValue& value) {
-  std::vector<std::uint8_t> bytes(mark.begin(), mark.end());
+  std::vector<std::uint8_t> bytes(layout_mark.begin(), layout_mark.end());
   bytes.push_back(
       static_cast<std::uint8_t>((value.stands ? stands_bit : 0) | (value.known ? known_bit : 0)));
   bytes.push_back(static_cast<std::uint8_t>(value.role));
@@ -111,7 +111,7 @@ std::vector<std::uint8_t> to_bytes(const StopValue& value) {
 std::optional<std::pair<StopValue, std::size_t>> stop_value_in(const std::uint8_t* bytes,
                                                                std::size_t size) {
   Reader reader(bytes, size);
-  for (const std::uint8_t expected : mark) {
+  for (const std::uint8_t expected : layout_mark) {
     if (reader.byte() != expected) return std::nullopt;
   }
   StopValue value;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/stop_channel.hpp"
 
+#include <arpa/inet.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -16,7 +18,7 @@ namespace {
 constexpr std::uint8_t value_kind = 0xc8;
 constexpr std::uint8_t certificate_kind = 0xc9;
 constexpr std::uint8_t little_endian = 1;
-constexpr std::size_t prefix_at = 8;  // RTPS 2.2 section 9.4.4
+constexpr std::size_t guid_prefix_at = 8;  // RTPS 2.2 section 9.4.4
 constexpr std::size_t id_bytes = 8;
 constexpr std::size_t longest_certificate = 1200;
 
@@ -40,10 +42,19 @@ std::vector<std::uint8_t> submessage(std::uint8_t kind, const std::vector<std::u
 
 std::uint64_t router_of(const std::uint8_t* packet) {
   constexpr std::size_t prefix_bytes = 12;
-  return hash_of(std::string(packet + prefix_at, packet + prefix_at + prefix_bytes));
+  return hash_of(std::string(packet + guid_prefix_at, packet + guid_prefix_at + prefix_bytes));
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> ipv4_addresses(const std::vector<std::string>& texts) {
+  std::vector<std::uint32_t> all;
+  for (const std::string& text : texts) {
+    in_addr parsed{};
+    all.push_back(inet_pton(AF_INET, text.c_str(), &parsed) == 1 ? ntohl(parsed.s_addr) : 0);
+  }
+  return all;
+}
 
 StopChannel::StopChannel(Options options) : options_(std::move(options)) {
   for (const std::uint32_t peer : options_.peers) told_[peer];

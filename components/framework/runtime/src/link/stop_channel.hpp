@@ -17,6 +17,9 @@
 
 namespace tocsin {
 
+/// In host byte order; zero for what is no IPv4 address.
+[[nodiscard]] std::vector<std::uint32_t> ipv4_addresses(const std::vector<std::string>& texts);
+
 /// The emergency stop's way over the link: a submessage of a kind that RTPS leaves to vendors, last
 /// in the packets of a router's participant, or alone behind a header. On a secured link it is
 /// signed with the identity's key, and the certificate follows in packets of its own.

@@ -10,11 +10,11 @@
 #include <variant>
 #include <vector>
 
+#include "foundation/stop_value.hpp"
 #include "foundation/time.hpp"
 #include "foundation/traffic_class.hpp"
 #include "idl_support/type_info.hpp"
 #include "runtime/middleware/host_services.hpp"
-#include "foundation/stop_value.hpp"
 #include "runtime/middleware/traffic_rules.hpp"
 
 namespace tocsin {
