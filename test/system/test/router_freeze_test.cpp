@@ -76,7 +76,8 @@ class RouterFreezeTest : public ::testing::Test {
     const Streams after = recorded(thawed_s);
     int expected = 0;
     for (const auto& [stream, arrivals] : before) {
-      if (arrivals.size() < 3) continue;
+      // A stop that was released is not repeated.
+      if (arrivals.size() < 3 || stream.rfind("emergency_stop", 0) == 0) continue;
       ++expected;
       const auto again = after.find(stream);
       ASSERT_NE(again, after.end()) << stream << " is not received";
@@ -86,7 +87,8 @@ class RouterFreezeTest : public ::testing::Test {
   }
   /// `tocsin estop` as a person types it; its exit code.
   [[nodiscard]] int estop(const std::string& what) const {
-    return OperatorProcess({Stack::program("operator_console", "tocsin-estop"), what},
+    return OperatorProcess({Stack::program("operator_console", "tocsin-estop"), what, "--run-dir",
+                            stack_.folder()},
                            stack_.scratch() + "/said")
         .exit_code(seconds(10));
   }

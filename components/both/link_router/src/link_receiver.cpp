@@ -102,7 +102,8 @@ Disposition LinkReceiver::judge(Peer& peer, const StreamRule& rule, const Origin
                                 Time now) {
   const Duration age = peer.age.age(origin.sent, now);
   SourceMemory& memory = memory_of(peer, rule.name, origin.source);
-  switch (memory.judge(origin.sequence, rule.depth, age <= fresh, now)) {
+  const bool is_fresh = age <= fresh && peer.age.is_settled(now);
+  switch (memory.judge(origin.sequence, rule.depth, is_fresh, now)) {
     case SourceMemory::Verdict::duplicate:
       return Disposition::duplicate;
     case SourceMemory::Verdict::superseded:

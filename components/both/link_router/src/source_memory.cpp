@@ -4,6 +4,12 @@
 #include <algorithm>
 
 namespace tocsin::router {
+namespace {
+
+/// A row whose numbers do not rise for so long is over: its highest number was another hint.
+constexpr Duration row_for = std::chrono::milliseconds(500);
+
+}  // namespace
 
 SourceMemory::Verdict SourceMemory::judge(std::uint64_t sequence, std::size_t depth, bool fresh,
                                           Time now) {
@@ -12,7 +18,7 @@ SourceMemory::Verdict SourceMemory::judge(std::uint64_t sequence, std::size_t de
   if (place != newest_.end() && *place == sequence) return Verdict::duplicate;
   const bool behind = newest_.size() >= depth && place == newest_.begin();
   if (!behind && sequence >= floor_) return Verdict::newer;
-  if (!fresh || !is_confirmed(sequence, now)) return Verdict::superseded;
+  if (!is_confirmed(sequence, now) || !fresh) return Verdict::superseded;
   newest_.clear();
   floor_ = sequence;
   contrary_.reset();
@@ -20,12 +26,12 @@ SourceMemory::Verdict SourceMemory::judge(std::uint64_t sequence, std::size_t de
 }
 
 bool SourceMemory::is_confirmed(std::uint64_t sequence, Time now) {
-  if (!contrary_) {
-    contrary_ = {sequence, now};
-    return false;
-  }
+  const bool begins =
+      !contrary_ || (sequence < contrary_->highest && now - contrary_->rose >= row_for);
+  if (begins) contrary_ = {sequence, now, now};
   if (sequence <= contrary_->highest) return false;
   contrary_->highest = sequence;
+  contrary_->rose = now;
   return now - contrary_->since >= contrary_for && now - added_ >= contrary_for;
 }
 

@@ -13,9 +13,9 @@ namespace tocsin::router {
 /// Which samples of one source the host was delivered: of each number one, and none behind `depth`
 /// newer ones.
 ///
-/// A number is a hint until traffic confirms it: when for 0.8 s only fresh samples of lower, rising
-/// numbers are received, at least two, the higher numbers are forgotten. Honest senders repair for
-/// less time, and a replay is not fresh. Pure; `now` never decreases.
+/// A number is a hint until traffic confirms it: when for 0.8 s only lower, rising numbers are
+/// received, at least two, and the last is fresh, the higher ones are forgotten. What is repaired
+/// or replayed so late is not fresh. Pure; `now` never decreases.
 class SourceMemory {
  public:
   enum class Verdict : std::uint8_t { newer, duplicate, superseded };
@@ -34,6 +34,7 @@ class SourceMemory {
   struct Contrary {
     std::uint64_t highest;
     Time since;
+    Time rose;  ///< when the highest was received
   };
   [[nodiscard]] bool is_confirmed(std::uint64_t sequence, Time now);
 
