@@ -58,17 +58,20 @@ Duration LinkEstimator::on_received(const Received& received, Time now) {
   unanswered_ = 0;
   blend(loss_, 0, loss_weight);
   const Duration crossing = received.arrived.time_since_epoch() - received.sent.time_since_epoch();
-  if (!received.is_exact) {
-    return std::max(crossing - least_.value().value_or(crossing), Duration::zero());
-  }
+  // Whatever a receipt says of times: it is here by now.
+  const Duration most = std::max(now - received.sent, Duration::zero());
+  const auto over_least = [&] {
+    return std::clamp(crossing - least_.value().value_or(crossing), Duration::zero(), most);
+  };
+  if (!received.is_exact) return over_least();
   if (received.cost.packets >= static_cast<std::size_t>(params_.bulk_packets)) {
     if (!least_.value()) return Duration::zero();
-    const Duration delay = std::max(crossing - *least_.value(), Duration::zero());
+    const Duration delay = over_least();
     learn_capacity(received, received.sent + delay);
     return delay;
   }
   least_.add(crossing, now);
-  const Duration delay = crossing - *least_.value();
+  const Duration delay = over_least();
   const double delay_s = to_seconds(delay);
   blend(deviation_s_, std::abs(delay_s - delay_s_), deviation_weight);
   blend(delay_s_, delay_s, delay_weight);

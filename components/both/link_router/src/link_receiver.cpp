@@ -2,6 +2,7 @@
 #include "link_router/link_receiver.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tocsin::router {
 namespace {
@@ -11,13 +12,10 @@ constexpr std::size_t most_memories = 256;
 /// A stream is in the receipts of this time after something of it came, so that one of them comes
 /// through.
 constexpr Duration told_for = std::chrono::milliseconds(500);
-/// So many arrivals in a row that seem this old mean that the peer's clock was set. Those that come
-/// in one burst count once: that is what waited in the radio's queue while nothing came through.
-constexpr int aged_means_step = 8;
-constexpr Duration aged = std::chrono::seconds(2);
-constexpr Duration burst = std::chrono::milliseconds(50);
-/// Nothing came for longer: the least age is of before.
-constexpr Duration silence = std::chrono::seconds(1);
+/// What is not older than this was sent a moment ago.
+constexpr Duration fresh = std::chrono::milliseconds(500);
+/// Only numbers far below the highest are received for so long: the highest is none of the peer's.
+constexpr Duration contrary_for = std::chrono::milliseconds(500);
 
 }  // namespace
 
@@ -46,7 +44,9 @@ void LinkReceiver::forget_peer(const std::string& peer) {
 void LinkReceiver::on_stream(const std::string& peer, StreamId stream, const StreamRule& rule) {
   const auto known = peers_.find(peer);
   if (known == peers_.end() || !known->second.incarnation) return;
-  known->second.streams[stream] = Stream{rule, 0, 0, {}};
+  Stream one;
+  one.rule = rule;
+  known->second.streams[stream] = std::move(one);
 }
 
 void LinkReceiver::forget_stream(const std::string& peer, StreamId stream) {
@@ -71,6 +71,10 @@ Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arr
 }
 
 void LinkReceiver::note(Stream& stream, TransmissionNumber number, Time now) {
+  if (number < stream.highest && stream.highest - number > StreamReceipt::window) {
+    if (!is_contrary(stream, number, now)) return;
+    stream.highest = 0;
+  }
   if (number > stream.highest) {
     const TransmissionNumber ahead = number - stream.highest;
     const bool had_one = stream.highest > 0;
@@ -78,56 +82,51 @@ void LinkReceiver::note(Stream& stream, TransmissionNumber number, Time now) {
     if (had_one && ahead <= StreamReceipt::window) stream.before |= 1ULL << (ahead - 1);
     stream.highest = number;
     stream.last = now;
-  } else if (number < stream.highest && stream.highest - number <= StreamReceipt::window) {
+  } else if (number < stream.highest) {
     stream.before |= 1ULL << (stream.highest - number - 1);
   }
   stream.noted = now;
+  stream.low.reset();
 }
 
-bool LinkReceiver::is_expired(Peer& peer, const Origin& origin, Duration lifespan, Time now) {
-  const Duration seen = now.time_since_epoch() - origin.sent.time_since_epoch();
-  if (peer.age.value() && now - peer.heard > silence) peer.age.skip(now - peer.heard);
-  peer.heard = now;
-  peer.age.add(seen, now);
-  const Duration age = seen - *peer.age.value();
-  if (age <= aged) {
-    peer.aged_in_row = 0;
-  } else if (peer.aged_in_row == 0 || now - peer.aged_at >= burst) {
-    ++peer.aged_in_row;
-    peer.aged_at = now;
+bool LinkReceiver::is_contrary(Stream& stream, TransmissionNumber number, Time now) {
+  if (!stream.low || number < stream.low->first) {
+    stream.low = {number, now};
+    return false;
   }
-  if (peer.aged_in_row >= aged_means_step) {
-    peer.age.clear();
-    peer.aged_in_row = 0;
-  }
-  return age > lifespan;
+  stream.low->first = number;
+  return now - stream.low->second >= contrary_for;
 }
 
 Disposition LinkReceiver::judge(Peer& peer, const StreamRule& rule, const Origin& origin,
                                 Time now) {
-  const bool expired = is_expired(peer, origin, rule.lifespan, now);
-  Given& given = given_of(peer, rule.name, origin.source);
-  given.last = now;
-  const auto place = std::lower_bound(given.newest.begin(), given.newest.end(), origin.sequence);
-  if (place != given.newest.end() && *place == origin.sequence) return Disposition::duplicate;
-  const bool full = given.newest.size() >= rule.depth;
-  if (full && place == given.newest.begin()) return Disposition::superseded;
-  if (expired) return Disposition::expired;
-  given.newest.insert(place, origin.sequence);
-  if (full) given.newest.erase(given.newest.begin());
+  const Duration age = peer.age.age(origin.sent, now);
+  SourceMemory& memory = memory_of(peer, rule.name, origin.source);
+  const bool is_fresh = age <= fresh && peer.age.is_settled(now);
+  switch (memory.judge(origin.sequence, rule.depth, is_fresh, now)) {
+    case SourceMemory::Verdict::duplicate:
+      return Disposition::duplicate;
+    case SourceMemory::Verdict::superseded:
+      return Disposition::superseded;
+    case SourceMemory::Verdict::newer:
+      break;
+  }
+  if (age > rule.lifespan) return Disposition::expired;
+  memory.add(origin.sequence, rule.depth, now);
   return Disposition::deliver;
 }
 
-LinkReceiver::Given& LinkReceiver::given_of(Peer& peer, const std::string& stream,
-                                            SourceId source) {
-  const auto [place, is_new] = peer.given.try_emplace({stream, source});
-  if (is_new && peer.given.size() > most_memories) {
-    auto oldest = peer.given.end();
-    for (auto it = peer.given.begin(); it != peer.given.end(); ++it) {
+SourceMemory& LinkReceiver::memory_of(Peer& peer, const std::string& stream, SourceId source) {
+  const auto [place, is_new] = peer.delivered.try_emplace({stream, source});
+  if (is_new && peer.delivered.size() > most_memories) {
+    auto oldest = peer.delivered.end();
+    for (auto it = peer.delivered.begin(); it != peer.delivered.end(); ++it) {
       if (it == place) continue;
-      if (oldest == peer.given.end() || it->second.last < oldest->second.last) oldest = it;
+      if (oldest == peer.delivered.end() || it->second.heard() < oldest->second.heard()) {
+        oldest = it;
+      }
     }
-    peer.given.erase(oldest);
+    peer.delivered.erase(oldest);
   }
   return place->second;
 }

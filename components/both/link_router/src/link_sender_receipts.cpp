@@ -17,8 +17,8 @@ void LinkSender::on_receipt(const std::string& peer, const LinkReceipt& receipt,
   const auto known = peers_.find(peer);
   if (known == peers_.end() || receipt.to != self_) return;
   Peer& from = known->second;
-  if (receipt.from != from.incarnation || receipt.count <= from.receipts) return;
-  from.receipts = receipt.count;
+  // An older or repeated one is as true as when it was made, so that no count is remembered.
+  if (receipt.from != from.incarnation) return;
   const bool was_silent = from.estimator.is_silent(now);
   const auto settlements = log_.on_receipt(from.index, receipt);
   const bool came = std::any_of(settlements.begin(), settlements.end(),

@@ -14,10 +14,14 @@ constexpr WireCost bulk{10, 10000};
 
 class LinkEstimatorTest : public ::testing::Test {
  protected:
-  /// Sent at `now`, arrived after `crossing`.
+  /// Sent at `now`, arrived after `crossing`, and acknowledged at once.
   Duration cross(const WireCost& cost, Duration crossing) {
+    return cross(cost, crossing, crossing);
+  }
+  Duration cross(const WireCost& cost, Duration crossing, Duration acknowledged) {
     const Time expected = sut.on_sent(cost, now);
-    return sut.on_received({cost, now, expected, now + crossing + clock_difference, true}, now);
+    return sut.on_received({cost, now, expected, now + crossing + clock_difference, true},
+                           now + acknowledged);
   }
   LinkRouterParams params;
   LinkEstimator sut{params};
@@ -46,9 +50,22 @@ TEST_F(LinkEstimatorTest, CountsDelaysOverTheLeastOneWhateverTheClocksShow) {
 TEST_F(LinkEstimatorTest, ForgetsAStepOfAClockWithTheWindow) {
   (void)cross(small, 5 * ms);
   const Duration step = std::chrono::seconds(100);
-  EXPECT_EQ(cross(small, 5 * ms + step), step);
-  for (int i = 0; i < 70; ++i, now += 1000 * ms) (void)cross(small, 5 * ms + step);
-  EXPECT_EQ(cross(small, 6 * ms + step), 1 * ms);
+  EXPECT_EQ(cross(small, 5 * ms + step, 30 * ms), 30 * ms) << "it was acknowledged by then";
+  for (int i = 0; i < 70; ++i, now += 1000 * ms) (void)cross(small, 5 * ms + step, 30 * ms);
+  EXPECT_EQ(cross(small, 6 * ms + step, 30 * ms), 1 * ms);
+}
+
+TEST_F(LinkEstimatorTest, AForgedArrivalHoldsNothingBackForLong) {
+  for (int i = 0; i < 20; ++i, now += 200 * ms) {
+    (void)cross(small, 2 * ms);
+    (void)cross(bulk, 52 * ms);
+  }
+  (void)cross(small, -std::chrono::hours(1), 100 * ms);
+  for (int i = 0; i < 5; ++i, now += 200 * ms) {
+    (void)cross(small, 2 * ms, 100 * ms);
+    (void)cross(bulk, 52 * ms, 100 * ms);
+    EXPECT_LE(sut.backlog(now + 100 * ms), 100 * ms);
+  }
 }
 
 TEST_F(LinkEstimatorTest, LearnsTheCapacityFromBulk) {
@@ -71,8 +88,10 @@ TEST_F(LinkEstimatorTest, CountsFromTheArrivalOfTheBulkBeforeIt) {
     // Two at once: the second one's turn is when the first has come.
     const Time first = sut.on_sent(bulk, now);
     const Time second = sut.on_sent(bulk, now);
-    (void)sut.on_received({bulk, now, first, now + 52 * ms + clock_difference, true}, now);
-    (void)sut.on_received({bulk, now, second, now + 102 * ms + clock_difference, true}, now);
+    (void)sut.on_received({bulk, now, first, now + 52 * ms + clock_difference, true},
+                          now + 52 * ms);
+    (void)sut.on_received({bulk, now, second, now + 102 * ms + clock_difference, true},
+                          now + 102 * ms);
   }
   EXPECT_NEAR(sut.capacity_bytes_per_s(), 200000, 4000);
 }

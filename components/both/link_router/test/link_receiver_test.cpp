@@ -121,6 +121,23 @@ TEST_F(LinkReceiverTest, ReceiptKeepsTheWholeWindow) {
   EXPECT_EQ(next_receipt().streams.at(0).before, 0U);
 }
 
+TEST_F(LinkReceiverTest, AForgedTransmissionNumberIsForgotten) {
+  (void)arrive(1, 1);
+  (void)arrive(1U << 30U, 2);
+  std::uint64_t i = 3;
+  for (const Time begin = now; now - begin <= 600 * ms; now += 100 * ms, ++i) (void)arrive(i, i);
+  EXPECT_EQ(next_receipt().streams.at(0).highest, i - 1);
+}
+
+TEST_F(LinkReceiverTest, AForgedSequenceSilencesItsSourceForLessThanTwoSeconds) {
+  for (std::uint64_t i = 1; i < 10; ++i, now += 100 * ms) (void)arrive(i, i);
+  (void)arrive(10, ~std::uint64_t{0}, -1500 * ms);
+  const Time begin = now;
+  std::uint64_t i = 11;
+  while (arrive(i, i) != Disposition::deliver && now - begin < 5000 * ms) now += 100 * ms, ++i;
+  EXPECT_LT(now - begin, 2000 * ms);
+}
+
 TEST_F(LinkReceiverTest, ReceiptComesSoonButNotTooOften) {
   now += 500 * ms;
   (void)arrive(1, 1);

@@ -91,6 +91,17 @@ TEST(Peers, ReceiptsOfAnotherLifeAreIgnored) {
   EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 1U);
 }
 
+TEST(Peers, AForgedCountSilencesNoReceipt) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::critical));
+  link.run(200 * ms);
+  link.sender.on_receipt("station", {2, 1, ~0U, link.now, {}}, link.now);
+  link.offer(1, 1);
+  link.run(200 * ms);
+  EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 1U);
+  EXPECT_EQ(link.sent.size(), 1U);
+}
+
 TEST(Peers, RepairsUntilEachPeerThatWantsItHasIt) {
   LinkPair link;
   link.add(1, rule_of(TrafficClass::critical));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Instances over real DDS: what two processes hear of each other's. Each test has a domain of its
 // own.
-#include <fastrtps/attributes/LibrarySettingsAttributes.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -70,11 +68,6 @@ std::shared_ptr<const void> shape(const std::string& color, int size) {
 
 class Keys : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    eprosima::fastrtps::LibrarySettingsAttributes settings;
-    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
-  }
   static ShapeOptions options() {
     static int next = 200;
     ShapeOptions options;

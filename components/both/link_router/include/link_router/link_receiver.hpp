@@ -8,9 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "link_router/link_estimator.hpp"
+#include "link_router/least_age.hpp"
 #include "link_router/link_receipt.hpp"
 #include "link_router/link_router_params.hpp"
+#include "link_router/source_memory.hpp"
 #include "link_router/transmission.hpp"
 
 namespace tocsin::router {
@@ -66,37 +67,32 @@ class LinkReceiver {
   [[nodiscard]] Time deadline() const;
 
  private:
-  /// What the host was given of one source.
-  struct Given {
-    std::vector<std::uint64_t> newest;  ///< sequences, rising, `depth` at most
-    Time last{};                        ///< when something of the source came
-  };
   struct Stream {
     StreamRule rule;
     TransmissionNumber highest = 0;  ///< 0: nothing came yet
     std::uint64_t before = 0;        ///< as in StreamReceipt
     Time last{};                     ///< arrival of the highest
     Time noted{};                    ///< arrival of any
+    /// Highest of the numbers far below that were received since then, and no other.
+    std::optional<std::pair<TransmissionNumber, Time>> low;
   };
   struct Peer {
     explicit Peer(Duration clock_window) : age(clock_window) {}
     std::optional<Incarnation> incarnation;  ///< empty: it is gone
     std::map<StreamId, Stream> streams;
-    std::map<std::pair<std::string, SourceId>, Given> given;  ///< by name of the stream
-    WindowedMinimum age;                                      ///< of samples that came
-    Time heard{};                                             ///< when the last of them came
-    int aged_in_row = 0;
-    Time aged_at{};  ///< arrival of the last that counts among these
+    std::map<std::pair<std::string, SourceId>, SourceMemory> delivered;  ///< by name of the stream
+    LeastAge age;
     std::uint32_t receipts = 0;
     std::optional<Time> receipt_sent;
     Time receipt_due = Time::min();
   };
   static void note(Stream& stream, TransmissionNumber number, Time now);
-  [[nodiscard]] static bool is_expired(Peer& peer, const Origin& origin, Duration lifespan,
-                                       Time now);
+  /// Whether a number far below the highest ends what is remembered of the stream's numbers.
+  [[nodiscard]] static bool is_contrary(Stream& stream, TransmissionNumber number, Time now);
   [[nodiscard]] static Disposition judge(Peer& peer, const StreamRule& rule, const Origin& origin,
                                          Time now);
-  [[nodiscard]] static Given& given_of(Peer& peer, const std::string& stream, SourceId source);
+  [[nodiscard]] static SourceMemory& memory_of(Peer& peer, const std::string& stream,
+                                               SourceId source);
   void ask_for_receipt(Peer& peer, Time now) const;
   [[nodiscard]] LinkReceipt make_receipt(Peer& peer, Time now) const;
 

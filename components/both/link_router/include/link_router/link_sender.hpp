@@ -65,7 +65,7 @@ class LinkSender {
   /// When to call next() though nothing happens; `never` when there is nothing to do.
   [[nodiscard]] Time deadline(Time now) const;
 
-  /// Receipts of an unknown peer or another life, and those that come late, are ignored.
+  /// Receipts of an unknown peer or another instance are ignored.
   void on_receipt(const std::string& peer, const LinkReceipt& receipt, Time now);
   /// What became of samples of stored streams since the last call.
   [[nodiscard]] std::vector<StoredFate> take_fates() { return std::exchange(fates_, {}); }
@@ -114,7 +114,6 @@ class LinkSender {
         : index(number), incarnation(life), estimator(params) {}
     PeerIndex index;
     Incarnation incarnation;
-    std::uint32_t receipts = 0;
     std::set<StreamId> wanted;
     LinkEstimator estimator;
   };

@@ -5,6 +5,7 @@
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastrtps/xmlparser/XMLProfileManager.h>
 
 #include <utility>
 
@@ -40,6 +41,19 @@ dds::Subscriber* subscriber_of(dds::DataReader* reader) {
   return const_cast<dds::Subscriber*>(reader->get_subscriber());
 }
 
+/// Packets, not calls, between the participants of this process: what mends discovery after a lease
+/// (AckNackCounts) and what bounds it (PacketFilter) stand before the sockets.
+void deliver_by_packets() {
+  using eprosima::fastrtps::xmlparser::XMLProfileManager;
+  static const bool done = [] {
+    eprosima::fastrtps::LibrarySettingsAttributes settings;
+    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+    XMLProfileManager::library_settings(settings);
+    return true;
+  }();
+  (void)done;
+}
+
 Keys keys_of(const TypeInfo& type) { return type.longest_key > 0 ? Keys::some : Keys::none; }
 
 ParticipantOptions with_filter(ParticipantOptions options) {
@@ -60,6 +74,7 @@ bool move_to(Holder* holder, const std::vector<std::string>& partition) {
 
 FastDdsParticipant::FastDdsParticipant(ParticipantOptions options)
     : options_(with_filter(std::move(options))), farewell_(options_.farewell) {
+  deliver_by_packets();
   if (options_.shared_memory) remove_shared_memory_leftovers();
   participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
       static_cast<std::uint32_t>(options_.domain), participant_qos(options_), &discovery_listener_,

@@ -91,7 +91,7 @@ ParticipantOptions FastDdsLinkBus::link_options() {
     table_.on_link_end(guid, end, there);
   };
   link.on_participant = [this](const auto& prefix, const std::string& name, bool there) {
-    table_.on_peer(prefix, peer_name(prefix, host_in(name)), there);
+    table_.on_peer(prefix, peer_name(prefix, host_in(name)), there, steady_now());
   };
   return link;
 }
@@ -111,9 +111,7 @@ void FastDdsLinkBus::join_link() {
 
 void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
   const std::string topic = table_.names().on_wire(sending.flow.topic);
-  const auto on_reader = [this, id](const auto& peer) {
-    table_.push(link_event::PeerListens{id, FlowTable::peer_of(peer)});
-  };
+  const auto on_reader = [this, id](const auto& peer) { table_.on_peer_listens(peer, id); };
   try {
     sending.writer = std::make_unique<FlowWriter>(*link_, topic, sending.flow.type,
                                                   offered_on_link(sending.flow), on_reader);
@@ -188,6 +186,7 @@ void FastDdsLinkBus::on_host_sample(const ReaderKey& key, TakenSample&& taken) {
 }
 
 void FastDdsLinkBus::on_link_sample(TakenSample&& taken) {
+  if (!table_.on_received(taken.writer, steady_now())) return;
   const auto id = table_.flow_of(taken.writer);
   if (!id || has_outlived_its_lifespan(taken, *id)) return;
   table_.push(link_event::LinkSample{*id, taken.number, std::move(taken.sample),

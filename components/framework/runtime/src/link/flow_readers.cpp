@@ -13,6 +13,7 @@ bool are_same(const ReaderKey& one, const ReaderKey& other) {
 }  // namespace
 
 void FlowReaders::add(FlowId flow, const ReaderKey& key) {
+  if (by_flow_.count(flow) != 0) return;
   const auto found = readers_.find(key);
   if (found == readers_.end()) readers_[key] = {make_(key)};
   idle_.erase(std::remove_if(idle_.begin(), idle_.end(),

@@ -21,7 +21,7 @@ class FlowReaders {
   static constexpr std::size_t most_idle = 64;
 
   explicit FlowReaders(Make make) : make_(std::move(make)) {}
-  /// May throw what `make` throws; then the flow has none.
+  /// May throw what `make` throws; then the flow has none. Again changes nothing.
   void add(FlowId flow, const ReaderKey& key);
   void remove(FlowId flow);
   [[nodiscard]] std::size_t size() const { return readers_.size(); }

@@ -107,13 +107,37 @@ void FlowTable::remove(const Guid& guid) {
   flows_.erase(id);
 }
 
-void FlowTable::remove_peer(const Participant& participant) {
+std::vector<FlowTable::Guid> FlowTable::writers_of(PeerId peer) const {
   std::vector<Guid> writers;
-  for (const auto& entry : by_writer_) {
-    if (entry.first.guidPrefix == participant) writers.push_back(entry.first);
+  for (const auto& [guid, id] : by_writer_) {
+    if (flows_.at(id).on_link && peer_of(guid.guidPrefix) == peer) writers.push_back(guid);
   }
-  for (const Guid& writer : writers) remove(writer);
-  if (peers_.erase(participant) > 0) events_.push_back(link_event::PeerLost{peer_of(participant)});
+  return writers;
+}
+
+void FlowTable::apply(const PeerInstances::Change& change) {
+  if (change.joined) {
+    events_.push_back(link_event::PeerFound{*change.joined, instances_.name_of(*change.joined)});
+  }
+  if (change.left) {
+    std::map<Guid, Flow> goes_on;  // it may return
+    for (const Guid& guid : writers_of(*change.left)) {
+      goes_on.emplace(guid, flows_.at(by_writer_.at(guid)).flow);
+      remove(guid);
+    }
+    events_.push_back(link_event::PeerLost{*change.left});
+    if (instances_.name_of(*change.left).empty()) goes_on.clear();
+    for (const auto& [guid, flow] : goes_on) add(guid, flow, true);
+  }
+  if (!change.joined) return;
+  for (const Guid& guid : writers_of(*change.joined)) {
+    const FlowId id = by_writer_.at(guid);
+    events_.push_back(
+        link_event::PeerFlow{id, *change.joined, wire_id_of(guid.entityId), flows_.at(id).flow});
+  }
+  for (const FlowId flow : listens_[*change.joined]) {
+    events_.push_back(link_event::PeerListens{flow, *change.joined});
+  }
 }
 
 void FlowTable::on_host_end(const Guid& guid, const AnnouncedEnd& end, bool there) {
@@ -140,22 +164,44 @@ void FlowTable::on_link_end(const Guid& guid, const AnnouncedEnd& end, bool ther
   on_event_();
 }
 
-void FlowTable::on_peer(const Participant& participant, const std::string& name, bool there) {
+void FlowTable::on_peer(const Participant& participant, const std::string& name, bool there,
+                        Time now) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!there) {
-      remove_peer(participant);
-    } else if (peers_.count(participant) == 0) {
-      // A peer has one life at a time: the one that was killed is not waited for.
-      const auto found = std::find_if(peers_.begin(), peers_.end(),
-                                      [&](const auto& entry) { return entry.second == name; });
-      const auto before = found == peers_.end() ? std::nullopt : std::optional(found->first);
-      peers_[participant] = name;
-      events_.push_back(link_event::PeerFound{peer_of(participant), name});
-      if (before) remove_peer(*before);
+    const PeerId peer = peer_of(participant);
+    if (there) {
+      peers_.try_emplace(participant, name);
+      apply(instances_.on_announced(peer, name, now));
+    } else {
+      apply(instances_.on_departed(peer, now));
+      for (const Guid& guid : writers_of(peer)) remove(guid);
+      peers_.erase(participant);
+      listens_.erase(peer);
     }
   }
   on_event_();
+}
+
+void FlowTable::on_peer_listens(const Participant& participant, FlowId flow) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const PeerId peer = peer_of(participant);
+    listens_[peer].insert(flow);
+    events_.push_back(link_event::PeerListens{flow, peer});
+  }
+  on_event_();
+}
+
+bool FlowTable::on_received(const Guid& writer, Time now) {
+  const PeerId peer = peer_of(writer.guidPrefix);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto change = instances_.on_received(peer, now);
+    if (!change.joined) return instances_.counts(peer);
+    apply(change);
+  }
+  on_event_();
+  return true;
 }
 
 void FlowTable::push(LinkEvent event) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fast_dds/remote_ends.hpp"
+#include "link/peer_instances.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/link_bus.hpp"
 
@@ -50,7 +51,13 @@ class FlowTable {
   void on_host_end(const Guid& guid, const AnnouncedEnd& end, bool there);
   /// The same on the link.
   void on_link_end(const Guid& guid, const AnnouncedEnd& end, bool there);
-  void on_peer(const Participant& participant, const std::string& name, bool there);
+  /// Of the instances of a peer one counts: see PeerInstances. A flow of another one is reported
+  /// without its peer, so that its samples are received, and again when it counts.
+  void on_peer(const Participant& participant, const std::string& name, bool there, Time now);
+  /// A peer has begun to read what is sent on a flow of ours.
+  void on_peer_listens(const Participant& participant, FlowId flow);
+  /// A sample of a writer on the link was received. Whether its instance of the peer counts.
+  [[nodiscard]] bool on_received(const Guid& writer, Time now);
   /// Samples that come when 4096 events wait are lost.
   void push(LinkEvent event);
   [[nodiscard]] std::optional<LinkEvent> pop();
@@ -78,7 +85,8 @@ class FlowTable {
   [[nodiscard]] std::string name_of(const Participant& participant) const;
   void add(const Guid& guid, const Flow& flow, bool on_link);
   void remove(const Guid& guid);
-  void remove_peer(const Participant& participant);
+  [[nodiscard]] std::vector<Guid> writers_of(PeerId peer) const;
+  void apply(const PeerInstances::Change& change);
 
   const TopicNames names_;
   const TrafficRules& rules_;
@@ -92,6 +100,8 @@ class FlowTable {
   std::map<FlowId, Known> flows_;
   std::map<Guid, FlowId> by_writer_;
   std::map<Participant, std::string> peers_;
+  PeerInstances instances_;
+  std::map<PeerId, std::set<FlowId>> listens_;  ///< to these of ours
   std::deque<LinkEvent> events_;
 };
 

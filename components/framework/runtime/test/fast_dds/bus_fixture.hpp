@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastrtps/attributes/LibrarySettingsAttributes.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -45,13 +43,6 @@ class Samples : public Receiver {
   std::condition_variable changed_;
   std::vector<Sample> samples_;
 };
-
-/// Packets, not calls, between the participants of this process; before the first bus is made.
-inline void deliver_by_packets() {
-  eprosima::fastrtps::LibrarySettingsAttributes settings;
-  settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-  eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
-}
 
 /// A bus on loopback with the QoS file `qos`.
 inline std::unique_ptr<Bus> make_test_bus(int domain, const std::string& qos,

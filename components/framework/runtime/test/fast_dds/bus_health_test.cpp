@@ -36,7 +36,6 @@ std::vector<std::string> texts(const std::vector<Sample>& samples) {
 
 class BusHealthTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { deliver_by_packets(); }
   static int domain() {
     static int next = 40;
     return ++next;

@@ -13,7 +13,6 @@ using Message = tocsin_msgs::msg::Goal;
 
 class EndpointLifeTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { deliver_by_packets(); }
   static int domain() {
     static int next = 180;
     return ++next;

@@ -20,8 +20,6 @@ Endpoint endpoint() {
 
 class FastDdsBusTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { deliver_by_packets(); }
-
   /// A domain of this test's own, apart from those of other processes running now.
   static int domain() {
     static int next = 100;

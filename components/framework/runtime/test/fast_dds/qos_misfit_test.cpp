@@ -13,7 +13,6 @@ const Endpoint text{{"text", "sensor", Scope::host}, &type_info<std_msgs::msg::S
 
 class QosMisfitTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { deliver_by_packets(); }
   static int domain() {
     static int next = 60;
     return ++next;

@@ -25,7 +25,6 @@ std::shared_ptr<const Bool> pressed() {
 
 class RequestsTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { deliver_by_packets(); }
   static int domain() {
     static int next = 64;
     return ++next;

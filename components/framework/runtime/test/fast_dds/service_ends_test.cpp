@@ -36,7 +36,6 @@ bool success_of(const ServiceReply& reply) {
 
 class ServiceEndsTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { deliver_by_packets(); }
   const int domain_ = next_domain();
 };
 

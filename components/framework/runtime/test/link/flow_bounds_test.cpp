@@ -51,12 +51,13 @@ class FlowBoundsTest : public ::testing::Test {
   const TrafficRules open_{file_.path(), Role::uxv};
   const TrafficRules shipped_{std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", Role::uxv,
                               VehicleChain::ours};
+  const Time now_{};
   FlowTable sut_{"", shipped_, [] {}};
 };
 
 TEST_F(FlowBoundsTest, OfAPeerOnlyWhatTheRulesNameOfItIsTaken) {
   const auto before = refused_names().total();
-  sut_.on_peer(guid(9, 0).guidPrefix, "gcs", true);
+  sut_.on_peer(guid(9, 0).guidPrefix, "gcs", true, now_);
   int entity = 0;
   for (const char* const topic :
        {"goal", "cmd_vel", "cmd_vel/navigation", "odom", "location", "emergency_stop/request",
@@ -86,7 +87,7 @@ TEST_F(FlowBoundsTest, TheChainOfThisHostIsNotSentEither) {
 }
 
 TEST_F(FlowBoundsTest, AThousandAnnouncementsOfAStrangerMakeNothing) {
-  sut_.on_peer(guid(9, 0).guidPrefix, "stranger", true);
+  sut_.on_peer(guid(9, 0).guidPrefix, "stranger", true, now_);
   (void)events();
   for (int i = 1; i <= 1500; ++i) {
     sut_.on_link_end(guid(9, i), writer("t" + std::to_string(i)), true);
@@ -114,11 +115,11 @@ TEST_F(FlowBoundsTest, OfAHostAndOfAPeerNoMoreThanAThousandFlowsAreTaken) {
 TEST_F(FlowBoundsTest, StrangersDoNotTakeTheRoomOfAPeerForever) {
   FlowTable sut("", open_, [] {});
   for (int peer = 1; peer <= 10; ++peer) {
-    sut.on_peer(guid(peer, 0).guidPrefix, "s" + std::to_string(peer), true);
+    sut.on_peer(guid(peer, 0).guidPrefix, "s" + std::to_string(peer), true, now_);
     for (int i = 1; i <= 1000; ++i) sut.on_link_end(guid(peer, i), writer("t"), true);
   }
   EXPECT_FALSE(sut.flow_of(guid(10, 1000)));  // all together have no more than four thousand
-  for (int peer = 1; peer <= 9; ++peer) sut.on_peer(guid(peer, 0).guidPrefix, "", false);
+  for (int peer = 1; peer <= 9; ++peer) sut.on_peer(guid(peer, 0).guidPrefix, "", false, now_);
   sut.on_link_end(guid(10, 1000), writer("t"), true);
   EXPECT_TRUE(sut.flow_of(guid(10, 1000)));
 }

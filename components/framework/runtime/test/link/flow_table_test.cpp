@@ -35,6 +35,7 @@ class FlowTableTest : public ::testing::Test {
   }
 
   int woken_ = 0;
+  Time now_{std::chrono::hours(1)};
   TrafficRules rules_{std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", Role::uxv};
   FlowTable sut_{"", rules_, [this] { ++woken_; }};
 };
@@ -87,7 +88,7 @@ TEST_F(FlowTableTest, AWriterThatAnnouncesItselfAgainChangesNothing) {
 }
 
 TEST_F(FlowTableTest, EachWriterOfAPeerIsAFlowWithWhatItSays) {
-  sut_.on_peer(guid(9, 0).guidPrefix, "gcs", true);
+  sut_.on_peer(guid(9, 0).guidPrefix, "gcs", true, now_);
   sut_.on_link_end(guid(9, 4), writer("rt/goal", "tocsin_flow=reliable,volatile,2,5;"), true);
   EXPECT_EQ(next<PeerFound>().name, "gcs");
   const auto flow = next<PeerFlow>();
@@ -99,31 +100,57 @@ TEST_F(FlowTableTest, EachWriterOfAPeerIsAFlowWithWhatItSays) {
 }
 
 TEST_F(FlowTableTest, APeerThatLeavesTakesItsFlowsAlong) {
-  sut_.on_peer(guid(9, 0).guidPrefix, "gcs", true);
+  sut_.on_peer(guid(9, 0).guidPrefix, "gcs", true, now_);
   sut_.on_link_end(guid(9, 4), writer("rt/goal"), true);
   (void)next<PeerFound>();
   const auto flow = next<PeerFlow>();
-  sut_.on_peer(guid(9, 0).guidPrefix, "", false);
+  sut_.on_peer(guid(9, 0).guidPrefix, "", false, now_);
   EXPECT_EQ(next<PeerFlowGone>().flow, flow.flow);
   EXPECT_EQ(next<PeerLost>().peer, flow.peer);
 }
 
-TEST_F(FlowTableTest, TheNextLifeOfAPeerEndsTheFormer) {
-  sut_.on_peer(guid(9, 0).guidPrefix, "gcs", true);
+TEST_F(FlowTableTest, ARestartedPeerTakesOverWhenItIsReceivedFromAndTheFormerIsNot) {
+  sut_.on_peer(guid(9, 0).guidPrefix, "gcs", true, now_);
   sut_.on_link_end(guid(9, 4), writer("rt/goal"), true);
   (void)next<PeerFound>();
   const auto flow = next<PeerFlow>();
-  sut_.on_peer(guid(10, 0).guidPrefix, "gcs", true);
-  EXPECT_EQ(next<PeerFound>().peer, FlowTable::peer_of(guid(10, 0).guidPrefix));
+  EXPECT_TRUE(sut_.on_received(guid(9, 4), now_));
+  sut_.on_peer(guid(10, 0).guidPrefix, "gcs", true, now_);
+  sut_.on_link_end(guid(10, 4), writer("rt/goal"), true);
+  sut_.on_peer_listens(guid(10, 0).guidPrefix, 3);
+  const auto held = next<PeerFlow>();
+  EXPECT_EQ(held.flow, sut_.flow_of(guid(10, 4))) << "it is received, and its peer is not reported";
+  (void)next<PeerListens>();
+  now_ += PeerInstances::least_silence;
+  EXPECT_TRUE(sut_.on_received(guid(10, 4), now_));
+  EXPECT_EQ(next<PeerFound>().peer, held.peer);
   EXPECT_EQ(next<PeerFlowGone>().flow, flow.flow);
   EXPECT_EQ(next<PeerLost>().peer, flow.peer);
-  sut_.on_peer(guid(9, 0).guidPrefix, "", false);  // its lease ends at last
+  EXPECT_EQ(next<PeerFlow>().peer, flow.peer) << "it may return";
+  EXPECT_EQ(next<PeerFlow>().flow, held.flow);
+  EXPECT_EQ(next<PeerListens>().peer, held.peer);
+  sut_.on_peer(guid(9, 0).guidPrefix, "", false, now_);  // its lease ends at last
+  (void)next<PeerFlowGone>();
   EXPECT_FALSE(sut_.pop());
 }
 
+TEST_F(FlowTableTest, AnAnnouncerOfTheSameNameDoesNotEndAPeerThatGoesOn) {
+  sut_.on_peer(guid(9, 0).guidPrefix, "gcs", true, now_);
+  sut_.on_link_end(guid(9, 4), writer("rt/goal"), true);
+  (void)next<PeerFound>();
+  const auto flow = next<PeerFlow>();
+  sut_.on_peer(guid(10, 0).guidPrefix, "gcs", true, now_);
+  for (int i = 0; i < 100; ++i, now_ += std::chrono::milliseconds(100)) {
+    EXPECT_TRUE(sut_.on_received(guid(9, 4), now_));
+    EXPECT_FALSE(sut_.on_received(guid(10, 4), now_));
+  }
+  EXPECT_FALSE(sut_.pop());
+  EXPECT_EQ(sut_.flow_of(guid(9, 4)), flow.flow);
+}
+
 TEST_F(FlowTableTest, ASecondPeerIsNoNextLife) {
-  sut_.on_peer(guid(9, 0).guidPrefix, "gcs", true);
-  sut_.on_peer(guid(10, 0).guidPrefix, "other", true);
+  sut_.on_peer(guid(9, 0).guidPrefix, "gcs", true, now_);
+  sut_.on_peer(guid(10, 0).guidPrefix, "other", true, now_);
   EXPECT_EQ(next<PeerFound>().name, "gcs");
   EXPECT_EQ(next<PeerFound>().name, "other");
   EXPECT_FALSE(sut_.pop());

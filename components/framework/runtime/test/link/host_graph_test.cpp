@@ -40,7 +40,6 @@ std::shared_ptr<const String> text(const std::string& data) {
 
 class HostGraphTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { deliver_by_packets(); }
   HostGraphTest() : domain_(next_domain()), graph_(make_host_graph(options())) {}
 
   [[nodiscard]] BusOptions options() const {

@@ -55,7 +55,6 @@ int own_namespace() { return open("/proc/thread-self/ns/net", O_RDONLY | O_CLOEX
 /// because `right` with 10.9.0.2 in the other one is down.
 class LateLinkTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { deliver_by_packets(); }
   void SetUp() override {
     for (int* one : {&right_, &left_}) {
       if (unshare(CLONE_NEWNET) != 0) GTEST_SKIP() << "no network namespace: needs CAP_SYS_ADMIN";

@@ -17,7 +17,6 @@ namespace tocsin {
 /// A vehicle and a station with routers that meet on loopback.
 class LinkBusFixture : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { deliver_by_packets(); }
   /// `first`: of three domains.
   explicit LinkBusFixture(int first) : first_(first) {}
 

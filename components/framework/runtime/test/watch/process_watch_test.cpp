@@ -54,7 +54,6 @@ class Told {
 };
 
 TEST(ProcessWatch, AMessageThatKeepsItsReceptionIsAFindingUntilItLetsGo) {
-  deliver_by_packets();
   TypeInfo holding = type_info<String>();
   holding.deserialize = &read_or_keep;
   const auto writing = make_test_bus(151, qos);

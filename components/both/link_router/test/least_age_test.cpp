@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link_router/least_age.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tocsin::router {
+namespace {
+
+constexpr Duration ms = std::chrono::milliseconds(1);
+constexpr Duration difference = std::chrono::hours(9);  // between the clocks
+
+class LeastAgeTest : public ::testing::Test {
+ protected:
+  LeastAgeTest() {
+    for (int i = 0; i < 20; ++i, now += 100 * ms) (void)age(2 * ms);
+  }
+  /// Of a sample that was sent so long ago.
+  Duration age(Duration real) { return sut.age(now - real - difference, now); }
+  /// How long healthy traffic, ten arrivals a second, seems older than `limit`.
+  Duration poisoned_for(Duration limit) {
+    const Time begin = now;
+    while (age(2 * ms) > limit && now - begin < std::chrono::minutes(1)) now += 100 * ms;
+    return now - begin;
+  }
+  LeastAge sut{std::chrono::seconds(30)};
+  Time now{std::chrono::hours(20)};
+};
+
+TEST_F(LeastAgeTest, IsOverTheLeastWhateverTheClocksShow) {
+  EXPECT_EQ(age(2 * ms), 0 * ms);
+  EXPECT_EQ(age(302 * ms), 300 * ms);
+}
+
+TEST_F(LeastAgeTest, AForgedFutureIsForgottenWithinTwoSeconds) {
+  for (const Duration ahead : {300 * ms, 1500 * ms, 3000 * ms, 3'600'000 * ms}) {
+    (void)age(-ahead);
+    EXPECT_GT(age(2 * ms), 250 * ms);
+    EXPECT_LE(poisoned_for(250 * ms), 1600 * ms);
+    EXPECT_EQ(age(2 * ms), 0 * ms);
+  }
+}
+
+TEST_F(LeastAgeTest, AForgedPastChangesNothing) {
+  for (int i = 0; i < 100; ++i) (void)age(std::chrono::hours(1));
+  EXPECT_EQ(age(2 * ms), 0 * ms);
+}
+
+TEST_F(LeastAgeTest, AQueueThatDrainsStaysOld) {
+  for (Duration real = 1900 * ms; real > 300 * ms; real -= 80 * ms, now += 100 * ms) {
+    EXPECT_EQ(age(real), real - 2 * ms);
+  }
+}
+
+TEST_F(LeastAgeTest, ABurstAfterAnOutageStaysOld) {
+  now += std::chrono::minutes(2);
+  for (int i = 0; i < 40; ++i, now += ms) EXPECT_GT(age(10'000 * ms), 9000 * ms);
+}
+
+TEST_F(LeastAgeTest, OneHealthyArrivalBreaksTheRow) {
+  for (int i = 0; i < 100; ++i, now += 100 * ms) {
+    EXPECT_EQ(age(1002 * ms), 1000 * ms);
+    if (i % 10 == 0) {
+      EXPECT_EQ(age(2 * ms), 0 * ms);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tocsin::router
