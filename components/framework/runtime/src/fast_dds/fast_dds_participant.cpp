@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds/fast_dds_participant.hpp"
 
+#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <chrono>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 
 #include <utility>
 
