@@ -41,7 +41,7 @@ inline BusOptions vehicle_domain(int domain) {
 template <class Topic>
 std::function<void(Bus&)> repeat(
     typename Topic::Message message,
-    std::chrono::milliseconds period = std::chrono::millistd::chrono::seconds(50)) {
+    std::chrono::milliseconds period = std::chrono::milliseconds(50)) {
   return [message = std::make_shared<const typename Topic::Message>(std::move(message)),
           period](Bus& bus) {
     const auto writer = bus.advertise({Topic::info, &type_info<typename Topic::Message>()});
@@ -56,7 +56,7 @@ std::function<void(Bus&)> repeat(
 inline std::function<void(Bus&)> drive_past_all() {
   topic::CmdVel::Message message;
   message.linear().x(0.5);
-  return repeat<topic::CmdVel>(message, std::chrono::millistd::chrono::seconds(20));
+  return repeat<topic::CmdVel>(message, std::chrono::milliseconds(20));
 }
 
 inline topic::EmergencyStop::Message word(bool pressed) {
