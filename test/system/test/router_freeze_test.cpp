@@ -8,7 +8,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
-#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -65,6 +65,7 @@ class RouterFreezeTest : public ::testing::Test {
   /// Freezes a router and returns when it goes on.
   double freeze(const std::string& router, seconds time) const {
     const pid_t pid = stack_.pid(router);
+    if (pid <= 0) throw std::runtime_error(router + " does not run");  // 0 would be this process
     kill(pid, SIGSTOP);
     std::this_thread::sleep_for(time);
     kill(pid, SIGCONT);
@@ -118,7 +119,7 @@ class RouterFreezeTest : public ::testing::Test {
 };
 
 TEST_F(RouterFreezeTest, EveryStreamIsReceivedAgainWithinTwoSecondsAndTheStopStops) {
-  drive();
+  ASSERT_NO_FATAL_FAILURE(drive());
   for (const int time : {1, 5}) {
     freeze_and_stop("gcs/link", seconds(time));
     freeze_and_stop("uxv/link", seconds(time));
@@ -126,7 +127,7 @@ TEST_F(RouterFreezeTest, EveryStreamIsReceivedAgainWithinTwoSecondsAndTheStopSto
 }
 
 TEST_F(RouterFreezeTest, ALongFreezeOfTheStationsRouterDoesNotMuteTheStop) {
-  drive();
+  ASSERT_NO_FATAL_FAILURE(drive());
   const Streams before = recorded(wall_s() - 4);
   expect_all_again(before, freeze("gcs/link", seconds(20)));
   EXPECT_EQ(estop("on"), 0);
