@@ -39,9 +39,8 @@ inline BusOptions vehicle_domain(int domain) {
 
 /// Repeats a message for ever, twenty times a second unless told otherwise.
 template <class Topic>
-std::function<void(Bus&)> repeat(
-    typename Topic::Message message,
-    std::chrono::milliseconds period = std::chrono::milliseconds(50)) {
+std::function<void(Bus&)> repeat(typename Topic::Message message,
+                                 std::chrono::milliseconds period = std::chrono::milliseconds(50)) {
   return [message = std::make_shared<const typename Topic::Message>(std::move(message)),
           period](Bus& bus) {
     const auto writer = bus.advertise({Topic::info, &type_info<typename Topic::Message>()});
