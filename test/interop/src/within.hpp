@@ -2,7 +2,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <thread>
+#include <vector>
 
 namespace tocsin::interop {
 
@@ -21,6 +23,12 @@ bool within(std::chrono::milliseconds limit, const Condition& condition) {
 template <class Condition>
 bool eventually(const Condition& condition) {
   return within(std::chrono::seconds(15), condition);
+}
+
+/// A payload as it arrives in a packet, where RTPS pads it to a multiple of four bytes.
+inline std::vector<std::uint8_t> padded(std::vector<std::uint8_t> payload) {
+  payload.resize((payload.size() + 3) / 4 * 4);
+  return payload;
 }
 
 }  // namespace tocsin::interop

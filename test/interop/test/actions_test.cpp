@@ -124,7 +124,7 @@ TEST_F(OurServer, WorksOnAGoalOfRmwFastrtps) {
   EXPECT_NE(part(accepted, 8, 4), Bytes(4, 0)) << "the stamp";
   ASSERT_TRUE(eventually([&] { return !status.samples().empty(); }));
   // One goal: its id, the stamp that was told with the answer, EXECUTING.
-  EXPECT_EQ(status.samples().back(), joined({{1, 0, 0, 0}, id, part(accepted, 8, 8), {2}}));
+  EXPECT_EQ(status.samples().back(), padded(joined({{1, 0, 0, 0}, id, part(accepted, 8, 8), {2}})));
   results.ask(joined({id}));
   ASSERT_TRUE(eventually([&] {
     if (feedback.samples().empty()) sut_.step(bus_->now());

@@ -102,7 +102,7 @@ TEST(Services, AClientOfRmwFastrtpsIsAnsweredByTheIdentityOfItsRequest) {
     sut.answer();
     return (reply = client.take()).has_value();
   }));
-  EXPECT_EQ(reply->bytes, response_bytes);
+  EXPECT_EQ(reply->bytes, padded(response_bytes));
   EXPECT_EQ(reply->related.writer_guid(), client.reader_guid());
   EXPECT_EQ(reply->related.sequence_number().to64long(), number);
 }
@@ -138,7 +138,7 @@ TEST(Services, AClientOfRmwCycloneddsIsAnsweredWithItsHeader) {
   expected.insert(expected.end(), response_bytes.begin() + 4, response_bytes.end());
   EXPECT_TRUE(eventually([&] {
     const std::lock_guard<std::mutex> lock(mutex);
-    return heard == expected;
+    return heard == padded(expected);
   }));
 }
 
@@ -162,7 +162,7 @@ TEST(Services, ClientsOfBothAreServedSideBySideAndNeitherTakesTheOthersReply) {
     sut.answer();
     while (const auto reply = fast.take()) {
       if (reply->related.writer_guid() != fast.reader_guid()) continue;  // as rmw_fastrtps
-      EXPECT_EQ(reply->bytes, response_bytes);
+      EXPECT_EQ(reply->bytes, padded(response_bytes));
       of_fast.push_back(reply->related.sequence_number().to64long());
     }
     cyclone.take([&](const headed_SetBoolResponse& reply) {
@@ -187,7 +187,7 @@ TEST(Services, OurClientAsksAServerOfRmwFastrtpsByIdentity) {
   ASSERT_TRUE(number);
   std::optional<FastDdsService::Taken> request;
   ASSERT_TRUE(eventually([&] { return (request = server.take()).has_value(); }));
-  EXPECT_EQ(request->bytes, request_bytes);
+  EXPECT_EQ(request->bytes, padded(request_bytes));
   EXPECT_NE(request->related.writer_guid(), eprosima::fastrtps::rtps::GUID_t::unknown());
   // rmw_fastrtps answers so: the guid that was given, and the number of the request's sample.
   FastDdsService::Identity answered = request->related;

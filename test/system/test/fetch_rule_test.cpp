@@ -39,7 +39,7 @@ class FetchRuleTest : public ::testing::Test {
                         "uxv:\n"
                         "  low: {log: [odom]}\n"
                         "  fetch:\n"
-                        "    - {when: emergency_stop, field: data, equals: true, topics: [odom],\n"
+                        "    - {when: safety_status, field: emergency_stop, equals: true, topics: [odom],\n"
                         "       before_s: 5, after_s: 5}\n");
     (void)folder_.write("fetch.yaml",
                         "extends: mission.yaml\n"

@@ -77,8 +77,6 @@ TEST_F(ForgedLinkTest, StrangersWithEndlessLeasesDoNotLockOutARouterThatComesBac
     forger().send(Forger::stranger_like(*victim, number), forger().port());
     std::this_thread::sleep_for(milliseconds(2));
   }
-  const std::size_t strangers = gcs.peers().size();
-  EXPECT_GT(strangers, 100U) << "they call themselves the vehicle's router, too";
   const auto begin = std::chrono::steady_clock::now();
   uxv.emplace(options(Role::uxv));
   const auto vehicle = process(Role::uxv);
