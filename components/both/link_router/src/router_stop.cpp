@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <random>
+#include <string>
 #include <utility>
 
 #include "runtime/middleware/ros_stamp.hpp"
@@ -30,7 +31,7 @@ RouterStop::RouterStop(Component& owner, const Context& context, LinkBus& link, 
       link_(link),
       log_(log),
       role_(context.role),
-      file_(context.state_path(".link_stop")),
+      file_(context.state_path(std::string(".") + to_string(context.role) + ".link_stop")),
       side_(make_side(owner, role_, file_, owner.bus().now())),
       told_(owner) {
   value_.role = role_;

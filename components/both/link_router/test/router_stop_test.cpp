@@ -132,6 +132,16 @@ TEST_F(RouterStopTest, AStopStandsOverARestartOfTheVehiclesRouter) {
   EXPECT_FALSE(told().stands());
 }
 
+TEST_F(RouterStopTest, RoutersOfBothSidesInOneRunFolderKeepTheirsApart) {
+  start(Role::gcs);
+  press(true);
+  start(Role::uxv);
+  EXPECT_FALSE(told().stands()) << "what the station keeps is no lock";
+  hear(station(true));
+  start(Role::uxv);
+  EXPECT_THAT(said().locks, ElementsAre(router::lock_of({1})));
+}
+
 TEST_F(RouterStopTest, APersonAtTheVehicleReleasesWhatAStationThatIsGoneHasLeft) {
   start(Role::uxv);
   hear(station(true));
