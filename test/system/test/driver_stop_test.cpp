@@ -48,7 +48,7 @@ TEST_F(DriverStopTest, IsPressedAndReleasedOnTheVehiclesOwnHost) {
   EXPECT_THAT(said(), HasSubstr("emergency stop ON: the vehicle stands (pressed on its own host"));
   EXPECT_TRUE(stands());
   EXPECT_EQ(own_estop({"status", "--host", "uxv"}), 0) << said();
-  EXPECT_THAT(said(), HasSubstr("vehicle stands by emergency stop of: station"));
+  EXPECT_THAT(said(), HasSubstr("vehicle stands by emergency stop of: estop ("));
   EXPECT_EQ(own_estop({"off", "--host", "uxv"}), 0) << said();
   EXPECT_TRUE(moves());
 }

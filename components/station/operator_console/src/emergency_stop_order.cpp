@@ -5,19 +5,21 @@
 #include <utility>
 
 #include "foundation/joined.hpp"
-#include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
 namespace {
 
-bool has_station(const std::vector<std::string>& names) {
-  return std::find(names.begin(), names.end(), topic::EmergencyStop::station_name) != names.end();
+/// Whether one of the names is of a process of `tocsin estop`, as EmergencyStopInput shows it.
+bool has_order(const std::vector<std::string>& names) {
+  const std::string own = std::string(EmergencyStopOrder::process) + " (";
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return name.rfind(own, 0) == 0; });
 }
 
 }  // namespace
 
 void EmergencyStopOrder::on_vehicle(bool stands, std::vector<std::string> stopped_by) {
-  if (!stands_) stood_by_station_ = has_station(stopped_by);
+  if (!stands_) stood_by_order_ = has_order(stopped_by);
   stands_ = stands;
   stopped_by_ = std::move(stopped_by);
 }
@@ -43,7 +45,7 @@ std::optional<bool> EmergencyStopOrder::direct(Time now) const {
 
 /// A stop that stood before under the same name may be another's, so that ours takes its time.
 bool EmergencyStopOrder::is_pressed_here(Time now) const {
-  return has_station(stopped_by_) && (!stood_by_station_ || now >= direct_at_);
+  return has_order(stopped_by_) && (!stood_by_order_ || now >= direct_at_);
 }
 
 bool EmergencyStopOrder::is_done(Time now) const {
@@ -67,7 +69,7 @@ OrderResult EmergencyStopOrder::obeyed() const {
   if (wish_ == Wish::off) return {0, "emergency stop off: the vehicle may drive"};
   const std::string text = "emergency stop ON: the vehicle stands";
   if (place_ == Place::vehicle) {
-    return {0, text + " (pressed on its own host; release it there or at the station)"};
+    return {0, text + " (pressed on its own host; release it there)"};
   }
   if (is_taken()) return {0, text};
   return {0, text + " (told directly; no component emergency_stop at the station says it on)"};

@@ -8,6 +8,7 @@
 
 #include "command_line/programs.hpp"
 #include "foundation/error.hpp"
+#include "operator_console/emergency_stop_order.hpp"
 
 namespace tocsin {
 namespace {
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 BusOptions bus_of(const deployment::Deployment& deployment, const deployment::Host& host) {
   BusOptions bus;
-  bus.name = "estop";
+  bus.name = EmergencyStopOrder::process;
   bus.role = host.role;
   bus.ros_namespace = deployment.ros_namespace;
   bus.host_domain = host.local_domain;
@@ -39,7 +40,7 @@ EstopTarget target_of(const EstopOptions& options) {
     throw ConfigError("--link-domain, --address and --peer belong together");
   }
   BusOptions bus;
-  bus.name = "estop";
+  bus.name = EmergencyStopOrder::process;
   bus.role = role_of(options.join.host).value_or(Role::gcs);
   bus.ros_namespace = options.ros_namespace;
   bus.host_domain = options.domain.value_or(nobodys_domain(options.link_domain));

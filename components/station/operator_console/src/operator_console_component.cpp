@@ -47,7 +47,8 @@ OperatorConsoleComponent::OperatorConsoleComponent(Context& context, const Param
                                                    Printer print)
     : Component(context), params_(params), print_(std::move(print)) {
   // Made at the start, so that the vehicle's readers are found before it is needed.
-  if (params.direct) direct_.emplace(*this, topic::EmergencyStop::station);
+  // On a vehicle's host it presses for itself: the station would take up a stop of its name.
+  if (params.direct) direct_.emplace(*this, is_at_vehicle() ? "" : topic::EmergencyStop::station);
 }
 
 void OperatorConsoleComponent::tick(Time now) {

@@ -122,23 +122,21 @@ TEST_F(StopAtVehicleTest, IsPressedAtOnceAndAsksNobody) {
   EXPECT_FALSE(on_.request());
   on_.on_vehicle(false, {});
   EXPECT_FALSE(on_.result(t0));
-  on_.on_vehicle(true, {"station"});
+  on_.on_vehicle(true, {"estop (2a)"});
   EXPECT_EQ(on_.result(t0)->code, 0);
-  EXPECT_EQ(
-      on_.result(t0)->text,
-      "emergency stop ON: the vehicle stands (pressed on its own host; release it there or at "
-      "the station)");
+  EXPECT_EQ(on_.result(t0)->text,
+            "emergency stop ON: the vehicle stands (pressed on its own host; release it there)");
 }
 
 TEST_F(StopAtVehicleTest, TheStopOfAnotherIsNotTheAnswer) {
   on_.on_vehicle(true, {"button (7)"});
   EXPECT_FALSE(on_.result(late_));
-  on_.on_vehicle(true, {"station", "button (7)"});
+  on_.on_vehicle(true, {"estop (2a)", "button (7)"});
   EXPECT_EQ(on_.result(t0)->code, 0);
 }
 
-TEST_F(StopAtVehicleTest, AStopOfTheStationThatStoodBeforeIsTheAnswerAfterASecondOnly) {
-  on_.on_vehicle(true, {"station"});
+TEST_F(StopAtVehicleTest, AStopOfAnotherOrderThatStoodBeforeIsTheAnswerAfterASecondOnly) {
+  on_.on_vehicle(true, {"estop (2a)"});
   EXPECT_FALSE(on_.result(late_ - tick));
   EXPECT_EQ(on_.result(late_)->code, 0);
 }

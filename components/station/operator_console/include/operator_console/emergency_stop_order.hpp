@@ -20,6 +20,8 @@ namespace tocsin {
 /// Pure; `now` must not decrease.
 class EmergencyStopOrder {
  public:
+  /// The name of the process that gives it, under which it presses on a vehicle's own host.
+  static constexpr const char* process = "estop";
   enum class Wish { on, off, status };
   /// What the ground station's component said last that a person asked it for.
   enum class Asked { nothing, on, off };
@@ -56,7 +58,7 @@ class EmergencyStopOrder {
   std::optional<Asked> asked_;  ///< empty: the station's component was not heard
   std::optional<bool> stands_;  ///< empty: the vehicle was not heard
   std::vector<std::string> stopped_by_;
-  bool stood_by_station_ = false;  ///< when the vehicle was first heard
+  bool stood_by_order_ = false;  ///< when the vehicle was first heard
 };
 
 }  // namespace tocsin
