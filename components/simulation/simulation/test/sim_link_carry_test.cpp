@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "link_bus_fixture.hpp"
+#include "runtime/middleware/link_permissions.hpp"
 
 namespace tocsin::simulation {
 namespace {
@@ -285,7 +286,9 @@ TEST_F(LinkBusTest, AMessageBetweenRoutersIsUnpackedAsItWasPacked) {
   const auto packed = message<topic::Goal>();
   const CarriedSample sample = up().bus.pack(type, packed);
   EXPECT_EQ(sample.bytes, type.serialized_size(packed.get()));
-  const FlowId flow = up().bus.open({}, TrafficClass::critical);
+  Flow between;
+  between.topic = link_receipt_topic;
+  const FlowId flow = up().bus.open(between, TrafficClass::critical);
   run_for(0.2);
   EXPECT_EQ(up().bus.send(flow, sample), 1U);
   core_.now += seconds(0.01);

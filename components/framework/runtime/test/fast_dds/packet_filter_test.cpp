@@ -34,13 +34,15 @@ std::vector<std::uint8_t> announcement(std::uint8_t last_octet) {
   };
   const std::vector<std::uint8_t> prefix(12, 7);
   add(prefix);
-  add({0x15, 5, 20 + 4 + 20 + 28 + 4, 0, 0, 0, 16, 0, 0, 0, 0, 0, 0, 1, 0, 0xc2});
+  add({0x15, 5, 20 + 4 + 20 + 28 + 8 + 4, 0, 0, 0, 16, 0, 0, 0, 0, 0, 0, 1, 0, 0xc2});
   add({0, 0, 0, 0, 1, 0, 0, 0, 0, 3, 0, 0});
   add({0x50, 0, 16, 0});
   add(prefix);
   add({0, 0, 1, 0xc1});
   add({0x32, 0, 24, 0, 1, 0, 0, 0, 0xf2, 0x1c, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
-  add({10, 77, 0, last_octet, 1, 0, 0, 0});
+  add({10, 77, 0, last_octet});
+  add({0x58, 0, 4, 0, 0x3f, 0, 0, 0});  // its builtin endpoints
+  add({1, 0, 0, 0});
   return bytes;
 }
 

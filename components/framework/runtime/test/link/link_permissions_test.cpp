@@ -17,13 +17,21 @@ using ::testing::UnorderedElementsAreArray;
 
 const std::string shipped = std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml";
 
-TEST(LinkPermissions, OnlyTheStationWritesGoalsStopsAndDrives) {
+TEST(LinkPermissions, OnlyTheStationWritesGoalsAndDrives) {
   const auto vehicle = link_permissions({Role::uxv, shipped, ""});
   const auto station = link_permissions({Role::gcs, shipped, ""});
-  for (const char* topic : {"rt/goal", "rt/emergency_stop", "rt/mission_status"}) {
+  for (const char* topic : {"rt/goal", "rt/teleop/request", "rt/mission_status"}) {
     EXPECT_THAT(station.publish, Contains(topic));
     EXPECT_THAT(vehicle.publish, Not(Contains(topic)));
     EXPECT_THAT(vehicle.subscribe, Contains(topic));
+  }
+}
+
+TEST(LinkPermissions, NobodyWritesTheStopWhichHasAWayOfItsOwn) {
+  for (const Role role : roles) {
+    const auto sut = link_permissions({role, shipped, ""});
+    EXPECT_THAT(sut.publish, Not(Contains("rt/emergency_stop")));
+    EXPECT_THAT(sut.subscribe, Not(Contains("rt/emergency_stop")));
   }
 }
 
