@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fetch_trigger.hpp"
 
+#include <utility>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -47,8 +49,12 @@ FetchTrigger::FetchTrigger(Component& owner, const FetchRule& rule)
 std::optional<Time> FetchTrigger::take() {
   std::optional<Time> event;
   while (const auto sample = input_.take_sample()) {
-    if (sample->message == nullptr || !condition_.holds(sample->message.get())) continue;
-    const bool is_new = !last_ || sample->received - *last_ > seconds(rule_.min_interval_s);
+    if (sample->message == nullptr) continue;
+    const bool went_on = std::exchange(holds_, condition_.holds(sample->message.get()));
+    if (!holds_) continue;
+    const bool has_state = rule_.is != FetchRule::Is::any;
+    const bool is_late = !last_ || sample->received - *last_ > seconds(rule_.min_interval_s);
+    const bool is_new = is_late && !(has_state && went_on);
     last_ = sample->received;
     if (is_new) event = sample->received;
   }

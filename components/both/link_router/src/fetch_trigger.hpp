@@ -19,7 +19,7 @@ class FetchTrigger {
 
   [[nodiscard]] const FetchRule& rule() const { return rule_; }
   /// When an event began that was not told yet: a sample that fulfils the rule, so long after the
-  /// last one that did as the rule says.
+  /// last one that did as the rule says, and of a rule with a field after one that did not.
   [[nodiscard]] std::optional<Time> take();
   /// An event of an earlier life goes on: it was told.
   void resume(Time now) { last_ = now; }
@@ -29,6 +29,7 @@ class FetchTrigger {
   InputPort input_;
   FieldCondition condition_;
   std::optional<Time> last_;  ///< sample that fulfilled it
+  bool holds_ = false;        ///< the condition, by the last sample
 };
 
 /// The rule that `fetch_around_stop_s` stands for.

@@ -11,48 +11,68 @@ using std::chrono::milliseconds;
 constexpr Duration burst = milliseconds(50);
 /// Nothing was received for longer: the least age is of before.
 constexpr Duration silence = std::chrono::seconds(1);
+constexpr Duration agreement = milliseconds(100);
+constexpr int confirming = 3;
+/// A lesser age that is heard of for shorter than this is no evidence.
+constexpr Duration confirming_for = std::chrono::seconds(1);
+/// A row whose arrivals are farther apart begins anew.
+constexpr Duration row_lasts = std::chrono::seconds(2);
 constexpr Duration very_old = std::chrono::seconds(2);
 constexpr int very_old_means_step = 8;
-/// More than a healthy queue of the radio takes.
-constexpr Duration old = milliseconds(250);
-constexpr Duration old_for = milliseconds(1200);
-constexpr int old_at_least = 3;
 constexpr Duration settling = milliseconds(250);
 
 }  // namespace
 
+bool LeastAge::count(Row& row, int wanted, Duration seen, Time now) {
+  if (row.arrivals > 0 && now - row.counted > row_lasts) row = {};
+  if (row.arrivals == 0) {
+    row = {1, now, now, seen};
+    return wanted <= 1;
+  }
+  row.least = std::min(row.least, seen);
+  if (now - row.counted < burst) return false;
+  row.counted = now;
+  return ++row.arrivals >= wanted;
+}
+
+void LeastAge::begin(Duration seen, Time since, Time now) {
+  least_.clear();
+  least_.add(seen, now);
+  begun_ = since;
+  agreed_ = now;
+  lesser_ = contrary_ = old_ = {};
+}
+
 Duration LeastAge::age(Time sent, Time now) {
   const Duration seen = now.time_since_epoch() - sent.time_since_epoch();
   if (least_.value() && now - heard_ > silence) least_.skip(now - heard_);
-  if (!least_.value()) begun_ = now;
   heard_ = now;
-  least_.add(seen, now);
-  const Duration age = seen - *least_.value();
-  if (is_refuted(age, now)) {
-    least_.clear();
-    aged_ = {};
-  }
+  if (!least_.value()) begin(seen, now, now);
+  const Duration age = std::max(Duration{0}, seen - *least_.value());
+  note(seen, now);
   return age;
 }
 
-bool LeastAge::is_settled(Time now) const { return now - begun_ >= settling; }
-
-bool LeastAge::is_refuted(Duration age, Time now) {
-  if (age <= old) {
-    aged_ = {};
-    return false;
+void LeastAge::note(Duration seen, Time now) {
+  const Duration least = *least_.value();
+  if (seen + agreement < least) {
+    const bool said = count(lesser_, confirming, seen, now);
+    if (said && now - lesser_.begun >= confirming_for) begin(lesser_.least, lesser_.begun, now);
+    return;
   }
-  if (aged_.late > 0 && now - aged_.counted < burst) return false;
-  if (aged_.late == 0 || age < aged_.first / 2) {
-    aged_.since = now;
-    aged_.first = age;
-    aged_.late = 0;
+  least_.add(seen, now);
+  if (seen <= least + agreement) {
+    agreed_ = now;
+    lesser_ = contrary_ = old_ = {};
+    return;
   }
-  ++aged_.late;
-  aged_.very_late = age > very_old ? aged_.very_late + 1 : 0;
-  aged_.counted = now;
-  if (aged_.very_late >= very_old_means_step) return true;
-  return aged_.late >= old_at_least && now - aged_.since >= old_for;
+  const bool contradicted = count(contrary_, confirming, seen, now);
+  const bool as_long = now - contrary_.begun >= agreed_ - begun_;
+  const bool was_set = seen - least > very_old && count(old_, very_old_means_step, seen, now);
+  if (seen - least <= very_old) old_ = {};
+  if (was_set || (contradicted && as_long)) begin(contrary_.least, contrary_.begun, now);
 }
+
+bool LeastAge::is_settled(Time now) const { return now - begun_ >= settling; }
 
 }  // namespace tocsin::router

@@ -67,6 +67,15 @@ TEST_F(FetchTriggerTest, WhatIsSaidAgainIsTheSameEventHoweverLong) {
   EXPECT_EQ(sut_.events, 2);
 }
 
+TEST_F(FetchTriggerTest, AStateThatHoldsOnIsTheSameEventHoweverSeldomItIsSaid) {
+  stop(true, 30);
+  stop(true, 30);
+  EXPECT_EQ(sut_.events, 1);
+  stop(false, 10);
+  stop(true, 1);
+  EXPECT_EQ(sut_.events, 2);
+}
+
 TEST_F(FetchTriggerTest, NamesATopicThatNobodyKnows) {
   FetchRule rule = around_stop(10);
   rule.when = "emergency_stp";

@@ -31,13 +31,52 @@ TEST_F(LeastAgeTest, IsOverTheLeastWhateverTheClocksShow) {
   EXPECT_EQ(age(302 * ms), 300 * ms);
 }
 
-TEST_F(LeastAgeTest, AForgedFutureIsForgottenWithinTwoSeconds) {
+TEST_F(LeastAgeTest, AForgedFutureMakesNothingOld) {
   for (const Duration ahead : {300 * ms, 1500 * ms, 3000 * ms, 3'600'000 * ms}) {
     (void)age(-ahead);
-    EXPECT_GT(age(2 * ms), 250 * ms);
-    EXPECT_LE(poisoned_for(250 * ms), 1600 * ms);
+    EXPECT_EQ(age(2 * ms), 0 * ms);
+    EXPECT_EQ(age(302 * ms), 300 * ms);
+  }
+}
+
+TEST_F(LeastAgeTest, AFutureCountsWhenNothingElseIsSaidForASecond) {
+  const Time begin = now;
+  for (; now - begin < 1000 * ms; now += 50 * ms) EXPECT_EQ(age(-500 * ms), 0 * ms);
+  (void)age(-500 * ms);
+  EXPECT_EQ(age(2 * ms), 502 * ms);
+}
+
+TEST_F(LeastAgeTest, AFutureBesideHealthyTrafficNeverCounts) {
+  for (int i = 0; i < 100; ++i, now += 50 * ms) {
+    (void)age(-500 * ms);
     EXPECT_EQ(age(2 * ms), 0 * ms);
   }
+}
+
+TEST_F(LeastAgeTest, ThreeOfOneBurstCountOnce) {
+  for (int i = 0; i < 30; ++i) (void)age(-500 * ms);
+  EXPECT_EQ(age(2 * ms), 0 * ms);
+}
+
+TEST_F(LeastAgeTest, AFutureThatWasConfirmedIsForgottenWithinTwoSeconds) {
+  for (int i = 0; i < 12; ++i, now += 100 * ms) (void)age(-3000 * ms);
+  EXPECT_EQ(age(2 * ms), 3002 * ms);
+  EXPECT_LE(poisoned_for(250 * ms), 1600 * ms);
+  EXPECT_EQ(age(2 * ms), 0 * ms);
+}
+
+TEST_F(LeastAgeTest, AFirstArrivalThatIsForgedEndsWithTheNextThree) {
+  LeastAge fresh{std::chrono::seconds(30)};
+  (void)fresh.age(now + 500 * ms - difference, now);
+  for (int i = 0; i < 3; ++i, now += 50 * ms) {
+    EXPECT_EQ(fresh.age(now - difference, now), 500 * ms);
+  }
+  EXPECT_EQ(fresh.age(now - difference, now), 0 * ms);
+}
+
+TEST_F(LeastAgeTest, AQueueStaysOldForAsLongAsTheLinkWasHealthyBefore) {
+  for (int i = 0; i < 100; ++i, now += 100 * ms) (void)age(2 * ms);
+  for (int i = 0; i < 100; ++i, now += 100 * ms) EXPECT_EQ(age(1002 * ms), 1000 * ms);
 }
 
 TEST_F(LeastAgeTest, AForgedPastChangesNothing) {

@@ -80,9 +80,11 @@ TEST_F(LinkReceiverTest, WhatComesInABurstAfterAnOutageIsNoStepOfAClock) {
 
 TEST_F(LinkReceiverTest, GetsOverAStepOfThePeersClock) {
   sut.on_stream("vehicle", location, rule(1, 1000 * ms));
-  EXPECT_EQ(arrive(1, 1), Disposition::deliver);
+  for (std::uint64_t i = 1; i < 15; ++i, now += 100 * ms) {
+    EXPECT_EQ(arrive(i, i), Disposition::deliver);
+  }
   int expired = 0;
-  for (std::uint64_t i = 2; i < 40; ++i, now += 100 * ms) {
+  for (std::uint64_t i = 15; i < 40; ++i, now += 100 * ms) {
     expired += arrive(i, i, std::chrono::minutes(10)) == Disposition::expired ? 1 : 0;
   }
   EXPECT_EQ(expired, 8);

@@ -16,9 +16,9 @@
 namespace tocsin::simulation {
 namespace {
 
-constexpr std::array<const char*, 10> names{"crash",      "loss",          "delay",  "duplication",
+constexpr std::array<const char*, 11> names{"crash",      "loss",          "delay",  "duplication",
                                             "clock_jump", "serial_noise",  "unplug", "disk_full",
-                                            "stop",       "rogue_velocity"};
+                                            "stop",       "rogue_velocity", "freeze"};
 /// The first of them are drawn from one sequence of numbers.
 constexpr std::size_t drawn_together = 8;
 
@@ -33,11 +33,11 @@ struct FaultEntry {
   void visit(Visitor& v) {
     v("kind", kind,
       {"crash", "loss", "delay", "duplication", "clock_jump", "serial_noise", "unplug", "disk_full",
-       "stop", "rogue_velocity"},
+       "stop", "rogue_velocity", "freeze"},
       "what goes wrong");
     v("at_s", at_s, {0, 1e6}, "[s] from the start of the run");
     v("for_s", for_s, {0.001, 1e6}, "[s] how long; of a crash: until it is started again");
-    v("target", target, "crash: host/process; clock_jump: host");
+    v("target", target, "crash and freeze: host/process; clock_jump: host");
     v("amount", amount, {-1e6, 1e6}, "share, or [s] of delay and clock_jump");
   }
 };
@@ -74,18 +74,26 @@ class Draw {
   std::mt19937_64 random_;
 };
 
-std::vector<std::string> processes_of(const deployment::Deployment& deployment) {
+template <class Wanted>
+std::vector<std::string> processes_of(const deployment::Deployment& deployment, Wanted wanted) {
   std::vector<std::string> all;
   for (const deployment::Host& host : deployment.hosts) {
     for (const deployment::Container& container : host.containers) {
-      if (!container.terminal) all.push_back(host.name + "/" + container.name);
+      if (wanted(container)) all.push_back(host.name + "/" + container.name);
     }
   }
   return all;
 }
 
+bool has_router(const deployment::Container& container) {
+  const auto& components = container.components;
+  return std::any_of(components.begin(), components.end(),
+                     [](const auto& one) { return one.component == "link_router"; });
+}
+
 Fault draw_fault(Draw& draw, const deployment::Deployment& deployment) {
-  const auto processes = processes_of(deployment);
+  const auto processes = processes_of(
+      deployment, [](const deployment::Container& one) { return !one.terminal; });
   Fault fault;
   fault.kind = static_cast<FaultKind>(draw.below(drawn_together));
   if (draw.below(3) == 0) fault.kind = FaultKind::crash;  // what hurts most comes most often
@@ -132,6 +140,18 @@ std::optional<Fault> draw_rogue_velocity(std::uint64_t seed, const Fault& stop) 
   return fault;
 }
 
+std::optional<Fault> draw_freeze(std::uint64_t seed, const deployment::Deployment& deployment) {
+  Draw draw = draw_of(FaultKind::freeze, seed);
+  const auto routers = processes_of(deployment, has_router);
+  if (draw.below(3) != 0 || routers.empty()) return std::nullopt;
+  Fault fault;
+  fault.kind = FaultKind::freeze;
+  fault.at_s = draw.between(2, 60);
+  fault.for_s = draw.between(0.2, 10);
+  fault.target = routers[draw.below(routers.size())];
+  return fault;
+}
+
 }  // namespace
 
 FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment) {
@@ -142,6 +162,7 @@ FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deploy
     plan.push_back(*stop);
     if (const auto rogue = draw_rogue_velocity(seed, *stop)) plan.push_back(*rogue);
   }
+  if (const auto freeze = draw_freeze(seed, deployment)) plan.push_back(*freeze);
   std::sort(plan.begin(), plan.end(), earlier);
   return plan;
 }

@@ -71,13 +71,15 @@ void Invariants::check_message(const Written& written) {
 
 void Invariants::see_stop(const Written& written) {
   const TopicEnd& end = written.from;
-  if (end.role != Role::uxv) return;
-  if (is(end, topic::LinkStop::info)) {
+  if (is(end, topic::EmergencyStop::info)) {
+    const auto& stop = *static_cast<const topic::EmergencyStop::Message*>(written.message);
+    if (end.role == Role::gcs) return pressed_stop_.on_station(stop.data(), written.time);
+    stop_.on_writer(end, stop.data(), written.time);
+  } else if (end.role == Role::uxv && is(end, topic::LinkStop::info)) {
     const auto& link = *static_cast<const topic::LinkStop::Message*>(written.message);
     stop_.on_link(link.stands(), written.time);
-  } else if (is(end, topic::EmergencyStop::info)) {
-    const auto& stop = *static_cast<const topic::EmergencyStop::Message*>(written.message);
-    stop_.on_writer(end, stop.data(), written.time);
+    expect(pressed_stop_.on_link(link.stands(), written.time), written.time,
+           "an emergency stop ended that nobody released", end.host);
   }
 }
 
@@ -96,6 +98,9 @@ void Invariants::on_delivered(const Delivered& delivered) {
   expect(delivered.sequence > last, delivered.received, "a sample came again or out of order",
          text_of(delivered.from) + " to " + process_of(delivered.to));
   last = delivered.sequence;
+  if (delivered.from.role == Role::gcs && delivered.to.role == Role::uxv) {
+    pressed_stop_.on_crossed(delivered.written_at, delivered.received);
+  }
   const double age_s = to_seconds(delivered.received - delivered.sent_at);
   expect(age_s <= delivered.from.lifespan_s, delivered.received, "delivered after its lifespan",
          text_of(delivered.from) + ", " + std::to_string(age_s) + " s old");
@@ -113,6 +118,8 @@ void Invariants::on_position(const BasePosition& base) {
          "the base moves without commands", base.host);
   expect(stands || since(wanted_) <= limits_.vehicle_stops_s, base.time,
          "the vehicle moves though nobody wants it", base.host);
+  expect(pressed_stop_.is_reported(base.time), base.time,
+         "the station's emergency stop is not reported though its router is received", base.host);
   vehicle_ = base.host;
   check_stop(base, stands);
 }
@@ -153,15 +160,24 @@ void Invariants::on_gate(const GateChange& change) {
 }
 
 void Invariants::on_process(const ProcessChange& change) {
-  if (change.event == ProcessEvent::started) {
+  pressed_stop_.on_router();
+  if (change.event == ProcessEvent::started || change.event == ProcessEvent::thawed) {
     const std::string host = change.process.substr(0, change.process.find('/'));
     if (host == vehicle_) stop_.on_process_started(change.time);
     return;
   }
+  if (change.event == ProcessEvent::frozen) return on_frozen(change.process);
   stop_.on_process_ended(change.process);
   const auto dead = [&](const TopicEnd& end) { return process_of(end) == change.process; };
   forget(kept_, dead);
   forget(awaited_, dead);
+}
+
+/// It may be the router, which sends nothing then.
+void Invariants::on_frozen(const std::string& process) {
+  const std::string host = process.substr(0, process.find('/'));
+  routed_.erase(host);
+  forget(awaited_, [&](const TopicEnd& end) { return end.host == host; });
 }
 
 void Invariants::on_failure(const std::string& component, const std::string& what, Time now) {

@@ -29,9 +29,20 @@ void Scheduler::remove(const Component& component) {
   next_ = earliest();
 }
 
+void Scheduler::freeze(const Component& component, bool frozen) {
+  for (const auto& entry : entries_) {
+    if (&entry->component != &component) continue;
+    entry->frozen = frozen;
+    if (!frozen) ask(*entry);
+  }
+  next_ = earliest();
+}
+
 Time Scheduler::earliest() const {
   Time earliest = never;
-  for (const auto& entry : entries_) earliest = std::min(earliest, entry->due);
+  for (const auto& entry : entries_) {
+    if (!entry->frozen) earliest = std::min(earliest, entry->due);
+  }
   return earliest;
 }
 
@@ -42,7 +53,7 @@ void Scheduler::ask(Entry& entry) {
 
 void Scheduler::ask_the_due(Time now) {
   for (const auto& entry : entries_) {
-    if (entry->due <= now) ask(*entry);
+    if (entry->due <= now && !entry->frozen) ask(*entry);
   }
 }
 
@@ -62,7 +73,7 @@ void Scheduler::run(Time now) {
 void Scheduler::run_round(Time now) {
   asked_ = false;
   for (const auto& entry : entries_) {
-    if (!entry->asked) continue;
+    if (!entry->asked || entry->frozen) continue;
     entry->asked = false;
     tick(*entry, now);
   }

@@ -24,6 +24,8 @@ class Scheduler {
   void add(Component& component, std::function<bool()> running, Time first = Time::min());
   /// Ticks it no more. Not during a run.
   void remove(const Component& component);
+  /// Frozen, it is not ticked; thawed, it is ticked at once. Not during a run.
+  void freeze(const Component& component, bool frozen);
   /// Is told of each component that threw.
   using Failure = std::function<void(const std::string& component, const char* what, Time now)>;
   void set_on_failure(Failure tell) { on_failure_ = std::move(tell); }
@@ -50,6 +52,7 @@ class Scheduler {
     Time due;            ///< when it is ticked without input
     bool asked = false;  ///< has its turn in this round or the next
     bool failed = false;
+    bool frozen = false;
   };
   void ask(Entry& entry);
   void ask_the_due(Time now);

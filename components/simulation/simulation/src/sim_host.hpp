@@ -50,6 +50,9 @@ class SimProcess final : public Bus {
   [[nodiscard]] Time now() const override { return network_.core.now; }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
   std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override;
+  /// Frozen, its link takes and sends no packet; what its host writes waits for it.
+  void freeze(bool frozen) { frozen_ = frozen; }
+  [[nodiscard]] bool is_frozen() const { return frozen_; }
 
   /// One topic in this process.
   struct Topic {
@@ -86,6 +89,7 @@ class SimProcess final : public Bus {
   SimHost& host_;
   std::string name_;
   int life_;
+  bool frozen_ = false;
   std::map<std::string, std::unique_ptr<Topic>> topics_;
 };
 

@@ -46,8 +46,10 @@ std::string key_of(const Flow& flow) { return flow.topic + "|" + flow.user_data;
 
 }  // namespace
 
-SimLinkBus::SimLinkBus(Network& network, SimHost& host, std::function<void()> on_event)
+SimLinkBus::SimLinkBus(Network& network, const SimProcess& process, SimHost& host,
+                       std::function<void()> on_event)
     : network_(network),
+      process_(process),
       host_(host),
       on_event_(std::move(on_event)),
       life_(++network.router_lives) {
@@ -87,7 +89,7 @@ void SimLinkBus::tell_observer(GateEvent event) const {
 }
 
 void SimLinkBus::announce() {
-  if (!peers_.empty()) {
+  if (!peers_.empty() && !process_.is_frozen()) {
     network_.link.send({host_.direction(), network_control_dscp}, announcement_bytes, [] {});
     ++packets_.packets;
     packets_.bytes += announcement_bytes;
@@ -213,7 +215,7 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
 void SimLinkBus::on_arrived(PeerId peer, FlowId flow, std::uint64_t number,
                             const CarriedSample& sample) {
   const auto found = peer_flows_.find({peer, flow});
-  if (found == peer_flows_.end()) return;
+  if (found == peer_flows_.end() || process_.is_frozen()) return;
   push(link_event::LinkSample{found->second, number, sample, network_.core.now});
 }
 

@@ -31,7 +31,8 @@ struct Freight {
 /// it is forgotten, as on the real link.
 class SimLinkBus final : public LinkBus {
  public:
-  SimLinkBus(Network& network, SimHost& host, std::function<void()> on_event);
+  SimLinkBus(Network& network, const SimProcess& process, SimHost& host,
+             std::function<void()> on_event);
   ~SimLinkBus() override;
 
   [[nodiscard]] std::optional<LinkEvent> take() override;
@@ -91,6 +92,7 @@ class SimLinkBus final : public LinkBus {
   [[nodiscard]] static Flow flow_of(const SimProcess::Topic& topic);
 
   Network& network_;
+  const SimProcess& process_;
   SimHost& host_;
   const std::function<void()> on_event_;
   const PeerId life_;

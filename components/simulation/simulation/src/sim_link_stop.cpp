@@ -45,7 +45,7 @@ void SimLinkBus::say_stop(const StopValue& value) {
 
 void SimLinkBus::send_stop(Duration period) {
   const auto stop = rider();
-  if (!stop || network_.core.now - stop_sent_ < period) return;
+  if (!stop || process_.is_frozen() || network_.core.now - stop_sent_ < period) return;
   const std::size_t bytes = ip_udp_rtps_bytes + stop_bytes(*stop);
   for (const auto& entry : network_.routers) {
     if (entry.second == this) continue;
@@ -71,6 +71,7 @@ void SimLinkBus::repeat_stop() {
 }
 
 void SimLinkBus::on_packet(PeerId peer, const std::shared_ptr<const StopValue>& rider) {
+  if (process_.is_frozen()) return;
   auto& packets = stop_news_.packets;
   if (packets.empty() || packets.back().router != peer) packets.push_back({peer, {}});
   packets.back().received = network_.core.now;

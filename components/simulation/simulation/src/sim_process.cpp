@@ -171,7 +171,7 @@ void SimProcess::die() {
 }
 
 std::unique_ptr<LinkBus> SimProcess::open_link(const std::function<void()>& on_event) {
-  return std::make_unique<SimLinkBus>(network_, host_, on_event);
+  return std::make_unique<SimLinkBus>(network_, *this, host_, on_event);
 }
 
 }  // namespace tocsin::simulation

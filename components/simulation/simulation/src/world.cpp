@@ -121,7 +121,7 @@ void World::add(const deployment::Container& container, Side& side) {
                                [this](const auto& one) { return wanted(one); });
   if (!any && !components.empty()) return;
   processes_.push_back(
-      {side.host->name() + "/" + container.name, &container, &side, nullptr, 0, {}, {}});
+      {side.host->name() + "/" + container.name, &container, &side, nullptr, 0, false, {}, {}});
   start(processes_.back());
 }
 

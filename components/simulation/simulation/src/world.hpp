@@ -52,6 +52,7 @@ class World {
     Side* side;
     SimProcess* bus = nullptr;  ///< null: dead
     int lives = 0;
+    bool frozen = false;
     std::optional<int> exit_code;
     std::list<Instance> instances;
   };
@@ -71,6 +72,7 @@ class World {
   void plan_faults();
   void plan(const Fault& fault);
   void plan_crash(const Fault& fault);
+  void plan_freeze(const Fault& fault);
   void plan_air(const Fault& fault);
   void plan_serial(const Fault& fault);
   void plan_disk(const Fault& fault);
@@ -80,8 +82,10 @@ class World {
   void fill_disk(bool full);
   void kill(Process& process);
   void revive(Process& process);
+  void freeze(Process& process, bool frozen);
   void at(double time_s, std::function<void()> action);
-  [[nodiscard]] Process* find_process(const std::string& path);
+  /// Throws ConfigError when there is none.
+  [[nodiscard]] Process& process_of(const Fault& fault);
   [[nodiscard]] Side* find_side(const std::string& host);
   /// The first of this role; throws ConfigError when there is none.
   [[nodiscard]] Side& side_of(Role role);

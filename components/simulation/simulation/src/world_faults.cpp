@@ -24,6 +24,8 @@ void World::plan(const Fault& fault) {
   switch (fault.kind) {
     case FaultKind::crash:
       return plan_crash(fault);
+    case FaultKind::freeze:
+      return plan_freeze(fault);
     case FaultKind::loss:
     case FaultKind::delay:
     case FaultKind::duplication:
@@ -50,10 +52,15 @@ void World::at(double time_s, std::function<void()> action) {
 }
 
 void World::plan_crash(const Fault& fault) {
-  Process* const process = find_process(fault.target);
-  if (process == nullptr) throw ConfigError("faults.target: no process '" + fault.target + "'");
-  at(fault.at_s, [this, process] { kill(*process); });
-  at(fault.at_s + fault.for_s, [this, process] { revive(*process); });
+  Process& process = process_of(fault);
+  at(fault.at_s, [this, &process] { kill(process); });
+  at(fault.at_s + fault.for_s, [this, &process] { revive(process); });
+}
+
+void World::plan_freeze(const Fault& fault) {
+  Process& process = process_of(fault);
+  at(fault.at_s, [this, &process] { freeze(process, true); });
+  at(fault.at_s + fault.for_s, [this, &process] { freeze(process, false); });
 }
 
 void World::plan_air(const Fault& fault) {
@@ -129,6 +136,7 @@ void World::kill(Process& process) {
   core.dying = false;
   process.bus->die();
   process.bus = nullptr;
+  process.frozen = false;
   fill_disk(full);
   tell(process, ProcessEvent::killed);
 }
@@ -145,10 +153,22 @@ void World::revive(Process& process) {
   }
 }
 
-World::Process* World::find_process(const std::string& path) {
+/// A dead one is neither; its successor is never born frozen.
+void World::freeze(Process& process, bool frozen) {
+  if (process.bus == nullptr || process.exit_code || process.frozen == frozen) return;
+  process.frozen = frozen;
+  process.bus->freeze(frozen);
+  for (const Instance& one : process.instances) {
+    if (one.component) scheduler_.freeze(*one.component, frozen);
+  }
+  tell(process, frozen ? ProcessEvent::frozen : ProcessEvent::thawed);
+}
+
+World::Process& World::process_of(const Fault& fault) {
   const auto found = std::find_if(processes_.begin(), processes_.end(),
-                                  [&](const Process& one) { return one.path == path; });
-  return found == processes_.end() ? nullptr : &*found;
+                                  [&](const Process& one) { return one.path == fault.target; });
+  if (found != processes_.end()) return *found;
+  throw ConfigError("faults.target: no process '" + fault.target + "'");
 }
 
 Side& World::side_of(Role role) {

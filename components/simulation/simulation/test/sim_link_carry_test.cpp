@@ -280,24 +280,5 @@ TEST_F(LinkBusTest, EveryPeerGetsACopy) {
   EXPECT_EQ(up().bus.packets().packets, 2U);
 }
 
-TEST_F(LinkBusTest, AMessageBetweenRoutersIsUnpackedAsItWasPacked) {
-  connect();
-  const TypeInfo& type = type_info<topic::Goal::Message>();
-  const auto packed = message<topic::Goal>();
-  const CarriedSample sample = up().bus.pack(type, packed);
-  EXPECT_EQ(sample.bytes, type.serialized_size(packed.get()));
-  Flow between;
-  between.topic = link_receipt_topic;
-  const FlowId flow = up().bus.open(between, TrafficClass::critical);
-  run_for(0.2);
-  EXPECT_EQ(up().bus.send(flow, sample), 1U);
-  core_.now += seconds(0.01);
-  link_.advance();
-  const auto event = down().bus.take();
-  ASSERT_TRUE(event);
-  ASSERT_TRUE(std::holds_alternative<LinkSample>(*event));
-  EXPECT_EQ(down().bus.unpack(type, std::get<LinkSample>(*event).sample), packed);
-}
-
 }  // namespace
 }  // namespace tocsin::simulation

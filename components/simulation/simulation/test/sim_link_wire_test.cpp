@@ -156,5 +156,24 @@ TEST_F(LinkWireTest, PacketsCountTheRadiosPackets) {
   EXPECT_EQ(up().bus.packets().packets + down().bus.packets().packets, link_.pushed());
 }
 
+TEST_F(LinkWireTest, AMessageBetweenRoutersIsUnpackedAsItWasPacked) {
+  connect();
+  const TypeInfo& type = type_info<topic::Goal::Message>();
+  const auto packed = message<topic::Goal>();
+  const CarriedSample sample = up().bus.pack(type, packed);
+  EXPECT_EQ(sample.bytes, type.serialized_size(packed.get()));
+  Flow between;
+  between.topic = link_receipt_topic;
+  const FlowId flow = up().bus.open(between, TrafficClass::critical);
+  run_for(0.2);
+  EXPECT_EQ(up().bus.send(flow, sample), 1U);
+  core_.now += seconds(0.01);
+  link_.advance();
+  const auto event = down().bus.take();
+  ASSERT_TRUE(event);
+  ASSERT_TRUE(std::holds_alternative<link_event::LinkSample>(*event));
+  EXPECT_EQ(down().bus.unpack(type, std::get<link_event::LinkSample>(*event).sample), packed);
+}
+
 }  // namespace
 }  // namespace tocsin::simulation

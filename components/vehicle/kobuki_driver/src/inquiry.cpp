@@ -10,14 +10,17 @@ void Inquiry::begin(Time now) {
   firmware_.reset();
   unique_id_.reset();
   gains_.reset();
-  asked_for_gains_ = false;
+  asked_for_gains_ = doubts_firmware_ = false;
   pause_ = first_pause;
   next_ = now;
 }
 
 void Inquiry::on_feedback(const Feedback& feedback) {
   if (feedback.hardware) hardware_ = feedback.hardware;
-  if (feedback.firmware) firmware_ = feedback.firmware;
+  if (feedback.firmware) {
+    firmware_ = feedback.firmware;
+    doubts_firmware_ = false;
+  }
   if (feedback.unique_id) unique_id_ = feedback.unique_id;
   if (feedback.gains) gains_ = feedback.gains;
 }
@@ -28,7 +31,7 @@ void Inquiry::forget_gains() {
 }
 
 std::optional<Command> Inquiry::missing() const {
-  if (!hardware_ || !firmware_ || !unique_id_) {
+  if (!hardware_ || !firmware_ || !unique_id_ || doubts_firmware_) {
     return RequestExtra{RequestExtra::hardware | RequestExtra::firmware | RequestExtra::unique_id};
   }
   if (!gains_ && has_gains(*firmware_)) return GetGains{};

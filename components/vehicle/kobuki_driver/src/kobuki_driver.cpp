@@ -55,6 +55,7 @@ void KobukiDriver::check_firmware(const Feedback& feedback) {
   if (!feedback.firmware) return;
   const bool refused = judge_firmware(*feedback.firmware) == FirmwareSupport::refused;
   state_ = refused ? BaseState::refused : BaseState::online;
+  if (refused) inquiry_.doubt_firmware();
 }
 
 void KobukiDriver::read(Time now) {
@@ -144,9 +145,11 @@ void KobukiDriver::run(Time now, const ByteSink& sink) {
 
 void KobukiDriver::send_commands(Time now, const ByteSink& sink) {
   sink(encode_command(velocity_command(now)).bytes());
-  if (state_ != BaseState::online) return;
-  for (const Command& command : waiting_) sink(encode_command(command).bytes());
-  waiting_.clear();
+  if (state_ == BaseState::silent) return;
+  if (state_ == BaseState::online) {
+    for (const Command& command : waiting_) sink(encode_command(command).bytes());
+    waiting_.clear();
+  }
   if (const auto request = inquiry_.due(now)) sink(encode_command(*request).bytes());
 }
 

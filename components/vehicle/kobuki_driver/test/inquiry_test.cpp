@@ -53,6 +53,20 @@ TEST(Inquiry, AsksModernFirmwareForGainsOnce) {
   EXPECT_EQ(requests(sut, 0.04, 100), 0);
 }
 
+TEST(Inquiry, AsksOnceMoreForAFirmwareThatIsDoubted) {
+  Inquiry sut;
+  sut.begin(Time{} + seconds(1));
+  Feedback feedback;
+  feedback.hardware = feedback.firmware = Version{1, 1, 0, {}};
+  feedback.unique_id = UniqueId{};
+  sut.on_feedback(feedback);
+  EXPECT_FALSE(sut.due(Time{} + seconds(100)));
+  sut.doubt_firmware();
+  EXPECT_TRUE(sut.due(Time{} + seconds(100)));
+  sut.on_feedback(feedback);
+  EXPECT_FALSE(sut.due(Time{} + seconds(200)));
+}
+
 TEST(Inquiry, NeverAsksOldFirmwareForGains) {
   Inquiry sut;
   sut.begin(t0);

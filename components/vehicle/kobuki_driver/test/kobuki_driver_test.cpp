@@ -158,6 +158,21 @@ TEST(KobukiDriver, KeepsABaseOfAnotherProtocolStanding) {
   }
 }
 
+// Noise that passes the checksum must not keep a good base standing.
+TEST(KobukiDriver, AsksARefusedBaseAgainAndDrivesOnWhenItWasNoise) {
+  ModelRig sut;
+  ASSERT_TRUE(sut.model.set_versions("1.0.4", "2.0.0", false));
+  sut.run(1, geometry::Twist{0.3, 0});
+  ASSERT_EQ(sut.driver.state(), BaseState::refused);
+  ASSERT_TRUE(sut.model.set_versions("1.0.4", "1.2.0", false));
+  sut.run(3, geometry::Twist{0.3, 0});
+  EXPECT_EQ(sut.driver.state(), BaseState::online);
+  EXPECT_NEAR(sut.model.velocity().linear_mps, 0.3, 0.01);
+  const int asked = sut.count<RequestExtra>();
+  sut.run(30);
+  EXPECT_EQ(sut.count<RequestExtra>(), asked);
+}
+
 TEST(KobukiDriver, SurvivesAPowerCycleOfTheBase) {
   ModelRig sut;
   sut.run(2, geometry::Twist{0.3, 0.2});

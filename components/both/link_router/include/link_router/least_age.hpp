@@ -8,10 +8,13 @@ namespace tocsin::router {
 /// How old what a peer's host sent is on arrival, over the least age seen lately, since clocks
 /// differ.
 ///
-/// The least age is a hint until traffic confirms it. It is forgotten when all that is received
-/// seems old: eight arrivals of more than 2 s, or 1.2 s of arrivals of more than 0.25 s whose ages
-/// are not halved, as those of a queue that drains would be. Arrivals within 50 ms count once: that
-/// is what waited in the radio's queue while nothing was received. Pure; `now` never decreases.
+/// An age that is lesser by 100 ms or more is a hint until traffic confirms it: it counts when
+/// three or more arrivals, at most 2 s apart, say so for a second and none agrees with the present
+/// one. So a forged stamp of the future makes nothing old. The least age ends when all that is
+/// received contradicts it for as long as it was agreed with, or in eight arrivals by more than 2
+/// s: a clock was set. So what a forger has said for a second lasts a second, and a queue that
+/// stands stays old. Arrivals within 50 ms count once: that is what waited in the radio's queue
+/// while nothing was received. Pure; `now` never decreases.
 class LeastAge {
  public:
   explicit LeastAge(Duration window) : least_(window) {}
@@ -22,20 +25,25 @@ class LeastAge {
   [[nodiscard]] bool is_settled(Time now) const;
 
  private:
-  /// Arrivals in a row that seem old.
-  struct Aged {
-    int late = 0;       ///< bursts
-    int very_late = 0;  ///< of these in a row of more than 2 s
-    Time since{};       ///< first arrival
-    Time counted{};     ///< the last that counts
-    Duration first{};   ///< age of the first
+  /// Arrivals that agree with each other, or are all old.
+  struct Row {
+    int arrivals = 0;
+    Time begun{};
+    Time counted{};    ///< the last that counts
+    Duration least{};  ///< of them
   };
-  [[nodiscard]] bool is_refuted(Duration age, Time now);
+  /// Whether so many have been received, 50 ms apart or more.
+  [[nodiscard]] static bool count(Row& row, int wanted, Duration seen, Time now);
+  void begin(Duration seen, Time since, Time now);
+  void note(Duration seen, Time now);
 
   WindowedMinimum least_;
   Time begun_{};  ///< first arrival that counts
   Time heard_{};
-  Aged aged_;
+  Time agreed_{};  ///< last arrival that agrees with it
+  Row lesser_;     ///< than the least one
+  Row contrary_;   ///< all older
+  Row old_;        ///< more than 2 s
 };
 
 }  // namespace tocsin::router

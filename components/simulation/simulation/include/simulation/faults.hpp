@@ -22,6 +22,7 @@ enum class FaultKind : std::uint8_t {
   stop,  ///< a person at the station presses the emergency stop, and releases it after `for_s`
   rogue_velocity,  ///< somebody on the vehicle's host publishes cmd_vel besides the driver's own
                    ///< chain
+  freeze,          ///< the process host/name computes nothing for `for_s`, as by kill -STOP
 };
 
 /// One fault, at a time after the start of the run.
@@ -40,7 +41,7 @@ using FaultPlan = std::vector<Fault>;
 /// and processes. Processes that own the terminal do not crash.
 ///
 /// Besides them, in every second run, a stop, and in the half of these somebody who publishes
-/// velocities meanwhile. These are drawn from numbers of their own: a kind that is added does not
+/// velocities meanwhile; in every third run a router is frozen. These are drawn from numbers of their own: a kind that is added does not
 /// change what a seed draws of the others.
 [[nodiscard]] FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment);
 

@@ -10,6 +10,7 @@
 
 #include "sample_log/sequence_set.hpp"
 #include "simulation/observer.hpp"
+#include "simulation/pressed_stop.hpp"
 #include "simulation/sim_world.hpp"
 #include "simulation/standing_stop.hpp"
 
@@ -41,7 +42,8 @@ struct InvariantLimits {
 /// a router puts samples of classes critical and high on the air soon, unless its gate is closed
 /// for them, and sends nothing that its gate is closed for; what the gate kept it sends soon after
 /// it opens, within its lifespan; the base stops whatever dies; while an emergency stop stands on
-/// the vehicle's host the base is commanded to stand and stands, whoever publishes velocities;
+/// the vehicle's host the base is commanded to stand and stands, whoever publishes velocities; a
+/// stop that the station has pressed stands there soon after anything crosses, until it releases;
 /// nothing comes later than its lifespan; the samples of a writer come in order and once; of a
 /// stored topic each sample that a router has taken is given to the other host once, live or filled
 /// in and then in the order of its writer, or it is still in the log when the world ends; network
@@ -75,6 +77,7 @@ class Invariants : public Observer {
   void check_message(const Written& written);
   void see_stop(const Written& written);
   void check_stop(const BasePosition& base, bool stands);
+  void on_frozen(const std::string& process);
   InvariantLimits limits_;
   double x_m_ = 0;
   double y_m_ = 0;
@@ -106,6 +109,7 @@ class Invariants : public Observer {
   std::map<const TopicEnd*, StoredEnd> stored_;
   Time wanted_ = Time::min();  ///< when a velocity was last wanted
   StandingStop stop_;
+  PressedStop pressed_stop_;
   std::string vehicle_;  ///< the host of the base
 };
 

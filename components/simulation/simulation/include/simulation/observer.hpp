@@ -107,7 +107,7 @@ struct BasePosition {
   bool commanded_to_stand = true;  ///< by the last velocity from the computer; there was none: true
 };
 
-enum class ProcessEvent : std::uint8_t { started, killed, exited };
+enum class ProcessEvent : std::uint8_t { started, killed, exited, frozen, thawed };
 
 struct ProcessChange {
   const std::string& process;  ///< host/name

@@ -23,6 +23,8 @@ class Inquiry {
   void on_feedback(const Feedback& feedback);
   /// They were set: what was known is old.
   void forget_gains();
+  /// What it has answered may be noise that looked like a frame: ask once more.
+  void doubt_firmware() { doubts_firmware_ = true; }
   /// The request that is due now, if any. Call when it can be sent.
   [[nodiscard]] std::optional<Command> due(Time now);
 
@@ -39,6 +41,7 @@ class Inquiry {
   std::optional<UniqueId> unique_id_;
   std::optional<ControllerGains> gains_;
   bool asked_for_gains_ = false;
+  bool doubts_firmware_ = false;
   Duration pause_ = first_pause;
   Time next_ = Time::min();
 };

@@ -38,7 +38,7 @@ enum class BaseState {
   no_port,  ///< the port is closed
   silent,   ///< the port is open, no frame for `offline_after_s` or none ever
   online,
-  refused  ///< its firmware speaks another protocol; it is kept standing
+  refused  ///< its firmware speaks another protocol; it is kept standing and asked again
 };
 
 /// The driver without its port: bytes in, readings out, commands out at a fixed rate.
