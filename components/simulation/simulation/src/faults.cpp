@@ -16,9 +16,9 @@
 namespace tocsin::simulation {
 namespace {
 
-constexpr std::array<const char*, 11> names{"crash",      "loss",          "delay",  "duplication",
+constexpr std::array<const char*, 12> names{"crash",      "loss",          "delay",  "duplication",
                                             "clock_jump", "serial_noise",  "unplug", "disk_full",
-                                            "stop",       "rogue_velocity", "freeze"};
+                                            "stop",       "rogue_velocity", "freeze", "forge"};
 /// The first of them are drawn from one sequence of numbers.
 constexpr std::size_t drawn_together = 8;
 
@@ -33,7 +33,7 @@ struct FaultEntry {
   void visit(Visitor& v) {
     v("kind", kind,
       {"crash", "loss", "delay", "duplication", "clock_jump", "serial_noise", "unplug", "disk_full",
-       "stop", "rogue_velocity", "freeze"},
+       "stop", "rogue_velocity", "freeze", "forge"},
       "what goes wrong");
     v("at_s", at_s, {0, 1e6}, "[s] from the start of the run");
     v("for_s", for_s, {0.001, 1e6}, "[s] how long; of a crash: until it is started again");
@@ -152,6 +152,16 @@ std::optional<Fault> draw_freeze(std::uint64_t seed, const deployment::Deploymen
   return fault;
 }
 
+std::optional<Fault> draw_forge(std::uint64_t seed) {
+  Draw draw = draw_of(FaultKind::forge, seed);
+  if (draw.below(4) != 0) return std::nullopt;
+  Fault fault;
+  fault.kind = FaultKind::forge;
+  fault.at_s = draw.between(2, 60);
+  fault.for_s = draw.between(0.2, 10);
+  return fault;
+}
+
 }  // namespace
 
 FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment) {
@@ -163,6 +173,7 @@ FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deploy
     if (const auto rogue = draw_rogue_velocity(seed, *stop)) plan.push_back(*rogue);
   }
   if (const auto freeze = draw_freeze(seed, deployment)) plan.push_back(*freeze);
+  if (const auto forge = draw_forge(seed)) plan.push_back(*forge);
   std::sort(plan.begin(), plan.end(), earlier);
   return plan;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -10,7 +11,9 @@
 
 #include "foundation/role.hpp"
 #include "radio_link.hpp"
+#include "foundation/stop_value.hpp"
 #include "runtime/bus.hpp"
+#include "runtime/middleware/link_bus.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 #include "runtime/middleware/replay_filter.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
@@ -23,6 +26,15 @@ class SimLinkBus;
 struct Freight;
 struct HostTopic;
 
+/// What a router puts on the radio, as anybody there can hear it.
+struct Overheard {
+  PeerId from = 0;  ///< the router
+  FlowId flow = 0;  ///< 0: the stop's value alone
+  std::uint64_t number = 0;
+  CarriedSample sample;
+  std::shared_ptr<const StopValue> stop;  ///< null: it was no part of this
+};
+
 /// What the hosts of a world have in common.
 struct Network {
   Core& core;
@@ -32,6 +44,7 @@ struct Network {
   PeerId router_lives = 0;
   /// What the logs of routers hold instead of encoded samples, by number: outlives their routers.
   std::vector<std::shared_ptr<const void>> logged = {};
+  std::function<void(const Overheard&)> on_air = {};  ///< empty: nobody listens
   /// The living router with this life; null: it has died.
   [[nodiscard]] SimLinkBus* find_router(PeerId life) const;
 };

@@ -192,6 +192,7 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
   const std::uint8_t dscp = host_.rules().dscp(sending.traffic_class);
   const auto stop = packets.size() == 1 ? rider() : nullptr;
   if (stop) stop_sent_ = network_.core.now;
+  if (network_.on_air) network_.on_air({life_, flow, number, sample, stop});
   for (const auto& peer : peers_) {
     auto on_whole = [&network = network_, own = life_, other = peer.second, flow, number, sample,
                      stop] {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "full_disk.hpp"
+#include "radio_forger.hpp"
 #include "runtime/middleware/log_clock.hpp"
 #include "scheduler.hpp"
 #include "sim_devices.hpp"
@@ -78,6 +79,7 @@ class World {
   void plan_disk(const Fault& fault);
   void plan_stop(const Fault& fault);
   void plan_rogue(const Fault& fault);
+  void plan_forge(const Fault& fault);
   void ask_again();
   void fill_disk(bool full);
   void kill(Process& process);
@@ -99,6 +101,7 @@ class World {
   std::list<Process> processes_;
   std::unique_ptr<Person> person_;  ///< at the station, from the first stop on
   std::list<Rogue> rogues_;
+  std::list<RadioForger> forgers_;
   std::optional<FullDisk> full_disk_;
   std::optional<int> exit_code_;
   Time off_air_ = Time::min();  ///< when next() last saw something to do besides the radio

@@ -13,6 +13,7 @@ constexpr double retry_s = 1;
 constexpr double look_for_files_s = 0.1;
 constexpr double ask_again_s = 0.5;  // as `tocsin estop`
 constexpr double rogue_period_s = 0.05;
+constexpr double forge_period_s = 0.05;
 
 }  // namespace
 
@@ -39,6 +40,8 @@ void World::plan(const Fault& fault) {
       return plan_stop(fault);
     case FaultKind::rogue_velocity:
       return plan_rogue(fault);
+    case FaultKind::forge:
+      return plan_forge(fault);
     case FaultKind::clock_jump:
       break;
   }
@@ -117,6 +120,16 @@ void World::plan_rogue(const Fault& fault) {
     at(fault.at_s + passed_s, [&rogue] { rogue.drive(); });
   }
   at(fault.at_s + fault.for_s, [&rogue] { rogue.end(); });
+}
+
+void World::plan_forge(const Fault& fault) {
+  RadioForger& forger =
+      forgers_.emplace_back(network_, static_cast<std::uint64_t>(deployment_.seed));
+  at(fault.at_s, [&forger] { forger.begin(); });
+  for (double passed_s = forge_period_s; passed_s < fault.for_s; passed_s += forge_period_s) {
+    at(fault.at_s + passed_s, [&forger] { forger.speak(); });
+  }
+  at(fault.at_s + fault.for_s, [&forger] { forger.end(); });
 }
 
 void World::fill_disk(bool full) {

@@ -45,7 +45,7 @@ class Reader : public Receiver {
 class PlainRouter {
  public:
   PlainRouter(Network& network, SimHost& host)
-      : rules_(host.rules()), bus(network, host, [this] { ++wake_ups; }) {}
+      : rules_(host.rules()), bus(network, host.add_process("router"), host, [this] { ++wake_ups; }) {}
   void work() {
     while (auto event = bus.take()) {
       std::visit([this](const auto& what) { on(what); }, *event);

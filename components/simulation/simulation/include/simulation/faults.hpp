@@ -23,6 +23,7 @@ enum class FaultKind : std::uint8_t {
   rogue_velocity,  ///< somebody on the vehicle's host publishes cmd_vel besides the driver's own
                    ///< chain
   freeze,          ///< the process host/name computes nothing for `for_s`, as by kill -STOP
+  forge,           ///< somebody on the radio speaks in the routers' names, without their secrets
 };
 
 /// One fault, at a time after the start of the run.
@@ -41,7 +42,7 @@ using FaultPlan = std::vector<Fault>;
 /// and processes. Processes that own the terminal do not crash.
 ///
 /// Besides them, in every second run, a stop, and in the half of these somebody who publishes
-/// velocities meanwhile; in every third run a router is frozen. These are drawn from numbers of their own: a kind that is added does not
+/// velocities meanwhile; in every third run a router is frozen, in every fourth somebody forges. These are drawn from numbers of their own: a kind that is added does not
 /// change what a seed draws of the others.
 [[nodiscard]] FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment);
 
