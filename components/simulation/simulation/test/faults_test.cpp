@@ -30,6 +30,16 @@ deployment::Deployment two_hosts() {
   return deployment;
 }
 
+deployment::Deployment two_hosts_with_routers() {
+  auto deployment = two_hosts();
+  for (deployment::Host& host : deployment.hosts) {
+    deployment::ComponentInstance router;
+    router.name = router.component = "link_router";
+    host.containers.front().components.push_back(std::move(router));
+  }
+  return deployment;
+}
+
 FaultPlan load(const std::string& text) {
   const std::string path =
       ::testing::TempDir() + "faults_test_" + std::to_string(::getpid()) + ".yaml";
@@ -50,9 +60,7 @@ TEST(RandomFaults, AreTheSameForTheSameSeedOnly) {
   EXPECT_NE(to_yaml(random_faults(7, deployment)), to_yaml(random_faults(8, deployment)));
 }
 
-bool is_drawn_apart(const Fault& fault) {
-  return fault.kind >= FaultKind::stop;
-}
+bool is_drawn_apart(const Fault& fault) { return fault.kind >= FaultKind::stop; }
 
 TEST(RandomFaults, AreOneToSixInOrderAndOverInTime) {
   const auto deployment = two_hosts();
@@ -102,6 +110,29 @@ TEST(RandomFaults, PressAStopInEverySecondRunAndHaveARogueDuringHalfOfThem) {
   }
   EXPECT_NEAR(stops, 500, 50);
   EXPECT_NEAR(rogues, 250, 50);
+}
+
+TEST(RandomFaults, FreezeARouterInEveryThirdRunAndForgeInEveryFourth) {
+  int freezes = 0;
+  int forgeries = 0;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (const Fault& fault : random_faults(seed, two_hosts_with_routers())) {
+      if (fault.kind == FaultKind::forge) ++forgeries;
+      if (fault.kind != FaultKind::freeze) continue;
+      ++freezes;
+      EXPECT_TRUE(fault.target == "uxv/link" || fault.target == "gcs/link") << fault.target;
+    }
+  }
+  EXPECT_NEAR(freezes, 333, 50);
+  EXPECT_NEAR(forgeries, 250, 50);
+}
+
+TEST(RandomFaults, FreezeNobodyWhereThereIsNoRouter) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    for (const Fault& fault : random_faults(seed, two_hosts())) {
+      EXPECT_NE(fault.kind, FaultKind::freeze);
+    }
+  }
 }
 
 bool crashes(const FaultPlan& plan, const std::string& process) {

@@ -45,7 +45,9 @@ class Reader : public Receiver {
 class PlainRouter {
  public:
   PlainRouter(Network& network, SimHost& host)
-      : rules_(host.rules()), bus(network, host.add_process("router"), host, [this] { ++wake_ups; }) {}
+      : rules_(host.rules()),
+        process(host.add_process("router")),
+        bus(network, process, host, [this] { ++wake_ups; }) {}
   void work() {
     while (auto event = bus.take()) {
       std::visit([this](const auto& what) { on(what); }, *event);
@@ -70,6 +72,7 @@ class PlainRouter {
   const TrafficRules& rules_;
 
  public:
+  SimProcess& process;
   int wake_ups = 0;  // before the bus, whose constructor already tells of something
   SimLinkBus bus;
   std::vector<LinkEvent> events;

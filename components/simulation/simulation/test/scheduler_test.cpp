@@ -62,6 +62,20 @@ TEST_F(SchedulerTest, TicksForTheFirstTimeWhenItShall) {
   EXPECT_EQ(puppet.ticks, 1);
 }
 
+TEST_F(SchedulerTest, WhoIsFrozenIsNotDueAndTicksOnceWhenItIsThawed) {
+  Puppet puppet(context_, [](Puppet& p, Time now) { p.wake_at(now + seconds(1)); });
+  add(puppet);
+  sut_.run(begin);
+  sut_.freeze(puppet, true);
+  EXPECT_EQ(sut_.next(), never);
+  sut_.run(begin + seconds(5));
+  EXPECT_EQ(puppet.ticks, 1);
+  sut_.freeze(puppet, false);
+  sut_.run(begin + seconds(6));
+  EXPECT_EQ(puppet.ticks, 2);
+  EXPECT_EQ(sut_.next(), begin + seconds(7));
+}
+
 TEST_F(SchedulerTest, TicksAtADeadlineAndNotBefore) {
   Puppet puppet(context_, [](Puppet& p, Time now) { p.wake_at(now + seconds(1)); });
   add(puppet);

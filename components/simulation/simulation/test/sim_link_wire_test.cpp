@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "link_bus_fixture.hpp"
+#include "runtime/middleware/link_permissions.hpp"
 
 namespace tocsin::simulation {
 namespace {
