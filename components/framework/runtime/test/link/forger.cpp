@@ -43,10 +43,13 @@ void set_high_number(Forger::Packet& packet) {
 
 }  // namespace
 
-Forger::Forger(int link_domain)
+Forger::Forger(int link_domain, const Way& way)
     : link_domain_(link_domain),
+      from_(inet_addr(way.from.c_str())),
+      to_(inet_addr(way.to.c_str())),
       raw_(::socket(AF_INET, SOCK_RAW, IPPROTO_RAW)),
-      capture_(::socket(AF_PACKET, SOCK_DGRAM, htons(ETH_P_IP))),
+      // Of a host's own packets only who wants all protocols is told.
+      capture_(::socket(AF_PACKET, SOCK_DGRAM, htons(from_ == to_ ? ETH_P_IP : ETH_P_ALL))),
       own_(::socket(AF_INET, SOCK_DGRAM, 0)) {
   sockaddr_in own{};
   own.sin_family = AF_INET;
@@ -55,11 +58,13 @@ Forger::Forger(int link_domain)
   (void)::bind(own_, reinterpret_cast<const sockaddr*>(&own), sizeof own);
   (void)::getsockname(own_, reinterpret_cast<sockaddr*>(&own), &size);
   port_ = ntohs(own.sin_port);
-  sockaddr_ll loopback{};
-  loopback.sll_family = AF_PACKET;
-  loopback.sll_protocol = htons(ETH_P_IP);
-  loopback.sll_ifindex = static_cast<int>(if_nametoindex("lo"));
-  (void)::bind(capture_, reinterpret_cast<const sockaddr*>(&loopback), sizeof loopback);
+  if (from_ == to_) {
+    sockaddr_ll loopback{};
+    loopback.sll_family = AF_PACKET;
+    loopback.sll_protocol = htons(ETH_P_IP);
+    loopback.sll_ifindex = static_cast<int>(if_nametoindex("lo"));
+    (void)::bind(capture_, reinterpret_cast<const sockaddr*>(&loopback), sizeof loopback);
+  }
   const timeval patience{0, 100'000};
   (void)::setsockopt(capture_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
 }
@@ -70,26 +75,43 @@ Forger::~Forger() {
   ::close(own_);
 }
 
-std::optional<Forger::Overheard> Forger::overhear(const std::string& host) const {
+std::optional<Forger::Overheard> Forger::receive() const {
   constexpr std::size_t headers = sizeof(iphdr) + sizeof(udphdr);
-  const std::string name = host + "_link_router";
   const int first_port = 7400 + 250 * link_domain_;
+  std::array<std::uint8_t, 4096> bytes{};
+  const ssize_t size = ::recv(capture_, bytes.data(), bytes.size(), 0);
+  if (size < static_cast<ssize_t>(headers + prefix_at + prefix_bytes)) return std::nullopt;
+  iphdr ip{};
+  std::memcpy(&ip, bytes.data(), sizeof ip);
+  udphdr udp{};
+  std::memcpy(&udp, bytes.data() + sizeof(iphdr), sizeof udp);
+  const int port = ntohs(udp.dest);
+  const bool on_link = port >= first_port && port < first_port + 250;
+  if (ip.protocol != IPPROTO_UDP || ip.saddr != from_ || !on_link) return std::nullopt;
+  return Overheard{ntohs(udp.source), Packet(bytes.data() + headers, bytes.data() + size)};
+}
+
+std::optional<Forger::Overheard> Forger::overhear(const std::string& host) const {
+  const std::string name = host + "_link_router";
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
   while (std::chrono::steady_clock::now() < end) {
-    std::array<std::uint8_t, 4096> bytes{};
-    const ssize_t size = ::recv(capture_, bytes.data(), bytes.size(), 0);
-    if (size < static_cast<ssize_t>(headers + prefix_at + prefix_bytes)) continue;
-    udphdr udp{};
-    std::memcpy(&udp, bytes.data() + sizeof(iphdr), sizeof udp);
-    const int port = ntohs(udp.dest);
-    Packet packet(bytes.data() + headers, bytes.data() + size);
+    auto heard = receive();
+    if (!heard) continue;
+    Packet& packet = heard->announcement;
     const bool named =
         std::search(packet.begin(), packet.end(), name.begin(), name.end()) != packet.end();
-    const bool announces = value_of(packet, 0x50, 16) != packet.end();
-    if (port < first_port || port >= first_port + 250 || !named || !announces) continue;
-    return Overheard{ntohs(udp.source), packet};
+    if (named && value_of(packet, 0x50, 16) != packet.end()) return heard;
   }
   return std::nullopt;
+}
+
+std::vector<Forger::Overheard> Forger::overhear_all() const {
+  std::vector<Overheard> all;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
+  while (std::chrono::steady_clock::now() < end) {
+    if (auto heard = receive()) all.push_back(std::move(*heard));
+  }
+  return all;
 }
 
 void Forger::send(const Packet& packet, std::uint16_t from) const {
@@ -99,7 +121,8 @@ void Forger::send(const Packet& packet, std::uint16_t from) const {
     ip.ihl = sizeof ip / 4;
     ip.ttl = 64;
     ip.protocol = IPPROTO_UDP;
-    ip.saddr = ip.daddr = htonl(INADDR_LOOPBACK);
+    ip.saddr = from_;
+    ip.daddr = to_;
     udphdr udp{};
     udp.source = htons(from);
     udp.dest = htons(static_cast<std::uint16_t>(7410 + 250 * link_domain_ + 2 * number));
@@ -110,7 +133,7 @@ void Forger::send(const Packet& packet, std::uint16_t from) const {
     whole.insert(whole.end(), packet.begin(), packet.end());
     sockaddr_in to{};
     to.sin_family = AF_INET;
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    to.sin_addr.s_addr = to_;
     (void)::sendto(raw_, whole.data(), whole.size(), 0, reinterpret_cast<const sockaddr*>(&to),
                    sizeof to);
   }
@@ -143,6 +166,27 @@ Forger::Packet Forger::stranger_like(const Overheard& victim, std::uint32_t numb
   const auto guid = value_of(packet, 0x50, 16);
   for (std::uint8_t* const place : {packet.data() + prefix_at, &*guid}) {
     std::memcpy(place + prefix_bytes - sizeof number, &number, sizeof number);
+  }
+  return packet;
+}
+
+Forger::Packet Forger::exaggerated(const Packet& message, std::uint32_t by) {
+  constexpr std::uint8_t data = 0x15;
+  constexpr std::size_t number_at = 4 + 4 + 4 + 4;  // behind header, flags and both entities
+  Packet packet = message;
+  for (std::size_t at = prefix_at + prefix_bytes; at + 4 <= packet.size();) {
+    const std::size_t size = packet[at + 2] | packet[at + 3] << 8U;
+    const std::size_t end = size == 0 ? packet.size() : at + 4 + size;
+    if (packet[at] == data && end <= packet.size() && at + number_at + 8 + 24 < end) {
+      std::uint32_t low = 0;
+      std::memcpy(&low, &packet[at + number_at + 4], sizeof low);
+      low += by;
+      std::memcpy(&packet[at + number_at + 4], &low, sizeof low);
+      std::fill(packet.begin() + static_cast<std::ptrdiff_t>(end - 16),
+                packet.begin() + static_cast<std::ptrdiff_t>(end), 0xff);
+    }
+    if (size == 0 && packet[at] != 1) break;
+    at = end;
   }
   return packet;
 }
