@@ -179,7 +179,7 @@ std::shared_ptr<PacketFilter> packet_filter(const ParticipantOptions& options) {
   limits.secured = !options.enclave.empty();
   auto others = limits.secured ? std::make_shared<OtherMakers>() : nullptr;
   return std::make_shared<PacketFilter>(std::move(limits), local_in(surroundings),
-                                        std::move(others));
+                                        std::move(others), options.numbers);
 }
 
 dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {

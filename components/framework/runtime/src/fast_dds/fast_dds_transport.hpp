@@ -10,6 +10,7 @@
 #include "fast_dds/remote_ends.hpp"
 #include "foundation/time.hpp"
 #include "link/radio_transport.hpp"
+#include "link/writer_numbers.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 
 namespace tocsin {
@@ -32,7 +33,8 @@ struct ParticipantOptions {
   RemoteEnds::OnParticipant on_participant = {};
   std::shared_ptr<RadioMarks> marks = {};  ///< of a router's packets; null: as large as UDP carries
   std::shared_ptr<StopChannel> stop = {};  ///< on the link: the emergency stop's way; null: none
-  std::string enclave = {};                ///< folder of its identity; empty: no DDS Security
+  std::shared_ptr<WriterNumbers> numbers = {};  ///< sees what is received; null: nobody does
+  std::string enclave = {};                     ///< folder of its identity; empty: no DDS Security
   /// Of its packets; null: participant_qos makes one.
   std::shared_ptr<PacketFilter> filter = {};
   /// Released when the participant is complete.

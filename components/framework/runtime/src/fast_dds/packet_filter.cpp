@@ -102,6 +102,7 @@ rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::si
     count_dropped_packet(rtps_filter::DropReason::sequence_jump, source.address);
   }
   if (others_) others_->hear(bytes, size, source.address);
+  if (numbers_) numbers_->see(bytes, size, now);
   return inspection;
 }
 

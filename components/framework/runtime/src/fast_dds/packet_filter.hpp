@@ -16,6 +16,7 @@
 #include "foundation/thread_cpu.hpp"
 #include "link/message_pieces.hpp"
 #include "link/other_makers.hpp"
+#include "link/writer_numbers.hpp"
 #include "rtps_filter/rtps_filter.hpp"
 
 namespace tocsin {
@@ -40,12 +41,14 @@ class PacketFilter {
   using IsLocal = std::function<bool(std::uint32_t address)>;
 
   /// `is_local`: whether an address is of this computer, so that it has users. `others`: is told of
-  /// those whose packets pass; null: nobody is.
+  /// those whose packets pass, `numbers` of these packets; null: nobody is.
   explicit PacketFilter(rtps_filter::Limits limits, IsLocal is_local = {},
-                        std::shared_ptr<OtherMakers> others = {})
+                        std::shared_ptr<OtherMakers> others = {},
+                        std::shared_ptr<WriterNumbers> numbers = {})
       : secured_(limits.secured),
         is_local_(std::move(is_local)),
         others_(std::move(others)),
+        numbers_(std::move(numbers)),
         filter_(std::move(limits)) {}
 
   /// Calls `show(bytes, size)` with the packet, or a copy without what must not be read, and before
@@ -102,6 +105,7 @@ class PacketFilter {
   const bool secured_;
   const IsLocal is_local_;
   const std::shared_ptr<OtherMakers> others_;
+  const std::shared_ptr<WriterNumbers> numbers_;
   SenderUsers users_;
   std::mutex mutex_;
   rtps_filter::RtpsFilter filter_;

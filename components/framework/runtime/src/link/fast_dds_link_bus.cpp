@@ -87,6 +87,16 @@ ParticipantOptions FastDdsLinkBus::link_options() {
   link.marks = marks_;
   link.stop = stop_;
   link.enclave = options_.enclave;
+  // On a secured link a forged number is thrown away with its signature.
+  if (options_.enclave.empty()) {
+    link.numbers = std::make_shared<WriterNumbers>([this](const WriterNumbers::Guid& writer) {
+      {
+        const std::lock_guard<std::mutex> lock(muted_mutex_);
+        muted_.insert(writer);
+      }
+      table_.wake();
+    });
+  }
   link.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_link_end(guid, end, there);
   };
@@ -127,6 +137,7 @@ std::optional<LinkEvent> FastDdsLinkBus::take() {
     log_.info("the interface with {} is up; link topics cross it", options_.link_address);
   }
   auto event = table_.pop();
+  if (!event) hear_the_muted();
   if (!event) return event;
   if (const auto* host = std::get_if<link_event::HostFlow>(&*event)) {
     listen_on_host(host->flow, host->what);
@@ -160,6 +171,24 @@ void FastDdsLinkBus::listen_on_link(FlowId id, const Flow& flow) {
     link_readers_.add(id, key);
   } catch (const EnvironmentError& error) {
     log_refusal("receive", key.topic, error);
+  }
+}
+
+void FastDdsLinkBus::hear_the_muted() {
+  std::set<WriterNumbers::Guid> muted;
+  {
+    const std::lock_guard<std::mutex> lock(muted_mutex_);
+    muted.swap(muted_);
+  }
+  for (const auto& writer : muted) {
+    const auto flow = table_.flow_of(writer);
+    if (!flow) continue;
+    log_.warn("a forged number muted {}; it is received again", table_.find(*flow)->topic);
+    try {
+      link_readers_.renew(*flow);
+    } catch (const EnvironmentError& error) {
+      log_.error("{}", error.what());
+    }
   }
 }
 

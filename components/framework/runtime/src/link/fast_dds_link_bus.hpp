@@ -4,6 +4,8 @@
 #include <atomic>
 #include <map>
 #include <memory>
+#include <mutex>
+#include <set>
 #include <string>
 
 #include "foundation/error.hpp"
@@ -14,6 +16,7 @@
 #include "link/late_interface.hpp"
 #include "link/radio_transport.hpp"
 #include "link/stop_channel.hpp"
+#include "link/writer_numbers.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/link_bus.hpp"
@@ -73,6 +76,8 @@ class FastDdsLinkBus final : public LinkBus {
   [[nodiscard]] std::unique_ptr<FlowReader> make_host_reader(const ReaderKey& key);
   void listen_on_host(FlowId id, const Flow& flow);
   void listen_on_link(FlowId id, const Flow& flow);
+  /// Makes readers anew that are muted by a forged number.
+  void hear_the_muted();
   [[nodiscard]] bool has_outlived_its_lifespan(const TakenSample& taken, FlowId id) const;
   void on_host_sample(const ReaderKey& key, TakenSample&& taken);
   void on_link_sample(TakenSample&& taken);
@@ -85,6 +90,8 @@ class FastDdsLinkBus final : public LinkBus {
   const std::shared_ptr<RadioMarks> marks_ = std::make_shared<RadioMarks>();
   const std::shared_ptr<StopChannel> stop_;
   std::atomic<bool> interface_is_up_{false};
+  std::mutex muted_mutex_;
+  std::set<WriterNumbers::Guid> muted_;  ///< writers, since hear_the_muted
   FastDdsParticipant host_;
   std::unique_ptr<FastDdsParticipant> link_;
   FastDdsHostServices services_;

@@ -33,4 +33,12 @@ void FlowReaders::remove(FlowId flow) {
   idle_.pop_front();
 }
 
+void FlowReaders::renew(FlowId flow) {
+  const auto found = by_flow_.find(flow);
+  if (found == by_flow_.end()) return;
+  Entry& entry = readers_.at(found->second);
+  entry.reader.reset();
+  entry.reader = make_(found->second);
+}
+
 }  // namespace tocsin

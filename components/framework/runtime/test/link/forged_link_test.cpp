@@ -65,6 +65,33 @@ TEST_F(ForgedLinkTest, DepartureOfASilentPeerIsBelievedAfterASecond) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds(3));
 }
 
+TEST_F(ForgedLinkTest, ForgedNumbersOfSamplesMuteAFlowForTwoSecondsAtMost) {
+  const Relay uxv(options(Role::uxv));
+  const Relay gcs(options(Role::gcs));
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
+  Samples there;
+  const auto far = station->subscribe(endpoint<topic::Location>(), there);
+  const auto writer = vehicle->advertise(endpoint<topic::Location>());
+  ASSERT_TRUE(write_until_heard<topic::Location>(*writer, there));
+  for (const std::uint32_t by : {5U, 1U << 18U, 1U << 30U}) {
+    (void)writer->write(std::make_shared<const topic::Location::Message>());
+    for (const Forger::Overheard& heard : forger().overhear_all()) {
+      forger().send(Forger::exaggerated(heard.announcement, by), heard.port);
+    }
+    std::this_thread::sleep_for(milliseconds(50));
+    const std::size_t before = there.all().size();
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_TRUE(eventually([&] {
+      (void)writer->write(std::make_shared<const topic::Location::Message>());
+      std::this_thread::sleep_for(milliseconds(20));
+      return there.all().size() > before + 5;
+    })) << by;
+    const auto muted = std::chrono::steady_clock::now() - begin;
+    EXPECT_LT(muted, seconds(2)) << by;
+  }
+}
+
 TEST_F(ForgedLinkTest, StrangersWithEndlessLeasesDoNotLockOutARouterThatComesBack) {
   std::optional<Relay> uxv;
   uxv.emplace(options(Role::uxv));

@@ -115,7 +115,8 @@ std::vector<Forger::Overheard> Forger::overhear_all() const {
 }
 
 void Forger::send(const Packet& packet, std::uint16_t from) const {
-  for (const int number : {0, 1, 2}) {
+  for (const int offset :
+       {10, 11, 12, 13, 14, 15}) {  // of three participants, for both kinds of traffic
     iphdr ip{};
     ip.version = 4;
     ip.ihl = sizeof ip / 4;
@@ -125,7 +126,7 @@ void Forger::send(const Packet& packet, std::uint16_t from) const {
     ip.daddr = to_;
     udphdr udp{};
     udp.source = htons(from);
-    udp.dest = htons(static_cast<std::uint16_t>(7410 + 250 * link_domain_ + 2 * number));
+    udp.dest = htons(static_cast<std::uint16_t>(7400 + 250 * link_domain_ + offset));
     udp.len = htons(static_cast<std::uint16_t>(sizeof udp + packet.size()));
     Packet whole(sizeof ip + sizeof udp);
     std::memcpy(whole.data(), &ip, sizeof ip);

@@ -12,6 +12,7 @@
 #include "keystore/keystore.hpp"
 #include "link/forger.hpp"
 #include "link/link_bus_fixture.hpp"
+#include "link/unchecked_writers.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -144,6 +145,27 @@ TEST_F(SecuredLinkTest, WhoMayOnlyListenWritesNothing) {
   }
   EXPECT_THAT(gcs.crossed(), IsEmpty());
   EXPECT_THAT(gcs.peer_flows(), IsEmpty());
+}
+
+TEST_F(SecuredLinkTest, WhatAnIdentityMayNotWriteItsReceiverRefuses) {
+  keystore::add(store("keystore"), {"second", {{"rt/location"}, {"rt/*"}}}, std::time(nullptr));
+  const UncheckedWriters its_library;
+  const Relay gcs(secured(Role::gcs));
+  const Relay second(secured(Role::uxv, "second"));
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
+  Samples there;
+  Samples pictures;
+  const auto far = station->subscribe(endpoint<topic::Location>(), there);
+  const auto far_pictures = station->subscribe(endpoint<topic::CameraImage>(), pictures);
+  const auto writer = vehicle->advertise(endpoint<topic::Location>());
+  const auto camera = vehicle->advertise(endpoint<topic::CameraImage>());
+  ASSERT_TRUE(write_until_heard<topic::Location>(*writer, there));
+  for (int i = 0; i < 50; ++i) {
+    (void)camera->write(std::make_shared<const topic::CameraImage::Message>());
+    std::this_thread::sleep_for(milliseconds(10));
+  }
+  EXPECT_THAT(pictures.all(), IsEmpty());
 }
 
 TEST_F(SecuredLinkTest, WhatIsForgedInThePeersNameChangesNothing) {

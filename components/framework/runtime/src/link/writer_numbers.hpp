@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/rtps/common/Guid.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+
+#include "foundation/time.hpp"
+
+namespace tocsin {
+
+/// The numbers of the samples that come over a plain link, by their writers.
+///
+/// A best-effort reader of Fast DDS takes no sample whose number is not above all that it has taken
+/// from this writer (StatelessReader::thereIsUpperRecordOf), so that one sample with a forged
+/// number mutes the writer for good. Two samples with ascending numbers 0.3 s or more apart, and
+/// none above the highest between them, tell that this has happened: packets that overtook each
+/// other are not that far apart. The reader must be made anew. Any thread.
+class WriterNumbers {
+ public:
+  using Guid = eprosima::fastrtps::rtps::GUID_t;
+  static constexpr Duration contradicts_after = std::chrono::milliseconds(300);
+  /// Beyond them all are forgotten.
+  static constexpr std::size_t most_writers = 4096;
+
+  /// `on_muted` is called in the thread that sees the packet, without a lock held.
+  explicit WriterNumbers(std::function<void(const Guid&)> on_muted)
+      : on_muted_(std::move(on_muted)) {}
+
+  /// A packet that the participant is shown.
+  void see(const std::uint8_t* packet, std::size_t size, Time now);
+  /// A sample of a writer. Whether readers that have seen the samples before do not take it, and
+  /// what follows.
+  [[nodiscard]] bool is_muted(const Guid& writer, std::uint64_t number, Time now);
+
+ private:
+  struct Numbers {
+    std::uint64_t highest = 0;
+    std::uint64_t lower = 0;  ///< the first that contradicts it; 0: none does
+    Time since{};
+  };
+  const std::function<void(const Guid&)> on_muted_;
+  std::mutex mutex_;
+  std::map<Guid, Numbers> writers_;
+};
+
+}  // namespace tocsin
