@@ -61,6 +61,7 @@ void RouterStop::say(Time now) {
 }
 
 void RouterStop::tell(Time now) {
+  if (!side_->may_tell(now)) return;
   topic::LinkStop::Message message;
   side_->fill(message, now);
   const bool same = message_ && message_->stands() == message.stands() &&

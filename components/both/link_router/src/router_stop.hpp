@@ -27,6 +27,8 @@ class RouterStop {
     virtual void fill(StopValue& value, Time now) = 0;
     /// What the host is told.
     virtual void fill(topic::LinkStop::Message& message, Time now) = 0;
+    /// Whether it knows enough for that.
+    [[nodiscard]] virtual bool may_tell(Time) const { return true; }
     /// What a successor needs.
     [[nodiscard]] virtual StopKeysFile::Content kept() const = 0;
   };

@@ -97,6 +97,8 @@ void StopListener::on_packet(const ReceivedPacket& packet) {
 }
 
 void StopListener::follow(Time now) {
+  if (!followed_ || now - *followed_ > frozen_after) begun_ = now;
+  followed_ = now;
   for (auto it = stations_.begin(); it != stations_.end();) {
     const Station& one = it->second;
     if (one.packet - one.value > fresh_for) add_once(stale_, one.host);
@@ -110,6 +112,10 @@ void StopListener::release_left(Time now) {
   more_ = false;
   stale_.clear();
   ++releases_;
+}
+
+bool StopListener::knows(Time now) const {
+  return stands() || (last_value_ && *last_value_ >= begun_) || now - begun_ >= fresh_for;
 }
 
 bool StopListener::stands() const { return !stops_.empty() || more_ || !stale_.empty(); }

@@ -17,6 +17,8 @@ class VehicleStop final : public RouterStop::Side {
   void take(const StopNews& news, Time now) override;
   void fill(StopValue& value, Time now) override;
   void fill(topic::LinkStop::Message& message, Time now) override;
+  /// Until then the host hears nothing, which is a stop where it has heard a router before.
+  [[nodiscard]] bool may_tell(Time now) const override { return listener_.knows(now); }
   [[nodiscard]] StopKeysFile::Content kept() const override;
 
  private:

@@ -88,6 +88,7 @@ class RouterStopTest : public ::testing::Test {
 
 TEST_F(RouterStopTest, AVehicleTellsItsHostTenTimesASecond) {
   start(Role::uxv);
+  hear(station(false));
   (void)told();
   int messages = 0;
   for (int i = 0; i < 100; ++i) {
@@ -100,6 +101,7 @@ TEST_F(RouterStopTest, AVehicleTellsItsHostTenTimesASecond) {
 
 TEST_F(RouterStopTest, AStopOfAStationStandsOnTheVehicleAtOnceUntilItIsReleased) {
   start(Role::uxv);
+  run(1);
   EXPECT_FALSE(told().stands());
   EXPECT_TRUE(std::isnan(told().silence_s()));
   hear(station(true));
@@ -108,6 +110,17 @@ TEST_F(RouterStopTest, AStopOfAStationStandsOnTheVehicleAtOnceUntilItIsReleased)
   EXPECT_EQ(told().silence_s(), 0);
   hear(station(false));
   EXPECT_FALSE(told().stands());
+}
+
+TEST_F(RouterStopTest, AVehicleThatBeginsSaysNothingUntilItHasHeardAStationOrASecondOfSilence) {
+  start(Role::uxv);
+  run(0.9);
+  EXPECT_TRUE(host_->told.take().empty());
+  run(0.2);
+  EXPECT_FALSE(host_->told.take().empty());
+  start(Role::uxv);
+  hear(station(true));
+  EXPECT_TRUE(told().stands());
 }
 
 TEST_F(RouterStopTest, AVehicleReportsItsLocksAndWhatItsSafetyControllerSays) {

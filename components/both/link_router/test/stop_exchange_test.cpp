@@ -161,6 +161,36 @@ TEST_F(StopExchangeTest, PacketsWithoutAFreshValueAreAStop) {
   EXPECT_FALSE(stands());
 }
 
+TEST_F(StopExchangeTest, KnowsNothingAtFirstAndAfterAFreezeUntilAValueOrASecondOfSilence) {
+  const auto knows = [this] {
+    vehicle_.follow(now_);
+    return vehicle_.knows(now_);
+  };
+  EXPECT_FALSE(knows());
+  station_.host(false, now_);
+  vehicle_.on_value(station_.said(now_));
+  EXPECT_TRUE(knows());
+  for (int i = 0; i < 30; ++i, now_ += milliseconds(100)) EXPECT_TRUE(knows());
+  now_ += seconds(5);
+  EXPECT_FALSE(knows());
+  for (int i = 0; i < 9; ++i) {
+    now_ += milliseconds(100);
+    EXPECT_FALSE(knows());
+  }
+  now_ += milliseconds(100);
+  EXPECT_TRUE(knows()) << "the link is lost";
+}
+
+TEST_F(StopExchangeTest, AStopThatStandsIsKnownAtOnce) {
+  station_.host(true, now_);
+  vehicle_.on_value(station_.said(now_));
+  StopListener successor;
+  successor.restore(vehicle_.memory(), now_);
+  successor.follow(now_);
+  EXPECT_TRUE(successor.stands());
+  EXPECT_TRUE(successor.knows(now_));
+}
+
 TEST_F(StopExchangeTest, SilenceIsNoStopButIsTold) {
   EXPECT_EQ(vehicle_.silence(now_), std::nullopt);
   vehicle_.on_value(station_.said(now_));

@@ -31,6 +31,8 @@ class StopListener {
   static constexpr Duration fresh_for = std::chrono::seconds(1);
   /// A station is received when it has said something within this time.
   static constexpr Duration received_for = std::chrono::seconds(2);
+  /// Not asked to follow for so long: it was frozen.
+  static constexpr Duration frozen_after = std::chrono::milliseconds(500);
   static constexpr std::size_t most_stops = 64;
 
   void on_value(const ReceivedStop& received);
@@ -41,6 +43,9 @@ class StopListener {
   void release_left(Time now);
 
   [[nodiscard]] bool stands() const;
+  /// Whether `stands` is more than what was so before a start or a freeze: a stop stands, a value
+  /// has come since, or none has for `fresh_for`.
+  [[nodiscard]] bool knows(Time now) const;
   /// Names of those whose stops stand; not empty while one does.
   [[nodiscard]] std::vector<std::string> stopped_by() const;
   /// The first of the locks that stand, for a report.
@@ -83,6 +88,8 @@ class StopListener {
   std::map<std::string, std::uint64_t> numbers_;  ///< highest, by identity
   std::vector<std::string> stale_;                ///< hosts whose value is not fresh
   std::optional<Time> last_value_;
+  std::optional<Time> followed_;
+  Time begun_{};  ///< of its life, or after its last freeze
   std::uint64_t releases_ = 0;
 };
 

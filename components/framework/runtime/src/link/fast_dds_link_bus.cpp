@@ -51,6 +51,7 @@ FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> 
       table_(options.ros_namespace, rules_, std::move(on_event)),
       service_table_(options.ros_namespace, [this] { table_.wake(); }),
       stop_(std::make_shared<StopChannel>(stop_options(options_, [this] { table_.wake(); }))),
+      numbers_(std::make_shared<WriterNumbers>([this] { table_.wake(); })),
       host_(host_options()),
       services_(host_, options.ros_namespace, service_table_, log_),
       host_readers_([this](const ReaderKey& key) { return make_host_reader(key); }),
@@ -88,15 +89,7 @@ ParticipantOptions FastDdsLinkBus::link_options() {
   link.stop = stop_;
   link.enclave = options_.enclave;
   // On a secured link a forged number is thrown away with its signature.
-  if (options_.enclave.empty()) {
-    link.numbers = std::make_shared<WriterNumbers>([this](const WriterNumbers::Guid& writer) {
-      {
-        const std::lock_guard<std::mutex> lock(muted_mutex_);
-        muted_.insert(writer);
-      }
-      table_.wake();
-    });
-  }
+  if (options_.enclave.empty()) link.numbers = numbers_;
   link.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_link_end(guid, end, there);
   };
@@ -165,30 +158,22 @@ void FastDdsLinkBus::listen_on_host(FlowId id, const Flow& flow) {
       id, {table_.names().on_wire(flow.topic), flow.type, flow.reliable, flow.transient_local});
 }
 
-void FastDdsLinkBus::listen_on_link(FlowId id, const Flow& flow) {
+void FastDdsLinkBus::listen_on_link(FlowId id, const Flow& flow, bool anew) {
   const ReaderKey key{table_.names().on_wire(flow.topic), flow.type};
   try {
-    link_readers_.add(id, key);
+    anew ? link_readers_.renew(id) : link_readers_.add(id, key);
   } catch (const EnvironmentError& error) {
     log_refusal("receive", key.topic, error);
   }
 }
 
 void FastDdsLinkBus::hear_the_muted() {
-  std::set<WriterNumbers::Guid> muted;
-  {
-    const std::lock_guard<std::mutex> lock(muted_mutex_);
-    muted.swap(muted_);
-  }
-  for (const auto& writer : muted) {
-    const auto flow = table_.flow_of(writer);
+  for (const auto& writer : numbers_->take_muted()) {
+    const auto id = table_.flow_of(writer);
+    const auto flow = id ? table_.find(*id) : std::nullopt;
     if (!flow) continue;
-    log_.warn("a forged number muted {}; it is received again", table_.find(*flow)->topic);
-    try {
-      link_readers_.renew(*flow);
-    } catch (const EnvironmentError& error) {
-      log_.error("{}", error.what());
-    }
+    log_.warn("a forged number muted {}; it is received again", flow->topic);
+    listen_on_link(*id, *flow, true);
   }
 }
 

@@ -4,8 +4,6 @@
 #include <atomic>
 #include <map>
 #include <memory>
-#include <mutex>
-#include <set>
 #include <string>
 
 #include "foundation/error.hpp"
@@ -75,7 +73,8 @@ class FastDdsLinkBus final : public LinkBus {
   void log_refusal(const char* what, const std::string& topic, const EnvironmentError& error);
   [[nodiscard]] std::unique_ptr<FlowReader> make_host_reader(const ReaderKey& key);
   void listen_on_host(FlowId id, const Flow& flow);
-  void listen_on_link(FlowId id, const Flow& flow);
+  /// `anew`: by another reader than before.
+  void listen_on_link(FlowId id, const Flow& flow, bool anew = false);
   /// Makes readers anew that are muted by a forged number.
   void hear_the_muted();
   [[nodiscard]] bool has_outlived_its_lifespan(const TakenSample& taken, FlowId id) const;
@@ -90,8 +89,7 @@ class FastDdsLinkBus final : public LinkBus {
   const std::shared_ptr<RadioMarks> marks_ = std::make_shared<RadioMarks>();
   const std::shared_ptr<StopChannel> stop_;
   std::atomic<bool> interface_is_up_{false};
-  std::mutex muted_mutex_;
-  std::set<WriterNumbers::Guid> muted_;  ///< writers, since hear_the_muted
+  const std::shared_ptr<WriterNumbers> numbers_;  ///< on the link
   FastDdsParticipant host_;
   std::unique_ptr<FastDdsParticipant> link_;
   FastDdsHostServices services_;

@@ -8,6 +8,8 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <set>
+#include <utility>
 
 #include "foundation/time.hpp"
 
@@ -27,15 +29,17 @@ class WriterNumbers {
   /// Beyond them all are forgotten.
   static constexpr std::size_t most_writers = 4096;
 
-  /// `on_muted` is called in the thread that sees the packet, without a lock held.
-  explicit WriterNumbers(std::function<void(const Guid&)> on_muted)
-      : on_muted_(std::move(on_muted)) {}
+  /// `wake` is called when a writer is muted, in the thread that sees the packet, without a lock
+  /// held.
+  explicit WriterNumbers(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   /// A packet that the participant is shown.
   void see(const std::uint8_t* packet, std::size_t size, Time now);
   /// A sample of a writer. Whether readers that have seen the samples before do not take it, and
   /// what follows.
   [[nodiscard]] bool is_muted(const Guid& writer, std::uint64_t number, Time now);
+  /// Those of the packets that were seen since one looked last.
+  [[nodiscard]] std::set<Guid> take_muted();
 
  private:
   struct Numbers {
@@ -43,9 +47,11 @@ class WriterNumbers {
     std::uint64_t lower = 0;  ///< the first that contradicts it; 0: none does
     Time since{};
   };
-  const std::function<void(const Guid&)> on_muted_;
+  void tell(const Guid& writer);
+  const std::function<void()> wake_;
   std::mutex mutex_;
   std::map<Guid, Numbers> writers_;
+  std::set<Guid> muted_;
 };
 
 }  // namespace tocsin

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <vector>
 
 namespace tocsin {
@@ -22,8 +23,8 @@ class WriterNumbersTest : public ::testing::Test {
     guid.entityId.value[3] = 3;
     return guid;
   }();
-  std::vector<WriterNumbers::Guid> muted_;
-  WriterNumbers sut_{[this](const WriterNumbers::Guid& writer) { muted_.push_back(writer); }};
+  int wakes_ = 0;
+  WriterNumbers sut_{[this] { ++wakes_; }};
   Time now_{std::chrono::hours(1)};
 };
 
@@ -88,13 +89,15 @@ TEST_F(WriterNumbersTest, ReadsDataOfPackets) {
       sut_.see(bytes.data(), bytes.size(), now_ += 400 * ms);
     }
   }
-  EXPECT_EQ(muted_, std::vector<WriterNumbers::Guid>{writer_});
+  EXPECT_EQ(wakes_, 1);
+  EXPECT_EQ(sut_.take_muted(), std::set<WriterNumbers::Guid>{writer_});
+  EXPECT_TRUE(sut_.take_muted().empty());
 }
 
 TEST_F(WriterNumbersTest, TakesShortPackets) {
   const std::vector<std::uint8_t> bytes(64, 0x15);
   for (std::size_t size = 0; size <= bytes.size(); ++size) sut_.see(bytes.data(), size, now_);
-  EXPECT_TRUE(muted_.empty());
+  EXPECT_EQ(wakes_, 0);
 }
 
 }  // namespace
