@@ -32,6 +32,7 @@ std::array<int, 2> open_pipe() {
 std::string bringup(const TemporaryFolder& folder) {
   return folder.write("site.yaml",
                       "extends: mission.yaml\nstop_when_exits: ~\n"
+                      "restart: {max_backoff_s: 0.2, limit: 1000}\n"
                       "hosts:\n  uxv: {containers: [{payload: ~}]}\n"
                       "  gcs: {containers: [{view: ~}, {page: ~}, {mission: ~}]}\n");
 }
@@ -107,7 +108,12 @@ StopSite::StopSite(const StopSiteOptions& options) {
   }
   watch_.emplace(stack_->pid("uxv/recorder"), on_host(site_domain), watch_wheels(wheels_));
   rogue_.emplace(stack_->pid("uxv/recorder"), on_host(site_domain), turn_on_the_spot);
-  person_.emplace(stack_->pid("gcs/recorder"));
+  // One that has begun long enough ago to be in its host's network.
+  person_.emplace(stack_->pid("gcs/link"));
+  const bool is_obeyed = Stack::eventually(std::chrono::seconds(40), [&] {
+    return stack_->read("log/gcs.link.log").find("emergency stop off") != std::string::npos;
+  });
+  if (!is_obeyed) throw std::runtime_error("nobody obeys the person\n" + stack_->output());
   if (!moves(std::chrono::seconds(40)))
     throw std::runtime_error("does not move\n" + stack_->output());
   if (!options.loses) return;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <fstream>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -32,10 +33,18 @@ BusOptions on_link() {
 
 std::shared_ptr<void> nothing(const StopSite&) { return nullptr; }
 
+/// Of a router that may be about to be started again.
+pid_t running(const StopSite& site, const std::string& router) {
+  pid_t pid = 0;
+  const bool runs =
+      Stack::eventually(seconds(60), [&] { return (pid = site.stack().pid(router)) > 0; });
+  if (!runs) throw std::runtime_error(router + " does not run");
+  return pid;
+}
+
 Trouble frozen(const std::string& router, int time_s) {
   return [=](const StopSite& site) -> std::shared_ptr<void> {
-    const pid_t pid = site.stack().pid(router);
-    if (pid <= 0) throw std::runtime_error(router + " does not run");
+    const pid_t pid = running(site, router);
     ::kill(pid, SIGSTOP);
     std::this_thread::sleep_for(seconds(time_s));
     ::kill(pid, SIGCONT);
@@ -43,14 +52,24 @@ Trouble frozen(const std::string& router, int time_s) {
   };
 }
 
-Trouble killed(const std::string& router) {
+/// How often the router of a host has met the other one.
+std::ptrdiff_t meetings(const StopSite& site, const std::string& host) {
+  std::istringstream log(site.stack().read("log/" + host + ".link.log"));
+  std::ptrdiff_t count = 0;
+  for (std::string line; std::getline(log, line);) {
+    count += line.find("is on the link") == std::string::npos ? 0 : 1;
+  }
+  return count;
+}
+
+/// Killed with -9, and back when it has met the other one again.
+Trouble killed(const std::string& host) {
   return [=](const StopSite& site) -> std::shared_ptr<void> {
-    const pid_t before = site.stack().pid(router);
-    ::kill(before, SIGKILL);
-    (void)Stack::eventually(seconds(10), [&] {
-      const pid_t now = site.stack().pid(router);
-      return now != 0 && now != before;
-    });
+    const auto before = meetings(site, host);
+    ::kill(running(site, host + "/link"), SIGKILL);
+    if (!Stack::eventually(seconds(60), [&] { return meetings(site, host) > before; })) {
+      throw std::runtime_error("the router of " + host + " is not back");
+    }
     return nullptr;
   };
 }
@@ -144,8 +163,8 @@ std::vector<Condition> conditions() {
           {"vehicle's router frozen 1 s", frozen("uxv/link", 1)},
           {"vehicle's router frozen 5 s", frozen("uxv/link", 5)},
           {"vehicle's router frozen 30 s", frozen("uxv/link", 30)},
-          {"station's router killed", killed("gcs/link")},
-          {"vehicle's router killed", killed("uxv/link")},
+          {"station's router killed", killed("gcs")},
+          {"vehicle's router killed", killed("uxv")},
           {"forged departures", with(departs), true},
           {"forged leases", with(leases), true},
           {"forged names", with(names), true},
