@@ -228,6 +228,9 @@ void CallLink::follow_directory(Time now) {
       asked_, directory_.asked(), [this](const auto& name) { host_->end_calling(name); },
       [this](const HostService& service) { host_->call(service); });
   makes_ends_ = shows || asks;
+  auto offered = directory_.offered_there();
+  if (offered != known_) host_->know(offered);
+  known_ = std::move(offered);
   const router::ServiceLists lists = directory_.told(now);
   if (lists == told_ || parts_.link.self() == 0) return;
   told_ = lists;

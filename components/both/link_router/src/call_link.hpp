@@ -87,6 +87,7 @@ class CallLink {
   std::map<ClassKey, CallFlows> by_class_;
   FlowId services_ = 0;
   router::ServiceLists told_;
+  std::set<std::string> known_;  ///< of the peers' services, by this host
   std::set<router::ServiceName> shown_;
   std::set<router::ServiceName> asked_;
   bool makes_ends_ = false;  ///< some are left for the next ticks

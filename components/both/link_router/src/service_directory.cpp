@@ -99,6 +99,16 @@ std::set<ServiceName> ServiceDirectory::shown(Time now) const {
   return services;
 }
 
+std::set<std::string> ServiceDirectory::offered_there() const {
+  std::set<std::string> names;
+  for (const auto& [peer, lists] : peers_) {
+    for (const ServiceName& offered : lists.offered) {
+      if (!is_served_here(offered.name)) names.insert(offered.name);
+    }
+  }
+  return names;
+}
+
 std::set<ServiceName> ServiceDirectory::asked() const {
   std::set<ServiceName> services;
   for (const auto& [peer, lists] : peers_) {

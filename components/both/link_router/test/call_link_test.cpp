@@ -10,6 +10,7 @@ namespace tocsin {
 namespace {
 
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Key;
 using ::testing::Not;
@@ -149,6 +150,8 @@ TEST_F(CallLinkTest, WhatOnlyAPatternNamesIsShownToWhoCallsIt) {
   const HostService parameters{"arm/get_parameters", "rcl_interfaces/srv/GetParameters"};
   hear_of({parameters}, {});
   EXPECT_THAT(script_.services.served, IsEmpty());
+  EXPECT_THAT(script_.services.known, ElementsAre(parameters.name))
+      << "a client looks for the node before it calls";
   happen(host_service_event::Client{parameters, true});
   run(0.6);
   EXPECT_THAT(script_.services.served, Contains(Key(parameters.name)));
@@ -161,6 +164,7 @@ TEST_F(CallLinkTest, WhatOnlyAPatternNamesIsShownToWhoCallsIt) {
 TEST_F(CallLinkTest, APeerThatLeavesTakesItsServicesWithIt) {
   begin_as(Role::gcs);
   hear_of({dock}, {});
+  EXPECT_THAT(script_.services.known, ElementsAre(dock.name));
   script_.happen(link_event::PeerLost{station});
   run(0);
   EXPECT_THAT(script_.services.served, Not(Contains(Key("dock"))));

@@ -36,6 +36,7 @@ class ScriptedServices final : public HostServices {
              std::vector<std::uint8_t> message) override {
     replied.push_back({service, id, std::move(message)});
   }
+  void know(const std::set<std::string>& services) override { known = services; }
   void call(const HostService& service) override { called[service.name] = service; }
   void end_calling(const std::string& name) override { called.erase(name); }
   [[nodiscard]] std::optional<std::int64_t> ask(const std::string& service,
@@ -48,6 +49,7 @@ class ScriptedServices final : public HostServices {
   std::deque<HostServiceEvent> events;
   std::map<std::string, HostService> served;
   std::map<std::string, HostService> called;
+  std::set<std::string> known;
   std::vector<Replied> replied;
   std::vector<Asked> asked;
   bool has_server = true;

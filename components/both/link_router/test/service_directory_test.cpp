@@ -85,6 +85,15 @@ TEST_F(ServiceDirectoryTest, WhatAPatternNamesIsOfferedAndShownToWhoWantsItOnly)
   EXPECT_THAT(client.shown(t0 + patience), IsEmpty());
 }
 
+TEST_F(ServiceDirectoryTest, WhatPeersOfferIsKnownBeforeSomebodyWantsItUnlessItIsServedHere) {
+  (void)client.on_peer(1, {{dock, parameters, secret}, {}});
+  EXPECT_THAT(client.offered_there(), ElementsAre(parameters.name, dock.name));
+  client.on_server(dock, true);
+  EXPECT_THAT(client.offered_there(), ElementsAre(parameters.name));
+  client.forget_peer(1);
+  EXPECT_THAT(client.offered_there(), IsEmpty());
+}
+
 TEST_F(ServiceDirectoryTest, AServerOnTheOwnHostGoesBeforeThoseOfThePeers) {
   client.on_client(dock, true, t0);
   (void)client.on_peer(1, {{dock}, {}});

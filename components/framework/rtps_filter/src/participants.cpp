@@ -26,6 +26,13 @@ bool Participants::is_source(Participant& participant, Source from, Time now) co
   constexpr Duration settling = std::chrono::seconds(60);  // longer than anybody's period
   auto& sources = participant.sources;
   if (std::find(sources.begin(), sources.end(), from) != sources.end()) return true;
+  // One socket has one port: where a program of the same host sends by another interface, it has
+  // the address of that. Interfaces get listeners at any time.
+  const bool same_socket = !limits_.participant_has_address &&
+                           std::any_of(sources.begin(), sources.end(), [&](const Source& known) {
+                             return known.port == from.port;
+                           });
+  if (same_socket) return true;
   const bool elsewhere = limits_.participant_has_address && sources.front().address != from.address;
   if (elsewhere || now - participant.admitted > settling || sources.size() >= most_sockets) {
     return false;

@@ -61,6 +61,15 @@ TEST(Participant, MayHaveASocketForEachInterfaceAndGroup) {
   EXPECT_EQ(drop_of(sut, departure('a', 'a'), second, t0 + seconds(90)), passes);
 }
 
+TEST(Participant, MaySpeakByAnotherInterfaceWithTheSameSocketAtAnyTime) {
+  constexpr Source by_other{ipv4(192, 168, 7, 5), alice.port};
+  RtpsFilter sut{Limits{}};
+  EXPECT_EQ(drop_of(sut, announcement('a')), passes);
+  EXPECT_EQ(drop_of(sut, announcement('a'), by_other, t0 + seconds(61)), passes);
+  EXPECT_EQ(drop_of(sut, announcement('a'), {by_other.address, 9}, t0 + seconds(61)),
+            DropReason::forged_source);
+}
+
 TEST(Participant, HasNotMoreThanEightSockets) {
   RtpsFilter sut{Limits{}};
   for (std::uint16_t port = 1; port <= 8; ++port) {

@@ -43,6 +43,7 @@ void require(const YAML::Node& node, const char* key, const std::string& path) {
 }
 
 MapFile read_map_file(const std::string& path) {
+  if (path.empty()) throw ConfigError("map_file: is empty; it is the path of a map's .yaml");
   const YAML::Node node = read_yaml_file(path);
   const auto file = load_parameters<MapFile>(node, "map", path);
   for (const char* key : {"image", "resolution", "origin"}) require(node, key, path);

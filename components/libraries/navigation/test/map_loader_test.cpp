@@ -157,6 +157,11 @@ TEST_F(LoadMap, NamesAMissingImage) {
               AllOf(HasSubstr("no.pgm"), HasSubstr("cannot be read")));
 }
 
+TEST_F(LoadMap, AComponentWithoutAMapIsToldWhichParameterNamesIt) {
+  EXPECT_EQ(error_of([] { (void)load_map(""); }),
+            "map_file: is empty; it is the path of a map's .yaml");
+}
+
 TEST_F(LoadMap, NamesAnUnknownKey) {
   EXPECT_THAT(error_with(good_ + "orgin: 3\n"), AllOf(HasSubstr("orgin"), HasSubstr("m.yaml")));
 }

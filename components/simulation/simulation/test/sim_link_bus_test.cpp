@@ -182,7 +182,7 @@ TEST_F(LinkBusTest, WhatWasOnItsWayToADeadRouterIsLostForItsSuccessorToo) {
 TEST_F(LinkBusTest, FlowsOfOneTopicWithDifferentUserDataAreTwo) {
   connect();
   Reader& away = read<topic::MissionStatus>(drive_);
-  const char* station = "tocsin_stop=station;";
+  const char* station = "tocsinstop=station;";
   const auto one = mission_.advertise(endpoint<topic::MissionStatus>(station));
   const auto other = view_.advertise(endpoint<topic::MissionStatus>());
   run_for(1);
@@ -201,7 +201,7 @@ TEST_F(LinkBusTest, AReaderIsToldWhoWroteWhatWasCarried) {
   connect();
   Reader away;
   const auto subscription = drive_.subscribe(endpoint<topic::MissionStatus>(), away);
-  const char* station = "tocsin_stop=station;";
+  const char* station = "tocsinstop=station;";
   const auto writer = mission_.advertise(endpoint<topic::MissionStatus>(station));
   run_for(1);
   (void)writer->write(message<topic::MissionStatus>());

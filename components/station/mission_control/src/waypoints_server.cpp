@@ -38,6 +38,9 @@ void WaypointsServer::begin(const ActionServer<Action>::Asked& asked, MissionCon
   const std::string reason = action_.begin(read(*asked.goal), control);
   if (!reason.empty()) {
     log_.warn("a goal of {} is rejected: {}", Action::name, reason);
+    Action::Result why;
+    why.error_msg(reason);
+    server_.reject(std::move(why));
     return;
   }
   server_.accept(now);

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mission_control_component_fixture.hpp"
 
 namespace tocsin {
@@ -152,6 +154,10 @@ TEST_F(WaypointsServerTest, ARefusedGoalLeavesTheOneThatIsUnderWay) {
   const GoalId first = send(goal({1}));
   const GoalId second = send(goal({3}, "odom"));
   EXPECT_THAT(steps(second), ElementsAre(What::rejected));
+  const auto rejected = std::find_if(asker_.news.begin(), asker_.news.end(),
+                                     [&](const auto& one) { return one.id == second; });
+  ASSERT_TRUE(rejected->result);
+  EXPECT_THAT(rejected->result->error_msg(), ::testing::HasSubstr("frame"));
   locate(1);
   run(0.3);
   EXPECT_EQ(end(first).state, GoalState::succeeded);

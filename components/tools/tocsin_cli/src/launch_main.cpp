@@ -16,6 +16,7 @@
 #include "deployment/deployment.hpp"
 #include "deployment/resolved_copy.hpp"
 #include "deployment/run_folder.hpp"
+#include "domains_line.hpp"
 #include "foundation/error.hpp"
 #include "foundation/privileges.hpp"
 #include "launcher.hpp"
@@ -138,6 +139,7 @@ int launch(LaunchOptions& given) {
   Signals signals;
   Journal journal(overrides.run_dir + "/log", !owns_terminal(deployment),
                   ::isatty(STDOUT_FILENO) == 1);
+  journal.say(domains_line(deployment));
   if (!user.warning.empty()) journal.say(user.warning);
   if (const auto warning = open_link_warning(deployment)) journal.say(*warning);
   Launcher launcher(deployment, networks, signals, journal);

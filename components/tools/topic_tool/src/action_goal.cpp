@@ -15,6 +15,7 @@
 #include "foundation/yaml_sources.hpp"
 #include "message_yaml.hpp"
 #include "ros_idl/action_msgs.hpp"
+#include "runtime/middleware/action_ports.hpp"
 
 namespace tocsin::topic_tool {
 namespace {
@@ -93,7 +94,7 @@ class SentGoal {
                 yaml_in(types_.send_goal_request, request.get(), "goal").c_str());
     const auto answer = send_.call(request, options_.patience);
     if (number_in(types_.send_goal_response, answer.get(), "accepted") == 0) {
-      std::printf("Goal was rejected.\n");
+      std::printf("Goal was rejected.\n%s", reason_of_rejection().c_str());
       return GoalState::unknown;
     }
     std::printf("Goal accepted with ID: %s\n\n", goal_text(id_).c_str());
@@ -103,6 +104,20 @@ class SentGoal {
   }
 
  private:
+  /// What our servers tell in the result of such a goal; empty: nothing, as others.
+  std::string reason_of_rejection() {
+    const TypeInfo& type = types_.get_result_response;
+    const auto number = result_.send(with_id(types_.get_result_request, id_));
+    std::shared_ptr<const void> answer;
+    for (Duration waited{0}; number && !answer && waited < reason_wait; waited += poll_period) {
+      (void)feedback_.take(poll_period);
+      answer = result_.reply(*number);
+    }
+    if (!answer) return "";
+    const std::string told = yaml_in(type, answer.get(), "result");
+    const std::string nothing = yaml_in(type, type.create().get(), "result");
+    return told == nothing ? "" : "Result:\n    " + told + "\n";
+  }
   /// Nothing: Ctrl-C was pressed.
   std::optional<std::shared_ptr<const void>> wait_for_result() {
     const auto number = result_.send(with_id(types_.get_result_request, id_));

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <iterator>
 #include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -111,6 +112,7 @@ class Planter final : public FieldVisitor {
   }
   Tree& at() { return path_.empty() ? root_ : *path_.back(); }
   void add(const char* name, std::string text) {
+    if (name == std::string_view("structure_needs_at_least_one_member")) return;  // of nothing
     if (is_full()) return cut(name);
     at().members.push_back({name, {Tree::Kind::scalar, std::move(text), {}}});
   }
@@ -193,7 +195,7 @@ std::string to_yaml(const TypeInfo& type, const void* message, const EchoOptions
   std::string out;
   if (options.field.empty()) {
     print(root, 0, out);
-    return out;
+    return out.empty() ? "{}\n" : out;
   }
   const Tree& member = member_of(root, options.field, type);
   if (member.kind == Tree::Kind::scalar) return member.text + "\n";

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "foundation/printable.hpp"
 #include "foundation/ros_names.hpp"
@@ -47,6 +48,7 @@ class PythonWriter final : public FieldVisitor {
   }
   /// What stands in a list has no name of its own.
   void add(const char* name, const std::string& value) {
+    if (name == std::string_view("structure_needs_at_least_one_member")) return;  // of nothing
     if (!first_) text_ += ", ";
     first_ = false;
     const bool named = in_list_.empty() || !in_list_.back();

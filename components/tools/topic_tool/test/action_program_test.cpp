@@ -18,6 +18,7 @@
 namespace tocsin::topic_tool {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 namespace wire = example_interfaces::action;
@@ -37,7 +38,12 @@ class Counter : public Component {
   explicit Counter(Context& context) : Component(context) {}
   void tick(Time now) override {
     while (const auto asked = server_.take(now)) {
-      if (asked->goal->order() < 1) continue;
+      if (asked->goal->order() < 1) {
+        wire::Fibonacci_Result why;
+        if (asked->goal->order() < 0) why.sequence({asked->goal->order()});
+        server_.reject(why);
+        continue;
+      }
       server_.accept(now);
       running_[asked->id] = {asked->goal->order(), {0, 1}, now + seconds(0.2)};
       is_running = true;
@@ -118,7 +124,13 @@ TEST_F(ActionProgram, SendsAGoalAndPrintsItsWay) {
 TEST_F(ActionProgram, AGoalThatIsRejectedIsNoSuccess) {
   const Ended sut = send("{order: 0}");
   EXPECT_EQ(sut.code, 1);
-  EXPECT_THAT(sut.output, HasSubstr("Goal was rejected.\n"));
+  EXPECT_THAT(sut.output, EndsWith("Goal was rejected.\n"));
+}
+
+TEST_F(ActionProgram, TheReasonOfARejectionIsShown) {
+  const Ended sut = send("{order: -3}");
+  EXPECT_EQ(sut.code, 1);
+  EXPECT_THAT(sut.output, HasSubstr("Goal was rejected.\nResult:\n    sequence:\n- -3\n"));
 }
 
 TEST_F(ActionProgram, CtrlCCancelsTheGoal) {

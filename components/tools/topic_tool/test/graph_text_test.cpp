@@ -72,7 +72,7 @@ TEST(InfoText, ShowsTheQosOfEachEndWhenItIsVerbose) {
 
 TEST(InfoText, NamesTheNodesThatHaveAnEndAndItsTypeHash) {
   GraphEnd one = end("rt/state", true);
-  one.user_data = "tocsin_layout=77;typehash=RIHS01_ab;";
+  one.user_data = "tocsinlayout=77;typehash=RIHS01_ab;";
   const std::vector<GraphNode> nodes{{"/uxv", "mux", {}, {one.gid}},
                                      {"/uxv", "smoother", {}, {one.gid}},
                                      {"/uxv", "other", {one.gid}, {}}};

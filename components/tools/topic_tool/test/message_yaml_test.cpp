@@ -23,6 +23,10 @@ std::string shown(const Message& message, const EchoOptions& options = {}) {
   return to_yaml(type_info<Message>(), &message, options);
 }
 
+TEST(ToYaml, AMessageOfNothingIsAnEmptyMapAsInRos2) {
+  EXPECT_EQ(shown(std_msgs::msg::Empty()), "{}\n");
+}
+
 template <class Message>
 Message read(const std::string& text) {
   return *std::static_pointer_cast<Message>(from_yaml(type_info<Message>(), text));

@@ -69,6 +69,9 @@ TEST(PythonText, ShowsAMessageAsRos2ServiceCallDoes) {
   request.data(true);
   EXPECT_EQ(python_text(type_info<std_srvs::srv::SetBool_Request>(), &request),
             "std_srvs.srv.SetBool_Request(data=True)");
+  EXPECT_EQ(python_text(type_info<std_srvs::srv::Trigger_Request>(),
+                        std::make_shared<std_srvs::srv::Trigger_Request>().get()),
+            "std_srvs.srv.Trigger_Request()");
   std_srvs::srv::SetBool_Response response;
   response.message("it's on");
   EXPECT_EQ(python_text(type_info<std_srvs::srv::SetBool_Response>(), &response),

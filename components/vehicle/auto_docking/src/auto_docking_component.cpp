@@ -48,7 +48,12 @@ void AutoDockingComponent::take_commands(Time now) {
 /// A goal while docking runs is rejected, whoever has started it.
 void AutoDockingComponent::take_goals(Time now) {
   while (const auto asked = action_.take(now)) {
-    if (docking_.running()) continue;
+    if (docking_.running()) {
+      action::AutoDocking::Result why;
+      why.text("docking runs already");
+      action_.reject(std::move(why));
+      continue;
+    }
     start(now);
     action_.accept(now);
     goal_ = asked->id;

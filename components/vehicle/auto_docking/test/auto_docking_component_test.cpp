@@ -221,6 +221,8 @@ TEST_F(AutoDockingActionTest, AGoalWhileItDocksIsRejected) {
   docker_.send();
   frames(0.1);
   EXPECT_EQ(docker_.last.what, What::rejected);
+  ASSERT_TRUE(docker_.last.result);
+  EXPECT_EQ(docker_.last.result->text(), "docking runs already");
   EXPECT_EQ(status().run(), 1U);
 }
 

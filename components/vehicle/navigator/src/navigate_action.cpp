@@ -53,6 +53,9 @@ bool NavigateAction::take(Navigator& navigator, Time now) {
       any = true;
     } else {
       log_.warn("a goal of {} is rejected: {}", Action::name, reason);
+      Action::Result why;
+      why.error_msg(reason);
+      server_.reject(std::move(why));
     }
   }
   if (!running_ || running_->goal.is_canceling() || !server_.is_canceling(running_->id)) return any;

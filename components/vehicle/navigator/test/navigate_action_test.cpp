@@ -112,6 +112,8 @@ TEST_F(NavigateActionTest, AGoalOfTheGroundStationThatIsDrivenToComesFirst) {
   const GoalId id = send(goal(-3));
   run(0.2);
   EXPECT_THAT(steps(id), ElementsAre(What::rejected));
+  ASSERT_TRUE(driver_.news.back().result);
+  EXPECT_EQ(driver_.news.back().result->error_msg(), "a goal of the ground station is driven to");
   EXPECT_EQ(status_.mission(), 5U);
 }
 

@@ -166,7 +166,7 @@ struct EmergencyStop {
   static constexpr TopicInfo info{"emergency_stop", "state", Scope::host, Requests::anything};
   /// User data of the writers that speak for the ground station's people, and their name in
   /// SafetyStatus.
-  static constexpr const char* station = "tocsin_stop=station;";
+  static constexpr const char* station = "tocsinstop=station;";
   static constexpr const char* station_name = "station";
 };
 

@@ -68,6 +68,8 @@ class ServiceDirectory {
   [[nodiscard]] ServiceLists told(Time now) const;
   /// To serve on this host; at most one of each name.
   [[nodiscard]] std::set<ServiceName> shown(Time now) const;
+  /// Names of what peers offer and nobody serves on this host, shown here or not.
+  [[nodiscard]] std::set<std::string> offered_there() const;
   /// To be a client of on this host; at most one of each name.
   [[nodiscard]] std::set<ServiceName> asked() const;
   /// When one of these changes though nothing happens; `never` when none does.

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "runtime/middleware/action_ports.hpp"
 #include "runtime/port.hpp"
@@ -36,8 +37,9 @@ class ActionServer : public ActionServerPort {
   [[nodiscard]] std::optional<Asked> take(Time now);
   /// The goal that was taken last is worked on from now on.
   void accept(Time now);
-  /// The goal that was taken last is nothing to work on.
-  void reject();
+  /// The goal that was taken last is nothing to work on. ROS 2's answer has no room for a reason;
+  /// who asks for the goal's result gets `why` for a while, with the state unknown.
+  void reject(Result why = {});
   /// How the work on a goal goes. Never blocks.
   void feedback(const GoalId& id, Feedback feedback);
   /// Ends a goal: it is reached; the component gives it up; or, of one that is canceling, its end
@@ -62,6 +64,7 @@ class ActionServer : public ActionServerPort {
   std::unique_ptr<Publication> feedback_;
   std::optional<typename Server<SendGoal>::Call> asked_;
   std::map<GoalId, Ending> results_;
+  std::deque<std::pair<GoalId, Result>> rejected_;  ///< the last of them, and why
 };
 
 /// Member of a component that has goals worked on. Asynchronous: a tick sends a goal, later ones
@@ -74,7 +77,7 @@ class ActionClient {
   using Feedback = typename Action::Feedback;
   enum class What {
     accepted,
-    rejected,    ///< the last news of this goal
+    rejected,    ///< the last news of this goal; its result says why, where the server tells
     feedback,    ///< how it goes
     canceling,   ///< the server ends it, as was asked
     not_ended,   ///< the server does not end it: it knows it not, it is over, or nobody answers
@@ -111,6 +114,7 @@ class ActionClient {
   std::optional<News> take_cancel(Time now);
   std::optional<News> take_feedback();
   std::optional<News> take_result(Time now);
+  CallNumber ask_result(const GoalId& id, Time result_by);
   GoalIds ids_;
   Client<SendGoal> send_goal_;
   Client<GetResult> get_result_;
@@ -118,6 +122,7 @@ class ActionClient {
   InputPort feedback_;
   std::map<CallNumber, Sent> sent_;
   std::map<CallNumber, GoalId> running_;
+  std::map<CallNumber, GoalId> rejected_;  ///< while their reason is asked for
   std::map<CallNumber, GoalId> cancels_;
 };
 

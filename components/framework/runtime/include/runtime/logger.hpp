@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/middleware/log_lines.hpp"
+#include "runtime/middleware/log_text.hpp"
 
 namespace tocsin {
 
@@ -22,26 +23,26 @@ class Logger {
 
   /// For who looks for a fault: not written unless somebody has asked for it.
   template <class... Args>
-  [[gnu::cold]] void debug(fmt::format_string<Args...> text, Args&&... args) {
+  [[gnu::cold]] void debug(LogTextFor<Args...> text, Args&&... args) {
     if (!log_levels::admit(node_, LogLevel::debug)) return;
-    write(LogLevel::debug, fmt::format(text, std::forward<Args>(args)...));
+    write(LogLevel::debug, text.place, fmt::format(text.text, std::forward<Args>(args)...));
   }
 
   template <class... Args>
-  [[gnu::cold]] void info(fmt::format_string<Args...> text, Args&&... args) {
-    write(LogLevel::info, fmt::format(text, std::forward<Args>(args)...));
+  [[gnu::cold]] void info(LogTextFor<Args...> text, Args&&... args) {
+    write(LogLevel::info, text.place, fmt::format(text.text, std::forward<Args>(args)...));
   }
   template <class... Args>
-  [[gnu::cold]] void warn(fmt::format_string<Args...> text, Args&&... args) {
-    write(LogLevel::warn, fmt::format(text, std::forward<Args>(args)...));
+  [[gnu::cold]] void warn(LogTextFor<Args...> text, Args&&... args) {
+    write(LogLevel::warn, text.place, fmt::format(text.text, std::forward<Args>(args)...));
   }
   template <class... Args>
-  [[gnu::cold]] void error(fmt::format_string<Args...> text, Args&&... args) {
-    write(LogLevel::error, fmt::format(text, std::forward<Args>(args)...));
+  [[gnu::cold]] void error(LogTextFor<Args...> text, Args&&... args) {
+    write(LogLevel::error, text.place, fmt::format(text.text, std::forward<Args>(args)...));
   }
 
  private:
-  void write(LogLevel level, const std::string& line);
+  void write(LogLevel level, const LogPlace& place, const std::string& line);
   std::string name_;
   std::string node_;
 };

@@ -85,7 +85,7 @@ LogClock::Use::Use(LogClock& clock) : before_(std::exchange(clock_in_use, &clock
 
 LogClock::Use::~Use() { clock_in_use = before_; }
 
-void Logger::write(LogLevel level, const std::string& line) {
+void Logger::write(LogLevel level, const LogPlace& place, const std::string& line) {
   static RepetitionLimit real_limit;
   if (!log_levels::admit(node_, level)) return;
   const LogClock* clock = clock_in_use;
@@ -99,7 +99,7 @@ void Logger::write(LogLevel level, const std::string& line) {
   const std::string more = *suppressed == 0 ? "" : fmt::format(" ({} more since)", *suppressed);
   (clock == nullptr ? real_sink() : virtual_sink())
       .log(now, spdlog::source_loc{}, severity_of(level), named + more);
-  if (clock == nullptr) LogLines::push({level, node_, error_line(line) + more, now});
+  if (clock == nullptr) LogLines::push({level, node_, error_line(line) + more, now, place});
 }
 
 }  // namespace tocsin

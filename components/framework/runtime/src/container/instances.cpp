@@ -137,12 +137,24 @@ std::string Instances::refusal(const Instance& instance,
     const ParameterFacts* const known = find_parameter(facts, one.name());
     const std::string owner = instance.name + "." + printable(one.name()) + ": ";
     if (known == nullptr) return owner + "there is no such parameter";
+    if (!known->live && has_value(known->value, one.value())) continue;
     if (!known->live)
       return owner + "is fixed while the component runs; set it in the bringup file";
     const std::string fault = type_fault(known->value, one.value());
     if (!fault.empty()) return owner + fault;
   }
   return "";
+}
+
+std::vector<rcl_interfaces::msg::Parameter> Instances::live_of(
+    const Instance& instance, const std::vector<rcl_interfaces::msg::Parameter>& given) const {
+  const std::vector<ParameterFacts> facts = parameters(instance);
+  std::vector<rcl_interfaces::msg::Parameter> live;
+  for (const auto& one : given) {
+    const ParameterFacts* const known = find_parameter(facts, one.name());
+    if (known != nullptr && known->live) live.push_back(one);
+  }
+  return live;
 }
 
 Outcome Instances::set_parameters(std::uint32_t id,
@@ -154,7 +166,9 @@ Outcome Instances::set_parameters(std::uint32_t id,
   if (!refused.empty()) return {false, refused};
   YAML::Node merged = YAML::Clone(*found->parameters);
   const std::string wrong = error_of([&] {
-    for (const auto& one : given) merged[one.name()] = yaml_of(one.value()).value();
+    for (const auto& one : live_of(*found, given)) {
+      merged[one.name()] = yaml_of(one.value()).value();
+    }
     const ComponentEntry& entry = find_(found->library);
     entry.check(found->name, merged, found->sources);
     if (found->component) entry.change(*found->component, merged, found->sources);

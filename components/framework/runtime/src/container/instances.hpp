@@ -67,7 +67,10 @@ class Instances {
   Outcome change(const std::string& name, Transition transition);
   /// Its parameters as they are; none when its library does not tell.
   [[nodiscard]] std::vector<ParameterFacts> parameters(const Instance& instance) const;
-  /// All of them or none; one that is not live is refused.
+  /// Those of `given` that are live: what set_parameters changes.
+  [[nodiscard]] std::vector<rcl_interfaces::msg::Parameter> live_of(
+      const Instance& instance, const std::vector<rcl_interfaces::msg::Parameter>& given) const;
+  /// All of them or none; one that is not live is refused, unless it has the value already.
   Outcome set_parameters(std::uint32_t id,
                          const std::vector<rcl_interfaces::msg::Parameter>& given);
   /// Puts those whose tick threw into the state error. True when there were some.

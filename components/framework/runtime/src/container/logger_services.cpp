@@ -7,6 +7,16 @@
 
 namespace tocsin {
 
+namespace {
+
+/// What was set; all loggers together have INFO before, as in ROS 2, and one alone has none.
+LogLevel level_of(const std::string& node) {
+  const LogLevel set = log_levels::of(node);
+  return node.empty() && set == LogLevel::unset ? LogLevel::info : set;
+}
+
+}  // namespace
+
 LoggerServices::LoggerServices(Component& owner, const std::string& node)
     : owner_(owner),
       get_(owner, logger_service::GetLoggerLevels::name, node),
@@ -34,7 +44,7 @@ void LoggerServices::answer(const HasNode& has_node) {
       const std::string node = node_of_logger(owner_.bus().ros_namespace(), name);
       rcl_interfaces::msg::LoggerLevel level;
       level.name(name);
-      level.level(static_cast<std::uint32_t>(log_levels::of(node)));
+      level.level(static_cast<std::uint32_t>(level_of(node)));
       response.levels().push_back(std::move(level));
     }
     get_.reply(call->id, std::move(response));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "graph/node_of_service.hpp"
 #include "runtime/middleware/composition_service.hpp"
 
 namespace tocsin {
@@ -22,15 +23,8 @@ bool calls_one_of(const Names& names, const std::string& node,
 }  // namespace
 
 bool calls_services_of(const std::string& node, const std::vector<std::string>& called) {
-  static const std::array<std::string, 13> names{
-      parameter_service::DescribeParameters::name, parameter_service::GetParameters::name,
-      parameter_service::GetParameterTypes::name,  parameter_service::ListParameters::name,
-      parameter_service::SetParameters::name,      parameter_service::SetParametersAtomically::name,
-      logger_service::GetLoggerLevels::name,       logger_service::SetLoggerLevels::name,
-      lifecycle_service::ChangeState::name,        lifecycle_service::GetState::name,
-      lifecycle_service::GetAvailableStates::name, lifecycle_service::GetAvailableTransitions::name,
-      lifecycle_service::GetTransitionGraph::name};
-  return calls_one_of(names, node, called);
+  return std::any_of(called.begin(), called.end(),
+                     [&](const std::string& service) { return node_of_service(service) == node; });
 }
 
 bool calls_composition_of(const std::string& node, const std::vector<std::string>& called) {

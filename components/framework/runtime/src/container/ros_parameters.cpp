@@ -84,6 +84,36 @@ bool is_wanted(const std::string& name,
   return prefixes.empty() ? fits("") : std::any_of(prefixes.begin(), prefixes.end(), fits);
 }
 
+bool is_empty_list(const RosValue& value) {
+  switch (value.type()) {
+    case type::PARAMETER_BOOL_ARRAY:
+      return value.bool_array_value().empty();
+    case type::PARAMETER_INTEGER_ARRAY:
+      return value.integer_array_value().empty();
+    case type::PARAMETER_DOUBLE_ARRAY:
+      return value.double_array_value().empty();
+    case type::PARAMETER_STRING_ARRAY:
+      return value.string_array_value().empty();
+    default:
+      return false;
+  }
+}
+
+/// A number, whole or not; nothing of another value.
+std::optional<double> number_in(const RosValue& value) {
+  if (value.type() == type::PARAMETER_INTEGER) return static_cast<double>(value.integer_value());
+  if (value.type() == type::PARAMETER_DOUBLE) return value.double_value();
+  return std::nullopt;
+}
+
+/// The same of a list.
+std::optional<std::vector<double>> numbers_in(const RosValue& value) {
+  const auto& whole = value.integer_array_value();
+  if (value.type() == type::PARAMETER_INTEGER_ARRAY) return {{whole.begin(), whole.end()}};
+  if (value.type() == type::PARAMETER_DOUBLE_ARRAY) return value.double_array_value();
+  return std::nullopt;
+}
+
 /// Adds to the array of the type that the first item has.
 void add(RosValue& list, const ParameterValue& item) {
   if (const auto* text = std::get_if<std::string>(&item)) {
@@ -180,6 +210,22 @@ std::string type_fault(const ParameterValue& has, const RosValue& given) {
       given.type() == type::PARAMETER_INTEGER_ARRAY && wanted == type::PARAMETER_DOUBLE_ARRAY;
   if (given.type() == wanted || whole || all_whole) return "";
   return fmt::format("is of type {}, not {}", type_word(wanted), type_word(given.type()));
+}
+
+bool has_value(const ParameterValue& has, const RosValue& given) {
+  if (const auto* numbers = std::get_if<std::vector<double>>(&has)) {
+    return is_empty_list(given) ? numbers->empty() : numbers_in(given) == *numbers;
+  }
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&has)) {
+    return is_empty_list(given) ? texts->empty()
+                                : given.type() == type::PARAMETER_STRING_ARRAY &&
+                                      given.string_array_value() == *texts;
+  }
+  if (const auto* number = std::get_if<double>(&has)) {
+    const auto other = number_in(given);
+    return other && (std::isnan(*number) ? std::isnan(*other) : *other == *number);
+  }
+  return ros_value(has) == given;
 }
 
 rcl_interfaces::msg::ParameterDescriptor describe(const ParameterFacts& facts) {

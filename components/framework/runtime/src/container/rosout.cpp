@@ -7,6 +7,12 @@
 #include "runtime/middleware/ros_stamp.hpp"
 
 namespace tocsin {
+namespace {
+
+/// The path says where the stack was built, which nobody asks for.
+std::string file_name(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+}  // namespace
 
 std::string logger_name(const std::string& ros_namespace, const std::string& node) {
   return ros_namespace.empty() ? node : ros_namespace + "." + node;
@@ -51,13 +57,19 @@ void Rosout::write(const LogLine& line) {
   message->level(static_cast<std::uint8_t>(line.level));
   message->name(logger_name(owner_.bus().ros_namespace(), line.node));
   message->msg(line.text);
+  message->file(file_name(line.place.file));
+  message->function(line.place.function);
+  message->line(line.place.line);
   (void)end_of(line.node).write(message);  // to log that this has failed would only add to it
 }
 
 void Rosout::tell() {
   if (const auto dropped = lines_.take_dropped(); dropped != 0) {
-    write({LogLevel::warn, owner_.node(), std::to_string(dropped) + " lines were not told here",
-           std::chrono::system_clock::now()});
+    write({LogLevel::warn,
+           owner_.node(),
+           std::to_string(dropped) + " lines were not told here",
+           std::chrono::system_clock::now(),
+           {__FILE__, __func__, __LINE__}});
   }
   while (const auto line = lines_.take()) write(*line);
 }

@@ -28,11 +28,13 @@ void ServedNodes::note_callers(Time now) {
   const Callers callers = owner_.bus().callers();
   for (const Instance& instance : instances_.all()) {
     if (!is_asked(calls_services_of(instance.name, callers.services), callers)) continue;
-    if (!events_) events_.emplace(owner_);
     Served& served = served_[instance.id];
     served.asked = now;
     if (served.services) continue;
     served.services = std::make_unique<NodeServices>(owner_, instance.name, instance.state);
+    served.events =
+        owner_.bus().advertise({ParameterEvents::info, &type_info<ParameterEvents::Message>(),
+                                Writers::needed, "", instance.name});
   }
   for (auto it = served_.begin(); it != served_.end();) {
     const bool over = now - it->second.asked > unasked || !instances_.has(it->first);
@@ -79,7 +81,7 @@ ParameterSource ServedNodes::parameters_of(const Instance& instance, Time now) {
   return {[this, &instance] { return instances_.parameters(instance); },
           [this, &instance, now](const auto& given) {
             const Outcome outcome = instances_.set_parameters(instance.id, given);
-            if (outcome.done) tell_change(instance, given, now);
+            if (outcome.done) tell_change(instance, instances_.live_of(instance, given), now);
             return outcome;
           }};
 }
@@ -97,13 +99,16 @@ LifecycleSource ServedNodes::lifecycle_of(const Instance& instance) {
 void ServedNodes::tell_change(const Instance& instance,
                               const std::vector<rcl_interfaces::msg::Parameter>& changed,
                               Time now) {
+  if (changed.empty()) return;
   const std::string& home = owner_.bus().ros_namespace();
   rcl_interfaces::msg::ParameterEvent event;
   event.stamp(ros_stamp(owner_.bus().wall_ns(now)));
   event.node((home.empty() ? "/" : "/" + home + "/") + instance.name);
   event.changed_parameters(changed);
   for (const auto& one : changed) log_.info("{}: parameter {} set", instance.name, one.name());
-  if (events_->write(std::move(event)) == Status::failed) log_.warn("a change was not told");
+  auto& events = *served_.at(instance.id).events;
+  const auto told = std::make_shared<const ParameterEvents::Message>(std::move(event));
+  if (events.write(told) == Status::failed) log_.warn("a change was not told");
 }
 
 }  // namespace tocsin

@@ -43,6 +43,7 @@ class ServedNodes {
   struct Served {
     Time asked;
     std::unique_ptr<NodeServices> services;
+    std::unique_ptr<Publication> events;  ///< of its parameters
   };
   struct ServedContainer {
     Time asked;
@@ -60,8 +61,7 @@ class ServedNodes {
   Logger log_;
   std::map<std::uint32_t, Served> served_;
   ServedContainer container_;
-  bool changed_ = false;  ///< the state of an instance, by somebody who asked
-  std::optional<Output<ParameterEvents>> events_;
+  bool changed_ = false;         ///< the state of an instance, by somebody who asked
   std::set<std::string> nodes_;  ///< that have /rosout
   Rosout rosout_;
 };

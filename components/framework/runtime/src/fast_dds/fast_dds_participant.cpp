@@ -13,6 +13,8 @@
 #include "fast_dds/fast_dds_qos.hpp"
 #include "fast_dds/shared_memory_leftovers.hpp"
 #include "foundation/error.hpp"
+#include "idl_support/type_registry.hpp"
+#include "runtime/middleware/ros_graph.hpp"
 
 namespace tocsin {
 namespace {
@@ -61,6 +63,11 @@ ParticipantOptions with_filter(ParticipantOptions options) {
   return options;
 }
 
+template <class Qos>
+void announce(const std::string& user_data, Qos& qos) {
+  qos.user_data().data_vec({user_data.begin(), user_data.end()});
+}
+
 /// Moves what holds an end; false when Fast DDS refused it.
 template <class Holder>
 bool move_to(Holder* holder, const std::vector<std::string>& partition) {
@@ -102,14 +109,25 @@ dds::Topic* FastDdsParticipant::topic(const std::string& name, const TypeInfo& t
   return participant_->create_topic(name, type.name, dds::TOPIC_QOS_DEFAULT);
 }
 
+std::string FastDdsParticipant::announcement(const std::string& topic, const TypeInfo& type,
+                                             const std::string& user_data) const {
+  const bool on_link = !options_.peers.empty();    // where each announcement takes air
+  const bool as_given = topic == discovery_topic;  // a hash there says which gids it takes
+  if (on_link || as_given || !type_hash_in(user_data).empty()) return user_data;
+  const TypeInfo* const known = find_type(type.name);
+  const std::string hash = known != nullptr ? known->ros_hash : "";
+  return with_type_hash(user_data, hash.empty() ? remote_ends_.type_hash(topic, type.name) : hash);
+}
+
 dds::DataWriter* FastDdsParticipant::create_writer(const std::string& name, const TypeInfo& type,
                                                    const QosProfile& profile,
                                                    dds::DataWriterListener& listener) {
   const std::lock_guard<std::mutex> lock(mutex_);
   auto* const publisher =
       participant_->create_publisher(in_partition(dds::PUBLISHER_QOS_DEFAULT, profile.partition));
-  auto* const writer = publisher->create_datawriter(topic(name, type),
-                                                    writer_qos(profile, keys_of(type)), &listener);
+  dds::DataWriterQos qos = writer_qos(profile, keys_of(type));
+  announce(announcement(name, type, profile.user_data), qos);
+  auto* const writer = publisher->create_datawriter(topic(name, type), qos, &listener);
   if (writer != nullptr) return writer;
   participant_->delete_publisher(publisher);
   throw EnvironmentError("DDS writer of " + name + " cannot be created");
@@ -121,8 +139,9 @@ dds::DataReader* FastDdsParticipant::create_reader(const std::string& name, cons
   const std::lock_guard<std::mutex> lock(mutex_);
   auto* const subscriber =
       participant_->create_subscriber(in_partition(dds::SUBSCRIBER_QOS_DEFAULT, profile.partition));
-  auto* const reader = subscriber->create_datareader(topic(name, type),
-                                                     reader_qos(profile, keys_of(type)), &listener);
+  dds::DataReaderQos qos = reader_qos(profile, keys_of(type));
+  announce(announcement(name, type, profile.user_data), qos);
+  auto* const reader = subscriber->create_datareader(topic(name, type), qos, &listener);
   if (reader != nullptr) return reader;
   participant_->delete_subscriber(subscriber);
   throw EnvironmentError("DDS reader of " + name + " cannot be created");

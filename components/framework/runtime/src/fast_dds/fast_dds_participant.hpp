@@ -54,6 +54,9 @@ class FastDdsParticipant {
 
  private:
   eprosima::fastdds::dds::Topic* topic(const std::string& name, const TypeInfo& type);
+  /// The user data of an end: on a host with the hash of its type, where somebody knows it.
+  [[nodiscard]] std::string announcement(const std::string& topic, const TypeInfo& type,
+                                         const std::string& user_data) const;
   void say_farewell(eprosima::fastdds::dds::DataWriter& writer);
 
   const ParticipantOptions options_;

@@ -28,4 +28,9 @@ void GraphWriter::tell(const std::vector<GraphNode>& nodes) {
   if (writer_->write(bytes, params)) last_ = std::move(bytes);
 }
 
+void GraphWriter::follow(const LocalNodes& nodes) {
+  const std::uint64_t changes = nodes.changes();
+  if (std::exchange(followed_, changes) != changes) tell(nodes.all());
+}
+
 }  // namespace tocsin

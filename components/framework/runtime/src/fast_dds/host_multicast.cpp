@@ -10,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -95,6 +96,32 @@ std::string text_of(const char* path) {
   return text.str();
 }
 
+struct Datagram {
+  const std::uint8_t* bytes;
+  std::size_t size;
+};
+
+/// The interface is that of this datagram alone: other threads send by the socket, too.
+void send_by(const FileDescriptor& socket, unsigned interface, Datagram what, sockaddr_in to) {
+  iovec content{const_cast<std::uint8_t*>(what.bytes), what.size};
+  alignas(cmsghdr) std::array<std::uint8_t, CMSG_SPACE(sizeof(in_pktinfo))> ancillary{};
+  msghdr message{};
+  message.msg_name = &to;
+  message.msg_namelen = sizeof to;
+  message.msg_iov = &content;
+  message.msg_iovlen = 1;
+  message.msg_control = ancillary.data();
+  message.msg_controllen = ancillary.size();
+  cmsghdr* const head = CMSG_FIRSTHDR(&message);
+  head->cmsg_level = IPPROTO_IP;
+  head->cmsg_type = IP_PKTINFO;
+  head->cmsg_len = CMSG_LEN(sizeof(in_pktinfo));
+  in_pktinfo by{};
+  by.ipi_ifindex = static_cast<int>(interface);
+  std::memcpy(CMSG_DATA(head), &by, sizeof by);
+  (void)::sendmsg(socket.get(), &message, MSG_DONTWAIT);
+}
+
 }  // namespace
 
 std::vector<unsigned> interfaces_with_member(const std::string& text, in_addr group,
@@ -151,10 +178,12 @@ void HostMulticastReceiver::run(const OnDatagram& on_datagram) const {
   }
 }
 
-HostMulticastSender::HostMulticastSender()
-    : socket_(sole_udp_socket()), loopback_(loopback_index()) {
+HostMulticastSender::HostMulticastSender(const FileDescriptor& socket)
+    : socket_(socket), loopback_(loopback_index()) {
   constexpr unsigned char this_host = 0;
-  if (!set(socket_, IPPROTO_IP, IP_MULTICAST_TTL, this_host)) socket_.reset();
+  if (set(socket_, IPPROTO_IP, IP_MULTICAST_TTL, this_host)) return;
+  throw EnvironmentError("announcements cannot be kept on this host: " +
+                         std::generic_category().message(errno));
 }
 
 void HostMulticastSender::send(const std::uint8_t* bytes, std::size_t size, std::uint16_t port) {
@@ -163,9 +192,7 @@ void HostMulticastSender::send(const std::uint8_t* bytes, std::size_t size, std:
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const unsigned interface : interfaces_with_member(members, to.sin_addr, loopback_)) {
     const Membership member(socket_, interface);
-    if (!member || !set(socket_, IPPROTO_IP, IP_MULTICAST_IF, membership_on(interface))) continue;
-    (void)::sendto(socket_.get(), bytes, size, MSG_DONTWAIT, reinterpret_cast<const sockaddr*>(&to),
-                   sizeof to);
+    if (member) send_by(socket_, interface, {bytes, size}, to);
   }
 }
 

@@ -62,13 +62,14 @@ class HostMulticastReceiver {
 /// host is a member there, so it joins for the instant of sending.
 class HostMulticastSender {
  public:
-  HostMulticastSender();
+  /// `socket`: bound to a port, outlives it. Others know by the port that it is the same sender.
+  explicit HostMulticastSender(const FileDescriptor& socket);
   /// A full socket loses the packet. Any thread.
   void send(const std::uint8_t* bytes, std::size_t size, std::uint16_t port);
 
  private:
-  std::mutex mutex_;  ///< of the socket's interface and memberships
-  FileDescriptor socket_;
+  std::mutex mutex_;  ///< of the socket's memberships
+  const FileDescriptor& socket_;
   unsigned loopback_;
 };
 

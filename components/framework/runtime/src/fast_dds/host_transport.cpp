@@ -78,7 +78,7 @@ class HostSender : public rtps::SenderResource {
   }
 
   const FileDescriptor loopback_;
-  HostMulticastSender elsewhere_;
+  HostMulticastSender elsewhere_{loopback_};
   const std::shared_ptr<Activity> timer_ =
       watched_activity(Duty::announcements, "timer of the host's participant");
 };

@@ -10,7 +10,8 @@
 namespace tocsin {
 namespace {
 
-const std::string key = "tocsin_layout=";
+const std::string layout_key = "tocsinlayout=";
+const std::string type_hash_key = "typehash=";
 
 bool layouts_differ(const AnnouncedEnd& one, const AnnouncedEnd& other) {
   return !one.layout.empty() && !other.layout.empty() && one.layout != other.layout;
@@ -31,6 +32,21 @@ std::vector<std::string> policies_between(const AnnouncedEnd& own, const Announc
   return apart ? std::vector<std::string>() : found;
 }
 
+/// What stands behind `key`, up to the next semicolon.
+std::string value_in(const std::string& user_data, const std::string& key) {
+  const std::size_t at = user_data.find(key);
+  if (at == std::string::npos) return "";
+  const std::size_t from = at + key.size();
+  return user_data.substr(from, user_data.find(';', from) - from);
+}
+
+bool is_hash(const std::string& text) {
+  static const std::string start = "RIHS01_";
+  constexpr std::size_t digits = 64;
+  return text.size() == start.size() + digits && text.compare(0, start.size(), start) == 0 &&
+         text.find_first_not_of("0123456789abcdef", start.size()) == std::string::npos;
+}
+
 bool clash(const AnnouncedEnd& own, const AnnouncedEnd& other) {
   if (own.topic != other.topic || own.writer == other.writer) return false;
   return own.type != other.type || layouts_differ(own, other);
@@ -44,18 +60,18 @@ std::string joined(const std::string& user_data, const std::string& more) {
 }
 
 std::string with_layout(const std::string& user_data, const std::string& layout) {
-  return layout.empty() ? user_data : joined(user_data, key + layout + ";");
+  return layout.empty() ? user_data : joined(user_data, layout_key + layout + ";");
 }
 
 std::string with_type_hash(const std::string& user_data, const std::string& hash) {
-  return hash.empty() ? user_data : joined(user_data, "typehash=" + hash + ";");
+  return hash.empty() ? user_data : joined(user_data, type_hash_key + hash + ";");
 }
 
-std::string layout_in(const std::string& user_data) {
-  const std::size_t at = user_data.find(key);
-  if (at == std::string::npos) return "";
-  const std::size_t from = at + key.size();
-  return user_data.substr(from, user_data.find(';', from) - from);
+std::string layout_in(const std::string& user_data) { return value_in(user_data, layout_key); }
+
+std::string type_hash_in(const std::string& user_data) {
+  const std::string hash = value_in(user_data, type_hash_key);
+  return is_hash(hash) ? hash : "";
 }
 
 void RemoteEnds::add(const Participant& participant, const std::string& name,
@@ -158,6 +174,16 @@ std::vector<std::string> RemoteEnds::user_data_of(const std::string& topic) cons
     if (entry.second.topic == topic) all.push_back(entry.second.user_data);
   }
   return all;
+}
+
+std::string RemoteEnds::type_hash(const std::string& topic, const std::string& type) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& entry : ends_) {
+    const AnnouncedEnd& end = entry.second;
+    if (end.topic != topic || end.type != type) continue;
+    if (auto hash = type_hash_in(end.user_data); !hash.empty()) return hash;
+  }
+  return "";
 }
 
 std::string RemoteEnds::misfit(const AnnouncedEnd& own) const {

@@ -27,7 +27,8 @@ struct AnnouncedEnd {
 };
 
 /// The user data of an endpoint: what the profile asks for, and the layout, as "key=value;" like
-/// the type hash of ROS 2. Others ignore it.
+/// the type hash of ROS 2. ROS 2 reads all or nothing: a key that is not of letters and digits
+/// spoils the hash beside it.
 [[nodiscard]] std::string with_layout(const std::string& user_data, const std::string& layout);
 /// The same with the hash of ROS 2, see TypeInfo::ros_hash.
 [[nodiscard]] std::string with_type_hash(const std::string& user_data, const std::string& hash);
@@ -37,6 +38,8 @@ inline constexpr const char* participant_user_data = "enclave=/;tocsin=1;";
 [[nodiscard]] std::string joined(const std::string& user_data, const std::string& more);
 /// The layout in user data; empty when there is none.
 [[nodiscard]] std::string layout_in(const std::string& user_data);
+/// The hash of the type in user data; empty when there is none that can be one.
+[[nodiscard]] std::string type_hash_in(const std::string& user_data);
 
 /// The ends that other participants have announced. Thread-safe.
 class RemoteEnds {
@@ -76,6 +79,8 @@ class RemoteEnds {
   [[nodiscard]] std::vector<Known> all() const;
   /// What each end of the topic of this wire name has announced.
   [[nodiscard]] std::vector<std::string> user_data_of(const std::string& topic) const;
+  /// The hash of ROS 2 that an end of this topic and type has announced; empty: none has.
+  [[nodiscard]] std::string type_hash(const std::string& topic, const std::string& type) const;
   /// The topics whose wire name begins with `prefix` and that somebody writes.
   [[nodiscard]] std::vector<std::string> written_topics(const std::string& prefix) const;
   /// Whether a participant of ROS 2 is there that is none of ours.

@@ -17,7 +17,7 @@ namespace wide = rmw_dds_common::humble;
 namespace narrow = rmw_dds_common::msg;
 
 const std::string hash_key = "typehash=";
-const std::string own_mark = "tocsin_graph=1;";
+const std::string own_mark = "tocsingraph=1;";
 
 template <class WireGid>
 WireGid wire_of(const Gid& gid) {
@@ -147,12 +147,26 @@ std::vector<GraphNode> LocalNodes::all() const {
     }
     nodes.push_back(std::move(node));
   }
+  for (const std::string& name : shown_) {
+    if (nodes_.count(name) == 0) nodes.push_back({namespace_, name});
+  }
+  std::sort(nodes.begin(), nodes.end(),
+            [](const auto& one, const auto& other) { return one.name < other.name; });
   return nodes;
+}
+
+void LocalNodes::show(std::set<std::string> nodes) {
+  nodes.erase("");
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (nodes == shown_) return;
+  ++changes_;
+  shown_ = std::move(nodes);
 }
 
 void LocalNodes::count(const std::string& node, End end, const Gid& gid, int change) {
   if (node.empty()) return;
   const std::lock_guard<std::mutex> lock(mutex_);
+  ++changes_;
   auto& ends = nodes_[node];
   if ((ends[{end, gid}] += change) <= 0) ends.erase({end, gid});
   if (ends.empty()) nodes_.erase(node);

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "foundation/ros_names.hpp"
+#include "graph/node_of_service.hpp"
 #include "link/raw_type.hpp"
+#include "link/router_name.hpp"
 
 namespace tocsin {
 namespace {
@@ -16,6 +18,12 @@ constexpr int raw_service_depth = 10;
 ServiceEndpoint raw_endpoint(const HostService& service) {
   return {service.name, &raw_type(wire_type(service.type + "_Request")),
           &raw_type(wire_type(service.type + "_Response")), "", raw_service_depth};
+}
+
+/// Of the peer's node whose own service it is, as if it were here; else the router's.
+std::string server_node(const HostService& service) {
+  const std::string node = node_of_service(service.name);
+  return node.empty() ? router_node : node;
 }
 
 std::vector<std::uint8_t> bytes_in(const std::shared_ptr<const void>& message) {
@@ -30,10 +38,12 @@ std::shared_ptr<const void> encoded(std::vector<std::uint8_t> bytes) {
 
 class FastDdsHostServices::Serving final : public ServerReceiver {
  public:
-  Serving(FastDdsHostServices& home, const HostService& service)
-      : table_(home.table_),
+  Serving(const Home& home, const HostService& service)
+      : table_(home.table),
         name_(service.name),
-        end_(home.participant_, home.ros_namespace_, raw_endpoint(service), *this) {}
+        end_(home.participant, home.ros_namespace, raw_endpoint(service), *this),
+        reader_(home.nodes, server_node(service), LocalNodes::End::reader, end_.reader()),
+        writer_(home.nodes, server_node(service), LocalNodes::End::writer, end_.writer()) {}
   void receive(ServiceRequest&& request) override {
     table_.push(host_service_event::Request{name_, request.id, bytes_in(request.message)});
   }
@@ -43,15 +53,19 @@ class FastDdsHostServices::Serving final : public ServerReceiver {
  private:
   ServiceTable& table_;
   const std::string name_;
-  DdsServer end_;  // last: destroyed first, it calls back
+  DdsServer end_;  // behind what it calls back
+  const NodeEnd reader_;
+  const NodeEnd writer_;
 };
 
 class FastDdsHostServices::Calling final : public ClientReceiver {
  public:
-  Calling(FastDdsHostServices& home, const HostService& service)
-      : table_(home.table_),
+  Calling(const Home& home, const HostService& service)
+      : table_(home.table),
         name_(service.name),
-        end_(home.participant_, home.ros_namespace_, raw_endpoint(service), *this) {}
+        end_(home.participant, home.ros_namespace, raw_endpoint(service), *this),
+        reader_(home.nodes, router_node, LocalNodes::End::reader, end_.reader()),
+        writer_(home.nodes, router_node, LocalNodes::End::writer, end_.writer()) {}
   void receive(ServiceReply&& reply) override {
     table_.push(host_service_event::Reply{name_, reply.number, bytes_in(reply.message)});
   }
@@ -62,10 +76,12 @@ class FastDdsHostServices::Calling final : public ClientReceiver {
   ServiceTable& table_;
   const std::string name_;
   DdsClient end_;  // as above
+  const NodeEnd reader_;
+  const NodeEnd writer_;
 };
 
 std::optional<HostServiceEvent> FastDdsHostServices::take() {
-  auto event = table_.pop();
+  auto event = home_.table.pop();
   if (!event) return event;
   if (const auto* changed = std::get_if<host_service_event::Changed>(&*event)) {
     const auto server = servers_.find(changed->service);
@@ -76,11 +92,17 @@ std::optional<HostServiceEvent> FastDdsHostServices::take() {
 
 void FastDdsHostServices::serve(const HostService& service) {
   try {
-    servers_[service.name] = std::make_shared<Serving>(*this, service);
+    servers_[service.name] = std::make_shared<Serving>(home_, service);
   } catch (const std::runtime_error& error) {
     servers_.erase(service.name);
-    log_.error("service /{}: {}", service.name, error.what());
+    home_.log.error("service /{}: {}", service.name, error.what());
   }
+}
+
+void FastDdsHostServices::know(const std::set<std::string>& services) {
+  std::set<std::string> nodes;
+  for (const std::string& service : services) nodes.insert(node_of_service(service));
+  home_.nodes.show(std::move(nodes));
 }
 
 void FastDdsHostServices::reply(const std::string& service, const CallId& id,
@@ -91,10 +113,10 @@ void FastDdsHostServices::reply(const std::string& service, const CallId& id,
 
 void FastDdsHostServices::call(const HostService& service) {
   try {
-    clients_[service.name] = std::make_shared<Calling>(*this, service);
+    clients_[service.name] = std::make_shared<Calling>(home_, service);
   } catch (const std::runtime_error& error) {
     clients_.erase(service.name);
-    log_.error("service /{}: {}", service.name, error.what());
+    home_.log.error("service /{}: {}", service.name, error.what());
   }
 }
 

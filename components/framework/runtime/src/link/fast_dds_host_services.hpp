@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "fast_dds/service_ends.hpp"
+#include "fast_dds/node_ends.hpp"
 #include "link/service_table.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/host_services.hpp"
@@ -16,17 +16,20 @@ namespace tocsin {
 /// used to: requests of rmw_cyclonedds reach a server of rmw_fastrtps, and the other way round.
 class FastDdsHostServices final : public HostServices {
  public:
-  /// All outlive it. `table` is told by the participant what is announced.
-  FastDdsHostServices(FastDdsParticipant& participant, std::string ros_namespace,
-                      ServiceTable& table, Logger& log)
-      : participant_(participant),
-        ros_namespace_(std::move(ros_namespace)),
-        table_(table),
-        log_(log) {}
+  /// All outlive it. `table` is told by the participant what is announced; `nodes` have the ends.
+  struct Home {
+    FastDdsParticipant& participant;
+    const std::string& ros_namespace;
+    ServiceTable& table;
+    LocalNodes& nodes;
+    Logger& log;
+  };
+  explicit FastDdsHostServices(const Home& home) : home_(home) {}
 
   [[nodiscard]] std::optional<HostServiceEvent> take() override;
   void serve(const HostService& service) override;
   void end_serving(const std::string& name) override { servers_.erase(name); }
+  void know(const std::set<std::string>& services) override;
   void reply(const std::string& service, const CallId& id,
              std::vector<std::uint8_t> message) override;
   void call(const HostService& service) override;
@@ -37,10 +40,7 @@ class FastDdsHostServices final : public HostServices {
  private:
   class Serving;
   class Calling;
-  FastDdsParticipant& participant_;
-  const std::string ros_namespace_;
-  ServiceTable& table_;
-  Logger& log_;
+  const Home home_;
   std::map<std::string, std::shared_ptr<Serving>> servers_;
   std::map<std::string, std::shared_ptr<Calling>> clients_;
 };

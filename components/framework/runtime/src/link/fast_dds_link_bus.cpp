@@ -7,36 +7,18 @@
 
 #include "fast_dds/this_host.hpp"
 #include "foundation/error.hpp"
-#include "foundation/joined.hpp"
 #include "idl_support/decode.hpp"
 #include "idl_support/encode.hpp"
-#include "keystore/enclave.hpp"
 #include "keystore/participant.hpp"
 #include "link/flow_qos.hpp"
 #include "link/origin.hpp"
-#include "link/raw_type.hpp"
+#include "link/router_name.hpp"
+#include "link/sound_identity.hpp"
 
 namespace tocsin {
 namespace {
 
-/// The link's participant of a host has the host's name and this.
-const std::string router_suffix = "_link_router";
-
 Time steady_now() { return std::chrono::steady_clock::now(); }
-
-std::string host_in(const std::string& participant) {
-  const std::size_t end = participant.rfind(router_suffix);
-  const bool router = end != std::string::npos && end + router_suffix.size() == participant.size();
-  return router ? participant.substr(0, end) : participant;
-}
-
-/// Fast DDS gives no reason when it refuses an identity.
-const BusOptions& with_sound_identity(const BusOptions& options) {
-  if (options.enclave.empty()) return options;
-  const auto problems = keystore::problems_of(options.enclave, wall_now_ns() / 1'000'000'000);
-  if (!problems.empty()) throw ConfigError(joined(problems, "; "));
-  return options;
-}
 
 StopChannel::Options stop_options(const BusOptions& options, std::function<void()> on_news) {
   return {ipv4_addresses(options.link_peers), options.enclave, radio_message_bytes,
@@ -52,8 +34,10 @@ FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> 
       service_table_(options.ros_namespace, [this] { table_.wake(); }),
       stop_(std::make_shared<StopChannel>(stop_options(options_, [this] { table_.wake(); }))),
       numbers_(std::make_shared<WriterNumbers>([this] { table_.wake(); })),
+      nodes_(options.ros_namespace),
       host_(host_options()),
-      services_(host_, options.ros_namespace, service_table_, log_),
+      graph_(host_, options_.gid_size),
+      services_({host_, options_.ros_namespace, service_table_, nodes_, log_}),
       host_readers_([this](const ReaderKey& key) { return make_host_reader(key); }),
       link_readers_([this](const ReaderKey& key) {
         return std::make_unique<FlowReader>(
@@ -75,9 +59,13 @@ ParticipantOptions FastDdsLinkBus::host_options() {
   ParticipantOptions host;
   host.name = options_.name + "_router";
   host.domain = options_.host_domain;
+  host.user_data = participant_user_data;
   host.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_host_end(guid, end, there);
     service_table_.on_end(guid, end, there);
+    if (end.topic != discovery_topic) return;
+    nodes_.note_listener();
+    table_.wake();
   };
   return host;
 }
@@ -130,8 +118,11 @@ std::optional<LinkEvent> FastDdsLinkBus::take() {
     log_.info("the interface with {} is up; link topics cross it", options_.link_address);
   }
   auto event = table_.pop();
-  if (!event) hear_the_muted();
-  if (!event) return event;
+  if (!event) {
+    hear_the_muted();
+    graph_.follow(nodes_);
+    return event;
+  }
   if (const auto* host = std::get_if<link_event::HostFlow>(&*event)) {
     listen_on_host(host->flow, host->what);
   }
@@ -149,8 +140,10 @@ std::optional<LinkEvent> FastDdsLinkBus::take() {
 }
 
 std::unique_ptr<FlowReader> FastDdsLinkBus::make_host_reader(const ReaderKey& key) {
-  return std::make_unique<FlowReader>(
+  auto reader = std::make_unique<FlowReader>(
       host_, key, [this, key](TakenSample&& taken) { on_host_sample(key, std::move(taken)); });
+  reader->belong(nodes_, router_node);
+  return reader;
 }
 
 void FastDdsLinkBus::listen_on_host(FlowId id, const Flow& flow) {
@@ -247,7 +240,9 @@ void FastDdsLinkBus::offer(FlowId id, const Flow& flow) {
     if (reader != host_.prefix()) table_.push(link_event::HostListens{id});
   };
   try {
-    giving_[id] = std::make_unique<FlowWriter>(host_, topic, flow.type, offered(flow), on_reader);
+    auto& writer = giving_[id];
+    writer = std::make_unique<FlowWriter>(host_, topic, flow.type, offered(flow), on_reader);
+    writer->belong(nodes_, router_node);
   } catch (const EnvironmentError& error) {
     log_.error("{}", error.what());
   }

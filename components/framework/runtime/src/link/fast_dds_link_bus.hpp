@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "fast_dds/graph_writer.hpp"
 #include "foundation/error.hpp"
 #include "link/fast_dds_host_services.hpp"
 #include "link/flow_ends.hpp"
@@ -90,8 +91,10 @@ class FastDdsLinkBus final : public LinkBus {
   const std::shared_ptr<StopChannel> stop_;
   std::atomic<bool> interface_is_up_{false};
   const std::shared_ptr<WriterNumbers> numbers_;  ///< on the link
+  LocalNodes nodes_;                              ///< of the host
   FastDdsParticipant host_;
   std::unique_ptr<FastDdsParticipant> link_;
+  GraphWriter graph_;
   FastDdsHostServices services_;
   FlowReaders host_readers_;  // after the participants: destroyed first
   FlowReaders link_readers_;

@@ -60,6 +60,10 @@ FlowReader::FlowReader(FastDdsParticipant& participant, const ReaderKey& key, On
 
 FlowReader::~FlowReader() { participant_.remove(reader_); }
 
+void FlowReader::belong(LocalNodes& nodes, const std::string& node) {
+  node_end_.emplace(nodes, node, LocalNodes::End::reader, gid_of(reader_->guid()));
+}
+
 void FlowReader::on_data_available(Reader* reader) {
   drainer_.run([this, reader] { drain(reader); });
 }
@@ -81,6 +85,10 @@ FlowWriter::FlowWriter(FastDdsParticipant& participant, const std::string& topic
       writer_(participant.create_writer(topic, raw_type(type), qos, *this)) {}
 
 FlowWriter::~FlowWriter() { participant_.remove(writer_); }
+
+void FlowWriter::belong(LocalNodes& nodes, const std::string& node) {
+  node_end_.emplace(nodes, node, LocalNodes::End::writer, gid_of(writer_->guid()));
+}
 
 std::optional<std::uint64_t> FlowWriter::write(const CarriedSample& sample) {
   OutgoingSample outgoing(sample.content.get());

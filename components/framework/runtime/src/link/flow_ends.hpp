@@ -11,6 +11,7 @@
 
 #include "fast_dds/cdr_topic_type.hpp"
 #include "fast_dds/fast_dds_participant.hpp"
+#include "fast_dds/node_ends.hpp"
 #include "fast_dds/single_drainer.hpp"
 #include "runtime/middleware/link_bus.hpp"
 
@@ -40,6 +41,8 @@ class FlowReader : private eprosima::fastdds::dds::DataReaderListener {
   /// Throws EnvironmentError when Fast DDS cannot make it.
   FlowReader(FastDdsParticipant& participant, const ReaderKey& key, OnSample on_sample);
   ~FlowReader() override;
+  /// Is an end of this node as long as it lives.
+  void belong(LocalNodes& nodes, const std::string& node);
 
  private:
   using Reader = eprosima::fastdds::dds::DataReader;
@@ -51,6 +54,7 @@ class FlowReader : private eprosima::fastdds::dds::DataReaderListener {
   OnSample on_sample_;
   SingleDrainer drainer_;
   Reader* reader_;
+  std::optional<NodeEnd> node_end_;
 };
 
 /// Writes a topic of any type on behalf of others. `on_reader` is called by threads of Fast DDS
@@ -62,6 +66,8 @@ class FlowWriter : private eprosima::fastdds::dds::DataWriterListener {
   FlowWriter(FastDdsParticipant& participant, const std::string& topic, const std::string& type,
              const QosProfile& qos, OnReader on_reader);
   ~FlowWriter() override;
+  /// As FlowReader::belong.
+  void belong(LocalNodes& nodes, const std::string& node);
 
   /// The number that Fast DDS gave it; nothing when it refused.
   [[nodiscard]] std::optional<std::uint64_t> write(const CarriedSample& sample);
@@ -75,6 +81,7 @@ class FlowWriter : private eprosima::fastdds::dds::DataWriterListener {
   FastDdsParticipant& participant_;
   OnReader on_reader_;
   Writer* writer_;
+  std::optional<NodeEnd> node_end_;
 };
 
 }  // namespace tocsin

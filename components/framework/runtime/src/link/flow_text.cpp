@@ -12,7 +12,7 @@
 namespace tocsin {
 namespace {
 
-const std::string flow_key = "tocsin_flow=";
+const std::string flow_key = "tocsinflow=";
 constexpr int largest_depth = 10000;
 
 /// What stands between the flow_key and the next semicolon.

@@ -9,7 +9,7 @@
 namespace tocsin {
 
 /// The user data by which a router announces a flow on the link: what the writers on its host
-/// announce, and what they offer there: "tocsin_flow=reliable,transient_local,1,inf;".
+/// announce, and what they offer there: "tocsinflow=reliable,transient_local,1,inf;".
 [[nodiscard]] std::string announcement_of(const Flow& flow);
 
 /// Takes that out of `flow.user_data` again, which holds all that was announced. What is missing or

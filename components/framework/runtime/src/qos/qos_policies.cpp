@@ -2,6 +2,7 @@
 #include "runtime/middleware/qos_policies.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -53,6 +54,26 @@ std::optional<QosConflict> writer_conflict(const QosProfile& qos) {
   return std::nullopt;
 }
 
+/// As ROS 2 reads it: one part that is none, and it drops all parts, the hash of the type included.
+bool is_pair(const std::string& part) {
+  const std::size_t equals = part.find('=');
+  const bool complete = equals != std::string::npos && equals > 0 && equals + 1 < part.size();
+  return complete && std::all_of(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(equals),
+                                 [](unsigned char c) { return std::isalnum(c) != 0; });
+}
+
+std::optional<QosConflict> user_data_conflict(const QosProfile& qos) {
+  const std::string& text = qos.user_data;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(';', at), text.size());
+    if (!is_pair(text.substr(at, end - at))) {
+      return QosConflict{"user_data", "must be pairs key=value; with keys of letters and digits"};
+    }
+    at = end + 1;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 int QosHistory::room() const {
@@ -79,6 +100,7 @@ QosProfile requested(const TopicInfo& topic, QosProfile offered) {
 std::optional<QosConflict> conflict(const QosProfile& profile) {
   if (auto found = history_conflict(profile)) return found;
   if (auto found = thinning_conflict(profile)) return found;
+  if (auto found = user_data_conflict(profile)) return found;
   return writer_conflict(profile);
 }
 

@@ -30,6 +30,28 @@ TEST_F(ActionPortTest, AGoalThatIsNothingToWorkOnIsRejected) {
   const GoalId id = send(0);
   bus_.run_for(seconds(3));
   EXPECT_THAT(news_of(id), ElementsAre(What::rejected));
+  ASSERT_TRUE(asker_.news[0].result);
+  EXPECT_THAT(asker_.news[0].result->sequence(), IsEmpty()) << "no reason was given";
+}
+
+TEST_F(ActionPortTest, TheReasonOfARejectionReachesTheClient) {
+  start_server();
+  const GoalId id = send(-3);
+  bus_.run_for(seconds(3));
+  EXPECT_THAT(news_of(id), ElementsAre(What::rejected));
+  ASSERT_TRUE(asker_.news[0].result);
+  EXPECT_THAT(asker_.news[0].result->sequence(), ElementsAre(-3));
+}
+
+TEST_F(ActionPortTest, OfManyRejectionsEachHasItsOwnReason) {
+  start_server();
+  for (int i = 1; i <= 100; ++i) {
+    send(-i);
+    bus_.run_for(seconds(0.1));
+    ASSERT_EQ(asker_.news.size(), static_cast<std::size_t>(i));
+    ASSERT_TRUE(asker_.news.back().result);
+    EXPECT_THAT(asker_.news.back().result->sequence(), ElementsAre(-i));
+  }
 }
 
 TEST_F(ActionPortTest, AGoalThatIsGivenUpIsAborted) {

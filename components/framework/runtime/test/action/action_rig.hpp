@@ -28,15 +28,17 @@ struct StatusTopic {
   static constexpr TopicInfo info{"fibonacci/_action/status", "state", Scope::host};
 };
 
-/// Makes one number of the sequence in each second; an order below 1 is none, one above 90 is given
-/// up.
+/// Makes one number of the sequence in each second; an order of 0 is none, one below says so in its
+/// result, one above 90 is given up.
 class Counter : public Component {
  public:
   explicit Counter(Context& context) : Component(context) {}
   void tick(Time now) override {
     while (const auto asked = server_.take(now)) {
       if (asked->goal->order() < 1) {
-        server_.reject();
+        wire::Fibonacci_Result why;
+        why.sequence({asked->goal->order()});
+        if (asked->goal->order() < 0) server_.reject(why);
         continue;
       }
       server_.accept(now);

@@ -126,7 +126,12 @@ TEST_F(LogServicesTest, WhatIsNoLoggerOrNoLevelIsRefusedWithAReason) {
 }
 
 TEST_F(LogServicesTest, TheEmptyNameIsThatOfAllNodes) {
+  Asker<logger_service::GetLoggerLevels> get(bus_, "speaker");
+  logger_service::GetLoggerLevels::Request all;
+  all.names({""});
+  EXPECT_EQ(get.ask(all)->levels().at(0).level(), 20U);
   EXPECT_TRUE(set("", 40).successful());
+  EXPECT_EQ(get.ask(all)->levels().at(0).level(), 40U);
   (void)rosout_.take();
   bus_.run_for(seconds(2));
   EXPECT_THAT(told("other"), IsEmpty());

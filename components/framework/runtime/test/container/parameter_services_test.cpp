@@ -186,6 +186,21 @@ TEST_F(ParameterServicesTest, SetAtomicallyAreAllOrNone) {
   EXPECT_EQ(speed(), 1.5);
 }
 
+TEST_F(ParameterServicesTest, AFixedOneTakesTheValueThatItHasSoThatADumpCanBeLoaded) {
+  start();
+  SimReader<ParameterEvents> events(bus_);
+  EXPECT_TRUE(set_one("lit", true).successful());
+  EXPECT_TRUE(events.take().empty()) << "nothing has changed";
+  EXPECT_FALSE(set_one("lit", false).successful());
+  EXPECT_FALSE(set_one("lit", std::string("true")).successful());
+  Asker<parameter_service::SetParametersAtomically> sut(bus_, "driver");
+  parameter_service::SetParametersAtomically::Request dump;
+  dump.parameters({given("speed_mps", 0.4), given("limit_mps", 1.0), given("lit", true)});
+  EXPECT_TRUE(sut.ask(dump)->result().successful());
+  ASSERT_EQ(events.take().size(), 1U);
+  EXPECT_EQ(speed(), 0.4);
+}
+
 TEST_F(ParameterServicesTest, OneByOneAreSetAsFarAsTheyCanBe) {
   start();
   Asker<parameter_service::SetParameters> sut(bus_, "driver");

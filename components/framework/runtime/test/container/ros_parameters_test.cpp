@@ -92,6 +92,29 @@ TEST(RosParameters, AListHasWhatIsBelowAPrefixUpToADepth) {
   EXPECT_THAT(list_parameters(facts, request).names(), ElementsAre("policy"));
 }
 
+TEST(RosParameters, AValueIsTheSameWhereOnlyItsTypeDiffers) {
+  const auto value = [](const char* text) { return ros_value_of(YAML::Load(text), "it"); };
+  EXPECT_TRUE(has_value(ParameterValue(2.0), value("2")));
+  EXPECT_TRUE(has_value(ParameterValue(std::nan("")), value(".nan")));
+  EXPECT_FALSE(has_value(ParameterValue(2.0), value("2.5")));
+  EXPECT_FALSE(has_value(ParameterValue(2.0), value("[2.0]")));
+  EXPECT_FALSE(has_value(ParameterValue(std::int64_t{2}), value("2.0")));
+  EXPECT_TRUE(has_value(ParameterValue(std::string("2")), value("'2'")));
+  EXPECT_FALSE(has_value(ParameterValue(std::string("2")), value("2")));
+  EXPECT_TRUE(has_value(ParameterValue(std::vector<double>{1, 2}), value("[1, 2]")));
+  EXPECT_FALSE(has_value(ParameterValue(std::vector<double>{1, 2}), value("[1]")));
+  EXPECT_FALSE(has_value(ParameterValue(std::vector<std::string>{"a"}), value("[b]")));
+}
+
+// A client cannot know of which type the elements are that a list has not.
+TEST(RosParameters, AnEmptyListIsOfAnyType) {
+  RosValue none;
+  none.type(type::PARAMETER_BOOL_ARRAY);
+  EXPECT_TRUE(has_value(ParameterValue(std::vector<std::string>()), none));
+  EXPECT_TRUE(has_value(ParameterValue(std::vector<double>()), none));
+  EXPECT_FALSE(has_value(ParameterValue(std::vector<double>{1}), none));
+}
+
 TEST(RosParameters, TypesHaveRos2sWords) {
   EXPECT_STREQ(type_word(type::PARAMETER_NOT_SET), "not set");
   EXPECT_STREQ(type_word(type::PARAMETER_BOOL), "boolean");

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "idl_support/decode.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/host_graph.hpp"
@@ -49,10 +50,11 @@ const GraphEnd* writer_in(const std::vector<GraphEnd>& ends) {
   return nullptr;
 }
 
-/// The bytes behind the stamp: level, name, text, no file, no function, line 0.
-const Bytes after_stamp{30, 0, 0, 0, 8, 0,   0,   0,   'u', 'x', 'v', '.', 'a', 'r', 'm',
-                        0,  4, 0, 0, 0, 'h', 'o', 't', 0,   1,   0,   0,   0,   0,   0,
-                        0,  0, 1, 0, 0, 0,   0,   0,   0,   0,   0,   0,   0,   0};
+/// The bytes behind the stamp: level, name, text.
+const Bytes after_stamp{30,  0,   0,   0, 8, 0, 0, 0, 'u', 'x', 'v', '.',
+                        'a', 'r', 'm', 0, 4, 0, 0, 0, 'h', 'o', 't', 0};
+constexpr unsigned warned_in_line = __LINE__ + 1;
+void warn() { Logger("left arm", "arm").warn("{}", "hot"); }
 
 TEST(Rosout, IsOfferedAsRos2DoesAndWhoComesLateHearsTheLastLines) {
   const auto bus = make_fast_dds_bus(options("logging"));
@@ -61,7 +63,7 @@ TEST(Rosout, IsOfferedAsRos2DoesAndWhoComesLateHearsTheLastLines) {
   Rosout sut(owner);
   sut.serve({"arm"});
   bus->update_graph();
-  Logger("left arm", "arm").warn("hot");
+  warn();
   sut.tell();
 
   const auto peer = make_host_graph(options("peer"));
@@ -92,6 +94,12 @@ TEST(Rosout, IsOfferedAsRos2DoesAndWhoComesLateHearsTheLastLines) {
   EXPECT_EQ(Bytes(heard.begin() + 12,
                   heard.begin() + 12 + static_cast<std::ptrdiff_t>(after_stamp.size())),
             after_stamp);
+  const auto message = decode(type_info<RosoutTopic::Message>(), heard);
+  ASSERT_TRUE(message);
+  const auto& log = *static_cast<const RosoutTopic::Message*>(message.get());
+  EXPECT_EQ(log.file(), "rosout_test.cpp");
+  EXPECT_EQ(log.function(), "warn");
+  EXPECT_EQ(log.line(), warned_in_line);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include <set>
 
 #include "fast_dds/bus_fixture.hpp"
+#include "fast_dds/udp_sockets.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin {
@@ -193,7 +194,8 @@ TEST_F(HostMulticastTest, ReachesAProgramOnItsInterfaceAndNobodyBeyond) {
   const OtherComputer other;
   if (!other.is_there()) GTEST_SKIP() << "no right to make network namespaces";
   const FileDescriptor member = member_on("10.9.1.1");
-  HostMulticastSender sut;
+  const FileDescriptor from = sole_udp_socket();
+  HostMulticastSender sut(from);
   const std::string hello = "hello";
   std::optional<std::string> text;
   ASSERT_TRUE(eventually([&] {
@@ -211,10 +213,41 @@ TEST_F(HostMulticastTest, ReachesAProgramOnItsInterfaceAndNobodyBeyond) {
   EXPECT_THAT(far, Each("last"));
 }
 
+/// The port that a datagram came from; 0: none has come.
+std::uint16_t sender_of(const FileDescriptor& socket) {
+  std::array<char, 100> bytes{};
+  sockaddr_in sender{};
+  socklen_t size = sizeof sender;
+  const ssize_t got = recvfrom(socket.get(), bytes.data(), bytes.size(), MSG_DONTWAIT,
+                               reinterpret_cast<sockaddr*>(&sender), &size);
+  return got < 0 ? std::uint16_t{0} : ntohs(sender.sin_port);
+}
+
+// Peers take announcements of one participant from its own ports only.
+TEST_F(HostMulticastTest, SendsByEachInterfaceFromThePortOfItsSocket) {
+  const OtherComputer other;
+  if (!other.is_there()) GTEST_SKIP() << "no right to make network namespaces";
+  const FileDescriptor member = member_on("10.9.1.1");
+  const FileDescriptor from = sole_udp_socket();
+  sockaddr_in own{};
+  socklen_t size = sizeof own;
+  ASSERT_EQ(getsockname(from.get(), reinterpret_cast<sockaddr*>(&own), &size), 0);
+  HostMulticastSender sut(from);
+  std::uint16_t sender = 0;
+  ASSERT_TRUE(eventually([&] {
+    const std::uint8_t byte = 'x';
+    sut.send(&byte, 1, port);
+    sender = sender_of(member);
+    return sender != 0;
+  }));
+  EXPECT_EQ(sender, ntohs(own.sin_port));
+}
+
 TEST_F(HostMulticastTest, SendsNothingWhereNobodyIsAMember) {
   const OtherComputer other;
   if (!other.is_there()) GTEST_SKIP() << "no right to make network namespaces";
-  HostMulticastSender sut;
+  const FileDescriptor from = sole_udp_socket();
+  HostMulticastSender sut(from);
   const std::uint8_t byte = 'x';
   sut.send(&byte, 1, port);
   std::vector<std::string> far;

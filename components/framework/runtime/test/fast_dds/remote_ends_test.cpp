@@ -121,9 +121,9 @@ TEST_F(RemoteEndsTest, ADurationThatWentOverTheWireIsTheSame) {
 }
 
 TEST_F(RemoteEndsTest, AWriterIsKnownByItsParticipantAndWhatItAnnounces) {
-  sut.add(guid(7, 1), {"rt/odom", "Odom", "0a", true, {}, "mine;tocsin_layout=0a;"});
+  sut.add(guid(7, 1), {"rt/odom", "Odom", "0a", true, {}, "mine;tocsinlayout=0a;"});
   EXPECT_EQ(sut.writer(guid(7, 1)).name, "gcs_main");
-  EXPECT_EQ(sut.writer(guid(7, 1)).user_data, "mine;tocsin_layout=0a;");
+  EXPECT_EQ(sut.writer(guid(7, 1)).user_data, "mine;tocsinlayout=0a;");
   EXPECT_EQ(sut.writer(guid(8, 1)).name, "");
   EXPECT_EQ(sut.writer(guid(8, 1)).user_data, "");
 }
@@ -157,9 +157,18 @@ TEST_F(RemoteEndsTest, AParticipantOfRos2IsOneWithAnEnclaveThatIsNoneOfOurs) {
   EXPECT_FALSE(sut.has_ros2());
 }
 
+TEST_F(RemoteEndsTest, KnowsTheHashThatAnEndOfATopicAndTypeHasAnnounced) {
+  const std::string hash = "RIHS01_" + std::string(64, 'a');
+  sut.add(guid(7, 1), {"rt/odom", "Odom", "", true, {}, "mine=1;"});
+  EXPECT_EQ(sut.type_hash("rt/odom", "Odom"), "");
+  sut.add(guid(8, 1), {"rt/odom", "Odom", "", false, {}, "typehash=" + hash + ";"});
+  EXPECT_EQ(sut.type_hash("rt/odom", "Odom"), hash);
+  EXPECT_EQ(sut.type_hash("rt/odom", "Other"), "");
+  EXPECT_EQ(sut.type_hash("rt/other", "Odom"), "");
+}
+
 TEST(UserData, TellsTheHashOfATypeThatHasOne) {
-  EXPECT_EQ(with_type_hash("tocsin_layout=0a;", "RIHS01_ab"),
-            "tocsin_layout=0a;typehash=RIHS01_ab;");
+  EXPECT_EQ(with_type_hash("tocsinlayout=0a;", "RIHS01_ab"), "tocsinlayout=0a;typehash=RIHS01_ab;");
   EXPECT_EQ(with_type_hash("mine", "RIHS01_ab"), "mine;typehash=RIHS01_ab;");
   EXPECT_EQ(with_type_hash("mine", ""), "mine");
 }
@@ -172,12 +181,12 @@ TEST(UserData, IsJoinedWithOneSemicolonBetween) {
 }
 
 TEST(LayoutInUserData, IsFoundAgainBesideWhatTheProfileAskedFor) {
-  EXPECT_EQ(with_layout("", "0a"), "tocsin_layout=0a;");
-  EXPECT_EQ(with_layout("typehash=x", "0a"), "typehash=x;tocsin_layout=0a;");
-  EXPECT_EQ(with_layout("typehash=x;", "0a"), "typehash=x;tocsin_layout=0a;");
+  EXPECT_EQ(with_layout("", "0a"), "tocsinlayout=0a;");
+  EXPECT_EQ(with_layout("typehash=x", "0a"), "typehash=x;tocsinlayout=0a;");
+  EXPECT_EQ(with_layout("typehash=x;", "0a"), "typehash=x;tocsinlayout=0a;");
   EXPECT_EQ(with_layout("mine", ""), "mine");
-  EXPECT_EQ(layout_in("typehash=x;tocsin_layout=0a;more=1;"), "0a");
-  EXPECT_EQ(layout_in("tocsin_layout=0a"), "0a");
+  EXPECT_EQ(layout_in("typehash=x;tocsinlayout=0a;more=1;"), "0a");
+  EXPECT_EQ(layout_in("tocsinlayout=0a"), "0a");
   EXPECT_EQ(layout_in("typehash=x;"), "");
 }
 

@@ -82,7 +82,7 @@ TEST_F(RequestsTest, TheBuiltInProfilesReachAProfileWithAPartition) {
 }
 
 TEST_F(RequestsTest, TellsWhoWroteAndWhetherItIsStillThere) {
-  const auto peer = make_test_bus(domain_, "state: {user_data: mine}\n");
+  const auto peer = make_test_bus(domain_, "state: {user_data: mast=4}\n");
   Endpoint station = stop;
   station.user_data = "party=station;";
   auto writer = peer->advertise(station);
@@ -91,7 +91,7 @@ TEST_F(RequestsTest, TellsWhoWroteAndWhetherItIsStillThere) {
   const auto known = listener_->writer(source);
   ASSERT_TRUE(known);
   EXPECT_EQ(known->name, "test");
-  EXPECT_THAT(known->user_data, HasSubstr("mine;"));
+  EXPECT_THAT(known->user_data, HasSubstr("mast=4;"));
   EXPECT_THAT(known->user_data, HasSubstr("party=station;"));
   EXPECT_FALSE(listener_->writer(source + 1));
   writer.reset();

@@ -104,6 +104,22 @@ TEST(LocalNodesTest, AnEndThatTwoPortsShareStaysUntilBothAreGone) {
   EXPECT_TRUE(sut.all().empty());
 }
 
+TEST(LocalNodesTest, NodesOfOthersAreShownWithoutEndsAndOnce) {
+  LocalNodes sut("robot");
+  const std::uint64_t before = sut.changes();
+  sut.show({"talker", "arm", ""});
+  EXPECT_EQ(sut.all(), (std::vector<GraphNode>{{"/robot", "arm"}, {"/robot", "talker"}}));
+  const std::uint64_t shown = sut.changes();
+  EXPECT_GT(shown, before);
+  sut.show({"talker", "arm"});
+  EXPECT_EQ(sut.changes(), shown) << "the same again";
+  sut.add("arm", LocalNodes::End::reader, gid(2));
+  EXPECT_EQ(sut.all(),
+            (std::vector<GraphNode>{{"/robot", "arm", {gid(2)}, {}}, {"/robot", "talker"}}));
+  sut.show({});
+  EXPECT_EQ(sut.all(), (std::vector<GraphNode>{{"/robot", "arm", {gid(2)}, {}}}));
+}
+
 TEST(LocalNodesTest, ThePathOfANodeBeginsWithItsNamespace) {
   EXPECT_EQ((GraphNode{"/", "talker"}).path(), "/talker");
   EXPECT_EQ((GraphNode{"/robot", "talker"}).path(), "/robot/talker");

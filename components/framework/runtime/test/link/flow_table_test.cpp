@@ -89,7 +89,7 @@ TEST_F(FlowTableTest, AWriterThatAnnouncesItselfAgainChangesNothing) {
 
 TEST_F(FlowTableTest, EachWriterOfAPeerIsAFlowWithWhatItSays) {
   sut_.on_peer(guid(9, 0).guidPrefix, "gcs", true, now_);
-  sut_.on_link_end(guid(9, 4), writer("rt/goal", "tocsin_flow=reliable,volatile,2,5;"), true);
+  sut_.on_link_end(guid(9, 4), writer("rt/goal", "tocsinflow=reliable,volatile,2,5;"), true);
   EXPECT_EQ(next<PeerFound>().name, "gcs");
   const auto flow = next<PeerFlow>();
   EXPECT_EQ(flow.peer, FlowTable::peer_of(guid(9, 0).guidPrefix));

@@ -17,7 +17,7 @@ Flow flow() {
   flow.transient_local = true;
   flow.depth = 3;
   flow.lifespan_s = 2.5;
-  flow.user_data = "tocsin_layout=0a1b;";
+  flow.user_data = "tocsinlayout=0a1b;";
   return flow;
 }
 
@@ -31,7 +31,7 @@ Flow read(const std::string& announcement) {
 
 TEST(FlowText, TellsWhatTheWritersOfferAndAnnounce) {
   EXPECT_EQ(announcement_of(flow()),
-            "tocsin_layout=0a1b;tocsin_flow=reliable,transient_local,3,2.5;");
+            "tocsinlayout=0a1b;tocsinflow=reliable,transient_local,3,2.5;");
 }
 
 TEST(FlowText, APeerReadsWhatWasAnnounced) {
@@ -45,10 +45,10 @@ TEST(FlowText, TellsThatAFlowIsStored) {
   Flow stored = flow();
   stored.stored = true;
   EXPECT_EQ(announcement_of(stored),
-            "tocsin_layout=0a1b;tocsin_flow=reliable,transient_local,3,2.5,stored;");
+            "tocsinlayout=0a1b;tocsinflow=reliable,transient_local,3,2.5,stored;");
   EXPECT_TRUE(read(announcement_of(stored)).stored);
   EXPECT_FALSE(read(announcement_of(flow())).stored);
-  EXPECT_FALSE(read("tocsin_flow=reliable,volatile,1,inf,storm;").stored);
+  EXPECT_FALSE(read("tocsinflow=reliable,volatile,1,inf,storm;").stored);
   stored.lifespan_s = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(read(announcement_of(stored)).stored);
 }
@@ -69,7 +69,7 @@ TEST(FlowText, UserDataWithoutItsSemicolonStaysApart) {
 }
 
 TEST(FlowText, WhatStandsBehindItIsKept) {
-  const Flow back = read("a=1;tocsin_flow=reliable,volatile,1,inf;b=2;");
+  const Flow back = read("a=1;tocsinflow=reliable,volatile,1,inf;b=2;");
   EXPECT_EQ(back.user_data, "a=1;b=2;");
   EXPECT_TRUE(back.reliable);
   EXPECT_FALSE(back.transient_local);
@@ -85,10 +85,10 @@ TEST(FlowText, AForeignWriterIsBestEffortAndVolatile) {
 
 TEST(FlowText, WhatMakesNoSenseChangesNothing) {
   for (const char* text :
-       {"tocsin_flow=", "tocsin_flow=;", "tocsin_flow=reliable", "tocsin_flow=,,,;",
-        "tocsin_flow=reliable,volatile,0,1;", "tocsin_flow=reliable,volatile,-3,1;",
-        "tocsin_flow=reliable,volatile,99999,1;", "tocsin_flow=reliable,volatile,1,-1;",
-        "tocsin_flow=reliable,volatile,1,x;"}) {
+       {"tocsinflow=", "tocsinflow=;", "tocsinflow=reliable", "tocsinflow=,,,;",
+        "tocsinflow=reliable,volatile,0,1;", "tocsinflow=reliable,volatile,-3,1;",
+        "tocsinflow=reliable,volatile,99999,1;", "tocsinflow=reliable,volatile,1,-1;",
+        "tocsinflow=reliable,volatile,1,x;"}) {
     const Flow back = read(text);
     EXPECT_FALSE(back.reliable) << text;
     EXPECT_EQ(back.depth, 1) << text;

@@ -92,7 +92,7 @@ TEST_F(HostGraphTest, KnowsTheEndsOfOthersWithWhatTheyOfferUntilTheyLeave) {
   EXPECT_EQ(end.qos.reliability, Reliability::reliable);
   EXPECT_EQ(end.qos.durability, Durability::transient_local);
   EXPECT_EQ(end.lifespan_s, 60);
-  EXPECT_THAT(end.user_data, HasSubstr("tocsin_layout="));
+  EXPECT_THAT(end.user_data, HasSubstr("tocsinlayout="));
   EXPECT_THAT(end.user_data, HasSubstr(std::string("typehash=") + state.type->ros_hash + ";"));
   EXPECT_FALSE(end_of("rt/state", false));
   writer.reset();

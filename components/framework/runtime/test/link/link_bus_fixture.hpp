@@ -34,9 +34,12 @@ class LinkBusFixture : public ::testing::Test {
   }
   /// An ordinary process of a host: it knows nothing of the link.
   [[nodiscard]] std::unique_ptr<Bus> process(Role role) const {
+    return make_fast_dds_bus(ordinary(role));
+  }
+  [[nodiscard]] BusOptions ordinary(Role role) const {
     BusOptions ordinary = options(role);
     ordinary.link_address.clear();
-    return make_fast_dds_bus(ordinary);
+    return ordinary;
   }
   template <class Topic>
   [[nodiscard]] static Endpoint endpoint(const char* user_data = "") {

@@ -107,8 +107,8 @@ TEST_F(LinkBusTest, WhatAWriterAnnouncesAndOffersIsKnownOnTheOtherHost) {
   const auto known = far->writer(there.all().front().source);
   ASSERT_TRUE(known);
   EXPECT_THAT(known->user_data, ::testing::HasSubstr(topic::EmergencyStop::station));
-  EXPECT_THAT(known->user_data, ::testing::HasSubstr("tocsin_layout="));
-  EXPECT_THAT(known->user_data, ::testing::Not(::testing::HasSubstr("tocsin_flow=")));
+  EXPECT_THAT(known->user_data, ::testing::HasSubstr("tocsinlayout="));
+  EXPECT_THAT(known->user_data, ::testing::Not(::testing::HasSubstr("tocsinflow=")));
 }
 
 TEST_F(LinkBusTest, ALateReaderOfTheOtherHostGetsTheLastSampleOfAState) {

@@ -125,6 +125,18 @@ TEST(QosConflict, StrengthNeedsExclusiveOwnership) {
   EXPECT_EQ(conflicting(sut), "");
 }
 
+TEST(QosConflict, UserDataIsPairsThatRos2CanRead) {
+  QosProfile sut;
+  for (const char* sound : {"", "a=1", "a=1;", "Mast4=of wood_2;b=2;"}) {
+    sut.user_data = sound;
+    EXPECT_EQ(conflicting(sut), "") << sound;
+  }
+  for (const char* broken : {"mine", "my_key=1;", "=1;", "a=;", "a=1;;", "a=1;b"}) {
+    sut.user_data = broken;
+    EXPECT_EQ(conflicting(sut), "user_data") << broken;
+  }
+}
+
 TEST(QosConflict, SignsOfLifeComeMoreOftenThanTheLease) {
   QosProfile sut;
   sut.liveliness_lease_s = 1;

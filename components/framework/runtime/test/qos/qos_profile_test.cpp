@@ -167,7 +167,7 @@ TEST(QosProfiles, EveryPolicyReachesTheProfile) {
           ? ""
           : "all:\n  reliability: best_effort\n  deadline_s: 2\n  partition: [a, b]\n"
             "  history: keep_all\n  max_samples: 7\n  nack_suppression_s: 0.5\n"
-            "  priority: -10\n  user_data: x\n");
+            "  priority: -10\n  user_data: x=1\n");
   const QosProfile sut = QosProfiles(file.path()).of("all", "any");
   EXPECT_FALSE(sut.reliable());
   EXPECT_EQ(sut.deadline_s, 2);
@@ -176,7 +176,7 @@ TEST(QosProfiles, EveryPolicyReachesTheProfile) {
   EXPECT_EQ(sut.max_samples, 7);
   EXPECT_EQ(sut.nack_suppression_s, 0.5);
   EXPECT_EQ(sut.priority, -10);
-  EXPECT_EQ(sut.user_data, "x");
+  EXPECT_EQ(sut.user_data, "x=1");
 }
 
 TEST(QosProfiles, AFlowControllerIsReadAndMustBeThere) {

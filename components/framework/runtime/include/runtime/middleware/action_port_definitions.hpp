@@ -2,6 +2,7 @@
 // The bodies of action_port.hpp, which includes this.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -44,8 +45,12 @@ void ActionServer<Action>::accept(Time now) {
 }
 
 template <class Action>
-void ActionServer<Action>::reject() {
-  if (asked_) answer(asked_->id, std::nullopt);
+void ActionServer<Action>::reject(Result why) {
+  constexpr std::size_t most_remembered = 64;
+  if (!asked_) return;
+  answer(asked_->id, std::nullopt);
+  if (rejected_.size() == most_remembered) rejected_.pop_front();
+  rejected_.emplace_back(asked_->request->goal_id().uuid(), std::move(why));
   asked_.reset();
 }
 
@@ -87,7 +92,9 @@ void ActionServer<Action>::serve_results() {
     const GoalId& id = call->request->goal_id().uuid();
     const GoalState where = state(id);
     if (where == GoalState::unknown) {
-      reply(call->id, where, {});
+      const auto why = std::find_if(rejected_.begin(), rejected_.end(),
+                                    [&](const auto& one) { return one.first == id; });
+      reply(call->id, where, why != rejected_.end() ? why->second : Result());
       continue;
     }
     Ending& ending = results_[id];
@@ -161,11 +168,19 @@ std::optional<typename ActionClient<Action>::News> ActionClient<Action>::take_an
   if (!outcome) return std::nullopt;
   const Sent sent = sent_.extract(outcome->call).mapped();
   if (!outcome->response) return News{sent.id, What::unanswered};
-  if (!outcome->response->accepted()) return News{sent.id, What::rejected};
-  typename GetResult::Request request;
-  request.goal_id().uuid(sent.id);
-  running_[get_result_.call(std::move(request), sent.result_by)] = sent.id;
+  if (!outcome->response->accepted()) {
+    rejected_[ask_result(sent.id, now + reason_wait)] = sent.id;
+    return std::nullopt;
+  }
+  running_[ask_result(sent.id, sent.result_by)] = sent.id;
   return News{sent.id, What::accepted};
+}
+
+template <class Action>
+CallNumber ActionClient<Action>::ask_result(const GoalId& id, Time result_by) {
+  typename GetResult::Request request;
+  request.goal_id().uuid(id);
+  return get_result_.call(std::move(request), result_by);
 }
 
 template <class Action>
@@ -193,6 +208,11 @@ template <class Action>
 std::optional<typename ActionClient<Action>::News> ActionClient<Action>::take_result(Time now) {
   const auto outcome = get_result_.take(now);
   if (!outcome) return std::nullopt;
+  if (const auto rejected = rejected_.extract(outcome->call)) {
+    News news{rejected.mapped(), What::rejected};
+    if (outcome->response) news.result = {outcome->response, &outcome->response->result()};
+    return news;
+  }
   const GoalId id = running_.extract(outcome->call).mapped();
   if (!outcome->response) return News{id, What::unanswered};
   const auto where = static_cast<GoalState>(outcome->response->status());

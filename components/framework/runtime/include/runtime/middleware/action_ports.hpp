@@ -34,6 +34,9 @@ struct ActionServices {
   };
 };
 
+/// As long a client waits for the reason of a rejection.
+constexpr Duration reason_wait = std::chrono::seconds(1);
+
 /// "dock/_action/send_goal".
 [[nodiscard]] std::string action_end(const std::string& action, const char* end);
 /// A topic of an action: its feedback or its status.

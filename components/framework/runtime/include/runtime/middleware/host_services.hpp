@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <variant>
@@ -65,6 +66,9 @@ class HostServices {
   /// Serves it until `end_serving`. Once for each name.
   virtual void serve(const HostService& service) = 0;
   virtual void end_serving(const std::string& name) = 0;
+  /// Services that peers offer, served here or not: the nodes whose own they are stand in the graph
+  /// of this host, since clients of a node look for it there before they call.
+  virtual void know(const std::set<std::string>& /*services*/) {}
   /// To a request of a service of `serve`; waits for a client that cannot hear it yet.
   virtual void reply(const std::string& service, const CallId& id,
                      std::vector<std::uint8_t> message) = 0;

@@ -11,6 +11,8 @@
 #include <optional>
 #include <string>
 
+#include "runtime/middleware/log_text.hpp"
+
 namespace tocsin {
 
 /// The numbers of rcl_interfaces/msg/Log.
@@ -41,6 +43,7 @@ struct LogLine {
   std::string node;
   std::string text;
   std::chrono::system_clock::time_point time;
+  LogPlace place = {};
 };
 
 /// As long as it lives, takes every line that this process logs by the computer's clock. Holds

@@ -195,7 +195,8 @@ struct QosDelivery {
     v("max_rate_hz", max_rate_hz, {0.001, inf}, "[Hz] a writer drops and counts what is more");
     v("minimum_separation_s", minimum_separation_s, {0, 3600},
       "[s] a reader drops what follows the writer's last delivered sample sooner");
-    v("user_data", user_data, "announced with each endpoint");
+    v("user_data", user_data,
+      "announced with each endpoint; pairs key=value; of letters and digits");
   }
 
   [[nodiscard]] bool thins() const {

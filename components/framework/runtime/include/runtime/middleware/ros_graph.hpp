@@ -3,10 +3,12 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,14 +72,22 @@ class LocalNodes {
   /// name is none.
   void add(const std::string& node, End end, const Gid& gid) { count(node, end, gid, 1); }
   void remove(const std::string& node, End end, const Gid& gid) { count(node, end, gid, -1); }
+  /// These are there too, with ends or without: nodes of others that are reached by this process.
+  void show(std::set<std::string> nodes);
   /// By name.
   [[nodiscard]] std::vector<GraphNode> all() const;
+  /// Somebody begins or ends to hear of nodes, and may take gids of another size.
+  void note_listener() { ++changes_; }
+  /// Grows when an end or a listener comes or goes.
+  [[nodiscard]] std::uint64_t changes() const { return changes_; }
 
  private:
   void count(const std::string& node, End end, const Gid& gid, int change);
   const std::string namespace_;
+  std::atomic<std::uint64_t> changes_{0};
   mutable std::mutex mutex_;
   std::map<std::string, std::map<std::pair<End, Gid>, int>> nodes_;
+  std::set<std::string> shown_;
 };
 
 }  // namespace tocsin

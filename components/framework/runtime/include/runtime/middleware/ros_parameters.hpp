@@ -33,6 +33,10 @@ using RosValue = rcl_interfaces::msg::ParameterValue;
 /// Why a parameter with this value cannot take the other one's type; empty: it can.
 [[nodiscard]] std::string type_fault(const ParameterValue& has, const RosValue& given);
 
+/// Whether a parameter with this value has the other one already: 1 is 1.0, and a list without
+/// elements is of any type. So a dump can be loaded that names what cannot be set.
+[[nodiscard]] bool has_value(const ParameterValue& has, const RosValue& given);
+
 [[nodiscard]] rcl_interfaces::msg::ParameterDescriptor describe(const ParameterFacts& facts);
 
 /// What `list_parameters` answers: names that begin with one of the prefixes (all, without any) and
