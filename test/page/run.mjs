@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the installed page in Chromium: over a bag of a simulated mission (browser), or over a whole
-// mission with the real server (mission), or measures how fast it is (measure).
-// usage: node run.mjs browser|mission|measure --install=PREFIX [--page=FOLDER] [--pictures=FOLDER] [--gtest_output=xml:FILE]
+// mission with the real server (mission), or measures how fast it is (measure). Without a browser: what the
+// alert line says at recorded moments (moments).
+// usage: node run.mjs browser|mission|measure|moments --install=PREFIX [--page=FOLDER] [--pictures=FOLDER] [--gtest_output=xml:FILE]
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -25,11 +26,14 @@ function installed(name, file) {
 
 const chromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(fs.existsSync);
 const index = option("page") ? path.join(option("page"), "index.html") : installed("operator_page", "share/operator_page/index.html");
-if (!chromium) skip(`page_${which}_test`, "chromium is not installed: bringup/install_packages --tests");
-if (!fs.existsSync(path.join(here, "node_modules/puppeteer-core"))) {
+const needsBrowser = which !== "moments";
+const esbuild = path.join(here, "../../components/station/operator_page/node_modules/esbuild");
+if (!needsBrowser && !fs.existsSync(esbuild)) skip("page_moments_test", "npm packages are not installed: bringup/install_packages");
+if (needsBrowser && !chromium) skip(`page_${which}_test`, "chromium is not installed: bringup/install_packages --tests");
+if (needsBrowser && !fs.existsSync(path.join(here, "node_modules/puppeteer-core"))) {
   skip(`page_${which}_test`, "npm packages are not installed: bringup/install_packages --tests");
 }
-if (!index) skip(`page_${which}_test`, "the page is not built: bringup/install_packages, then bringup/build");
+if (needsBrowser && !index) skip(`page_${which}_test`, "the page is not built: bringup/install_packages, then bringup/build");
 
 const bringup = installed("bringup", "share/tocsin/bringup/mission.yaml");
 if (which === "mission" && !fs.readFileSync(bringup, "utf8").includes("operator_server")) {
@@ -51,8 +55,9 @@ function makeBag() {
 
 process.env.PAGE_TEST = JSON.stringify({
   ...{ chromium, tocsin, folder },
-  page: path.dirname(index),
-  bag: which === "mission" ? undefined : makeBag(),
+  page: index && path.dirname(index),
+  share: bringup && path.join(path.dirname(bringup), ".."),
+  bag: ["mission", "moments"].includes(which) ? undefined : makeBag(),
   map: installed("bringup", "share/tocsin/config/maps/classroom.pgm"),
   pictures: option("pictures"),
 });

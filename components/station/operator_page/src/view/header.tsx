@@ -31,8 +31,6 @@ export function AlertLine({ operator, now }: { operator: Operator; now: number }
     ? recordingAlert(operator.player.name)
     : alertOf(operator.connection.state, operator.station, now);
   return (
-    <p class={`alert ${alert?.severity ?? "none"}`} role="status">
-      {alert?.text ?? "All is well: vehicle and link are heard."}
-    </p>
+    <p class={`alert ${alert.severity}`} role="status">{alert.text}</p>
   );
 }
