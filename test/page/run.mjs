@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the installed page in Chromium: over a bag of a simulated mission (browser), or over a whole
 // mission with the real server (mission), or measures how fast it is (measure). Without a browser: what the
-// alert line says at recorded moments (moments).
-// usage: node run.mjs browser|mission|measure|moments --install=PREFIX [--page=FOLDER] [--pictures=FOLDER] [--gtest_output=xml:FILE]
+// alert line says at recorded moments (moments). In place of the page: Foxglove Studio (studio).
+// usage: node run.mjs browser|mission|measure|moments|studio --install=PREFIX [--page=FOLDER] [--pictures=FOLDER] [--gtest_output=xml:FILE]
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -35,8 +35,12 @@ if (needsBrowser && !fs.existsSync(path.join(here, "node_modules/puppeteer-core"
 }
 if (needsBrowser && !index) skip(`page_${which}_test`, "the page is not built: bringup/install_packages, then bringup/build");
 
+if (which === "studio" && !fs.existsSync(path.join(here, "studio/node_modules/@foxglove/studio-base"))) {
+  skip("page_studio_test", "Foxglove Studio is not installed: npm ci --ignore-scripts in test/page/studio");
+}
+
 const bringup = installed("bringup", "share/tocsin/bringup/mission.yaml");
-if (which === "mission" && !fs.readFileSync(bringup, "utf8").includes("operator_server")) {
+if (["mission", "studio"].includes(which) && !fs.readFileSync(bringup, "utf8").includes("operator_server")) {
   skip(`page_${which}_test`, "bringup/mission.yaml runs no operator_server");
 }
 
@@ -57,7 +61,7 @@ process.env.PAGE_TEST = JSON.stringify({
   ...{ chromium, tocsin, folder },
   page: index && path.dirname(index),
   share: bringup && path.join(path.dirname(bringup), ".."),
-  bag: ["mission", "moments"].includes(which) ? undefined : makeBag(),
+  bag: ["mission", "moments", "studio"].includes(which) ? undefined : makeBag(),
   map: installed("bringup", "share/tocsin/config/maps/classroom.pgm"),
   pictures: option("pictures"),
 });

@@ -60,7 +60,8 @@ using Verdict = std::variant<OpenSocket, ServeFile, ListBags, ServeBag, AskWhatI
 
 /// Files of the page need no token: they are the same everywhere. A socket needs it, and so do
 /// `/bags`, `/bags/PATH` and `/what_if`; each must come from our own page, from one of `origins`,
-/// or from a program that is no browser.
+/// on loopback from a client as Foxglove and Lichtblick ship it, or from a program that is no
+/// browser.
 [[nodiscard]] Verdict judge(const AccessRules& rules, const RequestFacts& request);
 
 /// Whether it is a relative path of plain characters without a part that begins with a point.
