@@ -46,6 +46,8 @@ const publishedText = {
     "MSG: tocsin_msgs/Waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw",
   ].join(separator),
 };
+/** Which it says itself, whatever the bag has. */
+const ownTopics = ["/map", "/teleop/driver", "/emergency_stop/state"];
 const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".css": "text/css" };
 
 /** All messages of a bag in order, and its channels by topic. */
@@ -134,7 +136,7 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS 
   });
   const ids = new Map();
   for (const channel of channels.values()) {
-    if (channel.topic !== "/teleop/driver") ids.set(channel.topic, server.addChannel(channel));
+    if (!ownTopics.includes(channel.topic)) ids.set(channel.topic, server.addChannel(channel));
   }
   const writers = new Map();
   const addOwn = (topic, schemaName, schema) => {

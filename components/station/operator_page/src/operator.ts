@@ -156,6 +156,7 @@ export class Operator {
       vehicleAge: age(live.vehicleHeard),
       cameraAge: age(live.image?.at),
       bySight: this.bySight,
+      paused: live.uxv.transmission?.value.active === false,
       replaying: this.player !== undefined,
       stopped: live.safety?.value.emergency_stop ?? false,
     };

@@ -5,6 +5,7 @@ import { describe, it } from "node:test";
 import { alertOf, resumesInS } from "../src/model/alerts.ts";
 import { type LinkFigures, type LinkWord, figuresOf, gradeLink } from "../src/model/link_grade.ts";
 import { Station } from "../src/model/station.ts";
+import { stripOf } from "../src/model/strip.ts";
 import * as make from "./messages.ts";
 
 const open = { phase: "open", since: 0, tries: 0, reason: "" } as const;
@@ -171,5 +172,25 @@ describe("Alert", () => {
   it("knows no forced resume where there is none", () => {
     assert.equal(resumesInS(NaN, 0), undefined);
     assert.equal(resumesInS(3, 5000), 0);
+  });
+});
+
+describe("Strip", () => {
+  it("tells the link in a word, PER, and that all is sent", () => {
+    const strip = stripOf(heard(4000, { per: 12 }), 4000);
+    assert.deepEqual(strip, { link: "fair", step: 2, per: "PER 12\u202f%", gate: "sends all", paused: false });
+  });
+  it("counts down to the end of a pause, and knows pauses without one", () => {
+    const station = heard(4000);
+    const state = { active: false, deadline_s: 20, stamp: make.stampOf(1_004_000) };
+    station.onMessage("transmission_state", make.transmission(state), 4000);
+    assert.equal(stripOf(station, 6000).gate, "paused, 18\u202fs at most");
+    station.onMessage("transmission_state", make.transmission({ ...state, deadline_s: NaN }), 4000);
+    assert.equal(stripOf(station, 6000).gate, "paused");
+  });
+  it("calls a silent vehicle's link lost, and knows nothing before the first word", () => {
+    assert.deepEqual(stripOf(new Station(), 0), { link: "lost", step: undefined, per: "PER –", gate: "gate not known", paused: false });
+    assert.equal(stripOf(heard(4000), 7500).link, "poor");
+    assert.equal(stripOf(heard(4000), 7501).link, "lost");
   });
 });

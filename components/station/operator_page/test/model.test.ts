@@ -284,6 +284,11 @@ describe("Journal", () => {
     sut.add(entry("b"));
     assert.deepEqual(sut.entries.map(({ text, times }) => [text, times]), [["b", 1], ["a", 2]]);
   });
+  it("keeps the order of time, whenever messages come", () => {
+    const sut = new Journal();
+    for (const [text, at] of [["a", 1000], ["c", 3000], ["b", 2000], ["b", 2500], ["0", 500]] as const) sut.add({ ...entry(text), at });
+    assert.deepEqual(sut.entries.map(({ text, at, times }) => [text, at, times]), [["c", 3000, 1], ["b", 2500, 2], ["a", 1000, 1], ["0", 500, 1]]);
+  });
   it("says a change once", () => {
     const sut = new Journal();
     for (const text of ["a", "a", "", "a"]) sut.onChange("subject", entry(text));
