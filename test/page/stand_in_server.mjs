@@ -116,6 +116,7 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS 
     { path: "gcs/operator/bag/bag_0.mcap", bytes: 4096 }];
   const files = http.createServer((request, response) => {
     const name = new URL(request.url, "http://x").pathname.replace(/^\/$/, "/index.html");
+    if (name.startsWith("/tables/")) return response.end("");
     if (name === "/bags") return response.end(JSON.stringify({ bags }));
     if (name === `/bags/${bags[0].path}`) return sendPart(bag, request, response);
     const file = path.join(page, path.normalize(name));

@@ -123,11 +123,20 @@ bool is_plain(char c) {
          c == '_' || c == '-' || c == '/';
 }
 
+/// The tables that a page draws the trail and the mission from.
+constexpr std::array<const char*, 3> tables{"location.csv", "goal.csv", "transmission_state.csv"};
+
 /// A request for what only this run has; none: it is for a file of the page.
 std::optional<Verdict> verdict_of_run(const std::string& path, const RequestFacts& request) {
   const std::string folder = "bags/";
   if (path == "bags") return ListBags{};
   if (path == "what_if") return AskWhatIf{query_of(request.target)};
+  const std::string table_folder = "tables/";
+  if (path.rfind(table_folder, 0) == 0) {
+    const std::string table = path.substr(table_folder.size());
+    const bool known = std::find(tables.begin(), tables.end(), table) != tables.end();
+    return known ? Verdict(ServeTable{table}) : Refuse{404, "there is no such table"};
+  }
   if (path.rfind(folder, 0) != 0) return std::nullopt;
   const std::string file = path.substr(folder.size());
   if (!is_file_name(file)) return Refuse{404, "there is no such recording"};

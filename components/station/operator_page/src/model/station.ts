@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { plainTopic } from "../protocol/topic_name.ts";
 import { ellipse95, type Ellipse, isFinitePose, yawOf } from "./geometry.ts";
+import type { History } from "./history.ts";
 import { Journal } from "./journal.ts";
 import { LinkClasses } from "./link_classes.ts";
 import { type Heard, vehicleLostAfterMs } from "./freshness.ts";
@@ -106,6 +107,13 @@ export class Station {
     }
     const handle = this.#handlers[topic] as (message: Topics[Name], at: number) => void;
     handle(message, at);
+  }
+
+  /** What was the case before the first message came. */
+  onHistory({ trail, route }: History): void {
+    this.trail.prepend(trail);
+    this.route.adopt(route);
+    if (this.navigation) this.route.onStatus(this.navigation.value);
   }
 
   side(role: Role): Side {
