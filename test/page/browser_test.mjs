@@ -137,10 +137,10 @@ describe("Page in Chromium", { concurrency: false }, () => {
   });
 
   it("sends a goal by click and drag, after mission_control has paused", async () => {
-    await operator.chooseGoal(0.02, 0.95);
+    await operator.chooseGoal(0.02, 0.5);
     await reads(".goal-bar", "in a wall or beyond the map");
     await press("Cancel");
-    await operator.chooseGoal(0.62, 0.68); // in the classroom
+    await operator.chooseGoal(0.7, 0.78); // in the classroom
     await operator.picture("goal");
     await press("Drive there");
     await eventually("a goal", () => commands("/goal").length > 0);
@@ -156,6 +156,17 @@ describe("Page in Chromium", { concurrency: false }, () => {
     await reads(".mission", "running");
   });
 
+  it("shows strip, mission buttons and link without scrolling at 1280 x 800", async () => {
+    await page.setViewport({ width: 1280, height: 800 });
+    await wait(300);
+    await page.evaluate(() => scrollTo(0, 0));
+    await reads(".strip", "PER");
+    const wanted = [".strip dd", ".mission button", ".link .value", ".link .side h3", ".link .gauge"];
+    const below = (selectors) => selectors.flatMap((one) => [...document.querySelectorAll(one)])
+      .filter((one) => one.getBoundingClientRect().bottom > innerHeight).map((one) => one.textContent);
+    assert.deepEqual(await page.evaluate(below, wanted), []);
+    await operator.picture("page_1280x800");
+  });
   for (const [width, height] of sizes) {
     it(`fits a window of ${width} px`, async () => {
       await page.setViewport({ width, height });

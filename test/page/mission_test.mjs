@@ -165,7 +165,7 @@ describe("Mission led from the page", { concurrency: false }, () => {
   });
 
   it("sends the vehicle to a place that was clicked", async () => {
-    await operator.chooseGoal(0.62, 0.68);
+    await operator.chooseGoal(0.7, 0.78);
     await operator.press("Drive there");
     await reads(".mission", "Your goal: driving");
     const words = await operator.page.$$eval(".entries li", (all) => all.map((one) => one.textContent));

@@ -21,7 +21,7 @@ export async function eventually(what, look, limitMs = patienceMs) {
 }
 
 /** As root, and without a word to anybody outside of this computer. */
-const quiet = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
+export const quiet = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
   "--disable-background-networking", "--disable-component-update"];
 
 export class Operator {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the installed page in Chromium: over a bag of a simulated mission (browser), or over a whole
-// mission with the real server (mission), or measures how fast it is (measure).
-// usage: node run.mjs browser|mission|measure --install=PREFIX [--page=FOLDER] [--pictures=FOLDER] [--gtest_output=xml:FILE]
+// mission with the real server (mission), or measures how fast it is (measure). Without a browser: what the
+// alert line says at recorded moments (moments). In place of the page: Foxglove Studio (studio).
+// usage: node run.mjs browser|mission|measure|moments|studio --install=PREFIX [--page=FOLDER] [--pictures=FOLDER] [--gtest_output=xml:FILE]
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -25,14 +26,21 @@ function installed(name, file) {
 
 const chromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(fs.existsSync);
 const index = option("page") ? path.join(option("page"), "index.html") : installed("operator_page", "share/operator_page/index.html");
-if (!chromium) skip(`page_${which}_test`, "chromium is not installed: bringup/install_packages --tests");
-if (!fs.existsSync(path.join(here, "node_modules/puppeteer-core"))) {
+const needsBrowser = which !== "moments";
+const esbuild = path.join(here, "../../components/station/operator_page/node_modules/esbuild");
+if (!needsBrowser && !fs.existsSync(esbuild)) skip("page_moments_test", "npm packages are not installed: bringup/install_packages");
+if (needsBrowser && !chromium) skip(`page_${which}_test`, "chromium is not installed: bringup/install_packages --tests");
+if (needsBrowser && !fs.existsSync(path.join(here, "node_modules/puppeteer-core"))) {
   skip(`page_${which}_test`, "npm packages are not installed: bringup/install_packages --tests");
 }
-if (!index) skip(`page_${which}_test`, "the page is not built: bringup/install_packages, then bringup/build");
+if (needsBrowser && !index) skip(`page_${which}_test`, "the page is not built: bringup/install_packages, then bringup/build");
+
+if (which === "studio" && !fs.existsSync(path.join(here, "studio/node_modules/@foxglove/studio-base"))) {
+  skip("page_studio_test", "Foxglove Studio is not installed: npm ci --ignore-scripts in test/page/studio");
+}
 
 const bringup = installed("bringup", "share/tocsin/bringup/mission.yaml");
-if (which === "mission" && !fs.readFileSync(bringup, "utf8").includes("operator_server")) {
+if (["mission", "studio"].includes(which) && !fs.readFileSync(bringup, "utf8").includes("operator_server")) {
   skip(`page_${which}_test`, "bringup/mission.yaml runs no operator_server");
 }
 
@@ -51,8 +59,9 @@ function makeBag() {
 
 process.env.PAGE_TEST = JSON.stringify({
   ...{ chromium, tocsin, folder },
-  page: path.dirname(index),
-  bag: which === "mission" ? undefined : makeBag(),
+  page: index && path.dirname(index),
+  share: bringup && path.join(path.dirname(bringup), ".."),
+  bag: ["mission", "moments", "studio"].includes(which) ? undefined : makeBag(),
   map: installed("bringup", "share/tocsin/config/maps/classroom.pgm"),
   pictures: option("pictures"),
 });

@@ -46,6 +46,8 @@ const publishedText = {
     "MSG: tocsin_msgs/Waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw",
   ].join(separator),
 };
+/** Which it says itself, whatever the bag has. */
+const ownTopics = ["/map", "/teleop/driver", "/emergency_stop/state"];
 const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".css": "text/css" };
 
 /** All messages of a bag in order, and its channels by topic. */
@@ -114,6 +116,7 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS 
     { path: "gcs/operator/bag/bag_0.mcap", bytes: 4096 }];
   const files = http.createServer((request, response) => {
     const name = new URL(request.url, "http://x").pathname.replace(/^\/$/, "/index.html");
+    if (name.startsWith("/tables/")) return response.end("");
     if (name === "/bags") return response.end(JSON.stringify({ bags }));
     if (name === `/bags/${bags[0].path}`) return sendPart(bag, request, response);
     const file = path.join(page, path.normalize(name));
@@ -134,7 +137,7 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS 
   });
   const ids = new Map();
   for (const channel of channels.values()) {
-    if (channel.topic !== "/teleop/driver") ids.set(channel.topic, server.addChannel(channel));
+    if (!ownTopics.includes(channel.topic)) ids.set(channel.topic, server.addChannel(channel));
   }
   const writers = new Map();
   const addOwn = (topic, schemaName, schema) => {

@@ -14,6 +14,8 @@ namespace tocsin {
 namespace {
 
 constexpr Duration try_again_period = std::chrono::seconds(2);
+/// Each container writes it, which no bringup file says.
+constexpr const char* log_topic = "rosout";
 
 /// Of each topic of the link, where a router gives what did not cross at first.
 void add_filled_in(std::vector<ChosenTopic>& chosen) {
@@ -26,10 +28,11 @@ void add_filled_in(std::vector<ChosenTopic>& chosen) {
   chosen.insert(chosen.end(), filled_in.begin(), filled_in.end());
 }
 
-/// Those that libraries of this process state; with wishes, those of all that are installed.
+/// Those that libraries of this process state; with wishes beyond them, those of all that are
+/// installed.
 std::vector<ChosenTopic> chosen_topics(const std::string& name,
                                        const RecorderComponent::Params& params) {
-  if (!params.topics.empty()) load_idl_libraries();
+  if (!are_stated(params.topics, known_topics())) load_idl_libraries();
   auto chosen = choose_topics(name, {params.link_topics, params.topics}, known_topics());
   if (params.filled_in) add_filled_in(chosen);
   return chosen;
@@ -108,7 +111,8 @@ void RecorderComponent::follow_wish(Time now) {
 /// A package of the user's may state topics whose QoS profile only its own bringup file has: what a
 /// rule for many finds is left out then, what was asked for by its name is an error.
 std::unique_ptr<InputPort> RecorderComponent::listen_to(const ChosenTopic& topic) {
-  const Writers writers = topic.named ? Writers::needed : Writers::optional;
+  const bool is_log = topic.info.name == std::string(log_topic);
+  const Writers writers = topic.named && !is_log ? Writers::needed : Writers::optional;
   try {
     return std::make_unique<InputPort>(*this, Endpoint{topic.info, topic.type, writers});
   } catch (const ConfigError& error) {

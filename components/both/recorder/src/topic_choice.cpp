@@ -150,6 +150,16 @@ class Choice {
 
 }  // namespace
 
+bool are_stated(const std::vector<std::string>& wishes, const std::vector<KnownTopic>& known) {
+  return std::all_of(wishes.begin(), wishes.end(), [&known](const std::string& wish) {
+    const auto words = words_of(wish);
+    if (words.size() > 1) return find_type(wire_name(words[1])) != nullptr;
+    return !words.empty() && std::any_of(known.begin(), known.end(), [&](const KnownTopic& topic) {
+      return topic.info.name == without_slash(words[0]);
+    });
+  });
+}
+
 std::vector<ChosenTopic> choose_topics(const std::string& owner, const TopicWishes& wishes,
                                        const std::vector<KnownTopic>& known) {
   Choice choice(owner, known);

@@ -49,6 +49,15 @@ TEST(TopicChoice, TakesTheTopicsOfTheLinkUnlessToldOtherwise) {
   EXPECT_THAT(choose({}), IsEmpty());
 }
 
+TEST(TopicChoice, NeedsNoOtherLibraryForKnownTopicsAndTypes) {
+  EXPECT_TRUE(are_stated({}, known));
+  EXPECT_TRUE(are_stated({"odom", "/goal", "scan sensor_msgs/msg/Imu"}, known));
+  EXPECT_FALSE(are_stated({"odom", "lidar"}, known));
+  EXPECT_FALSE(are_stated({"sensors/*"}, known));
+  EXPECT_FALSE(are_stated({"scan no_msgs/msg/Type"}, known));
+  EXPECT_FALSE(are_stated({""}, known));
+}
+
 TEST(TopicChoice, AKnownNameIsTakenWithItsFacts) {
   const auto sut = choose({"odom"}, true);
   EXPECT_THAT(names(sut), ElementsAre("goal", "location", "odom"));

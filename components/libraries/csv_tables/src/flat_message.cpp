@@ -9,6 +9,7 @@ namespace tocsin {
 namespace {
 
 constexpr std::size_t longest_text = 4096;  // [byte]
+constexpr std::size_t longest_list = 4096;
 
 std::string json_text(const std::string& text) {
   std::string quoted = "\"";
@@ -51,9 +52,10 @@ class Flattener : public FieldVisitor {
       close('}');
     }
   }
-  void begin_list(const char* name, std::size_t) override {
+  void begin_list(const char* name, std::size_t size) override {
     if (lists_ == 0) {
       list_name_ = path(name);
+      list_size_ = size;
       json_.clear();
     }
     open(name, '[');
@@ -61,17 +63,19 @@ class Flattener : public FieldVisitor {
   }
   void end_list() override {
     close(']');
-    if (--lists_ == 0) fields.push_back({list_name_, json_});
+    if (--lists_ > 0) return;
+    fields.push_back({list_name_, is_too_long() ? std::to_string(list_size_) : json_});
   }
 
  private:
+  [[nodiscard]] bool is_too_long() const { return list_size_ > longest_list; }
   [[nodiscard]] std::string path(const char* name) const {
     return (path_.empty() ? "" : path_.back()) + name;
   }
   void leaf(const char* name, const std::string& plain, const std::string& json) {
     if (lists_ == 0) {
       fields.push_back({path(name), plain});
-    } else {
+    } else if (!is_too_long()) {
       separate(name);
       json_ += json;
     }
@@ -93,6 +97,7 @@ class Flattener : public FieldVisitor {
 
   std::vector<std::string> path_;
   std::string list_name_;
+  std::size_t list_size_ = 0;
   std::string json_;
   std::string brackets_;
   int lists_ = 0;

@@ -50,6 +50,14 @@ TEST(FlatMessage, WritesListsOfNumbersAsJson) {
   EXPECT_EQ(columns(message).at("core_percent"), "[1.5,2]");
 }
 
+TEST(FlatMessage, WritesOfAListOfMoreThan4096ElementsOnlyTheNumber) {
+  tocsin_msgs::msg::CpuLoad message;
+  message.core_percent(std::vector<float>(4096, 1));
+  EXPECT_EQ(columns(message).at("core_percent").substr(0, 5), "[1,1,");
+  message.core_percent(std::vector<float>(4097, 1));
+  EXPECT_EQ(columns(message).at("core_percent"), "4097");
+}
+
 TEST(FlatMessage, WritesListsOfStructsAsJsonObjects) {
   tocsin_msgs::msg::TrafficReport message;
   message.topics().resize(2);

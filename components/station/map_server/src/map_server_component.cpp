@@ -45,12 +45,36 @@ topic::Map::Message message_of(const navigation::OccupancyMap& map) {
   return message;
 }
 
+topic::Tf::Message transform_of(const topic::Location::Message& location,
+                                const std::string& vehicle_frame) {
+  const auto& pose = location.pose().pose();
+  geometry_msgs::msg::TransformStamped transform;
+  transform.header(location.header());
+  transform.child_frame_id(vehicle_frame);
+  transform.transform().translation().x(pose.position().x());
+  transform.transform().translation().y(pose.position().y());
+  transform.transform().translation().z(pose.position().z());
+  transform.transform().rotation(pose.orientation());
+  topic::Tf::Message message;
+  message.transforms().push_back(transform);
+  return message;
+}
+
 }  // namespace
 
 MapServerComponent::MapServerComponent(Context& context, const Params& params)
-    : Component(context), content_(load(context.name, params.map_file)) {}
+    : Component(context), params_(params), content_(load(context.name, params.map_file)) {}
 
 void MapServerComponent::tick(Time now) {
+  publish_map(now);
+  while (const auto location = location_.take()) {
+    if (params_.vehicle_frame.empty()) continue;
+    // A lost one is replaced by the next.
+    (void)tf_.write(transform_of(*location, params_.vehicle_frame));
+  }
+}
+
+void MapServerComponent::publish_map(Time now) {
   if (sent_) return;
   topic::Map::Message message = message_of(content_);
   message.header().stamp(wall(now));

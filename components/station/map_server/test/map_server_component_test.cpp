@@ -55,6 +55,8 @@ class MapServerComponentTest : public ::testing::Test {
   MapServerComponent::Params params_;
   std::unique_ptr<MapServerComponent> sut_;
   SimReader<topic::Map> maps_{bus_};
+  SimReader<topic::Tf> transforms_{bus_};
+  SimWriter<topic::Location> locations_{bus_};
 };
 
 TEST_F(MapServerComponentTest, TellsTheMapRowByRowFromTheOriginUp) {
@@ -76,6 +78,36 @@ TEST_F(MapServerComponentTest, TellsItOnce) {
   start();
   bus_.run_for(seconds(60));
   EXPECT_EQ(maps_.take().size(), 1U);
+}
+
+TEST_F(MapServerComponentTest, TellsEachPositionAsTheVehiclesFrameInItsOwnFrame) {
+  start();
+  topic::Location::Message location;
+  location.header().frame_id("map");
+  location.header().stamp().sec(7);
+  location.pose().pose().position().x(1.5);
+  location.pose().pose().position().y(-2);
+  location.pose().pose().orientation().z(1);
+  ASSERT_EQ(locations_.write(location), Status::ok);
+  bus_.run_for(seconds(0.1));
+  const auto messages = transforms_.take();
+  ASSERT_EQ(messages.size(), 1U);
+  ASSERT_EQ(messages[0].transforms().size(), 1U);
+  const auto& transform = messages[0].transforms()[0];
+  EXPECT_EQ(transform.header().frame_id(), "map");
+  EXPECT_EQ(transform.header().stamp().sec(), 7);
+  EXPECT_EQ(transform.child_frame_id(), "base_footprint");
+  EXPECT_EQ(transform.transform().translation().x(), 1.5);
+  EXPECT_EQ(transform.transform().translation().y(), -2);
+  EXPECT_EQ(transform.transform().rotation().z(), 1);
+}
+
+TEST_F(MapServerComponentTest, TellsNoFrameWhereNoneIsWanted) {
+  params_.vehicle_frame = "";
+  start();
+  ASSERT_EQ(locations_.write(topic::Location::Message()), Status::ok);
+  bus_.run_for(seconds(0.1));
+  EXPECT_TRUE(transforms_.take().empty());
 }
 
 TEST_F(MapServerComponentTest, RefusesToStartWithoutAMap) {

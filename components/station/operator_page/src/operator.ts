@@ -3,6 +3,7 @@
 import type { IWebSocket } from "@foxglove/ws-protocol";
 
 import type { Point } from "./model/geometry.ts";
+import { type Row, type Tables, historyOf, rowsOf } from "./model/history.ts";
 import { type OccupancyGrid, type Stamp, type Topic, type Topics, type Waypoint, isTopicRead, topicsRead } from "./model/messages.ts";
 import { Station } from "./model/station.ts";
 import { type DriveConditions, DriverSeat, whyNotDrive } from "./orders/driver_seat.ts";
@@ -72,7 +73,10 @@ export class Operator {
       url,
       topics: topicsRead,
       onMessage: (topic, message) => this.#onMessage(topic, message),
-      onServer: (server) => (this.server = server),
+      onServer: (server) => {
+        if (this.server === undefined) void this.#readHistory();
+        this.server = server;
+      },
       onParameter: (name, value) => {
         if (name === recordingParameter) this.record.onValue(value);
       },
@@ -156,6 +160,7 @@ export class Operator {
       vehicleAge: age(live.vehicleHeard),
       cameraAge: age(live.image?.at),
       bySight: this.bySight,
+      paused: live.uxv.transmission?.value.active === false,
       replaying: this.player !== undefined,
       stopped: live.safety?.value.emergency_stop ?? false,
     };
@@ -252,6 +257,14 @@ export class Operator {
     this.#recorder = pid;
     this.record.forget();
     this.connection.watchParameters([recordingParameter]);
+  }
+
+  /** Trail and mission of before; a station without a recorder that writes tables has none. */
+  async #readHistory(): Promise<void> {
+    const rows = async (name: keyof Tables): Promise<Row[]> => rowsOf(await this.#files.table(name).catch(() => ""));
+    const [location, goals, transmission_state] = await Promise.all([rows("location"), rows("goal"), rows("transmission_state")]);
+    this.live.onHistory(historyOf({ location, goal: goals, transmission_state }));
+    ++this.version;
   }
 
   #onMessage(topic: string, message: unknown): void {

@@ -25,6 +25,9 @@ function messagePaths(value: unknown): string[] {
   return inside.flatMap(([key, one]) => [...messagePaths(key), ...messagePaths(one)]);
 }
 
+/** Known to Studio 1.48 as well as to Lichtblick, which makes its newer image panel of the older one. */
+const panelTypes = ["3D", "DiagnosticSummary", "ImageViewPanel", "Plot", "RawMessages", "StateTransitions"];
+
 describe("Layouts", () => {
   const known = topics();
   const fields = structs();
@@ -40,6 +43,10 @@ describe("Layouts", () => {
         const names = fields.get(type)?.map((text) => text.split(" ")[1]) ?? [];
         for (const name of [filter, field]) if (name) assert.ok(names.includes(name), `${one}: ${type} has no ${name}`);
       }
+    });
+    it(`${file} has panels that Studio and Lichtblick know`, () => {
+      const types = Object.keys(layout.configById).map((id) => id.split("!")[0]);
+      assert.deepEqual(types.filter((type) => !panelTypes.includes(type ?? "")), []);
     });
     it(`${file} shows each of its panels once`, () => {
       const shown = (node: unknown): string[] =>

@@ -123,3 +123,20 @@ export const linkState = (classes: m.LinkClass[]): m.LinkState => ({
   capacity_measured: true,
   stored: [],
 });
+
+export const quality = (changes: Partial<m.NetworkQuality>): m.NetworkQuality => ({
+  stamp: stampOf(0),
+  per_percent: 0,
+  rtt_mean_ms: 3,
+  signal_dbm: -50,
+  quality_percent: 80,
+  ...changes,
+});
+
+export const battery = (changes: Partial<m.BatteryState>): m.BatteryState => ({
+  voltage: 16,
+  current: -0.5,
+  percentage: 0.8,
+  power_supply_status: 2,
+  ...changes,
+});

@@ -2,7 +2,6 @@
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 
-import { alertOf, resumesInS } from "../src/model/alerts.ts";
 import { ageText, freshness } from "../src/model/freshness.ts";
 import { type Point, distance, ellipse95, yawOf } from "../src/model/geometry.ts";
 import { Journal } from "../src/model/journal.ts";
@@ -285,6 +284,11 @@ describe("Journal", () => {
     sut.add(entry("b"));
     assert.deepEqual(sut.entries.map(({ text, times }) => [text, times]), [["b", 1], ["a", 2]]);
   });
+  it("keeps the order of time, whenever messages come", () => {
+    const sut = new Journal();
+    for (const [text, at] of [["a", 1000], ["c", 3000], ["b", 2000], ["b", 2500], ["0", 500]] as const) sut.add({ ...entry(text), at });
+    assert.deepEqual(sut.entries.map(({ text, at, times }) => [text, at, times]), [["c", 3000, 1], ["b", 2500, 2], ["a", 1000, 1], ["0", 500, 1]]);
+  });
   it("says a change once", () => {
     const sut = new Journal();
     for (const text of ["a", "a", "", "a"]) sut.onChange("subject", entry(text));
@@ -353,43 +357,5 @@ describe("Station", () => {
     for (const at of [1000, 2000]) sut.onMessage("diagnostics", report, at);
     assert.equal(sut.journal.entries.length, 1);
     assert.equal(sut.journal.entries[0]?.severity, "error");
-  });
-});
-
-describe("Alert", () => {
-  const open = { phase: "open", since: 0, tries: 0, reason: "" } as const;
-  const heard = (at: number): Station => {
-    const station = new Station();
-    station.onMessage("location", make.location(0, 0), at);
-    return station;
-  };
-  it("says nothing when all is well", () => {
-    assert.equal(alertOf(open, heard(1000), 2000), undefined);
-  });
-  it("says that the vehicle is not heard after 3.5 s, with the time", () => {
-    assert.equal(alertOf(open, heard(1000), 4500), undefined);
-    assert.match(alertOf(open, heard(1000), 13_000)?.text ?? "", /last heard 12 s ago/);
-  });
-  it("tells a lost connection before all else, and gives a reload a second", () => {
-    const lost = { phase: "lost", since: 1000, tries: 1, reason: "no server answers" } as const;
-    assert.equal(alertOf(lost, heard(1000), 1500), undefined);
-    assert.match(alertOf(lost, heard(1000), 61_000)?.text ?? "", /^No connection to the station for 60 s: no server/);
-  });
-  it("tells a pause with its reason and the time to the forced resume", () => {
-    const station = heard(1000);
-    station.onMessage("transmission_state", make.transmission({ active: false, reason: "cusum_alarm", deadline_s: 20 }), 1000);
-    const alert = alertOf(open, station, 3000);
-    assert.equal(alert?.severity, "warning");
-    assert.match(alert?.text ?? "", /\(quality has fallen, at most 18 s more\)/);
-  });
-  it("tells a stop before a pause", () => {
-    const station = heard(1000);
-    station.onMessage("transmission_state", make.transmission({ active: false }), 1000);
-    station.onMessage("safety_status", make.safety({ emergency_stop: true }), 1000);
-    assert.match(alertOf(open, station, 2000)?.text ?? "", /emergency stop/);
-  });
-  it("knows no forced resume where there is none", () => {
-    assert.equal(resumesInS(NaN, 0), undefined);
-    assert.equal(resumesInS(3, 5000), 0);
   });
 });

@@ -106,7 +106,7 @@ describe("TeleopSender", () => {
 });
 
 describe("Driving by hand", () => {
-  const good: DriveConditions = { connected: true, vehicleAge: 100, cameraAge: 100, bySight: false, stopped: false, replaying: false };
+  const good: DriveConditions = { connected: true, vehicleAge: 100, cameraAge: 100, bySight: false, paused: false, stopped: false, replaying: false };
   it("is allowed by a fresh picture of a vehicle that is heard", () => {
     assert.equal(whyNotDrive(good), undefined);
     assert.equal(whyNotDrive({ ...good, vehicleAge: vehicleLimitMs, cameraAge: cameraLimitMs }), undefined);
@@ -119,6 +119,8 @@ describe("Driving by hand", () => {
       [{ vehicleAge: vehicleLimitMs + 1 }, /last heard 1.5 s ago/],
       [{ stopped: true }, /emergency stop/],
       [{ cameraAge: undefined }, /no picture/],
+      [{ cameraAge: undefined, paused: true }, /camera is paused by the gate/],
+      [{ cameraAge: cameraLimitMs + 1, paused: true }, /camera is paused by the gate/],
       [{ cameraAge: cameraLimitMs + 1 }, /picture is 1.0 s old/],
     ] as const;
     for (const [change, reason] of reasons) assert.match(whyNotDrive({ ...good, ...change }) ?? "", reason);

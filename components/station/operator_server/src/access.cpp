@@ -5,6 +5,7 @@
 #include <netinet/in.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 
@@ -80,16 +81,26 @@ bool is_own_page(const AccessRules& rules, const RequestFacts& request) {
   return request.origin.empty() || request.origin == own;
 }
 
+/// Desktop clients, and the pages that their makers serve; a page of the web cannot claim one of
+/// these. "null" is none of them: any page gets it by a frame that it seals off.
+bool is_known_client(const AccessRules& rules, const std::string& origin) {
+  constexpr std::array<const char*, 5> known{
+      "file://", "app://foxglove", "https://app.foxglove.dev", "https://studio.foxglove.dev",
+      "http://localhost:8080"};  // Lichtblick's container
+  return is_loopback(rules.address) && std::find(known.begin(), known.end(), origin) != known.end();
+}
+
 /// Why it may not have what is not the same everywhere; none: it may.
 std::optional<Refuse> refusal_of(const AccessRules& rules, const RequestFacts& request) {
   const bool is_named =
       std::any_of(rules.origins.begin(), rules.origins.end(), [&](const std::string& origin) {
         return origin == "*" || (!request.origin.empty() && origin == request.origin);
       });
-  if (!is_named && !is_own_page(rules, request)) {
-    const std::string& whose = request.origin.empty() ? request.host : request.origin;
-    return Refuse{403, "a page of '" + printable(whose) +
-                           "' may not connect here; allowed is what parameter origins names"};
+  if (!is_named && !is_own_page(rules, request) && !is_known_client(rules, request.origin)) {
+    const std::string whose = printable(request.origin.empty() ? request.host : request.origin);
+    return Refuse{403, "a page of '" + whose +
+                           "' may not connect here; operator_server.origins: [" + whose +
+                           "] lets it in"};
   }
   if (!rules.token.empty() && !same_secret(rules.token, token_of(request))) {
     return Refuse{401, "the token is missing or wrong: give it as ?token=... or as Bearer"};
@@ -112,11 +123,20 @@ bool is_plain(char c) {
          c == '_' || c == '-' || c == '/';
 }
 
+/// The tables that a page draws the trail and the mission from.
+constexpr std::array<const char*, 3> tables{"location.csv", "goal.csv", "transmission_state.csv"};
+
 /// A request for what only this run has; none: it is for a file of the page.
 std::optional<Verdict> verdict_of_run(const std::string& path, const RequestFacts& request) {
   const std::string folder = "bags/";
   if (path == "bags") return ListBags{};
   if (path == "what_if") return AskWhatIf{query_of(request.target)};
+  const std::string table_folder = "tables/";
+  if (path.rfind(table_folder, 0) == 0) {
+    const std::string table = path.substr(table_folder.size());
+    const bool known = std::find(tables.begin(), tables.end(), table) != tables.end();
+    return known ? Verdict(ServeTable{table}) : Refuse{404, "there is no such table"};
+  }
   if (path.rfind(folder, 0) != 0) return std::nullopt;
   const std::string file = path.substr(folder.size());
   if (!is_file_name(file)) return Refuse{404, "there is no such recording"};

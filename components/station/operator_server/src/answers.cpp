@@ -33,6 +33,30 @@ Response respond(const Request& request, unsigned status, const char* type, std:
   return response;
 }
 
+/// A file, or the part of it that is asked for.
+Answer file_answer(OpenBag bag, const char* type, const Request& request) {
+  const auto range = byte_range(field(request, http::field::range), bag.bytes);
+  if (!range) {
+    Response response = respond(request, Refuse{416, "it has no such bytes"});
+    response.set(http::field::content_range, "bytes */" + std::to_string(bag.bytes));
+    return response;
+  }
+  FileResponse response{range->is_part ? http::status::partial_content : http::status::ok,
+                        request.version()};
+  set_common_fields(response, type);
+  response.set(http::field::accept_ranges, "bytes");
+  if (range->is_part) {
+    response.set(http::field::content_range, "bytes " + std::to_string(range->first) + "-" +
+                                                 std::to_string(range->first + range->length - 1) +
+                                                 "/" + std::to_string(bag.bytes));
+  }
+  response.keep_alive(request.keep_alive());
+  response.content_length(range->length);
+  const bool has_body = request.method() != http::verb::head;
+  response.body() = {std::move(bag.file), range->first, has_body ? range->length : 0};
+  return response;
+}
+
 }  // namespace
 
 std::string field(const Request& request, http::field name) {
@@ -61,26 +85,14 @@ Response bag_list_answer(const std::string& folder, const Request& request) {
 Answer bag_answer(const std::string& folder, const std::string& path, const Request& request) {
   OpenBag bag = open_bag(folder, path);
   if (!bag.file) return respond(request, Refuse{404, "there is no such recording"});
-  const auto range = byte_range(field(request, http::field::range), bag.bytes);
-  if (!range) {
-    Response response = respond(request, Refuse{416, "it has no such bytes"});
-    response.set(http::field::content_range, "bytes */" + std::to_string(bag.bytes));
-    return response;
-  }
-  FileResponse response{range->is_part ? http::status::partial_content : http::status::ok,
-                        request.version()};
-  set_common_fields(response, "application/octet-stream");
-  response.set(http::field::accept_ranges, "bytes");
-  if (range->is_part) {
-    response.set(http::field::content_range, "bytes " + std::to_string(range->first) + "-" +
-                                                 std::to_string(range->first + range->length - 1) +
-                                                 "/" + std::to_string(bag.bytes));
-  }
-  response.keep_alive(request.keep_alive());
-  response.content_length(range->length);
-  const bool has_body = request.method() != http::verb::head;
-  response.body() = {std::move(bag.file), range->first, has_body ? range->length : 0};
-  return response;
+  return file_answer(std::move(bag), "application/octet-stream", request);
+}
+
+Answer table_answer(const std::string& folder, const std::string& file, const Request& request) {
+  OpenBag table = open_table(folder, file);
+  const char* const type = "text/csv; charset=utf-8";
+  if (!table.file) return respond(request, 200, type, "");  // no recorder with csv has written it
+  return file_answer(std::move(table), type, request);
 }
 
 Response what_if_answer(const WhatIfTool& tool, const std::string& query, const Request& request,

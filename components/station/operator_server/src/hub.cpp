@@ -44,11 +44,12 @@ HubClient* Hub::find(ClientId client) {
   return found == clients_.end() ? nullptr : found->second.get();
 }
 
-void Hub::add_client(ClientId id) {
+void Hub::add_client(ClientId id, std::uint64_t wall_ns) {
   OutboxLimits limits;
   limits.backlog = settings_.backlog;
   auto client = std::make_unique<HubClient>(limits);
   client->outbox.add_control(server_info(settings_.server));
+  client->outbox.add_control(time(wall_ns));
   std::map<std::uint32_t, Channel> channels;
   for (const auto& [number, known] : channels_) channels[number] = known.channel;
   if (!channels.empty()) client->outbox.add_control(advertise(channels));

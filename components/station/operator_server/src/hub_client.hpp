@@ -34,6 +34,8 @@ class HubClient {
   Outbox outbox;
   std::map<std::uint32_t, std::uint32_t> subscriptions;  ///< channel by subscription
   std::map<std::uint32_t, ClientChannel> channels;       ///< that it publishes, by its own ids
+  std::map<std::uint32_t, std::string> unheard;          ///< topics that nobody takes, by its ids
+  std::set<std::string> told_unheard;                    ///< of which it was told so
   std::set<std::string> parameters;                      ///< whose changes it wants to hear
   bool all_parameters = false;
   bool hears_graph = false;

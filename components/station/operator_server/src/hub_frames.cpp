@@ -15,6 +15,11 @@ namespace {
 constexpr std::size_t most_subscriptions = 1000;  ///< of one client
 constexpr std::size_t most_channels = 100;        ///< that one client publishes
 
+/// What the 3D panels of Foxglove and Lichtblick have open whether anybody publishes there or not.
+bool is_customary(const std::string& topic) {
+  return topic == "/move_base_simple/goal" || topic == "/clicked_point" || topic == "/initialpose";
+}
+
 bool is_known_encoding(const std::string& encoding) {
   return encoding == "cdr" || encoding == "json";
 }
@@ -47,7 +52,7 @@ struct Hub::Handler {
   Orders operator()(const Advertise& message) const { return hub.open_topics(id, client, message); }
   Orders operator()(const Unadvertise& message) const {
     for (const std::uint32_t channel : message.ids) {
-      if (client.channels.erase(channel) == 0) {
+      if (client.channels.erase(channel) + client.unheard.erase(channel) == 0) {
         client.fault(fmt::format("unadvertise: there is no channel {} of this client", channel));
       }
     }
@@ -124,13 +129,17 @@ bool Hub::is_heard(std::uint32_t channel) const {
   });
 }
 
+bool Hub::may_write(const std::string& topic) const {
+  return std::any_of(settings_.writable.begin(), settings_.writable.end(),
+                     [&topic](const std::string& pattern) {
+                       return ::fnmatch(pattern.c_str(), topic.c_str(), 0) == 0;
+                     });
+}
+
 std::string Hub::fault_of(const HubClient& client, const ClientChannel& channel) const {
   const std::string topic = printable(channel.topic);
-  const bool may_write = std::any_of(
-      settings_.writable.begin(), settings_.writable.end(), [&](const std::string& pattern) {
-        return ::fnmatch(pattern.c_str(), channel.topic.c_str(), 0) == 0;
-      });
-  if (!may_write) return topic + ": clients may not publish here (parameter writable)";
+  if (!may_write(channel.topic))
+    return topic + ": clients may not publish here (parameter writable)";
   if (client.channels.count(channel.id) != 0) {
     return fmt::format("advertise: channel {} of this client is there already", channel.id);
   }
@@ -146,6 +155,11 @@ std::string Hub::fault_of(const HubClient& client, const ClientChannel& channel)
 std::vector<Order> Hub::open_topics(ClientId id, HubClient& client, const Advertise& message) {
   Orders orders;
   for (const ClientChannel& channel : message.channels) {
+    if (is_customary(channel.topic) && !may_write(channel.topic) &&
+        client.unheard.size() < most_channels) {
+      client.unheard[channel.id] = channel.topic;
+      continue;
+    }
     const std::string fault = fault_of(client, channel);
     if (!fault.empty()) {
       client.fault(fault);
@@ -157,7 +171,20 @@ std::vector<Order> Hub::open_topics(ClientId id, HubClient& client, const Advert
   return orders;
 }
 
+/// Once for each topic: every click would repeat it.
+void Hub::tell_unheard(HubClient& client, const std::string& topic) {
+  if (!client.told_unheard.insert(topic).second) return;
+  client.outbox.add_control(status(
+      Level::warning, topic + ": nobody here takes it, nothing was published; a goal goes to /goal "
+                              "(parameter writable lets clients publish it)"));
+}
+
 std::vector<Order> Hub::write(ClientId id, HubClient& client, Publish& message) {
+  const auto unheard = client.unheard.find(message.channel);
+  if (unheard != client.unheard.end()) {
+    tell_unheard(client, unheard->second);
+    return {};
+  }
   const auto found = client.channels.find(message.channel);
   if (found == client.channels.end()) {
     client.fault(

@@ -99,7 +99,7 @@ void OperatorServerComponent::serve(Time now) {
 void OperatorServerComponent::on_opened(ClientId client, const std::string& peer) {
   log().info("client {} from {}", client, peer);
   open_.insert(client);
-  hub_.add_client(client);
+  hub_.add_client(client, static_cast<std::uint64_t>(bus().wall_ns(bus().now())));
 }
 
 void OperatorServerComponent::on_received(ClientId client, foxglove::Frame::Kind kind,

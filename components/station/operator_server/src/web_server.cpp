@@ -120,6 +120,9 @@ class WebServer::Core final : public Home {
     Answer operator()(const ServeBag& wanted) const {
       return bag_answer(core.settings_.bags, wanted.path, request);
     }
+    Answer operator()(const ServeTable& wanted) const {
+      return table_answer(core.settings_.tables, wanted.file, request);
+    }
     Answer operator()(const AskWhatIf& question) const {
       return SlowResponse([&self = core, query = question.query, asked = request] {
         return what_if_answer(self.settings_.what_if, query, asked, self.ends_);

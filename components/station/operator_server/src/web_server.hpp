@@ -21,8 +21,9 @@ struct WhatIfTool {
 
 struct WebSettings {
   AccessRules access;
-  std::string page;       ///< folder of the page's files; empty: there is none
-  std::string bags = {};  ///< folder of the recordings; empty: there is none
+  std::string page;         ///< folder of the page's files; empty: there is none
+  std::string bags = {};    ///< folder of the recordings; empty: there is none
+  std::string tables = {};  ///< folder of this host's recorder; empty: there is none
   WhatIfTool what_if = {};
   std::string certificate;  ///< PEM file with the chain; empty: no TLS
   std::string key;          ///< PEM file

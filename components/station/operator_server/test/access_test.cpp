@@ -157,13 +157,18 @@ TEST(AccessTest, RecordingsAndWhatIfAreOfTheRunAndNotOfThePage) {
                              "/bags/%2e%2e/x.mcap"}) {
     EXPECT_EQ(status_of(judge(rules, request_for(target))), 404U) << target;
   }
+  EXPECT_EQ(std::get<ServeTable>(judge(rules, request_for("/tables/location.csv"))).file,
+            "location.csv");
+  for (const char* target : {"/tables/", "/tables/messages.csv", "/tables/../location.csv"}) {
+    EXPECT_EQ(status_of(judge(rules, request_for(target))), 404U) << target;
+  }
   RequestFacts post = request_for("/bags");
   post.method = "POST";
   EXPECT_EQ(status_of(judge(rules, post)), 405U);
 }
 
 TEST(AccessTest, WhatIsOfTheRunNeedsTheTokenAndOurOwnPage) {
-  for (const std::string target : {"/bags", "/bags/bag_0.mcap", "/what_if"}) {
+  for (const std::string target : {"/bags", "/bags/bag_0.mcap", "/tables/goal.csv", "/what_if"}) {
     RequestFacts request = request_for(target);
     EXPECT_EQ(status_of(judge(guarded_rules(), request)), 401U) << target;
     request.target = target + "?token=" + secret;

@@ -27,7 +27,7 @@ class HubTest : public ::testing::Test {
  protected:
   HubTest() : sut_(settings()) {
     sut_.set_channels({channel("/a"), channel("/state", true)});  // 1 and 2
-    sut_.add_client(1);
+    sut_.add_client(1, 0);
     (void)sut_.take(1, all);
   }
   static HubSettings settings() {
@@ -71,12 +71,12 @@ class HubTest : public ::testing::Test {
 };
 
 TEST_F(HubTest, ANewClientHearsWhatThereIs) {
-  sut_.add_client(2);
-  EXPECT_THAT(told(2), ElementsAre(HasSubstr("serverInfo"), HasSubstr("/state")));
+  sut_.add_client(2, 0);
+  EXPECT_THAT(told(2), ElementsAre(HasSubstr("serverInfo"), "data ", HasSubstr("/state")));
 }
 
 TEST_F(HubTest, OnlySubscribersGetAMessage) {
-  sut_.add_client(2);
+  sut_.add_client(2, 0);
   (void)told(2);
   subscribe(1, 7, 1);
   EXPECT_THAT(sut_.heard(), ElementsAre("/a"));
@@ -109,12 +109,12 @@ TEST_F(HubTest, WrongSubscriptionsAreToldAndChangeNothing) {
 TEST_F(HubTest, ALateSubscriberGetsTheLastStateWhileAnotherHearsIt) {
   subscribe(1, 7, 2);
   sut_.on_message("/state", 5, bytes("last"));
-  sut_.add_client(2);
+  sut_.add_client(2, 0);
   subscribe(2, 7, 2);
   (void)told(1);
   EXPECT_THAT(told(2).back(), "data last");
   for (const ClientId client : {1U, 2U}) sut_.remove_client(client);
-  sut_.add_client(3);
+  sut_.add_client(3, 0);
   subscribe(3, 7, 2);
   EXPECT_THAT(told(3).back(), HasSubstr("advertise")) << "nobody knows what it is now";
 }
@@ -124,7 +124,7 @@ TEST_F(HubTest, ALateSubscriberGetsTheLastStateOfEachWriter) {
   sut_.on_message("/state", 5, bytes("uxv 1"), 1);
   sut_.on_message("/state", 6, bytes("gcs 1"), 2);
   sut_.on_message("/state", 7, bytes("uxv 2"), 1);
-  sut_.add_client(2);
+  sut_.add_client(2, 0);
   (void)told(2);
   subscribe(2, 7, 2);
   EXPECT_THAT(told(2), ElementsAre("data gcs 1", "data uxv 2"));
@@ -157,7 +157,7 @@ TEST_F(HubTest, ASlowClientGetsTheNewestAndIsToldWhatItMissed) {
 }
 
 TEST_F(HubTest, AClientThatReadsNothingHasToGo) {
-  sut_.add_client(2);
+  sut_.add_client(2, 0);
   const std::string longest(20'000, 'x');
   for (int i = 0; i < 500; ++i) sut_.tell(2, Level::info, longest);
   EXPECT_THAT(sut_.overflown(), ElementsAre(2U));
@@ -246,7 +246,7 @@ TEST_F(HubTest, TheGraphIsToldAsChanges) {
 }
 
 TEST_F(HubTest, AllClientsHearTheTime) {
-  sut_.add_client(2);
+  sut_.add_client(2, 0);
   (void)told(2);
   sut_.tell_time(1);
   sut_.tell_time(2);
@@ -271,7 +271,7 @@ TEST_F(HubTest, AnswersToAClientThatHasGoneGoNowhere) {
 
 /// Whatever clients say, the hub stays sound: those who say nothing bad hear all the same.
 TEST_F(HubTest, NoFramesOfOneClientHarmAnother) {
-  sut_.add_client(2);
+  sut_.add_client(2, 0);
   (void)told(2);
   subscribe(2, 1, 1);
   const json sound[] = {

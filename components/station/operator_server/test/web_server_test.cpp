@@ -68,6 +68,25 @@ TEST_F(WebServerTest, AnswersSeveralRequestsOnOneConnection) {
   }
 }
 
+TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderAndNoOthers) {
+  settings_.tables = std::filesystem::path(folder_.write("goal.csv", "a,b\n1,2\n")).parent_path();
+  std::filesystem::create_symlink("/etc/passwd", settings_.tables + "/location.csv");
+  settings_.request_s = 10;
+  start();
+  tcp::socket socket = connect();
+  beast::flat_buffer buffer;
+  const auto answer = [&](const char* target) {
+    http::write(socket, request_for(host(), target));
+    http::response<http::string_body> response;
+    http::read(socket, buffer, response);
+    return response;
+  };
+  EXPECT_EQ(answer("/tables/goal.csv").body(), "a,b\n1,2\n");
+  for (const char* other : {"/tables/location.csv", "/tables/transmission_state.csv"}) {
+    EXPECT_EQ(answer(other).body(), "") << other;
+  }
+}
+
 TEST_F(WebServerTest, WhoAsksNothingIsClosed) {
   start();
   tcp::socket silent = connect();

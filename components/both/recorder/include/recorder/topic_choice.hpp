@@ -24,6 +24,10 @@ struct TopicWishes {
   std::vector<std::string> topics;
 };
 
+/// Whether each wish is a known topic or has a known type; of a pattern it cannot be told.
+[[nodiscard]] bool are_stated(const std::vector<std::string>& wishes,
+                              const std::vector<KnownTopic>& known);
+
 /// The topics that are wished for, each once: those of the link first, then in the order of the
 /// wishes. `owner` is the name in front of errors.
 /// Throws ConfigError for an unknown name (with a suggestion), a pattern that nothing matches, a

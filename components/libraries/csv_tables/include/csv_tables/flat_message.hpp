@@ -15,8 +15,8 @@ struct FlatField {
 };
 
 /// Spreads a message into columns, always the same ones for a type. A list is one column in JSON;
-/// of bytes only the number is kept. NaN is the empty text; a text is printable() and has at most
-/// 4096 bytes of the original.
+/// of bytes, and of more than 4096 elements, only the number is kept. NaN is the empty text; a text
+/// is printable() and has at most 4096 bytes of the original.
 [[nodiscard]] std::vector<FlatField> flatten(const TypeInfo& type, const void* message);
 
 }  // namespace tocsin

@@ -10,15 +10,18 @@
 
 namespace tocsin {
 
-/// Publishes the map of the floor once, for whoever comes whenever: the operator's page, Foxglove,
-/// ROS 2's tools.
+/// Publishes the map of the floor once, for whoever comes whenever, and the vehicle's frame in it
+/// with each position: for the operator's page, Foxglove, ROS 2's tools, and for bags that they
+/// open.
 class MapServerComponent final : public Component {
  public:
   struct Params {
     std::string map_file;
+    std::string vehicle_frame = "base_footprint";
     template <class Visitor>
     void visit(Visitor& v) {
       v("map_file", map_file, "map in the format of ROS's map_server (YAML); required");
+      v("vehicle_frame", vehicle_frame, "tf frame that location is told as; empty: no tf");
     }
   };
 
@@ -27,7 +30,12 @@ class MapServerComponent final : public Component {
   void tick(Time now) override;
 
  private:
+  void publish_map(Time now);
+
+  Input<topic::Location> location_{*this};
   Output<topic::Map> map_{*this};
+  Output<topic::Tf> tf_{*this};
+  const Params params_;
   const navigation::OccupancyMap content_;
   bool sent_ = false;
 };

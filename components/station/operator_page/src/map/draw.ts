@@ -65,12 +65,10 @@ export function drawTrail(sheet: Sheet, pieces: readonly TrailPiece<Path2D>[]): 
   });
 }
 
-/** The way ahead: dashed from the vehicle to the present waypoint and on. */
-export function drawRoute(sheet: Sheet, route: readonly RoutePoint[], from: Point | undefined): void {
+/** The way ahead, dashed, and the waypoints. */
+export function drawRoute(sheet: Sheet, route: readonly RoutePoint[], way: readonly Point[]): void {
   const { context, theme } = sheet;
-  const ahead: Point[] = route.filter(({ state }) => state !== "passed");
-  const line = from === undefined || ahead.length === 0 ? ahead : [from, ...ahead];
-  drawLine(sheet, line, theme.goal, 2, [6, 5]);
+  drawLine(sheet, way, theme.goal, 2, [6, 5]);
   for (const point of route) {
     at(sheet, point, 0, () => {
       const isPresent = point.state === "present";

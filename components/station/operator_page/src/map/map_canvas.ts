@@ -9,6 +9,7 @@ import { gridPixels, knownBounds } from "./grid.ts";
 import { MapHands } from "./map_hands.ts";
 import { type Theme, readTheme } from "./theme.ts";
 import { type Bounds, type Size, Viewport } from "./viewport.ts";
+import { WayAhead } from "./way.ts";
 
 /** Older drawings are renewed though nothing came: ages grow. */
 const redrawMs = 500;
@@ -25,6 +26,7 @@ export class MapCanvas {
     path: () => new Path2D(),
     picture: (map) => this.#picture(map),
   });
+  #way = new WayAhead();
   #grid: { of: OccupancyGrid; theme: Theme; picture: CanvasImageSource } | undefined;
   #known: { of: OccupancyGrid; bounds: Bounds | undefined } | undefined;
   /** Nobody has moved the map: it shows all. */
@@ -130,11 +132,14 @@ export class MapCanvas {
     this.#backdrop.draw(sheet, window.devicePixelRatio || 1, { map, accessPoint, trail: station.trail });
     const place = station.location?.value;
     const isLed = goal.poses.length === 0 || this.operator.player !== undefined;
-    if (isLed) drawRoute(sheet, station.route.points(), place);
+    const route = station.route.points();
+    const ahead = isLed ? route.filter(({ state }) => state !== "passed") : goal.poses;
+    const way = this.#way.through(map, place, ahead);
+    if (isLed) drawRoute(sheet, route, way);
     if (station.plan && freshness(station.plan.at, now) !== "unknown") {
       drawLine(sheet, station.plan.value.poses.map(({ pose }) => pose.position), this.#theme.accent, 2, []);
     }
-    if (place && !isLed) drawLine(sheet, [place, ...goal.poses], this.#theme.goal, 2, [6, 5]);
+    if (!isLed) drawLine(sheet, way, this.#theme.goal, 2, [6, 5]);
     if (!isLed) goal.poses.forEach((one, index) => drawGoal(sheet, one, String(index + 1)));
     if (station.location) this.#drawVehicle(sheet, station.location.value, station.location.at, now);
     draft?.forEach((one, index) => drawGoal(sheet, one, String(index + 1)));

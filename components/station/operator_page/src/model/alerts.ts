@@ -1,34 +1,69 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ConnectionState } from "../protocol/connection.ts";
-import { ageText } from "./freshness.ts";
+import { type Heard, ageText, staleAfterMs, vehicleLostAfterMs } from "./freshness.ts";
 import type { Severity } from "./journal.ts";
+import { figuresOf, gradeLink, measuredWithinMs } from "./link_grade.ts";
 import { reasonText } from "./reasons.ts";
 import { type Station, hindrances } from "./station.ts";
 
 /** What the operator must know before all else: one line, not a stack of them. */
 export interface Alert {
-  readonly severity: Severity;
+  /** `well`: nothing is wrong, and all that says so is known and fresh. */
+  readonly severity: Severity | "well";
   readonly text: string;
 }
 
-/** As QGroundControl: said 3.5 s after the last word. */
-export const vehicleLostAfterMs = 3500;
+/** The age of what is shown is known when so much of the vehicle's stream was received. */
+const settledAfterMs = 2000;
+const lowBattery = 0.2;
 
-/** The worst that is the case at `now`; undefined: all is well. */
-export function alertOf(connection: ConnectionState, station: Station, now: number): Alert | undefined {
-  if (connection.phase !== "open" && (connection.tries > 1 || now - connection.since > 1000)) {
-    const since = ageText(now - connection.since);
-    const reason = connection.reason ? `: ${connection.reason}` : "";
-    return { severity: "error", text: `No connection to the station for ${since}${reason}. Trying again.` };
-  }
-  const silent = station.vehicleHeard === undefined ? undefined : now - station.vehicleHeard;
-  if (silent === undefined) return { severity: "warning", text: "The vehicle has not been heard yet." };
-  if (silent > vehicleLostAfterMs) {
-    return { severity: "error", text: `The vehicle was last heard ${ageText(silent)} ago.` };
-  }
-  const hindered = station.safety === undefined ? [] : hindrances(station.safety.value);
-  if (hindered.length > 0) return { severity: "error", text: `The vehicle stands: ${hindered.join(", ")}.` };
-  return pausedAlert(station, now);
+/** The worst that is the case at `now`. */
+export function alertOf(connection: ConnectionState, station: Station, now: number): Alert {
+  return (
+    connectionAlert(connection, now) ??
+    silenceAlert(station, now) ??
+    safetyAlert(station) ??
+    motionAlert(station) ??
+    pausedAlert(station, now) ??
+    linkAlert(station, now) ??
+    findingAlert(station, now) ??
+    unknownAlert(station, now) ??
+    wellAlert(station, now)
+  );
+}
+
+function connectionAlert({ phase, tries, since, reason }: ConnectionState, now: number): Alert | undefined {
+  if (phase === "open") return undefined;
+  // A reload takes a moment.
+  if (tries <= 1 && now - since <= 1000) return { severity: "info", text: "Connecting to the station." };
+  const why = reason ? `: ${reason}` : "";
+  return { severity: "error", text: `No connection to the station for ${ageText(now - since)}${why}. Trying again.` };
+}
+
+function silenceAlert({ vehicleHeard }: Station, now: number): Alert | undefined {
+  if (vehicleHeard === undefined) return { severity: "warning", text: "The vehicle has not been heard yet." };
+  const silent = now - vehicleHeard;
+  if (silent <= vehicleLostAfterMs) return undefined;
+  return { severity: "error", text: `The vehicle was last heard ${ageText(silent)} ago.` };
+}
+
+function safetyAlert({ safety }: Station): Alert | undefined {
+  const hindered = safety === undefined ? [] : hindrances(safety.value);
+  if (hindered.length === 0) return undefined;
+  const stands = safety?.value.enabled === true || hindered.length > 1;
+  return stands
+    ? { severity: "error", text: `The vehicle stands: ${hindered.join(", ")}.` }
+    : { severity: "error", text: `The vehicle is not protected: ${hindered.join(", ")}.` };
+}
+
+const motionTexts: Readonly<Record<string, string>> = {
+  blocked: "The vehicle is blocked: it finds no way to its goal.",
+  held: "The vehicle holds: its goal was not renewed in time.",
+};
+
+function motionAlert({ navigation }: Station): Alert | undefined {
+  const text = motionTexts[navigation?.value.state ?? ""];
+  return text === undefined ? undefined : { severity: "warning", text };
 }
 
 function pausedAlert(station: Station, now: number): Alert | undefined {
@@ -37,10 +72,45 @@ function pausedAlert(station: Station, now: number): Alert | undefined {
   const left = resumesInS(told.value.deadline_s, now - told.at);
   const until = left === undefined ? "" : `, at most ${left.toFixed(0)} s more`;
   const because = reasonText(station.uxv.pausedBecause ?? told.value.reason);
-  return {
-    severity: "warning",
-    text: `The link is poor: camera and other topics of class low wait (${because}${until}).`,
-  };
+  const text = `The vehicle pauses camera and other topics of class low (${because}${until}). ${linkText(station, now)}`;
+  return { severity: "warning", text };
+}
+
+function linkText(station: Station, now: number): string {
+  const { word, figures } = gradeLink(figuresOf(station, now));
+  return `The link is ${word}${figures.length > 0 ? `: ${figures.join(", ")}` : ""}.`;
+}
+
+function linkAlert(station: Station, now: number): Alert | undefined {
+  const { word, isGood } = gradeLink(figuresOf(station, now));
+  if (isGood || word === "unknown") return undefined;
+  return { severity: word === "fair" ? "info" : "warning", text: linkText(station, now) };
+}
+
+function findingAlert({ diagnostics, battery }: Station, now: number): Alert | undefined {
+  const found = [...diagnostics.values()].find(({ value, at }) => value.level >= 2 && now - at <= measuredWithinMs);
+  if (found) return { severity: "warning", text: `${found.value.name}: ${found.value.message}.` };
+  const share = battery?.value.percentage;
+  if (share === undefined || !(share < lowBattery)) return undefined;
+  return { severity: "warning", text: `The battery is low: ${(100 * share).toFixed(0)} %.` };
+}
+
+/** What must be known before anything is called well. */
+function unknownAlert(station: Station, now: number): Alert | undefined {
+  const isFresh = (heard: Heard<unknown> | undefined): boolean => heard !== undefined && now - heard.at <= staleAfterMs;
+  const missing = [
+    ...(isFresh(station.location) ? [] : ["its position"]),
+    ...(gradeLink(figuresOf(station, now)).isGood ? [] : ["the link's quality"]),
+    ...(station.safety === undefined ? ["its safety"] : []),
+  ];
+  if (missing.length > 0) return { severity: "info", text: `The vehicle is heard, but not ${missing.join(", not ")}.` };
+  const sinceMs = now - (station.vehicleHeardSince ?? now);
+  if (sinceMs < settledAfterMs) return { severity: "info", text: "The vehicle is heard; how late is not known yet." };
+  return undefined;
+}
+
+function wellAlert(station: Station, now: number): Alert {
+  return { severity: "well", text: `All is well. ${linkText(station, now)}` };
 }
 
 /** Time to the forced resume [s]; undefined when there is none. */

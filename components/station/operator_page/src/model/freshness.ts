@@ -14,6 +14,9 @@ export const staleAfterMs = 3000;
 /** Older is not shown but for its age; a position stays, as the last one. */
 export const unknownAfterMs = 30_000;
 
+/** As QGroundControl: a vehicle is lost 3.5 s after its last word. */
+export const vehicleLostAfterMs = 3500;
+
 /** Of something that was heard at `at`; undefined: never. */
 export function freshness(at: number | undefined, now: number): Freshness {
   if (at === undefined || now - at > unknownAfterMs) return "unknown";

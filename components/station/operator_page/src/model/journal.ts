@@ -14,17 +14,18 @@ export interface Entry {
 
 const kept = 300;
 
-/** The last entries, newest first; one that repeats itself is counted. */
+/** The last entries by time, newest first, as messages come late; one that repeats itself is counted. */
 export class Journal {
   entries: readonly Entry[] = [];
   #said = new Map<string, string>();
 
   add(entry: Omit<Entry, "times">): void {
-    const [newest, ...older] = this.entries;
-    const repeats = newest?.source === entry.source && newest.text === entry.text;
-    this.entries = repeats
-      ? [{ ...entry, times: newest.times + 1 }, ...older]
-      : [{ ...entry, times: 1 }, ...this.entries].slice(0, kept);
+    const later = this.entries.filter(({ at }) => at > entry.at);
+    const [before, ...older] = this.entries.slice(later.length);
+    const repeats = before?.source === entry.source && before.text === entry.text;
+    const rest = before === undefined ? [] : [before, ...older];
+    const added = repeats ? [{ ...entry, times: before.times + 1 }, ...older] : [{ ...entry, times: 1 }, ...rest];
+    this.entries = [...later, ...added].slice(0, kept);
   }
 
   /** Says it when it is new about its subject. An empty text is not said, only remembered. */

@@ -26,6 +26,15 @@ export class Route {
     goal.ahead.forEach((one, index) => this.#waypoints.set(goal.waypoint + 1 + index, one));
   }
 
+  /** What was known of the same mission before; of none yet, all of it. */
+  adopt(earlier: Route): void {
+    if (earlier.#mission === undefined) return;
+    if (this.#mission === undefined) {
+      [this.#mission, this.#firstId, this.#present] = [earlier.#mission, earlier.#firstId, earlier.#present];
+    } else if (low(this.#mission) !== low(earlier.#mission)) return;
+    for (const [index, place] of earlier.#waypoints) if (!this.#waypoints.has(index)) this.#waypoints.set(index, place);
+  }
+
   /** The vehicle may have gone on by itself. */
   onStatus(status: NavigationStatus): void {
     if (status.mission !== this.#mission || status.goal_id < this.#firstId) return;

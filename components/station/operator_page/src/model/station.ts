@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import { plainTopic } from "../protocol/topic_name.ts";
 import { ellipse95, type Ellipse, isFinitePose, yawOf } from "./geometry.ts";
+import type { History } from "./history.ts";
 import { Journal } from "./journal.ts";
 import { LinkClasses } from "./link_classes.ts";
-import type { Heard } from "./freshness.ts";
+import { type Heard, vehicleLostAfterMs } from "./freshness.ts";
 import {
   type BatteryState,
   type CompressedImage,
@@ -53,12 +54,16 @@ export class Side {
   readonly classes = new LinkClasses();
 }
 
-/** Topics that only the vehicle writes, so that each says that it is alive. */
+/** Topics that only the vehicle writes. */
 const ofVehicle: ReadonlySet<Topic> = new Set<Topic>([
   "location", "network_quality", "navigation_status", "battery_state", "memory_usage", "cpu_load",
   "cpu_temperature", "camera/image_raw/compressed", "safety_status", "docking/status", "teleop/driver",
 ]);
 
+/** A late reader gets the last one at once, however old it is: no sign that its writer is alive. */
+const latched: ReadonlySet<Topic> = new Set<Topic>([
+  "navigation_status", "safety_status", "docking/status", "teleop/driver", "transmission_state",
+]);
 /**
  * All that is known at the station, from the messages that came. Knows no clock, socket or page:
  * `arrival` is when a message came [ms]. It must not decrease.
@@ -88,6 +93,8 @@ export class Station {
   plan: Heard<Path> | undefined;
   /** When anything of the vehicle was last heard. */
   vehicleHeard: number | undefined;
+  /** Since when it is heard without a silence: how late its messages are is not known at once. */
+  vehicleHeardSince: number | undefined;
   #clocks = new Map<string, SourceClock>();
 
   onMessage<Name extends Topic>(topic: Name, message: Topics[Name], arrival: number): void {
@@ -95,15 +102,28 @@ export class Station {
     const isOfVehicle = ofVehicle.has(topic) || role === "uxv";
     const at = this.#heardAt(isOfVehicle ? "uxv" : (role ?? topic), message, arrival);
     if (isOfVehicle) {
-      this.vehicleHeard = Math.max(this.vehicleHeard ?? -Infinity, at);
+      if (!latched.has(topic)) this.#onSignOfLife(at);
       this.traffic.onSample(topic, arrival);
     }
     const handle = this.#handlers[topic] as (message: Topics[Name], at: number) => void;
     handle(message, at);
   }
 
+  /** What was the case before the first message came. */
+  onHistory({ trail, route }: History): void {
+    this.trail.prepend(trail);
+    this.route.adopt(route);
+    if (this.navigation) this.route.onStatus(this.navigation.value);
+  }
+
   side(role: Role): Side {
     return role === "uxv" ? this.uxv : this.gcs;
+  }
+
+  #onSignOfLife(at: number): void {
+    const before = this.vehicleHeard ?? -Infinity;
+    if (at - before > vehicleLostAfterMs) this.vehicleHeardSince = at;
+    this.vehicleHeard = Math.max(before, at);
   }
 
   #heardAt(source: string, message: object, arrival: number): number {

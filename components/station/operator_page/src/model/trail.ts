@@ -48,6 +48,17 @@ export class Trail {
     else this.#turn(point);
   }
 
+  /** Puts what was before in front. */
+  prepend(earlier: Trail): void {
+    const before = [...earlier.points, ...(earlier.tail ? [earlier.tail] : [])];
+    const [last, first] = [before.at(-1), this.points[0] ?? this.tail];
+    if (last === undefined) return;
+    const isApart = last !== "gap" && first !== undefined && first !== "gap" && distance(last, first) > gapM;
+    this.points.unshift(...before, ...(isApart ? (["gap"] as const) : []));
+    if (earlier.bounds) [earlier.bounds.min, earlier.bounds.max].forEach((corner) => this.#widen(corner));
+    ++this.cuts;
+  }
+
   clear(): void {
     this.points.length = 0;
     this.tail = undefined;

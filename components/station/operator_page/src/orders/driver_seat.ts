@@ -13,6 +13,8 @@ export interface DriveConditions {
   readonly cameraAge: number | undefined;
   /** The operator sees the vehicle itself: the camera does not matter. */
   readonly bySight: boolean;
+  /** The gate keeps the camera from the link. */
+  readonly paused: boolean;
   readonly stopped: boolean;
   /** A recording is on the screen, not the vehicle. */
   readonly replaying: boolean;
@@ -20,16 +22,16 @@ export interface DriveConditions {
 
 /** Why the vehicle may not be driven by hand; undefined: it may. */
 export function whyNotDrive(conditions: DriveConditions): string | undefined {
-  const { connected, vehicleAge, cameraAge, bySight, stopped, replaying } = conditions;
+  const { connected, vehicleAge, cameraAge, bySight, paused, stopped, replaying } = conditions;
   if (replaying) return "a recording is shown";
   if (!connected) return "no connection to the station";
   if (vehicleAge === undefined) return "the vehicle was never heard";
   if (vehicleAge > vehicleLimitMs) return `the vehicle was last heard ${ageText(vehicleAge)} ago`;
   if (stopped) return "an emergency stop stands";
   if (bySight) return undefined;
-  if (cameraAge === undefined) return "there is no picture";
-  if (cameraAge > cameraLimitMs) return `the picture is ${ageText(cameraAge)} old`;
-  return undefined;
+  if (cameraAge !== undefined && cameraAge <= cameraLimitMs) return undefined;
+  if (paused) return "the camera is paused by the gate";
+  return cameraAge === undefined ? "there is no picture" : `the picture is ${ageText(cameraAge)} old`;
 }
 
 export type WheelVerb = "ask" | "give" | "keep";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { type Heard, ageText } from "../model/freshness.ts";
+import { type Heard, ageText, vehicleLostAfterMs } from "../model/freshness.ts";
 import type { EmergencyStopState, SafetyStatus } from "../model/messages.ts";
 
 /** What the station and the vehicle say of the stop. */
@@ -19,7 +19,6 @@ export interface StopShown {
 
 const repeatMs = 300;
 const releaseLimitMs = 5000;
-const unheardAfterMs = 3500;
 
 /**
  * What a person wants of the emergency stop: said at once, and again until the vehicle itself has
@@ -65,10 +64,10 @@ export class EmergencyStopOrder {
     const age = heard.vehicleHeard === undefined ? Infinity : now - heard.vehicleHeard;
     if (stands(heard)) {
       const by = (heard.safety?.value.stopped_by ?? heard.station?.stopped_by ?? []).join(", ");
-      const when = age > unheardAfterMs ? `, as it said ${ageText(age)} ago` : "";
+      const when = age > vehicleLostAfterMs ? `, as it said ${ageText(age)} ago` : "";
       return { kind: "stands", text: `Vehicle confirms: stopped${by ? ` by ${by}` : ""}${when}` };
     }
-    if (age > unheardAfterMs) {
+    if (age > vehicleLostAfterMs) {
       return { kind: "unheard", text: "Vehicle not heard: a stop reaches it when the link is back" };
     }
     return { kind: "clear", text: "No stop stands" };

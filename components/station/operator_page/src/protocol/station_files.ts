@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the station's server gives besides messages: its recordings, and decisions made again.
+import type { Tables } from "../model/history.ts";
 import { type BagSource, bearer, sourceOfUrl } from "../replay/bag_source.ts";
 
 /** A recording of the station. */
@@ -37,6 +38,11 @@ export class StationFiles {
     return sourceOfUrl(bag.path, this.#url(`bags/${bag.path}`), bag.bytes, this.get, this.#token);
   }
 
+  /** A table of the station's recorder, as text; empty where there is none. */
+  async table(name: keyof Tables): Promise<string> {
+    return this.#text(`tables/${name}.csv`);
+  }
+
   /** What `tocsin decide` says of a policy; `query`: host, policy, parameters. */
   whatIf(query: Readonly<Record<string, string>>): Promise<unknown> {
     return this.#json(`what_if?${new URLSearchParams(query)}`);
@@ -45,9 +51,13 @@ export class StationFiles {
   #url = (target: string): string => new URL(target, this.#base).href;
 
   async #json(target: string): Promise<unknown> {
+    return JSON.parse(await this.#text(target));
+  }
+
+  async #text(target: string): Promise<string> {
     const answer = await this.get(this.#url(target), { headers: bearer(this.#token) });
     const text = await answer.text();
     if (!answer.ok) throw new Error(text.trim() || `the server answers ${answer.status}`);
-    return JSON.parse(text);
+    return text;
   }
 }

@@ -87,25 +87,30 @@ function options(width: number, shade: (plot: uPlot, theme: Theme) => void): uPl
   return {
     width,
     height: heightPx,
-    legend: { live: false },
+    legend: { live: false, markers: { width: 2, dash: (_, series) => legendDashes[series] ?? "solid" } },
     cursor: { show: false },
     scales: { x: { time: true }, y: {}, statistic: {} },
     axes: [
       { ...axis, size: 26, values: (_, ticks) => ticks.map(clockText) },
-      { ...axis, size: 34, incrs: [25, 50] },
-      { ...axis, scale: "statistic", side: 1, size: 34, grid: { show: false } },
+      { ...axis, ...titled("QNI"), stroke: theme.accent, size: 34, incrs: [25, 50] },
+      { ...axis, ...titled("statistic"), stroke: theme.warning, scale: "statistic", side: 1, size: 34, grid: { show: false } },
     ],
     series: [
       { label: "time" },
       { ...line, label: "QNI vehicle", stroke: theme.accent, width: 2 },
-      { ...line, label: "QNI station", stroke: theme.muted, width: 1.5 },
+      { ...line, label: "QNI station", stroke: theme.quality[4] ?? theme.muted, width: 2, dash: [2, 4] },
       { ...line, label: "statistic", scale: "statistic", stroke: theme.warning, width: 2 },
-      { ...line, label: "threshold", scale: "statistic", stroke: theme.warning, width: 1, dash: [5, 4] },
-      { ...line, label: "what if", scale: "statistic", stroke: theme.goal, width: 1.5, dash: [2, 3] },
+      { ...line, label: "threshold", scale: "statistic", stroke: theme.text, width: 1.5, dash: [10, 5] },
+      { ...line, label: "what if", scale: "statistic", stroke: theme.goal, width: 1.5, dash: [4, 3] },
     ],
     hooks: { drawClear: [(plot) => shade(plot, theme)] },
   };
 }
+
+/** How the legend shows the lines, in the order of the series. */
+const legendDashes = ["solid", "solid", "dotted", "solid", "dashed", "dashed"];
+
+const titled = (label: string) => ({ label, labelSize: 14, labelGap: 0, labelFont: "11px system-ui, sans-serif" });
 
 const clockText = (second: number): string => new Date(second * 1000).toLocaleTimeString("en-GB");
 

@@ -16,6 +16,7 @@ export function DrivePanel({ operator }: { operator: Operator; now: number }) {
     redraw((count) => count + 1);
   };
   const take = change(() => (seat.taken ? seat.leave() : seat.take()));
+  const isRefused = whyNotDrive(operator.driveConditions(pageNow())) !== undefined;
   const label = seat.taken ? "Let go" : seat.other ? "Ask for the wheel" : "Take the wheel";
   return (
     <Panel name="drive" title="Drive by hand">
@@ -23,7 +24,7 @@ export function DrivePanel({ operator }: { operator: Operator; now: number }) {
         <div class="drive-words">
           <p class={`seat ${seatState(operator).kind}`} role="status">{seatState(operator).text}</p>
           <span class="buttons">
-            <button type="button" class={seat.taken ? "" : "go"} aria-pressed={seat.taken} disabled={seat.asks}
+            <button type="button" class={seat.taken || isRefused ? "" : "go"} aria-pressed={seat.taken} disabled={seat.asks}
               title="Driving by hand (M)" onClick={take}>
               {label} <kbd>M</kbd>
             </button>

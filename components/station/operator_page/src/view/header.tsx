@@ -3,17 +3,19 @@ import { type Alert, alertOf } from "../model/alerts.ts";
 import { type Operator, pageNow } from "../operator.ts";
 import { RecordingsButton } from "./recordings.tsx";
 import { StopButton } from "./stop_button.tsx";
+import { StripView } from "./strip.tsx";
 
-export function PageHeader({ operator }: { operator: Operator }) {
+export function PageHeader({ operator, now }: { operator: Operator; now: number }) {
   const { phase } = operator.connection.state;
   const words = { open: "connected", connecting: "connecting", lost: "not connected" }[phase];
-  const name = operator.server?.metadata.vehicle ?? operator.server?.metadata.host ?? "";
+  const name = operator.server?.metadata.host ?? "";
   return (
     <header class="top">
       <div class="brand">
         <strong>Tocsin</strong>
         <span class={`connection ${phase}`}>{name ? `${name}, ` : ""}{words}</span>
       </div>
+      <StripView operator={operator} now={now} />
       <RecordingsButton operator={operator} />
       <StopButton operator={operator} now={pageNow()} />
     </header>
@@ -31,8 +33,6 @@ export function AlertLine({ operator, now }: { operator: Operator; now: number }
     ? recordingAlert(operator.player.name)
     : alertOf(operator.connection.state, operator.station, now);
   return (
-    <p class={`alert ${alert?.severity ?? "none"}`} role="status">
-      {alert?.text ?? "All is well: vehicle and link are heard."}
-    </p>
+    <p class={`alert ${alert.severity}`} role="status">{alert.text}</p>
   );
 }

@@ -62,7 +62,7 @@ function GoalBar({ operator, setDraft }: { operator: Operator; setDraft: (poses:
       {blocked >= 0
         ? <span class="refused">Place {blocked + 1} is in a wall or beyond the map.</span>
         : draft.length === 0
-        ? <span>Press on the map, drag for the heading. Arrow keys move, [ ] turn.</span>
+        ? <span title="Arrow keys move, [ ] turn">Press on the map, drag for the heading.</span>
         : <span>{draft.length === 1 ? "Goal" : `Route of ${draft.length}`}. Shift adds a place.</span>}
       <span class="buttons">
         <button type="button" onClick={() => setDraft(undefined)}>Cancel <kbd>Esc</kbd></button>

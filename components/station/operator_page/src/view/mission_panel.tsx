@@ -12,6 +12,17 @@ export function MissionPanel({ operator, now }: { operator: Operator; now: numbe
   const runs = isLive && leads(station.mission?.value);
   return (
     <Panel name="mission" title="Mission">
+      <div class="buttons">
+        <button type="button" disabled={!runs} onClick={() => operator.pauseMission(pageNow())}>Pause</button>
+        <button type="button" class={state === "paused" ? "go" : ""} disabled={!isLive || state !== "paused"}
+          onClick={() => operator.resumeMission(pageNow())}>
+          Resume
+        </button>
+        <button type="button" disabled={!runs} title="Leave out the present waypoint"
+          onClick={() => operator.skipWaypoint(pageNow())}>
+          Skip waypoint
+        </button>
+      </div>
       <dl class="values">
         <Value label="Mission" heard={station.mission} now={now} bad={({ state }) => state === "aborted"}
           show={({ mission, state }) => `${mission}: ${state}`} />
@@ -25,17 +36,6 @@ export function MissionPanel({ operator, now }: { operator: Operator; now: numbe
       </dl>
       {station.mission && <Progress mission={station.mission.value} />}
       {goal.phase !== "none" && <p class="operator-goal">Your goal: {goal.phase}</p>}
-      <div class="buttons">
-        <button type="button" disabled={!runs} onClick={() => operator.pauseMission(pageNow())}>Pause</button>
-        <button type="button" class={state === "paused" ? "go" : ""} disabled={!isLive || state !== "paused"}
-          onClick={() => operator.resumeMission(pageNow())}>
-          Resume
-        </button>
-        <button type="button" disabled={!runs} title="Leave out the present waypoint"
-          onClick={() => operator.skipWaypoint(pageNow())}>
-          Skip waypoint
-        </button>
-      </div>
     </Panel>
   );
 }

@@ -33,7 +33,7 @@ export function Page({ operator }: { operator: Operator }) {
   const looks = { operator, now };
   return (
     <>
-      <PageHeader operator={operator} />
+      <PageHeader {...looks} />
       <AlertLine {...looks} />
       {operator.bags.shown && <RecordingsBar operator={operator} />}
       {operator.player && <ReplayBar operator={operator} player={operator.player} />}

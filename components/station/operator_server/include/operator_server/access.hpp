@@ -47,6 +47,10 @@ struct ListBags {};
 struct ServeBag {
   std::string path;  ///< below the folder of the recordings, relative: `gcs/bag/bag_0.mcap`
 };
+/// What this host's recorder has written so far, for a page that is opened late.
+struct ServeTable {
+  std::string file;  ///< `location.csv`, in the host's folder of the run
+};
 /// What another policy would have decided, as JSON.
 struct AskWhatIf {
   std::string query;  ///< what stands behind the question mark
@@ -56,11 +60,13 @@ struct Refuse {
   unsigned status;
   std::string reason;
 };
-using Verdict = std::variant<OpenSocket, ServeFile, ListBags, ServeBag, AskWhatIf, Refuse>;
+using Verdict =
+    std::variant<OpenSocket, ServeFile, ListBags, ServeBag, ServeTable, AskWhatIf, Refuse>;
 
 /// Files of the page need no token: they are the same everywhere. A socket needs it, and so do
-/// `/bags`, `/bags/PATH` and `/what_if`; each must come from our own page, from one of `origins`,
-/// or from a program that is no browser.
+/// `/bags`, `/bags/PATH`, `/tables/NAME` and `/what_if`; each must come from our own page, from one
+/// of `origins`, on loopback from a client as Foxglove and Lichtblick ship it, or from a program
+/// that is no browser.
 [[nodiscard]] Verdict judge(const AccessRules& rules, const RequestFacts& request);
 
 /// Whether it is a relative path of plain characters without a part that begins with a point.

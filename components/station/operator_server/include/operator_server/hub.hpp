@@ -58,7 +58,8 @@ class Hub {
   explicit Hub(const HubSettings& settings);
   ~Hub();
 
-  void add_client(ClientId client);
+  /// `wall_ns` [ns since the Unix epoch] is told at once: clients begin their time axis with it.
+  void add_client(ClientId client, std::uint64_t wall_ns);
   void remove_client(ClientId client);
   [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 
@@ -109,6 +110,8 @@ class Hub {
   [[nodiscard]] Orders write(ClientId id, HubClient& client, Publish& message);
   [[nodiscard]] Orders call(ClientId id, HubClient& client, const CallService& message);
   [[nodiscard]] std::string fault_of(const HubClient& client, const ClientChannel& channel) const;
+  [[nodiscard]] bool may_write(const std::string& topic) const;
+  static void tell_unheard(HubClient& client, const std::string& topic);
   [[nodiscard]] bool is_heard(std::uint32_t channel) const;
   HubClient* find(ClientId client);
 
