@@ -156,12 +156,23 @@ bool AutoDocking::handle_contact(const DockingInput& input, Time now) {
     return true;
   }
   charging_for_ = 0;
-  if (input.bumper != 0) {
-    state_ = DockingState::bumped;
-    backed_off_ = now + seconds(params_.back_off_s);
+  if (input.bumper != 0 || contact_is_marginal()) {
+    back_off(now);
     return true;
   }
   return false;
+}
+
+/// The contacts have just met and parted, and not for the first time: from here they will not last.
+bool AutoDocking::contact_is_marginal() {
+  const bool in_dock = state_ == DockingState::bumped_dock || state_ == DockingState::docked_in;
+  return in_dock && ++contacts_lost_ >= most_contacts_lost;
+}
+
+void AutoDocking::back_off(Time now) {
+  state_ = DockingState::bumped;
+  backed_off_ = now + seconds(params_.back_off_s);
+  contacts_lost_ = 0;
 }
 
 void AutoDocking::decide(const DockingInput& input, Time now) {

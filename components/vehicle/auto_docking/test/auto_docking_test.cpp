@@ -162,6 +162,34 @@ TEST_F(Docking, BacksOffAnObstacleAndScansAgain) {
   EXPECT_EQ(sut.state(), DockingState::scan);
 }
 
+TEST_F(Docking, BacksOffAndComesAnewWhenTheChargerIsLostForTheThirdTime) {
+  align(2);
+  for (int lost = 1; lost <= 2; ++lost) {
+    see(centre(2), 0, 6);
+    see(centre(2));
+    ASSERT_EQ(sut.state(), DockingState::aligned_near) << lost;
+  }
+  see(centre(2), 0, 6);
+  EXPECT_EQ(see(centre(2)).linear_mps, -0.05);
+  EXPECT_EQ(sut.state(), DockingState::bumped);
+  for (int i = 0; i < 200; ++i) see(centre(2));
+  EXPECT_EQ(sut.state(), DockingState::scan);
+}
+
+TEST_F(Docking, CountsLossesOfTheChargerFromItsLastBackingOff) {
+  align(2);
+  for (int lost = 1; lost <= 2; ++lost) {
+    see(centre(2), 0, 6);
+    see(centre(2));
+  }
+  see(centre(2), 2);  // bumped beside the contacts
+  for (int i = 0; i < 200; ++i) see(centre(2));
+  align(2);
+  see(centre(2), 0, 6);
+  see(centre(2));
+  EXPECT_EQ(sut.state(), DockingState::aligned_near);
+}
+
 TEST_F(Docking, ReleasesTheBumperAtTheDock) {
   EXPECT_EQ(see(centre(2), 2, 6).linear_mps, -0.01);
   EXPECT_EQ(sut.state(), DockingState::bumped_dock);

@@ -74,13 +74,19 @@ inline DockingRig::End DockingRig::dock_from(const geometry::Pose& start) const 
   return {docking.result(), to_seconds(now - t0), model.power().source(), dark.longest_m()};
 }
 
-/// Within 45 degrees of the dock's axis, 0.4 to 2.9 m away, any heading.
-inline geometry::Pose draw_start(std::mt19937_64& random) {
+struct Distances {
+  double from_m;
+  double to_m;
+};
+constexpr Distances whole_field{0.4, 2.9};
+
+/// Within 45 degrees of the dock's axis, any heading.
+inline geometry::Pose draw_start(std::mt19937_64& random, const Distances& away = whole_field) {
   const auto uniform = [&](double from, double to) {
     return std::uniform_real_distribution<double>(from, to)(random);
   };
   const double angle_rad = uniform(-45, 45) * kobuki::degree_rad;
-  const double distance_m = uniform(0.4, 2.9);
+  const double distance_m = uniform(away.from_m, away.to_m);
   return {distance_m * std::cos(angle_rad), distance_m * std::sin(angle_rad), uniform(-pi, pi)};
 }
 

@@ -54,6 +54,33 @@ TEST(DockingRun, ArrivesFromRandomStarts) {
   }
 }
 
+// Issue 34: the contacts met and parted every 0.9 s until the timeout.
+TEST(DockingRun, ComesAnewWhenTheContactsMeetOnlyAtTheirEdge) {
+  const DockingRig::End run = DockingRig{}.dock_from({0.368, -0.172, 2.554});
+  EXPECT_EQ(run.result, DockingResult::docked) << to_string(run.result);
+  EXPECT_LT(run.duration_s, 70);
+}
+
+int count_docked_nearby(int starts, double command_delay_s) {
+  std::mt19937_64 random(seed);
+  DockingRig rig;
+  rig.base.command_delay_s = command_delay_s;
+  int docked = 0;
+  for (int i = 0; i < starts; ++i, ++rig.seed) {
+    const DockingRig::End run = rig.dock_from(draw_start(random, {0.3, 0.6}));
+    docked += run.result == DockingResult::docked ? 1 : 0;
+  }
+  return docked;
+}
+
+TEST(DockingRun, ArrivesFromRandomStartsNearTheDock) {
+  EXPECT_EQ(count_docked_nearby(300, 0.1), 300);
+}
+
+TEST(DockingRun, ArrivesFromNearbyThoughCommandsTakeLong) {
+  EXPECT_EQ(count_docked_nearby(40, 0.3), 40);
+}
+
 TEST(DockingRun, DrivesNoFurtherWithoutLightThanTwoSeconds) {
   std::mt19937_64 random(seed);
   DockingRig rig;

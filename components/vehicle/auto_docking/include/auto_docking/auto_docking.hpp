@@ -52,7 +52,8 @@ enum class DockSide { left = -1, centre = 0, right = 1 };
 /// towards the side that it must go to. Otherwise it crosses the centre line, at 60 degrees to the
 /// bearing, as long as it sees light, and turns again. The states are those of the reference driver
 /// (reference page 1.11), without its faults: every search has a limit, no drive goes on without
-/// light, losing the charger continues the approach, a bump backs off far enough for another try.
+/// light, losing the charger continues the approach, a bump or the third loss of the charger backs
+/// off far enough for another try.
 /// Pure; `now` must not decrease.
 class AutoDocking {
  public:
@@ -96,13 +97,16 @@ class AutoDocking {
   }
 
  private:
-  static constexpr std::size_t window = 20;   ///< signals of 0.4 s are OR-ed
-  static constexpr int charged_updates = 21;  ///< so long it must last
+  static constexpr std::size_t window = 20;     ///< signals of 0.4 s are OR-ed
+  static constexpr int charged_updates = 21;    ///< so long it must last
+  static constexpr int most_contacts_lost = 3;  ///< then it backs off and comes anew
 
   void finish(DockingResult result);
   void remember(const DockInfrared& infrared);
   [[nodiscard]] bool check_limits(Time now);
   [[nodiscard]] bool handle_contact(const DockingInput& input, Time now);
+  [[nodiscard]] bool contact_is_marginal();
+  void back_off(Time now);
   void decide(const DockingInput& input, Time now);
   void begin_scan(Turn turn);
   void scan(const DockingInput& input);
@@ -125,6 +129,7 @@ class AutoDocking {
   double target_rad_ = 0;             ///< heading to turn to or to hold
   double heading_rad_ = 0;
   int charging_for_ = 0;
+  int contacts_lost_ = 0;  ///< since it last backed off
   Time started_{};
   Time backed_off_{};  ///< when backing off ends
   Time last_light_{};
