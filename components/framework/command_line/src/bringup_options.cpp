@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "command_line/option_checks.hpp"
 #include "command_line/programs.hpp"
 
 namespace tocsin {
@@ -21,7 +22,7 @@ void BringupOptions::declare(CLI::App& app) {
       ->expected(1)
       ->take_all();
   app.add_option("--seed", overrides.seed, "value of ${seed}; decides everything random")
-      ->check(CLI::NonNegativeNumber);
+      ->check(is_seed());
   app.add_option("--channel", overrides.channel,
                  "channel file of the radio, in place of the file's");
   app.add_option("--security", overrides.security,

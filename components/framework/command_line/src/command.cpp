@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command_line/option_checks.hpp"
 #include "foundation/error.hpp"
 #include "foundation/program.hpp"
 
@@ -15,7 +16,7 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>
     } catch (const CLI::Success& help) {
       return app.exit(help);
     } catch (const CLI::ParseError& error) {
-      throw ConfigError(error.what());
+      throw ConfigError(usage_error(app, error));
     }
     return body();
   });

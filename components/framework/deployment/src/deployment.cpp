@@ -222,7 +222,8 @@ void check_whole(const Deployment& deployment) {
   check_radio(deployment);
   const std::string& last = deployment.stop_when_exits;
   if (!last.empty() && std::find(names.begin(), names.end(), last) == names.end()) {
-    fail(deployment, "stop_when_exits: '" + last + "' is not one of: " + "[" + joined(names) + "]");
+    fail(deployment, "stop_when_exits: '" + last + "' is not one of: [" + joined(names) + "]" +
+                         suggestion(names, last));
   }
 }
 
@@ -268,7 +269,7 @@ const Host& host_named(const Deployment& deployment, const std::string& given) {
   std::vector<std::string> names;
   for (const Host& host : deployment.hosts) names.push_back(host.name);
   throw ConfigError("--host " + printable(given) + ": no such host in " + deployment.file +
-                    "; allowed: [" + joined(names) + "]");
+                    "; allowed: [" + joined(names) + "]" + suggestion(names, name));
 }
 
 const Host* find_host(const Deployment& deployment, const std::string& name) {

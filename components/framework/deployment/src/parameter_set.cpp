@@ -7,6 +7,7 @@
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/names.hpp"
+#include "foundation/spelling.hpp"
 
 namespace tocsin::deployment {
 namespace {
@@ -100,7 +101,8 @@ void ParameterSet::reject_unknown_components(const Deployment& deployment,
     const bool was_removed = !words.empty() && removed.count(words.back()) != 0;
     if (is_known(component) || (!is_setting && was_removed)) continue;
     throw ConfigError(component + ": no such component in " + deployment.file + "; allowed: [" +
-                      joined(instances.names) + "] (" + place + ")");
+                      joined(instances.names) + "]" + suggestion(instances.names, component) +
+                      " (" + place + ")");
   }
 }
 

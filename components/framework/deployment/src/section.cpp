@@ -9,6 +9,7 @@
 #include "foundation/joined.hpp"
 #include "foundation/names.hpp"
 #include "foundation/printable.hpp"
+#include "foundation/spelling.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::deployment {
@@ -29,7 +30,8 @@ std::string replaced(const std::string& text, const YAML::Node& node, const Yaml
     const auto found = variables.find(name);
     if (end == std::string::npos || found == variables.end()) {
       throw ConfigError("'" + printable(text) + "': unknown variable '" + printable(name) +
-                        "'; allowed: ${run_dir}, ${seed}, ${share}" + yaml_place(sources, node));
+                        "'; allowed: ${run_dir}, ${seed}, ${share}" +
+                        suggestion({"run_dir", "seed", "share"}, name) + yaml_place(sources, node));
     }
     result += text.substr(from, at - from) + found->second;
     from = end + 1;
@@ -63,7 +65,8 @@ Section::Section(const YAML::Node& node, std::string owner, const YamlSources& s
     const std::string key = entry.first.Scalar();
     if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
     throw ConfigError(owner_ + "." + printable(key) + ": unknown key; allowed: [" +
-                      joined(allowed) + "]" + yaml_place(sources_, entry.first));
+                      joined(allowed) + "]" + suggestion(allowed, key) +
+                      yaml_place(sources_, entry.first));
   }
 }
 

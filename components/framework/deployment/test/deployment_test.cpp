@@ -96,7 +96,7 @@ TEST_F(DeploymentTest, RejectsUnknownKeysEverywhereWithTheirLine) {
 TEST_F(DeploymentTest, AnUnknownKeyNamesAllKeysOnceAndComesBeforeWhatIsMissing) {
   EXPECT_THAT(error_of(with(whole, "role: uxv", "rol: uxv")),
               HasSubstr("hosts.uxv.rol: unknown key; allowed: [role, address, peers, enclave, "
-                        "programs, containers] ("));
+                        "programs, containers]; did you mean 'role'? ("));
   EXPECT_THAT(
       error_of(with(whole, "terminal: true", "terminl: true")),
       HasSubstr("allowed: [name, terminal, threads, health, parameter_services, components]"));
@@ -216,7 +216,7 @@ TEST_F(DeploymentTest, RejectsUnknownVariables) {
 TEST_F(DeploymentTest, RejectsStopWhenExitsThatNamesNoProcess) {
   EXPECT_THAT(error_of(with(whole, "gcs/mission", "gcs/missoin")),
               HasSubstr("stop_when_exits: 'gcs/missoin' is not one of: [uxv/base, uxv/drive, "
-                        "gcs/mission]"));
+                        "gcs/mission]; did you mean 'gcs/mission'?"));
 }
 
 TEST_F(DeploymentTest, AContainerHasOneThreadEachUnlessItSharesOne) {

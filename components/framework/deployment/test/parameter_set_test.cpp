@@ -84,7 +84,8 @@ TEST_F(ParameterSetTest, RejectsComponentsThatTheDeploymentHasNot) {
   write("a.yaml", "\ndrivr: {port: x}");
   write("b.yaml", "{}");
   EXPECT_THAT(error(), HasSubstr("drivr: no such component in "));
-  EXPECT_THAT(error(), HasSubstr("allowed: [driver, pilot, mission_control] ("));
+  EXPECT_THAT(error(),
+              HasSubstr("allowed: [driver, pilot, mission_control]; did you mean 'driver'? ("));
   EXPECT_THAT(error(), EndsWith("a.yaml:2)"));
 }
 

@@ -6,6 +6,7 @@
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
+#include "foundation/spelling.hpp"
 
 namespace tocsin {
 
@@ -17,6 +18,15 @@ bool is_name(std::string_view text) {
 namespace {
 
 std::string listed(const std::vector<std::string>& texts) { return "[" + joined(texts) + "]"; }
+
+/// The paths and the last word of each, by which it may be called.
+std::vector<std::string> with_last_words(const std::vector<std::string>& paths) {
+  std::vector<std::string> all = paths;
+  for (const std::string& path : paths) all.push_back(path.substr(path.rfind('/') + 1));
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
 
 }  // namespace
 
@@ -51,7 +61,8 @@ std::string resolve_path(const std::string& given, const std::vector<std::string
   }
   if (meant.size() == 1) return meant.front();
   if (meant.empty()) {
-    throw ConfigError(printable(given) + ": no such " + what + "; allowed: " + listed(paths));
+    throw ConfigError(printable(given) + ": no such " + what + "; allowed: " + listed(paths) +
+                      suggestion(with_last_words(paths), without_slash(given)));
   }
   throw ConfigError(printable(given) + ": which " + what + "? One of " + listed(meant));
 }

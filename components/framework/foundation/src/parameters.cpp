@@ -10,6 +10,7 @@
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
+#include "foundation/spelling.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin {
@@ -104,7 +105,8 @@ void ParameterLoader::operator()(const char* name, std::string& value, Choices a
   for (const char* word : allowed) {
     if (value == word) return;
   }
-  fail(name, "'" + printable(value) + "' is not one of: " + choices_text(allowed));
+  fail(name, "'" + printable(value) + "' is not one of: " + choices_text(allowed) +
+                 suggestion({allowed.begin(), allowed.end()}, value));
 }
 
 void ParameterLoader::operator()(const char* name, std::vector<double>& value, Range range,
@@ -142,8 +144,9 @@ void ParameterLoader::reject_unknown_keys() const {
   for (const auto& entry : state_->node) {
     const std::string key = entry.first.Scalar();
     if (state_->named.count(key) != 0) continue;
-    throw ConfigError(state_->owner + "." + key + ": unknown key; allowed: " +
-                      list_text(state_->order) + yaml_place(state_->sources, entry.first));
+    throw ConfigError(state_->owner + "." + key +
+                      ": unknown key; allowed: " + list_text(state_->order) +
+                      suggestion(state_->order, key) + yaml_place(state_->sources, entry.first));
   }
 }
 

@@ -136,6 +136,24 @@ class Counter final : public YAML::EventHandler {
   std::map<YAML::anchor_t, Extent> known_;
 };
 
+/// Whether a tab stands before the first other character of a line; they count from 0.
+bool is_indented_by_tab(const std::string& text, int line) {
+  std::istringstream lines(text);
+  std::string read;
+  for (int at = 0; at <= line; ++at) {
+    if (!std::getline(lines, read)) return false;
+  }
+  return read.find('\t') < read.find_first_not_of(" \t");
+}
+
+/// What is wrong, in the parser's words unless they hide it.
+std::string reason_of(const YAML::Exception& error, const std::string& text) {
+  if (is_indented_by_tab(text, error.mark.line)) {
+    return "a tab in the indentation; YAML is indented by spaces";
+  }
+  return error.msg;
+}
+
 }  // namespace
 
 void check_yaml(const std::string& text, const YamlOrigin& origin) {
@@ -149,7 +167,7 @@ void check_yaml(const std::string& text, const YamlOrigin& origin) {
     while (parser.HandleNextDocument(counter)) {
     }
   } catch (const YAML::Exception& error) {
-    throw ConfigError(place(origin, error.mark) + ": not valid YAML: " + error.msg);
+    throw ConfigError(place(origin, error.mark) + ": not valid YAML: " + reason_of(error, text));
   }
   counter.throw_noted();
 }

@@ -10,6 +10,7 @@ namespace tocsin {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::IsEmpty;
 
 TEST(WordsOfPath, LeavesOutEmptyWords) {
@@ -61,6 +62,8 @@ TEST(ResolvePath, AsksWhenSeveralAreMeant) {
 TEST(ResolvePath, ListsTheChoiceWhenNoneIsMeant) {
   EXPECT_EQ(refusal("uxv/view"),
             "uxv/view: no such process; allowed: [uxv/drive, uxv/link, gcs/link, gcs/drive/link]");
+  EXPECT_THAT(refusal("uxv/drvie"), EndsWith("; did you mean 'uxv/drive'?"));
+  EXPECT_THAT(refusal("drvie"), EndsWith("; did you mean 'drive'?"));
   EXPECT_EQ(refusal(""),
             ": no such process; allowed: [uxv/drive, uxv/link, gcs/link, gcs/drive/link]");
   EXPECT_EQ(refusal("\x1b[2J").substr(0, 20), "\\x1b[2J: no such pro");

@@ -14,6 +14,7 @@ namespace tocsin {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 struct Params {
   double lost_after_s = 1.0;
@@ -95,6 +96,12 @@ TEST(Parameters, RejectUnknownKeysWithTheirLine) {
   const std::string text = error_of("attempts: 1\nlost: 1");
   EXPECT_THAT(text, HasSubstr("monitor.lost: unknown key; allowed: [lost_after_s, attempts"));
   EXPECT_THAT(text, HasSubstr("(file.yaml:2)"));
+}
+
+TEST(Parameters, AMisspeltKeyOrWordIsShownWithWhatIsLikeIt) {
+  EXPECT_THAT(error_of("attemps: 1"), HasSubstr("; did you mean 'attempts'? (file.yaml:1)"));
+  EXPECT_THAT(error_of("policy: tcop"), HasSubstr("; did you mean 'tocp'?"));
+  EXPECT_THAT(error_of("speed: 1"), Not(HasSubstr("did you mean")));
 }
 
 TEST(Parameters, PrintTheirDefaults) {

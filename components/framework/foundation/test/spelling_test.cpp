@@ -12,10 +12,29 @@ using ::testing::IsEmpty;
 
 const std::vector<std::string> verbs{"launch", "topic", "report"};
 
-TEST(Spelling, SuggestsWordsThatDifferByAtMostTwoLetters) {
+TEST(Spelling, SuggestsLongWordsThatDifferByAtMostTwoLetters) {
   EXPECT_THAT(similar(verbs, "lanch"), ElementsAre("launch"));
   EXPECT_THAT(similar(verbs, "lanuch"), ElementsAre("launch"));
+  EXPECT_THAT(similar(verbs, "lunc"), ElementsAre("launch"));
   EXPECT_THAT(similar(verbs, "lau"), IsEmpty());
+}
+
+TEST(Spelling, SuggestsNoWordOfTwoLetters) { EXPECT_THAT(similar({"x", "no"}, "z"), IsEmpty()); }
+
+TEST(Spelling, SuggestsShortWordsThatDifferByOneLetter) {
+  EXPECT_THAT(similar({"near", "far"}, "neer"), ElementsAre("near"));
+  EXPECT_THAT(similar({"near"}, "far"), IsEmpty());
+}
+
+TEST(Spelling, TwoLettersThatChangedPlacesAreOneDifference) {
+  EXPECT_THAT(similar({"odom"}, "odmo"), ElementsAre("odom"));
+  EXPECT_THAT(similar({"navigator"}, "anvigatro"), ElementsAre("navigator"));
+}
+
+TEST(Spelling, ASuggestionIsNothingWithoutASimilarWord) {
+  EXPECT_EQ(suggestion(verbs, "tpic"), "; did you mean 'topic'?");
+  EXPECT_EQ(suggestion(verbs, "xyz"), "");
+  EXPECT_EQ(suggestion({}, "xyz"), "");
 }
 
 TEST(Spelling, ASimilarWordIsAskedFor) {

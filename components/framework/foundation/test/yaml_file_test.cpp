@@ -124,6 +124,15 @@ TEST(YamlText, NamesTheLineOfWhatIsNotYaml) {
   }
 }
 
+TEST(YamlText, ATabInTheIndentationIsCalledATab) {
+  const std::string tab = ": not valid YAML: a tab in the indentation; YAML is indented by spaces";
+  EXPECT_EQ(error_of("a:\n\tb: 1"), "a.yaml:2" + tab);
+  EXPECT_EQ(error_of("a:\n  b: 1\n\tc: 2"), "a.yaml:3" + tab);
+  EXPECT_EQ(error_of("\ta: 1"), "a.yaml:1" + tab);
+  EXPECT_EQ(error_of("a: [1,\n\t2]"), "no error") << "allowed within brackets";
+  EXPECT_THAT(error_of("a: \t]"), Not(HasSubstr("a tab"))) << "behind the key";
+}
+
 TEST(YamlFile, IsReadFromADisk) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_yaml_file(folder.write("a.yaml", "a: 1"))["a"].as<int>(), 1);

@@ -15,6 +15,7 @@
 #include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/replace_file.hpp"
+#include "foundation/spelling.hpp"
 #include "keystore/enclave.hpp"
 #include "revocations.hpp"
 #include "signed_text.hpp"
@@ -224,7 +225,7 @@ std::string enclave_folder(const std::string& folder, const std::string& name) {
   const auto names = names_in(folder);
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     throw ConfigError("no identity '" + printable(name) + "' in " + printable(folder) +
-                      "; there are: [" + joined(names) + "]");
+                      "; there are: [" + joined(names) + "]" + suggestion(names, name));
   }
   return folder + enclaves + name;
 }

@@ -3,6 +3,7 @@
 #include "decision/stopping.hpp"
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
+#include "foundation/spelling.hpp"
 #include "learning_rule.hpp"
 #include "model_rules.hpp"
 #include "policy_rules.hpp"
@@ -85,7 +86,8 @@ std::unique_ptr<Policy> make_policy(const PolicyParams& params) {
     }
   }
   throw ConfigError("policy.policy: '" + params.policy + "' is not one of: " +
-                    joined_of(choices, [](const Choice& choice) { return choice.name; }));
+                    joined_of(choices, [](const Choice& choice) { return choice.name; }) +
+                    suggestion({policy_names.begin(), policy_names.end()}, params.policy));
 }
 
 std::unique_ptr<Policy> make_oracle(const std::vector<Slot>& slots, double change,

@@ -4,6 +4,8 @@
 #include <sstream>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
+#include "foundation/spelling.hpp"
 
 namespace tocsin::decision {
 namespace {
@@ -15,7 +17,9 @@ Density law(const char* which, const std::string& name, const std::vector<double
   text << "policy." << which;
   if (!family) {
     text << "_family: '" << name << "' is not one of:";
-    for (const Family one : all_families()) text << ' ' << to_string(one);
+    std::vector<std::string> known;
+    for (const Family one : all_families()) known.emplace_back(to_string(one));
+    text << ' ' << joined(known, " ") << suggestion(known, name);
     throw ConfigError(text.str());
   }
   if (values.empty() && *family == Family::normal) {

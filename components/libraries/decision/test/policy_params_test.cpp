@@ -45,6 +45,7 @@ TEST(PolicyParams, RejectContradictions) {
               HasSubstr("not as good_family beta"));
   EXPECT_THAT(error_of("{laws: always}"), HasSubstr("laws: 'always'"));
   EXPECT_THAT(error_of("{policy: magic}"), HasSubstr("'magic' is not one of"));
+  EXPECT_THAT(error_of("{policy: tocp_dps}"), HasSubstr("did you mean 'tocp_dsp'?"));
 }
 
 TEST(PolicyParams, RejectAnUnknownPolicySetInCode) {

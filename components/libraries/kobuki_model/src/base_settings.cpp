@@ -7,6 +7,7 @@
 #include "foundation/error.hpp"
 #include "foundation/file_cache.hpp"
 #include "foundation/parameters.hpp"
+#include "foundation/spelling.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::kobuki {
@@ -19,7 +20,7 @@ BaseSettings read_settings(const std::string& path) {
     const std::string key = entry.first.Scalar();
     if (key == "model" || key == "line") continue;
     throw ConfigError("kobuki_simulator." + key + ": unknown key; allowed: [model, line]" +
-                      yaml_place(path, entry.first));
+                      suggestion({"model", "line"}, key) + yaml_place(path, entry.first));
   }
   return {load_parameters<ModelParams>(file["model"], "kobuki_simulator.model", path),
           load_parameters<LineParams>(file["line"], "kobuki_simulator.line", path)};

@@ -42,7 +42,8 @@ TEST_F(BaseSettingsTest, HaveDefaults) {
 
 TEST_F(BaseSettingsTest, AreRefusedWithKeyAndRange) {
   EXPECT_THAT(error_of("line: {usb_latency_ms: 17}"), HasSubstr("17 is outside [1, 16]"));
-  EXPECT_THAT(error_of("model: {}\nmodle: {}"), HasSubstr("modle: unknown key"));
+  EXPECT_THAT(error_of("model: {}\nmodle: {}"),
+              HasSubstr("modle: unknown key; allowed: [model, line]; did you mean 'model'?"));
   EXPECT_THAT(error_of("model: {}\nmodle: {}"), HasSubstr("base.yaml:2"));
   EXPECT_THAT(error_of("model: {speed: 1}"), HasSubstr("unknown key"));
   EXPECT_THAT(error_of("[model]"), HasSubstr("must be a map"));

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "foundation/error.hpp"
 #include "foundation/file_cache.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/parameters.hpp"
+#include "foundation/spelling.hpp"
 #include "foundation/yaml_file.hpp"
 #include "navigation/mission.hpp"
 
@@ -40,13 +43,13 @@ geometry::Pose read_waypoint(const YAML::Node& node, const std::string& owner,
 }
 
 void check_keys(const YAML::Node& node, const std::string& path) {
+  static const std::vector<std::string> keys{"name", "frame", "waypoints"};
   if (!node.IsMap()) throw ConfigError(path + ": a mission is a map with name, frame, waypoints");
   for (const auto& entry : node) {
     const std::string key = entry.first.Scalar();
-    if (key != "name" && key != "frame" && key != "waypoints") {
-      throw ConfigError("mission." + key + ": unknown key, allowed: name, frame, waypoints" +
-                        yaml_place(path, entry.first));
-    }
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    throw ConfigError("mission." + key + ": unknown key; allowed: " + joined(keys) +
+                      suggestion(keys, key) + yaml_place(path, entry.first));
   }
   if (!node["waypoints"] || !node["waypoints"].IsSequence()) {
     throw ConfigError("mission.waypoints: missing or not a list (" + path + ")");

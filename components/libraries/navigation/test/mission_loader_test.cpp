@@ -102,7 +102,10 @@ TEST_F(LoadMission, NamesTheWaypointOfABadValue) {
 }
 
 TEST_F(LoadMission, NamesUnknownKeys) {
-  EXPECT_THAT(error_with("m.yaml", "wayponts: []\n"), HasSubstr("wayponts: unknown key"));
+  EXPECT_THAT(
+      error_with("m.yaml", "wayponts: []\n"),
+      HasSubstr(
+          "wayponts: unknown key; allowed: name, frame, waypoints; did you mean 'waypoints'?"));
   EXPECT_THAT(error_with("m.yaml", "waypoints: [{x: 1, y: 1, z: 1}]\n"), HasSubstr("z"));
 }
 

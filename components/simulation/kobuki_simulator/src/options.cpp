@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command_line/option_checks.hpp"
 #include "foundation/error.hpp"
 #include "geometry/wall_file.hpp"
 
@@ -19,7 +20,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   app.add_option("--start", start, "X,Y,YAW in m, m, rad");
   app.add_option("--dock", dock,
                  "X,Y,YAW of a charging dock: middle of its front, facing the room");
-  app.add_option("--seed", options.seed, "of all noise");
+  app.add_option("--seed", options.seed, "of all noise")->check(is_seed());
   app.add_option("--config", config, "YAML file with model: and line: parameters");
   app.add_option("--position", options.position, "socket that gets 'pos X Y' at 10 Hz");
   app.add_option("--control", options.control, "socket that takes commands (get, set, unplug ...)");
@@ -28,9 +29,11 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   app.add_flag("--check", options.check, "only look at the arguments and the files that they name");
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    exit_code = app.exit(error) == 0 ? 0 : 2;
+  } catch (const CLI::Success& help) {
+    exit_code = app.exit(help);
     return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw ConfigError(usage_error(app, error));
   }
   options.start = parse_pose("--start", start);
   if (!dock.empty()) options.dock = parse_pose("--dock", dock);

@@ -46,11 +46,24 @@ TEST(Options, ReadTheCommandLine) {
   EXPECT_EQ(got->seed, 9U);
 }
 
-TEST(Options, EndWithCode2WhenWrong) {
-  const char* argv[]{"kobuki_simulator", "--lnk", "/tmp/x"};
+std::string refusal_of(const std::vector<const char*>& words) {
   int exit_code = -1;
-  EXPECT_FALSE(parse_options(3, argv, exit_code));
-  EXPECT_EQ(exit_code, 2);
+  try {
+    (void)parse_options(static_cast<int>(words.size()), words.data(), exit_code);
+    return "accepted";
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+}
+
+TEST(Options, AMisspeltOneIsRefusedWithWhatIsLikeIt) {
+  EXPECT_EQ(refusal_of({"kobuki_simulator", "--lnk", "/tmp/x"}),
+            "--lnk: there is no such option; did you mean '--link'?");
+}
+
+TEST(Options, ASeedBelowZeroIsRefused) {
+  EXPECT_EQ(refusal_of({"kobuki_simulator", "--link", "/tmp/x", "--seed", "-1"}),
+            "--seed: '-1' is not a whole number from 0 to 2147483647");
 }
 
 TEST(MakeModel, RefusesAStartInAWall) {

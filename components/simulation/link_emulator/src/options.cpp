@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "command_line/option_checks.hpp"
 #include "foundation/error.hpp"
 #include "foundation/role.hpp"
 
@@ -67,7 +68,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
                "link_emulator");
   app.add_option("--channel", options.channel_file, "channel file (YAML)")->required();
   app.add_option("--walls", options.walls_file, "walls file (YAML)");
-  app.add_option("--seed", options.seed, "seed of shadowing, fading and losses");
+  app.add_option("--seed", options.seed, "seed of shadowing, fading and losses")->check(is_seed());
   app.add_option("--end", ends, "NAME:NETNS:ADDRESS/PREFIX, once for uxv and once for gcs")
       ->required();
   app.add_option("--interface", options.interface, "name of the interface in both namespaces");
@@ -81,7 +82,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     std::cout << app.help();
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
-    throw ConfigError(error.what());
+    throw ConfigError(usage_error(app, error));
   }
   for (const std::string& end : ends) parse_end(end, options);
   check(options);

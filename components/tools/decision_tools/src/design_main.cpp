@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "command_line/command.hpp"
+#include "command_line/option_checks.hpp"
 #include "design.hpp"
 #include "policy_settings.hpp"
 #include "trace_options.hpp"
@@ -24,7 +25,7 @@ void declare(CLI::App& app, Request& request) {
                  "mean time between false alarms: 90s, 5min, 1h, 2d")
       ->required();
   app.add_option("--period", request.design.period_s, "seconds between samples [6]")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   app.add_option("--model", request.model, "model file as tocsin fit writes it");
   app.add_option("--set", request.set, "parameter of the policy: key=value")
       ->expected(1)
@@ -35,8 +36,8 @@ void declare(CLI::App& app, Request& request) {
                  "column of the recording [qni or what it rests on]");
   app.add_option("--block", request.design.block_s,
                  "seconds per resampled block of the recording [as long as its correlation lasts]")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--seed", request.design.seed, "of the resampling [1]");
+      ->check(above_zero());
+  app.add_option("--seed", request.design.seed, "of the resampling [1]")->check(is_seed());
   app.add_flag("--json", request.json, "print JSON");
 }
 

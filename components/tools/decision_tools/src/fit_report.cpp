@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
+#include "foundation/spelling.hpp"
 #include "plot.hpp"
 #include "report/gnuplot.hpp"
 
@@ -34,9 +36,10 @@ Density choose(const std::vector<Fit>& fits, const std::string& family) {
   for (const Fit& fit : fits) {
     if (family == to_string(fit.density.family())) return fit.density;
   }
-  std::string known;
-  for (const auto one : decision::all_families()) known += std::string(" ") + to_string(one);
-  throw ConfigError("--family: '" + family + "' is not one of:" + known);
+  std::vector<std::string> known;
+  for (const auto one : decision::all_families()) known.emplace_back(to_string(one));
+  throw ConfigError("--family: '" + family + "' is not one of: " + joined(known, " ") +
+                    suggestion(known, family));
 }
 
 /// Share of the data per unit of quality, in bins over [0,100].

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "command_line/host_option.hpp"
+#include "command_line/option_checks.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin::tools {
@@ -16,7 +17,7 @@ void declare_trace_options(CLI::App& app, TraceOptions& options) {
   add_role_option(app, options.role,
                   "whose recorded decisions: uxv or gcs; needed when there are both");
   app.add_option("--period", options.period_s, "seconds between rows of a file without time [1]")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
 }
 
 double parse_duration_s(const std::string& name, const std::string& text) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 
+#include "command_line/option_checks.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin::shapes {
@@ -43,8 +44,7 @@ void declare_qos(CLI::App& app, Words& words) {
   app.add_flag("-b", words.best_effort, "best effort");
   app.add_flag("-r", words.reliable, "reliable [this]");
   app.add_option("-k", words.depth, "history depth; 0: keep all [1]")->check(CLI::Range(0, 10'000));
-  app.add_option("-f", words.deadline_ms, "[ms] deadline; 0: none [0]")
-      ->check(CLI::NonNegativeNumber);
+  app.add_option("-f", words.deadline_ms, "[ms] deadline; 0: none [0]")->check(at_least_zero());
   app.add_option("-s", words.strength, "exclusive ownership of this strength; -1: shared [-1]")
       ->check(CLI::Range(-1, 1'000'000));
   app.add_option("-p", words.partition, "partition");
@@ -54,9 +54,9 @@ void declare_qos(CLI::App& app, Words& words) {
       ->check(CLI::IsMember({"v", "l", "t", "p"}));
   app.add_option("-x", words.representation, "1: XCDR1, 2: XCDR2 [1]")->check(CLI::Range(1, 2));
   app.add_option("--time-filter", words.time_filter_ms, "[ms] of a subscriber; 0: none [0]")
-      ->check(CLI::NonNegativeNumber);
+      ->check(at_least_zero());
   app.add_option("--lifespan", words.lifespan_ms, "[ms] of samples; 0: for ever [0]")
-      ->check(CLI::NonNegativeNumber);
+      ->check(at_least_zero());
   app.add_option("--access-scope", words.access_scope, "of the presentation: i, t or g")
       ->check(CLI::IsMember({"i", "t", "g"}));
   app.add_flag("--coherent", words.coherent, "coherent access");
@@ -66,7 +66,7 @@ void declare_qos(CLI::App& app, Words& words) {
   app.add_option("--datafrag-size", words.fragment_bytes, "[byte] of a fragment")
       ->check(CLI::Range(0, 65'535));
   app.add_option("--periodic-announcement", words.announcement_ms, "[ms] of the participant")
-      ->check(CLI::NonNegativeNumber);
+      ->check(at_least_zero());
 }
 
 void declare_rest(CLI::App& app, ShapeOptions& options, Words& words) {
@@ -79,16 +79,13 @@ void declare_rest(CLI::App& app, ShapeOptions& options, Words& words) {
   app.add_option("-v", words.verbosity, "e: errors, d: debug [e]")
       ->check(CLI::IsMember({"e", "d"}));
   app.add_option("-z", options.shapesize, "size; 0: grows with each sample [20]")
-      ->check(CLI::NonNegativeNumber);
+      ->check(at_least_zero());
   app.add_option("--size-modulo", options.size_modulo, "a growing size starts again after this")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   app.add_flag("-R", options.reads, "read() instead of take()");
-  app.add_option("--write-period", words.write_period_ms, "[ms] [33]")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--read-period", words.read_period_ms, "[ms] [100]")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--num-iterations", options.iterations, "then ends [never]")
-      ->check(CLI::PositiveNumber);
+  app.add_option("--write-period", words.write_period_ms, "[ms] [33]")->check(at_least_zero());
+  app.add_option("--read-period", words.read_period_ms, "[ms] [100]")->check(at_least_zero());
+  app.add_option("--num-iterations", options.iterations, "then ends [never]")->check(above_zero());
   app.add_option("--num-instances", options.instances, "colours: BLUE, BLUE1, ... [1]")
       ->check(CLI::Range(1, 10'000));
   app.add_option("--num-topics", options.topics, "topics: Square, Square1, ... [1]")
@@ -97,7 +94,7 @@ void declare_rest(CLI::App& app, ShapeOptions& options, Words& words) {
                  "u: unregister, d: dispose at the end")
       ->check(CLI::IsMember({"u", "d"}));
   app.add_option("--additional-payload-size", options.payload_bytes, "[byte] of ballast")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   app.add_flag("--take-read", words.without_instances, "all instances at once");
   app.add_option("--cft", options.filter, "filter of a subscriber: \"shapesize <= 20\"");
 }

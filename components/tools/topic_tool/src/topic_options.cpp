@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "command_line/option_checks.hpp"
 #include "foundation/enum_words.hpp"
 
 namespace tocsin::topic_tool {
@@ -65,7 +66,7 @@ void declare_pub(CLI::App& app, Options& options) {
   sub->add_option("-r,--rate", options.rate_hz, "[1/s] [1]")->check(CLI::Range(0.001, 10'000.0));
   auto* const once = sub->add_flag("-1,--once", options.once, "one message, then ends");
   sub->add_option("-t,--times", options.times, "so many messages, then ends")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->excludes(once);
   sub->add_option("-w,--wait-matching-subscriptions", options.wait_readers,
                   "readers that are waited for [1 with --once and --times, else 0]")

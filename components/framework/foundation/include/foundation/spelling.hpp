@@ -6,9 +6,15 @@
 
 namespace tocsin {
 
-/// The words that differ from `word` by at most two letters.
+/// The words that differ from `word` by at most two letters, by one where they have 3 or 4. Two
+/// letters that changed places are one.
 [[nodiscard]] std::vector<std::string> similar(const std::vector<std::string>& words,
                                                const std::string& word);
+
+/// "; did you mean 'a' or 'b'?" with the similar ones of `words`; empty when there are none: the
+/// end of an error text that has listed `words`.
+[[nodiscard]] std::string suggestion(const std::vector<std::string>& words,
+                                     const std::string& word);
 
 /// "; did you mean 'a' or 'b'?" with the similar ones of `words`, else "; " and `list` with all of
 /// them behind it: the end of an error text about an unknown `word`.

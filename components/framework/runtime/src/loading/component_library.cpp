@@ -13,6 +13,7 @@
 #include "foundation/names.hpp"
 #include "foundation/ownership.hpp"
 #include "foundation/printable.hpp"
+#include "foundation/spelling.hpp"
 
 namespace tocsin {
 namespace {
@@ -34,7 +35,8 @@ fs::path library_of(const std::string& name) {
   }
   throw ConfigError("component '" + name +
                     "': no installed package has one of this name; see tocsin component types, and "
-                    "source the setup.bash of the workspace that has it");
+                    "source the setup.bash of the workspace that has it" +
+                    suggestion(installed_component_names(), name));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/parameters.hpp"
+#include "foundation/spelling.hpp"
 #include "foundation/yaml_extends.hpp"
 #include "foundation/yaml_file.hpp"
 
@@ -106,8 +107,10 @@ void QosProfiles::read_profile(const std::string& name, const YAML::Node& node) 
   }
   const std::string& flow = profile.flow_controller;
   if (!flow.empty() && flow_controllers_.count(flow) == 0) {
+    std::vector<std::string> known;
+    for (const auto& one : flow_controllers_) known.push_back(one.first);
     throw ConfigError(name + ".flow_controller: '" + flow + "' is not one of flow_controllers" +
-                      place_of(sources_, node, "flow_controller"));
+                      suggestion(known, flow) + place_of(sources_, node, "flow_controller"));
   }
   profiles_[name] = profile;
 }

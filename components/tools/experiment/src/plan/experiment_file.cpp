@@ -10,6 +10,7 @@
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/parameters.hpp"
+#include "foundation/spelling.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::experiment {
@@ -73,8 +74,8 @@ class Reader {
     if (names.empty()) names = known;
     for (const std::string& name : names) {
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-      fail(node_of_set(set)[key],
-           "sets." + set + "." + key + ": '" + name + "' is not one of [" + joined(known) + "]");
+      fail(node_of_set(set)[key], "sets." + set + "." + key + ": '" + name + "' is not one of [" +
+                                      joined(known) + "]" + suggestion(known, name));
     }
   }
 
