@@ -106,7 +106,10 @@ std::vector<Line> page(const ViewState& state, Time now, terminal::Size size,
   const auto [columns, rows] = terminal::known(size);
   std::vector<Line> lines = head_lines(state, viewing);
   lines.resize(std::min(lines.size(), rows));
-  std::vector<Line> table = view::traffic_lines(state.traffic, limits, columns);
+  const std::size_t room = rows - lines.size();
+  const bool fits = state.traffic.size() + 1 <= room;
+  std::vector<Line> table =
+      view::traffic_lines(fits ? state.traffic : view::idle_last(state.traffic), limits, columns);
   if (lines.size() + table.size() + 2 <= rows) {  // room for what only pleases the eye
     lines.insert(lines.begin(), {{"Tocsin", Style::bold}});
     lines.emplace_back();

@@ -58,6 +58,13 @@ void add_row(const TrafficRow& row, const FreshnessLimits& limits, terminal::Tab
 
 }  // namespace
 
+std::vector<TrafficRow> idle_last(std::vector<TrafficRow> traffic) {
+  std::stable_partition(traffic.begin(), traffic.end(), [](const TrafficRow& row) {
+    return row.rate_hz > 0 || row.paused || row.received < row.sent;
+  });
+  return traffic;
+}
+
 std::vector<terminal::Line> traffic_lines(const std::vector<TrafficRow>& traffic,
                                           const FreshnessLimits& limits, std::size_t width) {
   using terminal::Align;

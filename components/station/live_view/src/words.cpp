@@ -30,10 +30,17 @@ std::string minutes(double elapsed_s) {
   return fmt::format("{}:{:02} min", whole_s / 60, whole_s % 60);
 }
 
+/// What the policy compares; a policy without a threshold has an infinite one.
+std::string rule_text(const tocsin_msgs::msg::TransmissionState& state) {
+  const std::string statistic = number(state.statistic(), 1, "");
+  return std::isfinite(state.threshold()) ? statistic + "/" + number(state.threshold(), 1, "")
+                                          : statistic;
+}
+
 }  // namespace
 
 std::string number(double value, int digits, const char* unit) {
-  if (std::isnan(value)) return "-";
+  if (!std::isfinite(value)) return "-";
   return fixed_text(value, digits) + (*unit == '\0' ? "" : " ") + unit;
 }
 
@@ -74,8 +81,7 @@ Line words(const tocsin_msgs::msg::TransmissionState& state, Duration age) {
              {" (" + state.reason() + ")", Style::plain, 3},
              {" QNI " + number(state.qni(), 1, ""), Style::plain, 1},
              {bar(state.qni()), Style::plain, 5},
-             {" " + number(state.statistic(), 1, "") + "/" + number(state.threshold(), 1, ""),
-              Style::plain, 6}};
+             {" " + rule_text(state), Style::plain, 6}};
   if (!state.active()) {
     const double left_s = std::max(0.0, state.deadline_s() - to_seconds(age));
     const double shown_s = std::isnan(state.deadline_s()) ? std::nan("") : left_s;

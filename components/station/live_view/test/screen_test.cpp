@@ -216,6 +216,16 @@ TEST(Screen, UsesTheWholeHeightAndTellsHowManyTopicsAreMissing) {
   EXPECT_THAT(lines[22], HasSubstr("topic_16"));
 }
 
+TEST(Screen, APolicyWithoutAThresholdShowsItsStatisticAlone) {
+  ViewState state = full_state();
+  state.uxv->value.statistic(42.5);
+  state.uxv->value.threshold(-std::numeric_limits<double>::infinity());
+  EXPECT_THAT(text_of(state), HasSubstr("] 42.5, resumes in"));
+  EXPECT_THAT(text_of(state), Not(HasSubstr("inf")));
+  state.uxv->value.threshold(5.5);
+  EXPECT_THAT(text_of(state), HasSubstr("] 42.5/5.5, resumes in"));
+}
+
 TEST(Screen, ShowsAllTopicsWhereThereIsRoom) {
   const auto lines = lines_of(with_topics(20), t0, {200, 60});
   ASSERT_EQ(lines.size(), 28U);  // name, five lines, blank, head, topics

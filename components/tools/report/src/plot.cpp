@@ -77,6 +77,35 @@ bool has_capacity(const std::vector<RouterState>& states) {
   });
 }
 
+/// [kbit/s] of all sides, sorted.
+std::vector<double> capacities(const Recording& recording) {
+  std::vector<double> all;
+  for (const auto& [role, states] : recording.routers) {
+    for (const RouterState& state : states) {
+      if (std::isfinite(state.capacity_bytes_per_s))
+        all.push_back(state.capacity_bytes_per_s * 8e-3);
+    }
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// The scale of the capacity, which a few high estimates, as of a run's first packets, do not
+/// flatten: twice the 95th percentile where the highest is more. The label tells what is cut.
+std::string capacity_axis(const Recording& recording) {
+  const std::vector<double> sorted = capacities(recording);
+  std::string label = "capacity [kbit/s]";
+  std::string top = "*";
+  if (!sorted.empty()) {
+    const double shown = 2 * sorted[(sorted.size() - 1) * 95 / 100];
+    if (shown > 0 && sorted.back() > shown) {
+      top = std::to_string(shown);
+      label += ", to " + std::to_string(std::llround(sorted.back()));
+    }
+  }
+  return "set ylabel " + gnuplot_text(label) + "\nset yrange [0:" + top + "]\n";
+}
+
 /// The capacity of the sides that measured it, as pictures let the vehicle do, and the backlog of
 /// both; empty without routers.
 std::string link_panel(const Recording& recording) {
@@ -95,8 +124,8 @@ std::string link_panel(const Recording& recording) {
               link_line(index, 3, "x1y2", 1 + index, std::string(to_string(role)) + " backlog");
     ++index;
   }
-  return "set ylabel 'capacity [kbit/s]'\nset yrange [0:*]\nset y2label 'backlog [ms]'\n"
-         "set y2range [0:*]\nset y2tics\nset ytics nomirror\nplot " +
+  return capacity_axis(recording) +
+         "set y2label 'backlog [ms]'\nset y2range [0:*]\nset y2tics\nset ytics nomirror\nplot " +
          curves + "\nunset y2tics\nunset y2label\nset ytics mirror\n";
 }
 

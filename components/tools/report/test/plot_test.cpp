@@ -73,6 +73,32 @@ TEST_F(PlotTest, ARunWithRoutersHasAPanelOfCapacityAndBacklog) {
   EXPECT_LT(script.find("graph 0 to"), script.find("'link.dat'")) << "pauses are shaded there, too";
 }
 
+/// 100 s of router states of a vehicle that measures 2000 kbit/s, but `first` in the first second.
+std::string link_states(int first_bytes_per_s) {
+  std::string text = link_head;
+  for (int second = 1; second <= 100; ++second) {
+    const std::string time = std::to_string(1000 + second);
+    const int capacity = second == 1 ? first_bytes_per_s : 250000;
+    text += time + "," + time + ",uxv," + std::to_string(capacity) + ",0.02,[],1\n";
+  }
+  return text;
+}
+
+TEST_F(PlotTest, OneEarlySampleDoesNotFlattenTheCapacity) {
+  run_.write("uxv/link_state.csv", link_states(23'750'000));
+  draw();
+  EXPECT_THAT(text("plot.gnuplot"), AllOf(HasSubstr("set ylabel \"capacity [kbit/s], to 190000\""),
+                                          HasSubstr("set yrange [0:4000.000000]")));
+}
+
+TEST_F(PlotTest, ACapacityThatVariesLittleIsDrawnWhole) {
+  run_.write("uxv/link_state.csv", link_states(500'000));
+  draw();
+  EXPECT_THAT(text("plot.gnuplot"),
+              AllOf(HasSubstr("set ylabel \"capacity [kbit/s]\"\nset yrange [0:*]"),
+                    Not(HasSubstr(", to "))));
+}
+
 TEST_F(PlotTest, ARouterOfTheStationAloneShowsItsBacklog) {
   run_.write("gcs/link_state.csv", std::string(link_head) + "1003,1003,gcs,1000,nan,[],0\n");
   draw();
