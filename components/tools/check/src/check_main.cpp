@@ -18,7 +18,9 @@
 #include "examine_security.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "idl_support/topic_registry.hpp"
 #include "runtime/middleware/component_library.hpp"
+#include "runtime/middleware/idl_libraries.hpp"
 
 namespace tocsin::check {
 namespace {
@@ -47,6 +49,13 @@ bool has_containers(const deployment::Deployment& deployment) {
                      [](const deployment::Host& host) { return !host.containers.empty(); });
 }
 
+std::vector<std::string> names_of_topics() {
+  load_idl_libraries();
+  std::vector<std::string> names;
+  for (const KnownTopic& one : known_topics()) names.emplace_back(one.info.name);
+  return names;
+}
+
 /// Needs only what the files say, so that a wrong component does not hide it.
 void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) {
   if (!has_containers(deployment)) return;  // then there is no QoS
@@ -59,7 +68,7 @@ void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) 
       traffic.emplace(host.role, TrafficRules(deployment.traffic, host.role, chain));
     }
     const bool whole = built.findings.empty();
-    for (const Finding& finding : examine(built.graph, {qos, traffic})) {
+    for (const Finding& finding : examine(built.graph, {qos, traffic, names_of_topics()})) {
       // A component that could not be built leaves its readers and writers alone.
       if (whole || finding.severity == Severity::error) built.findings.push_back(finding);
     }

@@ -8,6 +8,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
+#include "foundation/spelling.hpp"
 #include "runtime/middleware/qos_matching.hpp"
 
 namespace tocsin::check {
@@ -197,11 +198,31 @@ class Examiner {
                        [&](const End& end) { return end.port->writes && end.node->role == role; });
   }
 
+  [[nodiscard]] bool is_known(const std::string& topic) const {
+    return topics_.count(topic) != 0 ||
+           std::find(rules_.topics.begin(), rules_.topics.end(), topic) != rules_.topics.end();
+  }
+
+  /// A topic that nobody knows may be of a program that is not ours; one that is spelt almost like
+  /// a topic without a rule of its own is misspelt.
+  void check_spelling(const std::string& topic, Role role, const TrafficRules& rules) {
+    if (is_known(topic)) return;
+    std::set<std::string> without_rule(rules_.topics.begin(), rules_.topics.end());
+    for (const auto& one : topics_) without_rule.insert(one.first);
+    for (const auto& rule : rules.all()) without_rule.erase(rule.first);
+    const std::string like = suggestion({without_rule.begin(), without_rule.end()}, topic);
+    if (like.empty()) return;
+    add(Severity::warning, "traffic rules of role " + std::string(to_string(role)) + ": topic " +
+                               topic + " is not known here" + like);
+  }
+
   void check_unused_rules() {
     for (const auto& [role, rules] : rules_.traffic) {
       std::vector<std::string> unused;
       for (const auto& [topic, rule] : rules.all()) {
-        if (!written_by_role(topic, role)) unused.push_back(topic);
+        if (written_by_role(topic, role)) continue;
+        unused.push_back(topic);
+        check_spelling(topic, role, rules);
       }
       if (unused.empty()) continue;
       add(Severity::note, "traffic rules of role " + std::string(to_string(role)) +

@@ -15,6 +15,7 @@ namespace tocsin::check {
 struct Rules {
   const QosProfiles& qos;
   const std::map<Role, TrafficRules>& traffic;  ///< by role
+  std::vector<std::string> topics;              ///< that the installed packages know
 };
 
 /// What is wrong with a graph, in the order of its nodes:
@@ -22,7 +23,8 @@ struct Rules {
 ///   by policy), a missing profile, a link topic without a traffic class or whose writers would
 ///   have owners;
 /// - warning: a reader that needs a writer and has none, or only writers where the topic's scope
-///   does not reach; a QoS override for a topic that nobody has;
+///   does not reach; a QoS override for a topic that nobody has; a traffic rule for a topic that
+///   nobody knows and that is spelt almost like one;
 /// - note: a reader that does without a writer, a writer without a reader, a traffic rule for a
 ///   topic that nobody writes.
 [[nodiscard]] std::vector<Finding> examine(const Graph& graph, const Rules& rules);

@@ -24,7 +24,7 @@ class ExamineTest : public ::testing::Test {
     const std::map<Role, TrafficRules> traffic{
         {Role::uxv, TrafficRules(folder_.write("traffic.yaml", traffic_), Role::uxv)}};
     std::vector<std::string> texts;
-    for (const Finding& finding : examine(graph, {qos, traffic})) {
+    for (const Finding& finding : examine(graph, {qos, traffic, topics_})) {
       if (finding.severity == Severity::note && !notes) continue;
       const bool error = finding.severity == Severity::error;
       texts.push_back((error ? "error: " : "warning: ") + finding.text);
@@ -35,6 +35,7 @@ class ExamineTest : public ::testing::Test {
   std::string qos_ =
       "sensor: {reliability: best_effort}\nstate: {durability: transient_local, deadline_s: 1}\n";
   std::string traffic_ = "uxv: {high: {while_poor: send, topics: [location]}}\n";
+  std::vector<std::string> topics_;  ///< known
   TemporaryFolder folder_;
 };
 
@@ -162,6 +163,20 @@ TEST_F(ExamineTest, NotesATrafficRuleForATopicThatNobodyWrites) {
   EXPECT_THAT(found({vehicle("a", {reads("location", Scope::link)})}, true),
               ElementsAre(HasSubstr("nobody writes"),
                           HasSubstr("name topics that nothing in this role writes: location")));
+}
+
+TEST_F(ExamineTest, WarnsOfATrafficRuleForAMisspeltTopic) {
+  traffic_ = "uxv: {high: {while_poor: send, topics: [loaction, battery, lidar/scan]}}\n";
+  topics_ = {"battery_state", "location"};
+  EXPECT_THAT(found({}), ElementsAre("warning: traffic rules of role uxv: topic loaction is not "
+                                     "known here; did you mean 'location'?"))
+      << "what is like no topic may be a foreign program's";
+}
+
+TEST_F(ExamineTest, ATopicThatHasItsOwnRuleIsNotWhatAnotherOneMeans) {
+  traffic_ = "uxv: {high: {while_poor: send, topics: [location, location2]}}\n";
+  topics_ = {"location"};
+  EXPECT_THAT(found({}), IsEmpty());
 }
 
 TEST_F(ExamineTest, WarnsOfAnOverrideForAnUnknownTopic) {

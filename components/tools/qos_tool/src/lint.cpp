@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "foundation/error.hpp"
+#include "foundation/spelling.hpp"
 #include "lint_flow.hpp"
 #include "runtime/middleware/qos_matching.hpp"
 
@@ -139,6 +141,14 @@ void multicast(const LintInput& input, const char* rule, Findings& found) {
   }
 }
 
+[[noreturn]] void refuse_profile(const LintInput& input, const std::string& name,
+                                 const std::string& file) {
+  std::vector<std::string> names;
+  for (const auto& one : input.profiles) names.push_back(one.first);
+  throw ConfigError("--stream: '" + name + "' is not a profile of " + file +
+                    did_you_mean(names, name, "it has"));
+}
+
 struct Rule {
   const char* name;
   void (*look)(const LintInput& input, const char* rule, Findings& found);
@@ -159,6 +169,19 @@ const std::vector<Rule>& rules() {
 }
 
 }  // namespace
+
+void mark_streams(LintInput& input, const std::vector<std::string>& profiles,
+                  const std::string& file) {
+  for (const std::string& profile : profiles) {
+    if (input.profiles.count(profile) == 0) refuse_profile(input, profile, file);
+    bool is_used = false;
+    for (LintTopic& topic : input.topics) {
+      if (topic.profile != profile) continue;
+      topic.is_stream = is_used = true;
+    }
+    if (!is_used) input.topics.push_back({"of profile " + profile, profile, Way::direct, true});
+  }
+}
 
 std::vector<Finding> lint(const LintInput& input) {
   Findings found;

@@ -54,6 +54,11 @@ struct Finding {
   std::string reason;
 };
 
+/// Marks the topics of these profiles as streams. One that no topic has is judged as if its ends
+/// stood on the radio. Throws ConfigError for an unknown one; `file` says where they are.
+void mark_streams(LintInput& input, const std::vector<std::string>& profiles,
+                  const std::string& file);
+
 /// In the order of the rules; empty: no known trap.
 [[nodiscard]] std::vector<Finding> lint(const LintInput& input);
 

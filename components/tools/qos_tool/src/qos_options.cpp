@@ -56,7 +56,7 @@ void declare_lint(CLI::App& app, Options& options) {
   lint->add_option("--traffic", options.traffic, "traffic file [the shipped traffic.yaml]");
   lint->add_flag("--direct", options.direct,
                  "as if link topics were on the radio themselves, without link_router");
-  lint->add_option("--stream", options.streams, "a profile of pictures and the like (of an XML)")
+  lint->add_option("--stream", options.streams, "a profile of pictures and the like")
       ->expected(1)
       ->take_all();
   lint->add_option("--outage", options.outage_s, "[s] the radio is away so long now and then [10]")

@@ -127,9 +127,7 @@ LintInput foreign_input(const Options& options) {
   input.profiles = std::move(imported.profiles);
   input.wires = std::move(imported.wires);
   for (const auto& one : input.profiles) {
-    LintTopic topic{"of profile " + one.first, one.first, Way::direct};
-    for (const std::string& stream : options.streams) topic.is_stream |= stream == one.first;
-    input.topics.push_back(topic);
+    input.topics.push_back({"of profile " + one.first, one.first, Way::direct});
   }
   return input;
 }
@@ -137,6 +135,8 @@ LintInput foreign_input(const Options& options) {
 int lint_files(const Options& options) {
   LintInput input = options.one.empty() ? own_input(options) : foreign_input(options);
   complete(input, options);
+  mark_streams(input, options.streams,
+               options.one.empty() ? shipped(options.file, "qos.yaml") : options.one);
   const auto findings = lint(input);
   options.json ? print(lint_json(findings)) : print(lint_text(findings));
   return findings.empty() ? 0 : negative;

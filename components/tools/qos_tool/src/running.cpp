@@ -76,6 +76,7 @@ std::vector<GraphEnd> ends_of_host(const Options& options) {
 
 Changed change_running(const Options& options) {
   const std::string settings = settings_map(options.settings);
+  check_change(settings);
   const std::string on_wire = wire_name(options.host, options.one);
   BusOptions joined = host_bus_options(options.host, "tocsin_qos");
   const auto graph = make_host_graph(joined);

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "foundation/error.hpp"
+
 namespace tocsin::qos_tool {
 namespace {
 
@@ -49,6 +51,38 @@ TEST(Lint, AStreamInAClassThatTheRouterRepairs) {
   EXPECT_THAT(rules_of(input), IsEmpty()) << "the host's QoS does not cross the radio";
   input.topics[0].traffic_class = TrafficClass::high;
   EXPECT_THAT(rules_of(input), ElementsAre("reliable-stream"));
+}
+
+TEST(LintStreams, TheTopicsOfAProfileAreJudgedAsStreams) {
+  LintInput input = one_topic({}, Way::routed);
+  input.topics[0].traffic_class = TrafficClass::high;
+  EXPECT_THAT(rules_of(input), IsEmpty());
+  mark_streams(input, {"p"}, "qos.yaml");
+  EXPECT_THAT(rules_of(input), ElementsAre("reliable-stream"));
+  EXPECT_EQ(input.topics.size(), 1U);
+}
+
+TEST(LintStreams, AProfileThatNoTopicUsesIsJudgedAsIfItsEndsStoodOnTheRadio) {
+  LintInput input = one_topic({});
+  input.profiles["pictures"] = {};
+  EXPECT_THAT(rules_of(input), IsEmpty());
+  mark_streams(input, {"pictures"}, "qos.yaml");
+  const auto findings = lint(input);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].rule, "reliable-stream");
+  EXPECT_EQ(findings[0].subject, "topic of profile pictures (pictures)");
+}
+
+TEST(LintStreams, AnUnknownProfileIsRefusedWithWhatIsLikeIt) {
+  LintInput input;
+  input.profiles["stream"] = {};
+  try {
+    mark_streams(input, {"steam"}, "qos.yaml");
+    FAIL() << "an unknown profile";
+  } catch (const ConfigError& error) {
+    EXPECT_STREQ(error.what(),
+                 "--stream: 'steam' is not a profile of qos.yaml; did you mean 'stream'?");
+  }
 }
 
 TEST(Lint, TransientLocalWithKeepAll) {

@@ -100,6 +100,22 @@ TEST(QosProgram, AnXmlIsLintedAsIfItsEndsStoodOnTheRadio) {
               HasSubstr("reliable-stream: topic of profile event (event): a stream whose readers"));
 }
 
+TEST(QosProgram, StreamsOfALintAreProfilesOfItsFile) {
+  const std::string path = ::testing::TempDir() + "qos_program_streams.yaml";
+  std::ofstream(path) << "extends: qos.yaml\npictures: {reliability: reliable}\n";
+  EXPECT_THAT(qos({"lint", "--file", path, "--stream", "pictures"}).output,
+              HasSubstr("reliable-stream: topic of profile pictures (pictures)"));
+  const Ended unknown = qos({"lint", "--file", path, "--stream", "pictrues"});
+  EXPECT_THAT(unknown.output, HasSubstr("did you mean 'pictures'?"));
+  EXPECT_EQ(unknown.code, 2);
+}
+
+TEST(QosProgram, WhatIsWrongIsRefusedBeforeARunningSystemIsLookedFor) {
+  const Ended set = qos({"set", "/odom", "deadlin_s=1", "--domain", "96", "--spin-time", "60"});
+  EXPECT_THAT(set.output, HasSubstr("'deadlin_s' is not a policy; did you mean 'deadline_s'?"));
+  EXPECT_EQ(set.code, 2);
+}
+
 TEST(QosProgram, BadUsageIsOneLineAndExitCodeTwo) {
   EXPECT_EQ(qos({"show", "sensr"}).code, 2);
   EXPECT_EQ(qos({"import", "/nowhere.xml"}).code, 2);

@@ -110,7 +110,10 @@ std::vector<std::string> changeable_policies() {
   return all;
 }
 
-QosProfile changed(const QosProfile& profile, const std::string& settings) {
+namespace {
+
+/// `profile` with the settings, whether they agree with the rest of it or not.
+QosProfile with(const QosProfile& profile, const std::string& settings) {
   YamlSources sources;
   const YAML::Node node = sources.parse(settings, "the settings");
   if (!node.IsMap() || node.size() == 0) {
@@ -121,6 +124,15 @@ QosProfile changed(const QosProfile& profile, const std::string& settings) {
   QosProfile result = profile;
   ParameterLoader loader(node, "qos", sources);
   result.visit(loader);
+  return result;
+}
+
+}  // namespace
+
+void check_change(const std::string& settings) { (void)with({}, settings); }
+
+QosProfile changed(const QosProfile& profile, const std::string& settings) {
+  const QosProfile result = with(profile, settings);
   if (const auto broken = conflict(result)) {
     throw ConfigError(broken->policy + ": " + broken->reason);
   }

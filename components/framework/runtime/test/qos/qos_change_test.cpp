@@ -60,6 +60,13 @@ TEST(QosChange, RefusesUnknownWordsAndValuesOutOfRange) {
   EXPECT_THAT(refused({}, "[a]"), HasSubstr("nothing to change"));
 }
 
+TEST(QosChange, WhatNoProfileCouldTakeIsRefusedWithoutOne) {
+  EXPECT_THROW(check_change("dedline_s: 1"), ConfigError);
+  EXPECT_THROW(check_change("reliability: best_effort"), ConfigError);
+  EXPECT_THROW(check_change("deadline_s: 0"), ConfigError);
+  EXPECT_NO_THROW(check_change("ownership_strength: 3")) << "a profile may have owners";
+}
+
 TEST(QosChange, RefusesWhatContradictsTheRestOfTheProfile) {
   EXPECT_THAT(refused({}, "ownership_strength: 3"), HasSubstr("ownership: exclusive"));
   QosProfile slow;

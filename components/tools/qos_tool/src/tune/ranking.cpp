@@ -90,14 +90,46 @@ std::string remark_of(const RankedCandidate& one, const RankedCandidate* before)
   return is_shipped(one) ? "" : " (" + verdict_of(one) + ")";
 }
 
+/// [1] of the shipped cost: what is less is no reason to change.
+constexpr double worthwhile_share = 0.05;
+
+/// By how much a candidate may yet cost less than what is shipped; NaN with too few runs.
+double possible_gain(const RankedCandidate& one) { return -one.difference.low; }
+
+/// The candidate of which least is known: the widest gain that the runs leave possible.
+const RankedCandidate* least_known(const std::vector<RankedCandidate>& ranked) {
+  const RankedCandidate* found = nullptr;
+  for (const RankedCandidate& one : ranked) {
+    if (is_shipped(one)) continue;
+    if (std::isnan(possible_gain(one))) return &one;
+    if (found == nullptr || possible_gain(one) > possible_gain(*found)) found = &one;
+  }
+  return found;
+}
+
+std::string without_better(const std::vector<RankedCandidate>& ranked) {
+  const auto shipped = std::find_if(ranked.begin(), ranked.end(), is_shipped);
+  const RankedCandidate* const open = least_known(ranked);
+  if (shipped == ranked.end() || open == nullptr) return "Nothing was compared.\n";
+  const std::string none =
+      "No candidate costs less than what is shipped by more than the runs' chance";
+  if (std::isnan(possible_gain(*open))) {
+    return none + ", but one run of a candidate tells nothing: add seeds.\n";
+  }
+  if (possible_gain(*open) <= worthwhile_share * shipped->cost) {
+    return fmt::format("{}, and none by more than {:.2f} of {:.2f}: it stands confirmed.\n", none,
+                       std::max(possible_gain(*open), 0.0), shipped->cost);
+  }
+  return fmt::format(
+      "{}, but the runs leave open whether {} costs up to {:.2f} less (of {:.2f}): add seeds.\n",
+      none, open->candidate.name, possible_gain(*open), shipped->cost);
+}
+
 std::string conclusion_of(const std::vector<RankedCandidate>& ranked) {
   const auto best = std::find_if(ranked.begin(), ranked.end(), [](const RankedCandidate& one) {
     return verdict_of(one) == "better";
   });
-  if (best == ranked.end()) {
-    return "No candidate costs less than what is shipped by more than the runs' chance: it stands "
-           "confirmed.\n";
-  }
+  if (best == ranked.end()) return without_better(ranked);
   return fmt::format(
       "Costs least, and less than what is shipped by {:.2f} [{:.2f}, {:.2f}] (95 % for all of "
       "them): {}, {}.\n",

@@ -10,6 +10,7 @@ namespace tocsin::qos_tool {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::vector<Candidate> candidates{{"shipped", {}},
                                         {"c1", {{"qos.stream.lifespan_s", "0.5"}}},
@@ -72,10 +73,33 @@ TEST(Rank, ARunThatFailedCountsForNobody) {
 
 TEST(Rank, WithoutEnoughRunsNothingIsToldApart) {
   const auto sut = ranking(row("shipped", 1, "10") + row("c1", 1, "9"));
-  EXPECT_THAT(ranking_text(sut), HasSubstr("it stands confirmed"));
+  EXPECT_THAT(ranking_text(sut), HasSubstr("one run of a candidate tells nothing: add seeds"));
   EXPECT_THAT(ranking_text(sut), HasSubstr("(not told apart)"));
   EXPECT_EQ(ranking_text({}), "no run ended well\n");
   EXPECT_TRUE(ranking(row("c1", 1, "9")).empty()) << "nothing to compare with";
+}
+
+/// c1 costs as much as what is shipped but for `noise` up and down, over ten runs.
+std::string conclusion_with(double noise) {
+  std::string rows;
+  for (int index = 1; index <= 10; ++index) {
+    rows += row("shipped", index, "100");
+    rows += row("c1", index, std::to_string(100 + (index % 2 == 0 ? noise : -noise)));
+  }
+  const std::string text = ranking_text(ranking(rows));
+  return text.substr(text.rfind("No candidate"));
+}
+
+TEST(Rank, TheShippedOnesStandConfirmedWhenTheRunsLeaveNoGainOpen) {
+  // Two comparisons: half an interval is 0.89 times the noise; a gain of 5 of 100 is worth it.
+  EXPECT_THAT(conclusion_with(5.5), HasSubstr("of 100.00: it stands confirmed"));
+}
+
+TEST(Rank, WideIntervalsConfirmNothing) {
+  const std::string text = conclusion_with(5.7);
+  EXPECT_THAT(text, HasSubstr("the runs leave open whether c1 costs up to 5.1"));
+  EXPECT_THAT(text, HasSubstr("add seeds"));
+  EXPECT_THAT(conclusion_with(5000), Not(HasSubstr("confirmed")));
 }
 
 TEST(Rank, SaysWhichSettingsMadeNoDifference) {

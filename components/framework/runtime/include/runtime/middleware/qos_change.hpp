@@ -23,6 +23,10 @@ struct QosChange {
 /// The policies that can change, in the order of a profile.
 [[nodiscard]] std::vector<std::string> changeable_policies();
 
+/// Throws ConfigError for what no profile's change could be: no policy, one that cannot change, or
+/// a value out of range.
+void check_change(const std::string& settings);
+
 /// `profile` with the settings of a YAML map. Throws ConfigError for what is no policy, cannot
 /// change, is out of range, or contradicts the rest of the profile.
 [[nodiscard]] QosProfile changed(const QosProfile& profile, const std::string& settings);
