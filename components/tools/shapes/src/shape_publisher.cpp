@@ -42,8 +42,9 @@ class Writers {
       }
     }
   }
+  /// A writer that goes writes its instances no more; Fast DDS 2.9.1 sends and reports that only
+  /// when they are unregistered.
   void end_instances() {
-    if (options_.final_state == FinalState::none) return;
     const auto how = options_.final_state == FinalState::dispose ? InstanceState::disposed
                                                                  : InstanceState::no_writers;
     for (const auto& writer : writers_) {

@@ -11,10 +11,12 @@
 #include <thread>
 
 #include "foundation/child_process.hpp"
+#include "plain_reader.hpp"
 
 namespace tocsin::shapes {
 namespace {
 
+using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -97,6 +99,27 @@ TEST(ShapesProgram, TheEndsOfInstancesAreSaidWithTheirColours) {
   EXPECT_TRUE(subscriber.says("Square     RED        NOT_ALIVE_DISPOSED_INSTANCE_STATE"));
   EXPECT_TRUE(subscriber.says("Square     RED1       NOT_ALIVE_DISPOSED_INSTANCE_STATE"));
   EXPECT_EQ(publisher.wait(), 0);
+}
+
+/// Takes until `is_over` holds; whether it came to hold.
+template <class Condition>
+bool take_until(PlainReader& reader, const Condition& is_over) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(15);
+  while (!is_over()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    reader.take_all();
+  }
+  return true;
+}
+
+TEST(ShapesProgram, APublisherThatEndsLeavesNoInstanceAliveAtAReaderOfFastDds) {
+  PlainReader reader(225, "Square");
+  Program publisher("-P -t Square -r -c RED --num-instances 2", 225);
+  ASSERT_TRUE(take_until(reader, [&] { return reader.samples() >= 4; }));
+  EXPECT_EQ(publisher.end(), 0);
+  EXPECT_TRUE(take_until(reader, [&] { return reader.ends().size() >= 2; }));
+  EXPECT_THAT(reader.ends(), Each(dds::NOT_ALIVE_NO_WRITERS_INSTANCE_STATE));
 }
 
 TEST(ShapesProgram, ExitCodesAreThoseOfShapeMain) {
