@@ -35,6 +35,7 @@ int record(const Options& options) {
 }
 
 int play(const Options& options) {
+  (void)bag::BagReader(options.play.bag);  // a bag that cannot be read needs no running system
   const auto graph = make_host_graph(host_bus_options(options.host, "tocsin_bag_play"));
   catch_stop_signals();
   Player player(*graph, options.play);

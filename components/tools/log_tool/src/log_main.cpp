@@ -73,10 +73,7 @@ int list(const Options& options) {
   const auto graph = open_graph(options);
   StateListener states(*graph);
   const KnownLogs logs = heard_logs(states, "", seconds(options.spin_s));
-  if (!logs.any()) {
-    std::fprintf(stderr, "%s\n", logs.why_none().c_str());
-    return 1;
-  }
+  if (!logs.any()) throw EnvironmentError(logs.why_none());
   std::printf("%s", logs.table(steady_now()).c_str());
   return 0;
 }
@@ -96,11 +93,11 @@ std::string timestamped_folder() {
   return text.data();
 }
 
-/// Throws ConfigError for a topic that no router logs.
+/// Throws EnvironmentError for a topic that no router logs.
 KnownLogs logs_with(StateListener& states, const std::string& topic, double patience_s) {
   KnownLogs logs = heard_logs(states, topic, seconds(patience_s));
   if (logs.has(topic) || is_stopped()) return logs;
-  throw ConfigError(
+  throw EnvironmentError(
       "--topic: " + printable(topic) + " is in no log that is heard of" +
       (logs.any() ? "; these are: " + joined(logs.topics()) : ": " + logs.why_none()));
 }
