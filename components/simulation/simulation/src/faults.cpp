@@ -16,8 +16,8 @@
 namespace tocsin::simulation {
 namespace {
 
-constexpr std::array<const char*, 12> names{"crash",      "loss",          "delay",  "duplication",
-                                            "clock_jump", "serial_noise",  "unplug", "disk_full",
+constexpr std::array<const char*, 12> names{"crash",      "loss",           "delay",  "duplication",
+                                            "clock_jump", "serial_noise",   "unplug", "disk_full",
                                             "stop",       "rogue_velocity", "freeze", "forge"};
 /// The first of them are drawn from one sequence of numbers.
 constexpr std::size_t drawn_together = 8;
@@ -92,8 +92,8 @@ bool has_router(const deployment::Container& container) {
 }
 
 Fault draw_fault(Draw& draw, const deployment::Deployment& deployment) {
-  const auto processes = processes_of(
-      deployment, [](const deployment::Container& one) { return !one.terminal; });
+  const auto processes =
+      processes_of(deployment, [](const deployment::Container& one) { return !one.terminal; });
   Fault fault;
   fault.kind = static_cast<FaultKind>(draw.below(drawn_together));
   if (draw.below(3) == 0) fault.kind = FaultKind::crash;  // what hurts most comes most often

@@ -63,7 +63,8 @@ void RadioForger::say_of_stop(SimLinkBus& victim, PeerId peer) {
 void RadioForger::send_again(SimLinkBus& victim, PeerId peer) {
   for (const Heard& one : heard_) {
     const Overheard& what = one.what;
-    if (what.from != peer || !what.flow || network_.core.now - one.at > sends_again_within) continue;
+    if (what.from != peer || !what.flow || network_.core.now - one.at > sends_again_within)
+      continue;
     const std::array<std::uint64_t, 4> numbers{what.number, what.number + 5, 1, 1ULL << 40U};
     const std::array<Duration, 4> ahead{Duration::zero(), std::chrono::milliseconds(400),
                                         std::chrono::hours(1), -std::chrono::hours(1)};

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "foundation/role.hpp"
-#include "radio_link.hpp"
 #include "foundation/stop_value.hpp"
+#include "radio_link.hpp"
 #include "runtime/bus.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "runtime/middleware/qos_profile.hpp"

@@ -42,8 +42,9 @@ using FaultPlan = std::vector<Fault>;
 /// and processes. Processes that own the terminal do not crash.
 ///
 /// Besides them, in every second run, a stop, and in the half of these somebody who publishes
-/// velocities meanwhile; in every third run a router is frozen, in every fourth somebody forges. These are drawn from numbers of their own: a kind that is added does not
-/// change what a seed draws of the others.
+/// velocities meanwhile; in every third run a router is frozen, in every fourth somebody forges.
+/// These are drawn from numbers of their own: a kind that is added does not change what a seed
+/// draws of the others.
 [[nodiscard]] FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment);
 
 /// Reads `faults: [{kind: crash, at_s: 12, for_s: 1, target: uxv/drive}, ...]`. Throws ConfigError
