@@ -67,6 +67,13 @@ std::string text_of(const std::string& path) {
   return text.str();
 }
 
+/// A process that is about to be: forked, but not in its host's network yet.
+bool is_still_launcher(pid_t pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/comm");
+  std::string name;
+  return std::getline(file, name) && name == "tocsin-launch";
+}
+
 }  // namespace
 
 Ended run_to_end(const std::string& program, const std::string& arguments) {
@@ -150,7 +157,8 @@ std::vector<std::string> Stack::processes() const {
 
 pid_t Stack::pid(const std::string& process) const {
   const auto all = nlohmann::json::parse(read("processes.json"), nullptr, false);
-  return all.is_object() ? all.value(process, 0) : 0;
+  const pid_t pid = all.is_object() ? all.value(process, 0) : 0;
+  return is_still_launcher(pid) ? 0 : pid;
 }
 
 void Stack::control(const std::string& socket_name, const std::string& line) const {

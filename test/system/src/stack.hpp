@@ -51,7 +51,8 @@ class Stack {
   [[nodiscard]] bool logged(const std::string& text) const;
   /// Everything that the launcher printed.
   [[nodiscard]] std::string output() const;
-  /// Names of the processes that run now, and the process id of one (0 when it does not run).
+  /// Names of the processes that run now, and the process id of one (0 when it does not run, or is
+  /// not in its host's network yet).
   [[nodiscard]] std::vector<std::string> processes() const;
   [[nodiscard]] pid_t pid(const std::string& process) const;
   /// Sends a line to a control socket of the run folder, for example radio.sock.
