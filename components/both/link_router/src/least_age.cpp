@@ -20,6 +20,8 @@ constexpr Duration row_lasts = std::chrono::seconds(2);
 constexpr Duration very_old = std::chrono::seconds(2);
 constexpr int very_old_means_step = 8;
 constexpr Duration settling = milliseconds(250);
+/// A least age that was agreed with for shorter may be a forger's.
+constexpr Duration trusted_after = std::chrono::seconds(5);
 
 }  // namespace
 
@@ -53,6 +55,11 @@ Duration LeastAge::age(Time sent, Time now) {
   return age;
 }
 
+Duration LeastAge::contradicted_after() const {
+  const Duration agreed = agreed_ - begun_;
+  return agreed < trusted_after ? std::min(agreed, confirming_for) : agreed;
+}
+
 void LeastAge::note(Duration seen, Time now) {
   const Duration least = *least_.value();
   if (seen + agreement < least) {
@@ -67,7 +74,7 @@ void LeastAge::note(Duration seen, Time now) {
     return;
   }
   const bool contradicted = count(contrary_, confirming, seen, now);
-  const bool as_long = now - contrary_.begun >= agreed_ - begun_;
+  const bool as_long = now - contrary_.begun >= contradicted_after();
   const bool was_set = seen - least > very_old && count(old_, very_old_means_step, seen, now);
   if (seen - least <= very_old) old_ = {};
   if (was_set || (contradicted && as_long)) begin(contrary_.least, contrary_.begun, now);

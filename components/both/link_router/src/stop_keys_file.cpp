@@ -25,7 +25,7 @@ std::optional<StopToken> token_in(const std::string& hex) {
   for (std::size_t i = 0; i < hex.size(); ++i) {
     const std::size_t digit = std::string(digits).find(hex[i]);
     if (digit == std::string::npos) return std::nullopt;
-    token[i / 2] = static_cast<std::uint8_t>(token[i / 2] << 4U | digit);
+    token[i / 2] = static_cast<std::uint8_t>(unsigned{token[i / 2]} << 4U | digit);
   }
   return token;
 }

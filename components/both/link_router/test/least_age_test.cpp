@@ -12,7 +12,7 @@ constexpr Duration difference = std::chrono::hours(9);  // between the clocks
 class LeastAgeTest : public ::testing::Test {
  protected:
   LeastAgeTest() {
-    for (int i = 0; i < 20; ++i, now += 100 * ms) (void)age(2 * ms);
+    for (int i = 0; i < 60; ++i, now += 100 * ms) (void)age(2 * ms);
   }
   /// Of a sample that was sent so long ago.
   Duration age(Duration real) { return sut.age(now - real - difference, now); }

@@ -11,10 +11,11 @@ namespace tocsin::router {
 /// An age that is lesser by 100 ms or more is a hint until traffic confirms it: it counts when
 /// three or more arrivals, at most 2 s apart, say so for a second and none agrees with the present
 /// one. So a forged stamp of the future makes nothing old. The least age ends when all that is
-/// received contradicts it for as long as it was agreed with, or in eight arrivals by more than 2
-/// s: a clock was set. So what a forger has said for a second lasts a second, and a queue that
-/// stands stays old. Arrivals within 50 ms count once: that is what waited in the radio's queue
-/// while nothing was received. Pure; `now` never decreases.
+/// received contradicts it for as long as it was agreed with (for a second, if that was less than
+/// 5 s), or in eight arrivals by more than 2 s: a clock was set. So what a forger has said for some
+/// seconds lasts a second, and a queue that stands stays old. Arrivals within 50 ms count once:
+/// that is what waited in the radio's queue while nothing was received. Pure; `now` never
+/// decreases.
 class LeastAge {
  public:
   explicit LeastAge(Duration window) : least_(window) {}
@@ -36,6 +37,7 @@ class LeastAge {
   [[nodiscard]] static bool count(Row& row, int wanted, Duration seen, Time now);
   void begin(Duration seen, Time since, Time now);
   void note(Duration seen, Time now);
+  [[nodiscard]] Duration contradicted_after() const;
 
   WindowedMinimum least_;
   Time begun_{};  ///< first arrival that counts

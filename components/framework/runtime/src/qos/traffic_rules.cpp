@@ -190,6 +190,11 @@ void refuse_chain(const NamedClass& from, const SentTopics& sent) {
     }
   }
 }
+void refuse_chain(Role role, const std::vector<NamedClass>& classes, const SentTopics& sent) {
+  for (const NamedClass& one : classes) {
+    if (one.role == role) refuse_chain(one, sent);
+  }
+}
 
 /// The map of a role. Throws ConfigError when the file has none.
 YAML::Node map_of(const YAML::Node& file, Role role, const std::string& path) {
@@ -231,9 +236,7 @@ TrafficRules::TrafficRules(const std::string& path, Role of, VehicleChain chain)
   }
   for (const Role role : roles) {
     SentTopics sent = sent_by(role, file, classes, sources);
-    for (const NamedClass& one : classes) {
-      if (chain == VehicleChain::ours && one.role == role) refuse_chain(one, sent);
-    }
+    if (chain == VehicleChain::ours) refuse_chain(role, classes, sent);
     if (role == of) {
       own_ = std::move(sent);
     } else {
