@@ -126,9 +126,11 @@ std::vector<StopChannel::Bytes> StopChannel::due(std::uint32_t to, Time now) {
     if (told.burst > 0) --told.burst;
     told.next = now + (told.burst > 0 ? burst_period : stop_value_period);
   }
-  if (seal_ && now - told.certificate >= certificate_period) {
+  const Duration period = told.has_restarted ? certificate_period / 5 : certificate_period;
+  if (seal_ && now - told.certificate >= period) {
     all.push_back(seal_->certificate);
     told.certificate = now;
+    told.has_restarted = false;
   }
   return all;
 }
@@ -164,6 +166,9 @@ std::size_t StopChannel::take(const std::uint8_t* packet, std::size_t size, std:
     }
   }
   note_packet(router, now);
+  const auto told = told_.find(from);
+  const bool is_new = told != told_.end() && std::exchange(told->second.router, router) != router;
+  if (is_new) told->second.has_restarted = true;
   const bool tell = std::exchange(has_news_, false);
   lock.unlock();
   if (tell) options_.on_news();

@@ -62,7 +62,9 @@ class StopChannel {
   struct Told {
     Time last{};  ///< when a packet took the value to it
     Time certificate{};
-    int burst = 0;  ///< so many packets of its own follow at once
+    std::uint64_t router = 0;    ///< of which a packet came last
+    bool has_restarted = false;  ///< since it was told the certificate
+    int burst = 0;               ///< so many packets of its own follow at once
     Time next{};
   };
   struct Seal {

@@ -206,6 +206,22 @@ TEST_F(SecuredStopChannelTest, NamesTheIdentityOnceItsCertificateHasArrived) {
   EXPECT_EQ(news.values.back().identity, "CN=/gcs");
 }
 
+TEST_F(SecuredStopChannelTest, TellsARestartedPeerItsCertificateWithin200Milliseconds) {
+  open(enclave("gcs"), enclave("uxv1"));
+  station_->say(value(true), now_);
+  deliver_due();
+  vehicle_.emplace(StopChannel::Options{{station}, enclave("uxv1"), packet_bytes});
+  Bytes of_successor = packet(nullptr);
+  of_successor[8] ^= 1U;  // the GUID prefix
+  (void)station_->take(of_successor.data(), of_successor.size(), vehicle, now_, wall_s);
+  for (int i = 0; i < 3; ++i) {
+    now_ += milliseconds(100);
+    station_->say(value(true, 2 + static_cast<std::uint64_t>(i)), now_);
+    deliver_due();
+  }
+  EXPECT_FALSE(vehicle_->take_news().values.empty());
+}
+
 TEST_F(SecuredStopChannelTest, TakesNothingWithoutAValidSignature) {
   open("", enclave("uxv1"));
   station_->say(value(true), now_);
