@@ -23,34 +23,6 @@
 
 namespace tocsin {
 
-inline double wall_s() {
-  timespec now{};
-  clock_gettime(CLOCK_REALTIME, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// DDS domains of a bringup file's first host, its second one, and the link.
-inline BusOptions vehicle_domain(int domain) {
-  BusOptions options;
-  options.name = "peer";
-  options.host_domain = domain;
-  return options;
-}
-
-/// Repeats a message for ever, twenty times a second unless told otherwise.
-template <class Topic>
-std::function<void(Bus&)> repeat(typename Topic::Message message,
-                                 std::chrono::milliseconds period = std::chrono::milliseconds(50)) {
-  return [message = std::make_shared<const typename Topic::Message>(std::move(message)),
-          period](Bus& bus) {
-    const auto writer = bus.advertise({Topic::info, &type_info<typename Topic::Message>()});
-    for (;;) {
-      (void)writer->write(message);
-      std::this_thread::sleep_for(period);
-    }
-  };
-}
-
 /// Somebody on a host who drives the base at 0.5 m/s, fifty times a second, past all components.
 inline std::function<void(Bus&)> drive_past_all() {
   topic::CmdVel::Message message;
@@ -80,7 +52,7 @@ class EmergencyStopTest : public ::testing::Test {
     ASSERT_TRUE(Stack::eventually(std::chrono::seconds(30), [&] {
       return stack_->pid("gcs/mission") != 0;
     })) << stack_->output();
-    watch_.emplace(stack_->pid("uxv/recorder"), vehicle_domain(domain), watch_wheels(wheels_));
+    watch_.emplace(stack_->pid("uxv/recorder"), on_host(domain), watch_wheels(wheels_));
     ASSERT_TRUE(moves()) << stack_->output();
   }
   /// `tocsin estop` as a person types it, from a folder of no run; its exit code.
@@ -107,14 +79,6 @@ class EmergencyStopTest : public ::testing::Test {
                              [&] { return last_seen(wheels_) > rests + for_s; }) &&
            last_moved(wheels_) <= rests;
   }
-  /// Fills the disk of the run folder to the last byte.
-  void fill_disk() const {
-    std::ofstream file(stack_->path("fill"));
-    const std::string block(1U << 16U, 'x');
-    while (file << block << std::flush) {
-    }
-  }
-
   std::optional<Stack> stack_;
   std::string wheels_;
   std::optional<Peer> watch_;

@@ -73,6 +73,18 @@ void Peer::kill() {
   pid_ = 0;
 }
 
+BusOptions on_host(int domain) {
+  BusOptions options;
+  options.name = "peer";
+  options.host_domain = domain;
+  return options;
+}
+
+double wall_s() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
 std::function<void(Bus&)> watch_wheels(const std::string& file) {
   return [file](Bus& bus) {
     WheelLog log(file);

@@ -3,9 +3,14 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
+#include <thread>
+#include <utility>
 
+#include "idl_support/type_info.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin {
@@ -30,6 +35,26 @@ class Peer {
  private:
   pid_t pid_;
 };
+
+/// A peer's domains on a host.
+[[nodiscard]] BusOptions on_host(int domain);
+
+/// Repeats a message for ever, twenty times a second unless told otherwise.
+template <class Topic>
+std::function<void(Bus&)> repeat(typename Topic::Message message,
+                                 std::chrono::milliseconds period = std::chrono::milliseconds(50)) {
+  return [message = std::make_shared<const typename Topic::Message>(std::move(message)),
+          period](Bus& bus) {
+    const auto writer = bus.advertise({Topic::info, &type_info<typename Topic::Message>()});
+    for (;;) {
+      (void)writer->write(message);
+      std::this_thread::sleep_for(period);
+    }
+  };
+}
+
+/// Since the Unix epoch [s].
+[[nodiscard]] double wall_s();
 
 /// Writes every velocity of the wheels to a file: wall time [s] and speed [m/s].
 [[nodiscard]] std::function<void(Bus&)> watch_wheels(const std::string& file);

@@ -55,12 +55,8 @@ std::optional<std::string> delete_wlan0(const Stack& stack, std::chrono::seconds
 /// Takes all room of the run folder's disk for a while.
 std::optional<std::string> fill_disk(const Stack& stack, std::chrono::seconds time) {
   const std::string path = stack.path("filling");
-  std::ofstream file(path, std::ios::binary);
-  const std::string block(1U << 16U, 'x');
-  while (file.write(block.data(), static_cast<std::streamsize>(block.size())).flush()) {
-  }
+  stack.fill_disk("filling");
   std::this_thread::sleep_for(time);
-  file.close();
   std::error_code error;
   if (std::filesystem::remove(path, error)) return std::nullopt;
   return path + ": cannot be removed: " + error.message();

@@ -161,6 +161,13 @@ pid_t Stack::pid(const std::string& process) const {
   return is_still_launcher(pid) ? 0 : pid;
 }
 
+void Stack::fill_disk(const std::string& name) const {
+  std::ofstream file(path(name), std::ios::binary);
+  const std::string block(1U << 16U, 'x');
+  while (file << block << std::flush) {
+  }
+}
+
 void Stack::control(const std::string& socket_name, const std::string& line) const {
   const auto error = DatagramSocket().send(path(socket_name), line);
   if (error) throw std::runtime_error(path(socket_name) + ": " + error.message());

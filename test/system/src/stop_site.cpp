@@ -18,11 +18,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-double wall_s() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
-}
-
 std::array<int, 2> open_pipe() {
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_NONBLOCK) != 0) throw std::runtime_error("no pipe");
@@ -48,22 +43,10 @@ std::string make_keystore(const TemporaryFolder& folder) {
 
 }  // namespace
 
-BusOptions on_host(int host_domain) {
-  BusOptions options;
-  options.name = "stranger";
-  options.host_domain = host_domain;
-  return options;
-}
-
-void turn_on_the_spot(Bus& bus) {
-  const auto writer = bus.advertise({topic::CmdVel::info, &type_info<topic::CmdVel::Message>()});
+std::function<void(Bus&)> turn_on_the_spot() {
   topic::CmdVel::Message message;
   message.angular().z(1);
-  const auto whole = std::make_shared<const topic::CmdVel::Message>(message);
-  for (;;) {
-    (void)writer->write(whole);
-    std::this_thread::sleep_for(milliseconds(20));
-  }
+  return repeat<topic::CmdVel>(message, milliseconds(20));
 }
 
 StationPerson::StationPerson(pid_t station)
@@ -107,7 +90,7 @@ StopSite::StopSite(const StopSiteOptions& options) {
     throw std::runtime_error(stack_->output());
   }
   watch_.emplace(stack_->pid("uxv/recorder"), on_host(site_domain), watch_wheels(wheels_));
-  rogue_.emplace(stack_->pid("uxv/recorder"), on_host(site_domain), turn_on_the_spot);
+  rogue_.emplace(stack_->pid("uxv/recorder"), on_host(site_domain), turn_on_the_spot());
   // One that has begun long enough ago to be in its host's network.
   person_.emplace(stack_->pid("gcs/link"));
   const bool is_obeyed = Stack::eventually(std::chrono::seconds(40), [&] {

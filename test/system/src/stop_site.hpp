@@ -19,12 +19,9 @@ inline constexpr int site_domain = 40;
 inline constexpr const char* vehicle_address = "10.77.0.1";
 inline constexpr const char* station_address = "10.77.0.2";
 
-/// A stranger's domains on a host.
-[[nodiscard]] BusOptions on_host(int host_domain);
-
 /// Somebody who turns the vehicle on the spot, past all components, so that it moves unless the
-/// driver holds the stop. Does not return.
-void turn_on_the_spot(Bus& bus);
+/// driver holds the stop.
+[[nodiscard]] std::function<void(Bus&)> turn_on_the_spot();
 
 /// A person at the station: asks ten times a second for what was typed last.
 class StationPerson {

@@ -125,7 +125,8 @@ Trouble with(Forge forge) {
 
 /// A stranger on the link publishes velocities for the vehicle.
 std::shared_ptr<void> stranger(const StopSite& site) {
-  auto peer = std::make_shared<Peer>(site.stack().pid("gcs/recorder"), on_link(), turn_on_the_spot);
+  auto peer =
+      std::make_shared<Peer>(site.stack().pid("gcs/recorder"), on_link(), turn_on_the_spot());
   std::this_thread::sleep_for(milliseconds(1500));
   return peer;
 }
@@ -146,10 +147,7 @@ std::shared_ptr<void> flood(const StopSite& site) {
 }
 
 std::shared_ptr<void> full_disk(const StopSite& site) {
-  std::ofstream file(site.stack().path("fill"), std::ios::app);
-  const std::string block(1U << 16U, 'x');
-  while (file << block << std::flush) {
-  }
+  site.stack().fill_disk("fill");
   return nullptr;
 }
 

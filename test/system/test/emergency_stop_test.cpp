@@ -24,7 +24,7 @@ using ::testing::HasSubstr;
 
 /// As a peer at the station, on the link too.
 BusOptions station_domains(int domain) {
-  BusOptions options = vehicle_domain(domain + 1);
+  BusOptions options = on_host(domain + 1);
   options.link_domain = domain + 2;
   options.link_address = "10.77.0.2";
   options.link_peers = {"10.77.0.1"};
@@ -33,7 +33,7 @@ BusOptions station_domains(int domain) {
 
 TEST_F(EmergencyStopTest, WorksOnAFullDisk) {
   drive({}, 24);
-  fill_disk();
+  stack_->fill_disk("fill");
   ASSERT_TRUE(Stack::eventually(seconds(10), [&] { return stack_->logged("DISK FULL"); }))
       << stack_->output();
   EXPECT_EQ(estop({"on"}), 0) << said();
@@ -88,7 +88,7 @@ TEST_F(EmergencyStopTest, HoldsOverTheDeathOfEachOfItsTwoProcesses) {
 TEST_F(EmergencyStopTest, AnotherPeersFalseDoesNotReleaseIt) {
   drive();
   ASSERT_EQ(estop({"on"}), 0) << said();
-  Peer at_vehicle(stack_->pid("uxv/recorder"), vehicle_domain(domain),
+  Peer at_vehicle(stack_->pid("uxv/recorder"), on_host(domain),
                   repeat<topic::EmergencyStop>(word(false)));
   Peer at_station(stack_->pid("gcs/recorder"), station_domains(domain),
                   repeat<topic::EmergencyStop>(word(false)));
@@ -101,7 +101,7 @@ TEST_F(EmergencyStopTest, AnotherPeersFalseDoesNotReleaseIt) {
 
 TEST_F(EmergencyStopTest, AnybodyMayStopAndWhatTheDeadLeftIsReleasedAtTheVehicle) {
   drive();
-  Peer button(stack_->pid("uxv/recorder"), vehicle_domain(domain),
+  Peer button(stack_->pid("uxv/recorder"), on_host(domain),
               repeat<topic::EmergencyStop>(word(true)));
   ASSERT_TRUE(stands());
   EXPECT_EQ(estop({"off", "--wait", "2"}), 1);
@@ -160,7 +160,7 @@ TEST_F(TwoLaunchesTest, TheStopReachesAVehicleWhoseStationWasKilled) {
   wheels_ = stack_->scratch() + "/wheels";
   ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack_->pid("uxv/drive") != 0; }))
       << stack_->output();
-  watch_.emplace(stack_->pid("uxv/drive"), vehicle_domain(domain), watch_wheels(wheels_));
+  watch_.emplace(stack_->pid("uxv/drive"), on_host(domain), watch_wheels(wheels_));
   ASSERT_TRUE(moves()) << stack_->output() << station_->output();
   kill(station_->launcher(), SIGKILL);
   (void)station_->exit_code(seconds(5));

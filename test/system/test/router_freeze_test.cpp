@@ -24,7 +24,6 @@ namespace {
 using std::chrono::seconds;
 
 constexpr int domain = 40;  // of bringup/mission.yaml
-double wall_s() { return 1e-9 * static_cast<double>(wall_now_ns()); }
 
 /// Samples of one writer that one side has recorded, by their time of sending: times of arrival.
 using Arrivals = std::map<double, double>;
@@ -43,10 +42,7 @@ class RouterFreezeTest : public ::testing::Test {
     ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack_.pid("gcs/mission") != 0; }))
         << stack_.output();
     wheels_ = stack_.scratch() + "/wheels";
-    BusOptions vehicle;
-    vehicle.name = "peer";
-    vehicle.host_domain = domain;
-    watch_.emplace(stack_.pid("uxv/recorder"), vehicle, watch_wheels(wheels_));
+    watch_.emplace(stack_.pid("uxv/recorder"), on_host(domain), watch_wheels(wheels_));
     ASSERT_TRUE(moves()) << stack_.output();
     std::this_thread::sleep_for(seconds(4));  // so that what comes once a second is known
   }

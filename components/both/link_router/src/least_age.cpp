@@ -13,7 +13,7 @@ constexpr Duration burst = milliseconds(50);
 constexpr Duration silence = std::chrono::seconds(1);
 constexpr Duration agreement = milliseconds(100);
 constexpr int confirming = 3;
-/// A lesser age that is heard of for shorter than this is no evidence.
+/// A lesser age that is received for shorter than this is no evidence.
 constexpr Duration confirming_for = std::chrono::seconds(1);
 /// A row whose arrivals are farther apart begins anew.
 constexpr Duration row_lasts = std::chrono::seconds(2);
@@ -29,7 +29,7 @@ bool LeastAge::count(Row& row, int wanted, Duration seen, Time now) {
   if (row.arrivals > 0 && now - row.counted > row_lasts) row = {};
   if (row.arrivals == 0) {
     row = {1, now, now, seen};
-    return wanted <= 1;
+    return false;
   }
   row.least = std::min(row.least, seen);
   if (now - row.counted < burst) return false;

@@ -119,14 +119,18 @@ Draw draw_of(FaultKind kind, std::uint64_t seed) {
   return Draw(seed + (static_cast<std::uint64_t>(kind) << 48U));
 }
 
-std::optional<Fault> draw_stop(std::uint64_t seed) {
-  Draw draw = draw_of(FaultKind::stop, seed);
-  if (draw.below(2) == 0) return std::nullopt;
+Fault in_the_first_minute(FaultKind kind, Draw& draw) {
   Fault fault;
-  fault.kind = FaultKind::stop;
+  fault.kind = kind;
   fault.at_s = draw.between(2, 60);
   fault.for_s = draw.between(0.2, 10);
   return fault;
+}
+
+std::optional<Fault> draw_stop(std::uint64_t seed) {
+  Draw draw = draw_of(FaultKind::stop, seed);
+  if (draw.below(2) == 0) return std::nullopt;
+  return in_the_first_minute(FaultKind::stop, draw);
 }
 
 /// While the stop stands, and somewhat longer: nobody promises to hold back others without one.
@@ -144,10 +148,7 @@ std::optional<Fault> draw_freeze(std::uint64_t seed, const deployment::Deploymen
   Draw draw = draw_of(FaultKind::freeze, seed);
   const auto routers = processes_of(deployment, has_router);
   if (draw.below(3) != 0 || routers.empty()) return std::nullopt;
-  Fault fault;
-  fault.kind = FaultKind::freeze;
-  fault.at_s = draw.between(2, 60);
-  fault.for_s = draw.between(0.2, 10);
+  Fault fault = in_the_first_minute(FaultKind::freeze, draw);
   fault.target = routers[draw.below(routers.size())];
   return fault;
 }
@@ -155,11 +156,7 @@ std::optional<Fault> draw_freeze(std::uint64_t seed, const deployment::Deploymen
 std::optional<Fault> draw_forge(std::uint64_t seed) {
   Draw draw = draw_of(FaultKind::forge, seed);
   if (draw.below(4) != 0) return std::nullopt;
-  Fault fault;
-  fault.kind = FaultKind::forge;
-  fault.at_s = draw.between(2, 60);
-  fault.for_s = draw.between(0.2, 10);
-  return fault;
+  return in_the_first_minute(FaultKind::forge, draw);
 }
 
 }  // namespace

@@ -114,13 +114,13 @@ describe("Alert", () => {
     assert.match(textAt(heard(9000, {}, 5000), 9000), /^The link is poor: position 4.0 s old/);
   });
   it("calls nothing well in the first 2 s, as messages may come late", () => {
-    assert.equal(textAt(heard(1500), 1500), "The vehicle is heard; how late is not known yet.");
+    assert.equal(textAt(heard(1500), 1500), "The vehicle is received; how late is not known yet.");
     assert.equal(alertOf(open, heard(2000), 2000).severity, "well");
   });
   it("tells what it does not know yet in place of well", () => {
     const station = new Station();
     for (const at of [0, 500, 2500]) station.onMessage("heartbeat", { stamp: make.stampOf(at + 1), role: "uxv" }, at);
-    assert.equal(textAt(station, 2500), "The vehicle is heard, but not its position, not the link's quality, not its safety.");
+    assert.equal(textAt(station, 2500), "The vehicle is received, but not its position, not the link's quality, not its safety.");
   });
   it("takes a state that a late reader gets for no sign of life", () => {
     const station = new Station();

@@ -36,9 +36,7 @@ void FlowReaders::remove(FlowId flow) {
 void FlowReaders::renew(FlowId flow) {
   const auto found = by_flow_.find(flow);
   if (found == by_flow_.end()) return;
-  Entry& entry = readers_.at(found->second);
-  entry.reader.reset();
-  entry.reader = make_(found->second);
+  readers_.at(found->second).reader = make_(found->second);
 }
 
 }  // namespace tocsin

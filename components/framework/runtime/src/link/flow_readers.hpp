@@ -24,7 +24,7 @@ class FlowReaders {
   /// May throw what `make` throws; then the flow has none. Again changes nothing.
   void add(FlowId flow, const ReaderKey& key);
   void remove(FlowId flow);
-  /// Makes its reader anew. A flow without one has none afterwards.
+  /// Makes its reader anew; throws what `make` throws, and then it has the one before.
   void renew(FlowId flow);
   [[nodiscard]] std::size_t size() const { return readers_.size(); }
 

@@ -15,6 +15,8 @@
 #include <chrono>
 #include <cstring>
 
+#include "link/rtps_message.hpp"
+
 namespace tocsin {
 namespace {
 
@@ -173,21 +175,18 @@ Forger::Packet Forger::stranger_like(const Overheard& victim, std::uint32_t numb
 
 Forger::Packet Forger::exaggerated(const Packet& message, std::uint32_t by) {
   constexpr std::uint8_t data = 0x15;
-  constexpr std::size_t number_at = 4 + 4 + 4 + 4;  // behind header, flags and both entities
+  constexpr std::size_t number_at = 2 + 2 + 4 + 4 + 4;  // its low word: behind both entities
+  constexpr std::size_t end_bytes = 16;
   Packet packet = message;
-  for (std::size_t at = prefix_at + prefix_bytes; at + 4 <= packet.size();) {
-    const std::size_t size = packet[at + 2] | packet[at + 3] << 8U;
-    const std::size_t end = size == 0 ? packet.size() : at + 4 + size;
-    if (packet[at] == data && end <= packet.size() && at + number_at + 8 + 24 < end) {
-      std::uint32_t low = 0;
-      std::memcpy(&low, &packet[at + number_at + 4], sizeof low);
-      low += by;
-      std::memcpy(&packet[at + number_at + 4], &low, sizeof low);
-      std::fill(packet.begin() + static_cast<std::ptrdiff_t>(end - 16),
-                packet.begin() + static_cast<std::ptrdiff_t>(end), 0xff);
-    }
-    if (size == 0 && packet[at] != 1) break;
-    at = end;
+  Submessages all(message.data(), message.size());
+  while (const auto one = all.next()) {
+    if (one->kind != data || one->bytes <= number_at + 4 + 24) continue;
+    std::uint8_t* const content = packet.data() + (one->content - message.data());
+    std::uint32_t low = 0;
+    std::memcpy(&low, content + number_at, sizeof low);
+    low += by;
+    std::memcpy(content + number_at, &low, sizeof low);
+    std::fill_n(content + one->bytes - end_bytes, end_bytes, 0xff);
   }
   return packet;
 }

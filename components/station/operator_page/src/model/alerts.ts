@@ -103,9 +103,9 @@ function unknownAlert(station: Station, now: number): Alert | undefined {
     ...(gradeLink(figuresOf(station, now)).isGood ? [] : ["the link's quality"]),
     ...(station.safety === undefined ? ["its safety"] : []),
   ];
-  if (missing.length > 0) return { severity: "info", text: `The vehicle is heard, but not ${missing.join(", not ")}.` };
+  if (missing.length > 0) return { severity: "info", text: `The vehicle is received, but not ${missing.join(", not ")}.` };
   const sinceMs = now - (station.vehicleHeardSince ?? now);
-  if (sinceMs < settledAfterMs) return { severity: "info", text: "The vehicle is heard; how late is not known yet." };
+  if (sinceMs < settledAfterMs) return { severity: "info", text: "The vehicle is received; how late is not known yet." };
   return undefined;
 }
 

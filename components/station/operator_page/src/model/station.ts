@@ -93,7 +93,7 @@ export class Station {
   plan: Heard<Path> | undefined;
   /** When anything of the vehicle was last heard. */
   vehicleHeard: number | undefined;
-  /** Since when it is heard without a silence: how late its messages are is not known at once. */
+  /** Since when it is received without a silence: how late its messages are is not known at once. */
   vehicleHeardSince: number | undefined;
   #clocks = new Map<string, SourceClock>();
 
