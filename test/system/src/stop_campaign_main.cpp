@@ -45,10 +45,7 @@ void keep(StopSite& site, const Condition& condition, std::optional<double> time
 }
 
 /// The vehicle drives before each press: where it stands by a silent router, once that is received.
-Figures run(const Plan& plan, const Condition& condition) {
-  StopSiteOptions options = plan.site;
-  options.disk_mib = condition.disk_mib;
-  StopSite site(options);
+Figures press(const Plan& plan, const Condition& condition, StopSite& site) {
   Figures figures;
   std::shared_ptr<void> trouble;
   if (condition.lasts) trouble = condition.trouble(site);
@@ -63,6 +60,20 @@ Figures run(const Plan& plan, const Condition& condition) {
   }
   std::sort(figures.times_s.begin(), figures.times_s.end());
   return figures;
+}
+
+Figures run(const Plan& plan, const Condition& condition) {
+  StopSiteOptions options = plan.site;
+  options.disk_mib = condition.disk_mib;
+  StopSite site(options);
+  try {
+    return press(plan, condition, site);
+  } catch (const std::exception&) {
+    fmt::print("{}: see {}\n", condition.name, site.stack().folder());
+    std::fflush(stdout);
+    site.stack().keep();
+    throw;
+  }
 }
 
 /// Prints a line; whether each press stopped the wheels in time.

@@ -17,7 +17,7 @@ bool is_same(const Announcement& what, const Octets& content) {
 }  // namespace
 
 bool Participants::is_over(const Participant& participant, Time now) const {
-  const Duration lease = participant.departure ? limits_.departure_wait : participant.lease;
+  const Duration lease = participant.departure ? participant.departure->wait : participant.lease;
   return now - participant.heard > lease;
 }
 
@@ -92,22 +92,36 @@ Checked<Participants::Verdict> Participants::leaves(Known::iterator at, Source f
   Verdict verdict;
   verdict.hide = true;
   if (participant.departure) return verdict;
-  participant.departure = now;
-  ++waiting_;
-  verdict.before.push_back(participant.copy.with(wait, ++participant.number));
+  verdict.before.push_back(expect_departure(participant, wait, now));
   return verdict;
 }
 
-std::optional<Octets> Participants::stays(const Prefix& prefix, Time now) {
+Octets Participants::expect_departure(Participant& participant, Duration wait, Time now) {
+  participant.departure = Departure{now, wait};
+  ++waiting_;
+  return participant.copy.with(wait, ++participant.number);
+}
+
+void Participants::supersede(const Prefix& prefix, Time now) {
+  // One that was frozen for less is the same when it goes on.
+  constexpr Duration wait = std::chrono::seconds(10);
+  const auto found = known_.find(prefix);
+  if (found == known_.end()) return;
+  Participant& participant = found->second;
+  if (participant.departure || !participant.copy.has_lease()) return;
+  due_.push_back(expect_departure(participant, wait, now));
+}
+
+void Participants::stays(const Prefix& prefix, Time now) {
   // What it sent before it left may still be on its way.
   constexpr Duration settling = std::chrono::milliseconds(300);
   const auto found = known_.find(prefix);
-  if (found == known_.end()) return std::nullopt;
+  if (found == known_.end()) return;
   Participant& participant = found->second;
-  if (!participant.departure || now - *participant.departure < settling) return std::nullopt;
+  if (!participant.departure || now - participant.departure->since < settling) return;
   participant.departure.reset();
   --waiting_;
-  return participant.copy.with(participant.lease, ++participant.number);
+  due_.push_back(participant.copy.with(participant.lease, ++participant.number));
 }
 
 Participants::Verdict Participants::renew(Known::iterator at, const Announcement& what, Time now) {

@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "announcement_copy.hpp"
@@ -34,9 +35,12 @@ class Participants {
   void shown(const Prefix& prefix, AnnouncementCopy copy) { known_[prefix].copy = std::move(copy); }
   /// Whether a departure waits for its confirmation by silence.
   [[nodiscard]] bool waits() const { return waiting_ > 0; }
-  /// A packet that is no departure: what is to be shown before it, as its participant has not left.
-  [[nodiscard]] std::optional<Octets> stays(const Prefix& prefix, Time now);
+  /// A packet that is no departure: its participant has not left.
+  void stays(const Prefix& prefix, Time now);
   /// See RtpsFilter.
+  void supersede(const Prefix& prefix, Time now);
+  /// See RtpsFilter.
+  [[nodiscard]] std::vector<Octets> take_due() { return std::exchange(due_, {}); }
   void authenticate(const Prefix& prefix);
   void forget(const Prefix& prefix);
   [[nodiscard]] Wrong endpoint(const Prefix& prefix, const Announcement& what);
@@ -65,20 +69,27 @@ class Participants {
       return (high ^ std::uint64_t{low} << 21U) * 0x9e3779b97f4a7c15ULL;
     }
   };
+  /// It has left unless it is heard of within `wait`.
+  struct Departure {
+    Time since;
+    Duration wait;
+  };
   struct Participant {
     std::vector<Source> sources;  ///< it has announced itself from, the first one first
     Time admitted{};
     Time heard{};
     Duration lease{};
-    std::int64_t number = 0;        ///< the highest that was shown of its announcements
-    Octets content;                 ///< of the last one, as it was sent
-    AnnouncementCopy copy;          ///< of the last one, as it was shown
-    std::optional<Time> departure;  ///< when it said that it leaves
+    std::int64_t number = 0;  ///< the highest that was shown of its announcements
+    Octets content;           ///< of the last one, as it was sent
+    AnnouncementCopy copy;    ///< of the last one, as it was shown
+    std::optional<Departure> departure;
     bool authenticated = false;
     std::unordered_map<std::uint32_t, ToldNumbers> endpoints;
     TokenBucket gaps;
   };
   using Known = std::unordered_map<Prefix, Participant, Hash>;
+  /// What says that a participant has left if it stays silent for so long.
+  [[nodiscard]] Octets expect_departure(Participant& participant, Duration wait, Time now);
   [[nodiscard]] Checked<Verdict> leaves(Known::iterator at, Source from, Time now);
   [[nodiscard]] Checked<Verdict> admit(const Prefix& prefix, const Announcement& what, Source from,
                                        Time now);
@@ -99,6 +110,7 @@ class Participants {
   Known known_;
   std::size_t endpoints_ = 0;
   std::size_t waiting_ = 0;
+  std::vector<Octets> due_;
   TokenBucket jumps_;
   TokenBucket kept_;
   UnfinishedSamples unfinished_;

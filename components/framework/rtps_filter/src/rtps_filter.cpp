@@ -215,15 +215,13 @@ Inspection RtpsFilter::inspect(const std::uint8_t* bytes, std::size_t size, Sour
   }
   if (const Wrong wrong = state_->participants.heard(header->prefix, from, now))
     return dropped(*wrong);
-  std::optional<Octets> again;
   if (state_->participants.waits() && !says_goodbye(bytes, size, {*header, limits, bytes, false})) {
-    again = state_->participants.stays(header->prefix, now);
+    state_->participants.stays(header->prefix, now);
   }
   Inspection inspection;
   if (found.needs_memory) {
     inspection = Admission<State>(*state_, *header, from, now).admit(bytes, size);
   }
-  if (again) inspection.before.insert(inspection.before.begin(), std::move(*again));
   return inspection;
 }
 
@@ -231,8 +229,16 @@ void RtpsFilter::authenticate(const std::array<std::uint8_t, 12>& prefix) {
   state_->participants.authenticate(prefix);
 }
 
+void RtpsFilter::supersede(const std::array<std::uint8_t, 12>& prefix, Time now) {
+  state_->participants.supersede(prefix, now);
+}
+
 void RtpsFilter::forget(const std::array<std::uint8_t, 12>& prefix) {
   state_->participants.forget(prefix);
+}
+
+std::vector<std::vector<std::uint8_t>> RtpsFilter::take_due() {
+  return state_->participants.take_due();
 }
 
 void RtpsFilter::took(Duration cpu, Time now) { state_->participants.took(cpu, now); }

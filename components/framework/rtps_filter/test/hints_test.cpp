@@ -2,6 +2,8 @@
 // What strangers say of participants where that is a hint only, until traffic confirms it.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "message_builder.hpp"
 
 namespace tocsin::rtps_filter {
@@ -44,6 +46,11 @@ Bytes shown(RtpsFilter& sut, const Bytes& bytes, Time now = t0) {
   return changed(bytes.data(), bytes.size(), inspect(sut, bytes, alice, now));
 }
 
+std::vector<Bytes> due_after(RtpsFilter& sut, const Bytes& bytes, Time now) {
+  (void)inspect(sut, bytes, alice, now);
+  return sut.take_due();
+}
+
 TEST(Lease, ThatIsTooLongIsShownAsTheLongest) {
   for (const std::uint32_t lease_s : {299U, 300U, 301U, 0x7fffffffU}) {
     RtpsFilter sut(on_link());
@@ -76,19 +83,19 @@ TEST(Departure, IsTakenBackByTrafficButNotByWhatWasOnItsWay) {
   RtpsFilter sut(on_link());
   (void)inspect(sut, announced('a'));
   (void)inspect(sut, departure('a', 'a'));
-  EXPECT_TRUE(inspect(sut, gap('a', 1, 2), alice, t0 + milliseconds(299)).before.empty());
-  EXPECT_TRUE(inspect(sut, departure('a', 'a'), alice, t0 + milliseconds(300)).before.empty());
-  const Inspection back = inspect(sut, gap('a', 1, 2), alice, t0 + milliseconds(300));
-  ASSERT_EQ(back.before.size(), 1U);
-  EXPECT_EQ(back.before[0], with_number_and_lease(announced('a'), 3, 20));
-  EXPECT_TRUE(inspect(sut, gap('a', 1, 2), alice, t0 + milliseconds(301)).before.empty());
+  EXPECT_TRUE(due_after(sut, gap('a', 1, 2), t0 + milliseconds(299)).empty());
+  EXPECT_TRUE(due_after(sut, departure('a', 'a'), t0 + milliseconds(300)).empty());
+  const auto back = due_after(sut, gap('a', 1, 2), t0 + milliseconds(300));
+  ASSERT_EQ(back.size(), 1U);
+  EXPECT_EQ(back[0], with_number_and_lease(announced('a'), 3, 20));
+  EXPECT_TRUE(due_after(sut, gap('a', 1, 2), t0 + milliseconds(301)).empty());
 }
 
 TEST(Departure, OfWhomThereWasSilenceIsTakenBackByTheFirstPacket) {
   RtpsFilter sut(on_link());
   (void)inspect(sut, announced('a'));
   (void)inspect(sut, departure('a', 'a'));
-  EXPECT_EQ(inspect(sut, heartbeat('a', 1, 1), alice, t0 + seconds(60)).before.size(), 1U);
+  EXPECT_EQ(due_after(sut, heartbeat('a', 1, 1), t0 + seconds(60)).size(), 1U);
 }
 
 TEST(Departure, OfOneParticipantIsNotTakenBackByAnother) {
@@ -96,7 +103,41 @@ TEST(Departure, OfOneParticipantIsNotTakenBackByAnother) {
   (void)inspect(sut, announced('a'));
   (void)inspect(sut, announced('b'));
   (void)inspect(sut, departure('a', 'a'));
-  EXPECT_TRUE(inspect(sut, heartbeat('b', 1, 1), alice, t0 + seconds(1)).before.empty());
+  EXPECT_TRUE(due_after(sut, heartbeat('b', 1, 1), t0 + seconds(1)).empty());
+}
+
+void supersede(RtpsFilter& sut, char name) {
+  std::array<std::uint8_t, 12> prefix{};
+  prefix.fill(static_cast<std::uint8_t>(name));
+  sut.authenticate(prefix);
+  sut.supersede(prefix, t0);
+}
+
+TEST(Superseded, ParticipantLeavesWhenItStaysSilent) {
+  RtpsFilter sut(on_link());
+  (void)inspect(sut, announced('a'));
+  supersede(sut, 'a');
+  const auto due = sut.take_due();
+  ASSERT_EQ(due.size(), 1U);
+  EXPECT_EQ(due[0], with_number_and_lease(announced('a'), 2, 10));
+  EXPECT_TRUE(sut.take_due().empty());
+}
+
+TEST(Superseded, ParticipantThatGoesOnStays) {
+  RtpsFilter sut(on_link());
+  (void)inspect(sut, announced('a'));
+  supersede(sut, 'a');
+  (void)sut.take_due();
+  const auto back = due_after(sut, heartbeat('a', 1, 1), t0 + seconds(5));
+  ASSERT_EQ(back.size(), 1U);
+  EXPECT_EQ(back[0], with_number_and_lease(announced('a'), 3, 20));
+}
+
+TEST(Superseded, StrangerChangesNothing) {
+  RtpsFilter sut(on_link());
+  (void)inspect(sut, announced('a'));
+  supersede(sut, 'x');
+  EXPECT_TRUE(sut.take_due().empty());
 }
 
 TEST(Announcement, ThatDiffersIsShownWithANumberThatIsNotIgnored) {

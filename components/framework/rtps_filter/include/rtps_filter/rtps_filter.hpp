@@ -64,11 +64,17 @@ class RtpsFilter {
   /// `sender` that is gone only the departure of a participant is believed: it is true.
   [[nodiscard]] Inspection inspect(const std::uint8_t* bytes, std::size_t size, Source from,
                                    Time now, Sender sender = Sender::trusted);
+  /// Messages that the participant is to be shown at its port of discovery before the next packet,
+  /// whoever has sent that: announcements of known participants, with another lease.
+  [[nodiscard]] std::vector<std::vector<std::uint8_t>> take_due();
   /// A packet that jumps has cost the participant so much CPU time.
   void took(Duration cpu, Time now);
   /// DDS Security has found that a participant is who it says: from now on it is announced as it
   /// has been until then, and does not leave but by its silence. `prefix`: of its GUIDs.
   void authenticate(const std::array<std::uint8_t, 12>& prefix);
+  /// Another instance has taken the participant's place. If nothing of it is received for 10 s it
+  /// has left.
+  void supersede(const std::array<std::uint8_t, 12>& prefix, Time now);
   /// The participant is not known to DDS any more: its next announcement is a stranger's.
   void forget(const std::array<std::uint8_t, 12>& prefix);
   /// Participants that are admitted now, the ones whose lease ran out unnoticed included.

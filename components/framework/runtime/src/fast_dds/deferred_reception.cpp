@@ -86,7 +86,8 @@ class HoldingTransport : public ChainingTransport {
     descriptor_.reception->wait();
     std::vector<std::uint8_t> changed;
     descriptor_.filter->pass(
-        bytes, size, remote, [&](const rtps::octet* shown, std::size_t length) {
+        bytes, size, remote, PacketFilter::kind_of(local.port),
+        [&](const rtps::octet* shown, std::size_t length) {
           const auto [message, its_size] = with_lone_keys(shown, length, changed);
           next->OnDataReceived(message, static_cast<std::uint32_t>(its_size), local, remote);
         });

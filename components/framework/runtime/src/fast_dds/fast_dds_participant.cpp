@@ -11,6 +11,7 @@
 
 #include "fast_dds/cdr_topic_type.hpp"
 #include "fast_dds/fast_dds_qos.hpp"
+#include "fast_dds/packet_filter.hpp"
 #include "fast_dds/shared_memory_leftovers.hpp"
 #include "foundation/error.hpp"
 #include "idl_support/type_registry.hpp"
@@ -182,6 +183,10 @@ void FastDdsParticipant::remove(dds::DataReader* reader) {
   dds::Subscriber* const subscriber = subscriber_of(reader);
   subscriber->delete_datareader(reader);
   participant_->delete_subscriber(subscriber);
+}
+
+void FastDdsParticipant::supersede(const rtps::GuidPrefix_t& participant) {
+  if (options_.filter) options_.filter->supersede(participant);
 }
 
 }  // namespace tocsin

@@ -50,6 +50,8 @@ class FastDdsParticipant {
   [[nodiscard]] const eprosima::fastrtps::rtps::GUID_t& guid() const {
     return participant_->guid();
   }
+  /// Another instance of a peer has taken the place of this one: see RtpsFilter.
+  void supersede(const eprosima::fastrtps::rtps::GuidPrefix_t& participant);
   [[nodiscard]] const RemoteEnds& remote_ends() const { return remote_ends_; }
 
  private:

@@ -37,6 +37,7 @@ Limits limits_on_radio(const std::set<std::uint32_t>& configured) {
   // A picture crosses 2 s after a forger ends that has begun the largest sample.
   limits.unfinished_bytes.per_s = 8U << 20U;
   limits.bytes = {wifi_bytes_per_s, wifi_bytes_per_s};
+  limits.participants = 32;  // each costs the radio up to 8 kB/s
   limits.source_has_port = false;
   limits.participant_has_address = true;
   limits.hears = [configured](std::uint32_t address) { return configured.count(address) > 0; };
@@ -106,6 +107,11 @@ rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::si
   return inspection;
 }
 
+std::vector<std::vector<std::uint8_t>> PacketFilter::take_due() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return filter_.take_due();
+}
+
 void PacketFilter::took(Duration cpu) {
   const std::lock_guard<std::mutex> lock(mutex_);
   filter_.took(cpu, std::chrono::steady_clock::now());
@@ -122,6 +128,11 @@ PieceAssembly::Result PacketFilter::assemble(const std::uint8_t* bytes, std::siz
 void PacketFilter::authenticate(const rtps::GuidPrefix_t& participant) {
   const std::lock_guard<std::mutex> lock(mutex_);
   filter_.authenticate(octets_of(participant));
+}
+
+void PacketFilter::supersede(const rtps::GuidPrefix_t& participant) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  filter_.supersede(octets_of(participant), std::chrono::steady_clock::now());
 }
 
 void PacketFilter::forget(const rtps::GuidPrefix_t& participant) {

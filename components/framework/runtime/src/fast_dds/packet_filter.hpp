@@ -51,20 +51,28 @@ class PacketFilter {
         numbers_(std::move(numbers)),
         filter_(std::move(limits)) {}
 
-  /// Calls `show(bytes, size)` with the packet, or a copy without what must not be read, and before
-  /// it with an announcement that it completes; or does not.
+  /// RTPS 2.2 section 9.6.1.1. A participant reads announcements at the ports of discovery only.
+  enum class Port { discovery, user_data };
+  [[nodiscard]] static Port kind_of(std::uint32_t port) {
+    return port % 2 == 0 ? Port::discovery : Port::user_data;
+  }
+  /// Calls `show(bytes, size)` with the packet that has come to a port `at` the participant, or a
+  /// copy without what must not be read, and before it with announcements; or does not.
   template <class Show>
   void pass(const std::uint8_t* bytes, std::size_t size,
-            const eprosima::fastrtps::rtps::Locator_t& from, Show show) {
+            const eprosima::fastrtps::rtps::Locator_t& from, Port at, Show show) {
     const rtps_filter::Inspection inspection = inspect(bytes, size, from);
+    if (at == Port::discovery) {
+      for (const auto& message : take_due()) show(message.data(), message.size());
+    }
     if (inspection.drop) return;
     const JumpCost cost(*this, inspection.jumps);
+    for (const auto& message : inspection.before) show(message.data(), message.size());
     if (secured_) {
       const auto assembled = assemble(bytes, size, from);
-      if (assembled.whole) pass(assembled.whole->data(), assembled.whole->size(), from, show);
+      if (assembled.whole) pass(assembled.whole->data(), assembled.whole->size(), from, at, show);
       if (assembled.piece) return;
     }
-    for (const auto& message : inspection.before) show(message.data(), message.size());
     if (inspection.strip.empty() && inspection.hide.empty() && inspection.step.empty()) {
       return show(bytes, size);
     }
@@ -72,10 +80,11 @@ class PacketFilter {
     show(shown.data(), shown.size());
   }
 
-  /// What DDS Security has found out (RtpsFilter::authenticate, forget). `participant`: GUID
-  /// prefix.
+  /// What DDS Security has found out (RtpsFilter::authenticate, forget), or a peer's next instance
+  /// (supersede). `participant`: GUID prefix.
   void authenticate(const eprosima::fastrtps::rtps::GuidPrefix_t& participant);
   void forget(const eprosima::fastrtps::rtps::GuidPrefix_t& participant);
+  void supersede(const eprosima::fastrtps::rtps::GuidPrefix_t& participant);
   /// Null where nobody is told.
   [[nodiscard]] const std::shared_ptr<OtherMakers>& others() const { return others_; }
 
@@ -98,6 +107,7 @@ class PacketFilter {
   void took(Duration cpu);
   rtps_filter::Inspection inspect(const std::uint8_t* bytes, std::size_t size,
                                   const eprosima::fastrtps::rtps::Locator_t& from);
+  [[nodiscard]] std::vector<std::vector<std::uint8_t>> take_due();
   PieceAssembly::Result assemble(const std::uint8_t* bytes, std::size_t size,
                                  const eprosima::fastrtps::rtps::Locator_t& from);
   [[nodiscard]] rtps_filter::Sender sender(const rtps_filter::Source& source);

@@ -120,6 +120,7 @@ std::optional<LinkEvent> FastDdsLinkBus::take() {
   auto event = table_.pop();
   if (!event) {
     hear_the_muted();
+    for (const auto& former : table_.take_superseded()) link_->supersede(former);
     graph_.follow(nodes_);
     return event;
   }

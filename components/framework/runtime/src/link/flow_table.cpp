@@ -115,6 +115,19 @@ std::vector<FlowTable::Guid> FlowTable::writers_of(PeerId peer) const {
   return writers;
 }
 
+/// Nothing for one that has departed: it has no name any more.
+void FlowTable::note_superseded(PeerId peer) {
+  if (instances_.name_of(peer).empty()) return;
+  for (const auto& known : peers_) {
+    if (peer_of(known.first) == peer) superseded_.push_back(known.first);
+  }
+}
+
+std::vector<FlowTable::Participant> FlowTable::take_superseded() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(superseded_, {});
+}
+
 void FlowTable::apply(const PeerInstances::Change& change) {
   if (change.joined) {
     events_.push_back(link_event::PeerFound{*change.joined, instances_.name_of(*change.joined)});
@@ -127,6 +140,7 @@ void FlowTable::apply(const PeerInstances::Change& change) {
     }
     events_.push_back(link_event::PeerLost{*change.left});
     if (instances_.name_of(*change.left).empty()) goes_on.clear();
+    note_superseded(*change.left);
     for (const auto& [guid, flow] : goes_on) add(guid, flow, true);
   }
   if (!change.joined) return;

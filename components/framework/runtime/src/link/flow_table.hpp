@@ -63,6 +63,9 @@ class FlowTable {
   [[nodiscard]] std::optional<LinkEvent> pop();
   void wake() const { on_event_(); }
 
+  /// Participants whose place another instance of their peer has taken since.
+  [[nodiscard]] std::vector<Participant> take_superseded();
+
   [[nodiscard]] FlowId fresh_id();
   [[nodiscard]] std::optional<FlowId> flow_of(const Guid& writer) const;
   /// The same if that flow offers just this.
@@ -86,6 +89,7 @@ class FlowTable {
   void add(const Guid& guid, const Flow& flow, bool on_link);
   void remove(const Guid& guid);
   [[nodiscard]] std::vector<Guid> writers_of(PeerId peer) const;
+  void note_superseded(PeerId peer);
   void apply(const PeerInstances::Change& change);
 
   const TopicNames names_;
@@ -101,6 +105,7 @@ class FlowTable {
   std::map<Guid, FlowId> by_writer_;
   std::map<Participant, std::string> peers_;
   PeerInstances instances_;
+  std::vector<Participant> superseded_;
   std::map<PeerId, std::set<FlowId>> listens_;  ///< to these of ours
   std::deque<LinkEvent> events_;
 };

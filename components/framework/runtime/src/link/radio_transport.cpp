@@ -63,6 +63,7 @@ class MarkingSender : public rtps::SenderResource {
   bool send_to_all(const rtps::octet* bytes, std::size_t whole, rtps::LocatorsIterator& next,
                    const rtps::LocatorsIterator& last) {
     const std::size_t size = size_without_statistics(bytes, whole);
+    if (others_ && is_authentication_of_another(bytes, size)) return true;
     const auto state = discovery_state_in(bytes, size);
     std::optional<ActivityTurn> turn;
     if (is_announcement(bytes, size)) turn.emplace(*timer_);

@@ -91,6 +91,40 @@ bool is_announcement(const std::uint8_t* message, std::size_t size) {
   return sender && *sender == rtps::c_EntityId_SPDPWriter;
 }
 
+namespace {
+
+/// ENTITYID_P2P_BUILTIN_PARTICIPANT_STATELESS_WRITER.
+const rtps::EntityId_t authentication_writer(0x000201c3);
+
+/// The prefix of destination_participant_guid in a DATA with a ParticipantGenericMessage, behind
+/// two message identities of 24 bytes; null where it cannot be found.
+const std::uint8_t* addressee_in(const Submessage& one) {
+  constexpr std::uint8_t inline_qos = 2;
+  constexpr std::size_t offset_at = 2;
+  constexpr std::size_t encapsulation_bytes = 4;
+  constexpr std::size_t identities_bytes = 48;
+  if ((one.flags & inline_qos) != 0 || one.bytes < offset_at + 2) return nullptr;
+  const auto offset = number_at<std::uint16_t>(one.content + offset_at, (one.flags & 1U) != 0);
+  const std::size_t at = offset_at + 2 + offset + encapsulation_bytes + identities_bytes;
+  return at + prefix_bytes <= one.bytes ? one.content + at : nullptr;
+}
+
+}  // namespace
+
+bool is_authentication_of_another(const std::uint8_t* message, std::size_t size) {
+  const std::uint8_t* destination = nullptr;
+  Submessages all(message, size);
+  while (const auto one = all.next()) {
+    if (one->kind == info_destination && one->bytes >= prefix_bytes) destination = one->content;
+    const auto sender = sender_of(*one);
+    if (!sender || *sender != authentication_writer) continue;
+    const std::uint8_t* const addressee = addressee_in(*one);
+    return destination != nullptr && addressee != nullptr &&
+           !std::equal(addressee, addressee + prefix_bytes, destination);
+  }
+  return false;
+}
+
 bool is_builtin(const rtps::EntityId_t& endpoint) {
   constexpr rtps::octet builtin = 0xc0;
   return (endpoint.value[3] & builtin) == builtin;

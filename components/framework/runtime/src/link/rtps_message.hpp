@@ -68,6 +68,11 @@ class Submessages {
 /// Whether a message announces its participant (section 8.5.3).
 [[nodiscard]] bool is_announcement(const std::uint8_t* message, std::size_t size);
 
+/// Whether a message of authentication names another participant as its addressee than the one that
+/// the packet is for. Fast DDS 2.9.1 sends each to every participant that it knows (DDS Security
+/// 1.1 sections 7.4.3.5 and 7.4.4.3); who is not the addressee throws it away.
+[[nodiscard]] bool is_authentication_of_another(const std::uint8_t* message, std::size_t size);
+
 /// Whose state a message tells: HEARTBEAT or ACKNACK, the participant that it is for, reader and
 /// writer.
 using StateKey = std::array<std::uint8_t, 21>;

@@ -34,14 +34,15 @@ std::vector<std::uint8_t> announcement(std::uint8_t last_octet) {
   };
   const std::vector<std::uint8_t> prefix(12, 7);
   add(prefix);
-  add({0x15, 5, 20 + 4 + 20 + 28 + 8 + 4, 0, 0, 0, 16, 0, 0, 0, 0, 0, 0, 1, 0, 0xc2});
+  add({0x15, 5, 20 + 4 + 20 + 28 + 8 + 12 + 4, 0, 0, 0, 16, 0, 0, 0, 0, 0, 0, 1, 0, 0xc2});
   add({0, 0, 0, 0, 1, 0, 0, 0, 0, 3, 0, 0});
   add({0x50, 0, 16, 0});
   add(prefix);
   add({0, 0, 1, 0xc1});
   add({0x32, 0, 24, 0, 1, 0, 0, 0, 0xf2, 0x1c, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
   add({10, 77, 0, last_octet});
-  add({0x58, 0, 4, 0, 0x3f, 0, 0, 0});  // its builtin endpoints
+  add({0x58, 0, 4, 0, 0x3f, 0, 0, 0});         // its builtin endpoints
+  add({2, 0, 8, 0, 20, 0, 0, 0, 0, 0, 0, 0});  // its lease
   add({1, 0, 0, 0});
   return bytes;
 }
@@ -49,9 +50,10 @@ std::vector<std::uint8_t> announcement(std::uint8_t last_octet) {
 std::vector<std::uint8_t> shown(PacketFilter& sut, const std::vector<std::uint8_t>& packet,
                                 const rtps::Locator_t& from) {
   std::vector<std::uint8_t> seen;
-  sut.pass(packet.data(), packet.size(), from, [&](const std::uint8_t* bytes, std::size_t size) {
-    seen.insert(seen.end(), bytes, bytes + size);
-  });
+  sut.pass(packet.data(), packet.size(), from, PacketFilter::Port::discovery,
+           [&](const std::uint8_t* bytes, std::size_t size) {
+             seen.insert(seen.end(), bytes, bytes + size);
+           });
   return seen;
 }
 
@@ -65,6 +67,31 @@ TEST(PacketFilter, OnTheRadioOnlyPeersAreHeard) {
   const auto dropped = dropped_packets().since(before);
   EXPECT_EQ(dropped.count(rtps_filter::DropReason::unknown_source), 1U);
   EXPECT_EQ(dropped.by_source().count(ipv4(10, 77, 0, 3)), 1U);
+}
+
+TEST(PacketFilter, WhatIsSaidOfASupersededParticipantIsShownAtThePortOfDiscovery) {
+  PacketFilter sut(limits_in(radio));
+  const auto from = locator_of("10.77.0.2");
+  (void)shown(sut, announcement(2), from);
+  rtps::GuidPrefix_t participant;
+  std::fill_n(participant.value, rtps::GuidPrefix_t::size, rtps::octet{7});
+  sut.supersede(participant);
+  std::size_t messages = 0;
+  const auto pass = [&](PacketFilter::Port at) {
+    const auto packet = announcement(2);
+    sut.pass(packet.data(), packet.size(), from, at, [&](auto, auto) { ++messages; });
+    return std::exchange(messages, 0);
+  };
+  EXPECT_EQ(pass(PacketFilter::Port::user_data), 1U);
+  EXPECT_EQ(pass(PacketFilter::Port::discovery), 2U);
+  EXPECT_EQ(pass(PacketFilter::Port::discovery), 1U);
+}
+
+TEST(PacketFilter, PortsOfDiscoveryAreEven) {
+  EXPECT_EQ(PacketFilter::kind_of(7400), PacketFilter::Port::discovery);
+  EXPECT_EQ(PacketFilter::kind_of(7410 + 250), PacketFilter::Port::discovery);
+  EXPECT_EQ(PacketFilter::kind_of(7401), PacketFilter::Port::user_data);
+  EXPECT_EQ(PacketFilter::kind_of(7411), PacketFilter::Port::user_data);
 }
 
 TEST(PacketFilter, LocatorOfAThirdIsNotShownAndNothingElseChanges) {
@@ -108,7 +135,8 @@ TEST(PacketFilter, HeartbeatsThatAreFarAheadMayCostSoMuchAndNoMore) {
     while (std::clock() - begin < CLOCKS_PER_SEC / 1000) continue;
   };
   for (int i = 0; i < 100; ++i) {
-    sut.pass(packet.data(), packet.size(), locator_of("10.77.0.2"), walk);
+    sut.pass(packet.data(), packet.size(), locator_of("10.77.0.2"), PacketFilter::Port::discovery,
+             walk);
   }
   EXPECT_GE(count, 2);
   EXPECT_LT(count, 10);

@@ -57,6 +57,41 @@ TEST(SenderIn, DataAndFragmentsComeFromTheirWriter) {
   }
 }
 
+/// A message of authentication to `addressee` in a packet for `destination`.
+Bytes authentication(std::uint8_t addressee, std::uint8_t destination,
+                     const Bytes& writer = {0, 2, 1, 0xc3}) {
+  Bytes bytes = message();
+  append(bytes, info_destination, Bytes(12, destination));
+  Bytes content{0, 0, 16, 0, 0, 2, 1, 0xc4};
+  content.insert(content.end(), writer.begin(), writer.end());
+  content.resize(content.size() + 8 + 4 + 48);  // number, encapsulation, two identities
+  content.resize(content.size() + 12, addressee);
+  content.resize(content.size() + 4 + 32);
+  append(bytes, data, content);
+  return bytes;
+}
+
+bool is_of_another(const Bytes& bytes) {
+  return is_authentication_of_another(bytes.data(), bytes.size());
+}
+
+TEST(Authentication, GoesToItsAddresseeOnly) {
+  EXPECT_FALSE(is_of_another(authentication(7, 7)));
+  EXPECT_TRUE(is_of_another(authentication(7, 8)));
+}
+
+TEST(Authentication, IsToldFromOtherMessages) {
+  EXPECT_FALSE(is_of_another(authentication(7, 8, {0, 0, 7, 3})));
+  EXPECT_FALSE(is_of_another({}));
+}
+
+TEST(Authentication, ThatIsCutOffIsNotOfAnother) {
+  Bytes bytes = message();
+  append(bytes, info_destination, Bytes(12, 8));
+  append(bytes, data, {0, 0, 16, 0, 0, 2, 1, 0xc4, 0, 2, 1, 0xc3, 0, 0, 0, 0});
+  EXPECT_FALSE(is_of_another(bytes));
+}
+
 TEST(SenderIn, AHeartbeatComesFromItsWriterAndAnAcknackFromItsReader) {
   Bytes bytes = message();
   append(bytes, heartbeat, ends(5, 9));

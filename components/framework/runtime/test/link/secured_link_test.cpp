@@ -195,6 +195,28 @@ TEST_F(SecuredLinkTest, WhatIsForgedInThePeersNameChangesNothing) {
   }));
 }
 
+TEST_F(SecuredLinkTest, MessagesOfAuthenticationGoToTheirAddresseeOnly) {
+  constexpr std::uint32_t strangers = 16;
+  const Forger forger(options(Role::uxv).link_domain);
+  if (!forger.ok()) GTEST_SKIP() << "no raw socket: CAP_NET_RAW is needed";
+  Relay uxv(secured(Role::uxv));  // at the port that the forger sends to
+  ASSERT_TRUE(eventually([&] { return uxv.packets().packets > 0; }));
+  const Relay gcs(secured(Role::gcs));
+  ASSERT_TRUE(eventually([&] { return !uxv.peers().empty(); }));
+  const auto victim = forger.overhear("gcs");
+  ASSERT_TRUE(victim);
+  const auto before = uxv.packets().discovery_bytes;
+  const auto sent = [&] { return uxv.packets().discovery_bytes - before; };
+  for (std::uint32_t number = 1; number <= strangers; ++number) {
+    forger.send(Forger::stranger_like(*victim, number), forger.port());
+    std::this_thread::sleep_for(milliseconds(20));
+  }
+  ASSERT_TRUE(eventually([&] { return sent() > strangers * 4'000; }));
+  std::this_thread::sleep_for(milliseconds(500));
+  EXPECT_LT(sent(), strangers * 20'000)
+      << "of 4 kB each; to everybody they are sixteen times as many";
+}
+
 TEST_F(SecuredLinkTest, AnIdentityThatTakesTheStationsNameDoesNotDisplaceIt) {
   Relay uxv(secured(Role::uxv));
   const Relay gcs(secured(Role::gcs));
