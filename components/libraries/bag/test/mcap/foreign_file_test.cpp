@@ -11,7 +11,7 @@
 namespace tocsin::mcap {
 namespace {
 
-const std::filesystem::path files = TOCSIN_SOURCE_DIR "/test/files";
+const std::filesystem::path files = TOCSIN_SOURCE_DIR "/test/mcap/files";
 
 std::vector<Sent> expected() {
   std::vector<Sent> messages;
