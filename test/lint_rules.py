@@ -1,14 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """House rules that need no compiler; prints file:line: rule, exit code 1 when one is broken."""
-import doctest
 import pathlib
 import re
 import subprocess
 import sys
-
-sys.dont_write_bytecode = True
-import unity_names  # noqa: E402
 
 # How package.xml calls what find_package or pkg-config finds; None is part of every system.
 NAMES = {"JPEG": "libjpeg-dev", "libevdev": "libevdev-dev", "liblz4": "liblz4-dev", "libnl-genl-3.0": "libnl-genl-3-dev",
@@ -141,33 +137,6 @@ def check_yaml():
                 report(file, number, "reads YAML without limits; use foundation's yaml_sources.hpp")
 
 
-def sources_of_targets(cmake):
-    """The sources that each target of a CMakeLists.txt names: those of one call, a core's apart."""
-    calls = re.findall(r"^\s*\w+\(([^()]*)\)", re.sub(r"#.*", "", cmake.read_text()), re.M)
-    for part in (part for call in calls for part in re.split(r"\bCOMPONENT\b", call)):
-        yield [cmake.parent / name for name in dict.fromkeys(re.findall(r"\bsrc/\S+\.cpp", part))]
-
-
-def included(texts, headers):
-    """Those of `headers` that the texts include, by one another, too; texts by file, all of them."""
-    names = {pathlib.Path(name).name for text in texts.values() for name in re.findall(r'^#include "(.*)"', text, re.M)}
-    found = {file: text for file, text in headers.items() if file.name in names}
-    return found if found.keys() <= texts.keys() else included({**texts, **found}, headers)
-
-
-def check_unity_names():
-    if doctest.testmod(unity_names).failed:
-        report("test/unity_names.py", 1, "does not find what its examples say")
-    for cmake in tracked("components/*CMakeLists.txt", "test/*CMakeLists.txt"):
-        folder = cmake.parent
-        headers = {file: file.read_text() for file in tracked(f"{folder}/src/*.hpp", f"{folder}/include/*.hpp")}
-        for sources in sources_of_targets(cmake):
-            texts = {file: file.read_text() for file in sources if file.exists()}
-            for file, line, name, other in unity_names.clashes(texts, included(texts, headers)):
-                report(file, line, f"its own {name} clashes with that of {other.name}: the sanitizer trees compile "
-                                   "the sources of a target as one")
-
-
 check_licence()
 check_versions()
 check_once()
@@ -177,6 +146,5 @@ check_rooms()
 check_one_of_each()
 check_units()
 check_yaml()
-check_unity_names()
 print("\n".join(broken) or "house rules: kept")
 sys.exit(1 if broken else 0)

@@ -55,7 +55,7 @@ TEST_F(ExitCodes, AFileThatIsNotThereIsTwo) {
   for (const char* command :
        {"launch nowhere.yaml", "check nowhere.yaml", "sim nowhere.yaml", "doctor nowhere.yaml",
         "experiment run nowhere.yaml", "report nowhere", "decide nowhere.csv", "bag info nowhere",
-        "qos lint --file nowhere.yaml", "qos import nowhere.xml", "qos tune nowhere.yaml"}) {
+        "qos lint --file nowhere.yaml", "qos tune nowhere.yaml"}) {
     expect(2, command, "nowhere");
   }
 }

@@ -49,7 +49,7 @@ class FetchRuleTest : public ::testing::Test {
                         "hosts: {gcs: {containers: [{mission: ~}, {view: ~}]}}\n");
   }
   [[nodiscard]] static Ended estop(const std::string& word) {
-    return run_to_end(Stack::program("operator_console", "tocsin-estop"), word);
+    return run_to_end(Stack::program("console", "tocsin-estop"), word);
   }
   /// What the vehicle's router keeps of its request; a second one would be an event too many.
   [[nodiscard]] static std::optional<Window> kept(const Stack& stack) {

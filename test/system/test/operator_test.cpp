@@ -135,9 +135,8 @@ TEST_F(OperatorTest, CancelsDocking) {
 }
 
 TEST_F(OperatorTest, SaysThatNothingRuns) {
-  OperatorProcess order(
-      {Stack::program("operator_console", "tocsin-estop"), "on", "--run-dir", "/nowhere"},
-      "/dev/null");
+  OperatorProcess order({Stack::program("console", "tocsin-estop"), "on", "--run-dir", "/nowhere"},
+                        "/dev/null");
   EXPECT_EQ(order.exit_code(seconds(10)), 1);
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sources: Fast DDS 2.9.1, XMLElementParser.cpp and the QoS classes' defaults; OMG DDS-XML 1.0
-// (formal/18-10-01), section 7.3.2, and DDS 1.4, section 2.2.3, for its defaults.
+// Sources: Fast DDS 2.9.1, XMLElementParser.cpp; OMG DDS-XML 1.0 (formal/18-10-01), section 7.3.2.
 #include "dialect.hpp"
 
 #include <map>
@@ -18,84 +17,81 @@ Places joined_places(Places one, const Places& more) {
 /// What both ends of Fast DDS say in the same place.
 Places fast_dds_of_both() {
   return {
-      {"max_blocking_time_s", "qos/reliability/max_blocking_time", Form::seconds, "", "0.1"},
-      {"deadline_s", "qos/deadline/period", Form::seconds, "", ".inf"},
-      {"liveliness", "qos/liveliness/kind", Form::word, "", "automatic"},
-      {"liveliness_lease_s", "qos/liveliness/lease_duration", Form::seconds, "", ".inf"},
-      {"liveliness_announcement_s", "qos/liveliness/announcement_period", Form::seconds, "",
-       ".inf"},
-      {"ownership", "qos/ownership/kind", Form::word, "", "shared"},
-      {"partition", "qos/partition/names", Form::names, "name", "[]"},
-      {"user_data", "qos/userData", Form::hex, "", ""},
-      {"history", "topic/historyQos/kind", Form::word, "", "keep_last"},
-      {"depth", "topic/historyQos/depth", Form::number, "", "1"},
-      {"max_samples", "topic/resourceLimitsQos/max_samples", Form::number, "", "5000"},
+      {"max_blocking_time_s", "qos/reliability/max_blocking_time", Form::seconds},
+      {"deadline_s", "qos/deadline/period", Form::seconds},
+      {"liveliness", "qos/liveliness/kind", Form::word},
+      {"liveliness_lease_s", "qos/liveliness/lease_duration", Form::seconds},
+      {"liveliness_announcement_s", "qos/liveliness/announcement_period", Form::seconds},
+      {"ownership", "qos/ownership/kind", Form::word},
+      {"partition", "qos/partition/names", Form::names, "name"},
+      {"user_data", "qos/userData", Form::hex},
+      {"history", "topic/historyQos/kind", Form::word},
+      {"depth", "topic/historyQos/depth", Form::number},
+      {"max_samples", "topic/resourceLimitsQos/max_samples", Form::number},
       {"", "topic/resourceLimitsQos/max_instances", Form::number, "", "1"},
-      {"max_samples", "topic/resourceLimitsQos/max_samples_per_instance", Form::number, "", "400"},
-      {"allocated_samples", "topic/resourceLimitsQos/allocated_samples", Form::number, "", "100"},
-      {"extra_samples", "topic/resourceLimitsQos/extra_samples", Form::number, "", "1"},
-      {"memory_policy", "historyMemoryPolicy", Form::word, "", "preallocated_with_realloc"},
+      {"max_samples", "topic/resourceLimitsQos/max_samples_per_instance", Form::number},
+      {"allocated_samples", "topic/resourceLimitsQos/allocated_samples", Form::number},
+      {"extra_samples", "topic/resourceLimitsQos/extra_samples", Form::number},
+      {"memory_policy", "historyMemoryPolicy", Form::word},
       {"", "qos/data_sharing/kind", Form::word, "", "off"},
   };
 }
 
 Places fast_dds_writer() {
-  return joined_places(
-      {{"reliability", "qos/reliability/kind", Form::word, "", "reliable"},
-       {"durability", "qos/durability/kind", Form::word, "", "transient_local"},
-       {"lifespan_s", "qos/lifespan/duration", Form::seconds, "", ".inf"},
-       {"publish_mode", "qos/publishMode/kind", Form::word, "", "synchronous"},
-       {"ownership_strength", "qos/ownershipStrength/value", Form::number, "", "0"},
-       {"heartbeat_piggyback", "qos/disable_heartbeat_piggyback", Form::not_flag, "", "true"},
-       {"initial_heartbeat_delay_s", "times/initialHeartbeatDelay", Form::seconds, "", "0.012"},
-       {"heartbeat_period_s", "times/heartbeatPeriod", Form::seconds, "", "3"},
-       {"nack_response_delay_s", "times/nackResponseDelay", Form::seconds, "", "0.005"},
-       {"nack_suppression_s", "times/nackSupressionDuration", Form::seconds, "", "0"}},
-      fast_dds_of_both());
+  return joined_places({{"reliability", "qos/reliability/kind", Form::word},
+                        {"durability", "qos/durability/kind", Form::word},
+                        {"lifespan_s", "qos/lifespan/duration", Form::seconds},
+                        {"publish_mode", "qos/publishMode/kind", Form::word},
+                        {"ownership_strength", "qos/ownershipStrength/value", Form::number},
+                        {"heartbeat_piggyback", "qos/disable_heartbeat_piggyback", Form::not_flag},
+                        {"initial_heartbeat_delay_s", "times/initialHeartbeatDelay", Form::seconds},
+                        {"heartbeat_period_s", "times/heartbeatPeriod", Form::seconds},
+                        {"nack_response_delay_s", "times/nackResponseDelay", Form::seconds},
+                        {"nack_suppression_s", "times/nackSupressionDuration", Form::seconds}},
+                       fast_dds_of_both());
 }
 
 Places fast_dds_reader() {
   return joined_places(
-      {{"reliability", "qos/reliability/kind", Form::word, "", "best_effort"},
-       {"durability", "qos/durability/kind", Form::word, "", "volatile"},
+      {{"reliability", "qos/reliability/kind", Form::word},
+       {"durability", "qos/durability/kind", Form::word},
        {"", "qos/lifespan/duration", Form::seconds, "", ".inf"},
-       {"initial_acknack_delay_s", "times/initialAcknackDelay", Form::seconds, "", "0.07"},
-       {"heartbeat_response_delay_s", "times/heartbeatResponseDelay", Form::seconds, "", "0.005"}},
+       {"initial_acknack_delay_s", "times/initialAcknackDelay", Form::seconds},
+       {"heartbeat_response_delay_s", "times/heartbeatResponseDelay", Form::seconds}},
       fast_dds_of_both());
 }
 
 /// What both ends of DDS-XML say in places of the same name.
-Places dds_xml_of_both(const std::string& end, const std::string& holder, const char* reliability) {
+Places dds_xml_of_both(const std::string& end, const std::string& holder) {
   const std::string limits = end + "/resource_limits/";
   return {
-      {"reliability", end + "/reliability/kind", Form::word, "_RELIABILITY_QOS", reliability},
-      {"max_blocking_time_s", end + "/reliability/max_blocking_time", Form::seconds, "", "0.1"},
-      {"durability", end + "/durability/kind", Form::word, "_DURABILITY_QOS", "volatile"},
-      {"deadline_s", end + "/deadline/period", Form::seconds, "", ".inf"},
-      {"liveliness", end + "/liveliness/kind", Form::word, "_LIVELINESS_QOS", "automatic"},
-      {"liveliness_lease_s", end + "/liveliness/lease_duration", Form::seconds, "", ".inf"},
-      {"ownership", end + "/ownership/kind", Form::word, "_OWNERSHIP_QOS", "shared"},
-      {"partition", holder + "/partition/name", Form::names, "element", "[]"},
-      {"history", end + "/history/kind", Form::word, "_HISTORY_QOS", "keep_last"},
-      {"depth", end + "/history/depth", Form::number, "", "1"},
-      {"max_samples", limits + "max_samples", Form::number, "", "0"},
+      {"reliability", end + "/reliability/kind", Form::word, "_RELIABILITY_QOS"},
+      {"max_blocking_time_s", end + "/reliability/max_blocking_time", Form::seconds},
+      {"durability", end + "/durability/kind", Form::word, "_DURABILITY_QOS"},
+      {"deadline_s", end + "/deadline/period", Form::seconds},
+      {"liveliness", end + "/liveliness/kind", Form::word, "_LIVELINESS_QOS"},
+      {"liveliness_lease_s", end + "/liveliness/lease_duration", Form::seconds},
+      {"ownership", end + "/ownership/kind", Form::word, "_OWNERSHIP_QOS"},
+      {"partition", holder + "/partition/name", Form::names, "element"},
+      {"history", end + "/history/kind", Form::word, "_HISTORY_QOS"},
+      {"depth", end + "/history/depth", Form::number},
+      {"max_samples", limits + "max_samples", Form::number},
       {"", limits + "max_instances", Form::number, "", "1"},
-      {"max_samples", limits + "max_samples_per_instance", Form::number, "", "0"},
+      {"max_samples", limits + "max_samples_per_instance", Form::number},
   };
 }
 
 Places cyclone_writer() {
   return joined_places(
-      {{"lifespan_s", "datawriter_qos/lifespan/duration", Form::seconds, "", ".inf"},
-       {"ownership_strength", "datawriter_qos/ownership_strength/value", Form::number, "", "0"}},
-      dds_xml_of_both("datawriter_qos", "publisher_qos", "reliable"));
+      {{"lifespan_s", "datawriter_qos/lifespan/duration", Form::seconds},
+       {"ownership_strength", "datawriter_qos/ownership_strength/value", Form::number}},
+      dds_xml_of_both("datawriter_qos", "publisher_qos"));
 }
 
 Places cyclone_reader() {
-  return joined_places(
-      {{"minimum_separation_s", "datareader_qos/time_based_filter/minimum_separation",
-        Form::seconds, "", "0"}},
-      dds_xml_of_both("datareader_qos", "subscriber_qos", "best_effort"));
+  return joined_places({{"minimum_separation_s",
+                         "datareader_qos/time_based_filter/minimum_separation", Form::seconds}},
+                       dds_xml_of_both("datareader_qos", "subscriber_qos"));
 }
 
 constexpr const char* of_runtime = "the runtime does it, neither DDS nor Fast DDS knows it";

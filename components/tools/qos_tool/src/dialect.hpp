@@ -2,7 +2,6 @@
 // Where the XML files of other vendors say what a policy of ours says.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,22 +24,17 @@ enum class Form {
 
 /// What a place of an XML file says.
 struct Place {
-  const char* policy;  ///< of a profile; "": of none, always `absent`
+  const char* policy;  ///< of a profile; "": of none, always `always`
   std::string path;    ///< below the element of the end: `qos/deadline/period`
   Form form;
-  const char* suffix;  ///< of a word, or name of the child elements
-  const char* absent;  ///< what the vendor takes when nothing is said, in our words
+  const char* suffix = "";  ///< of a word, or name of the child elements
+  const char* always = "";  ///< value of a place of no policy, in our words
 };
 
-/// The value at `leaf` in our words; empty: it is none that the form knows.
-[[nodiscard]] std::optional<std::string> read_value(const tinyxml2::XMLElement& leaf,
-                                                    const Place& place);
 /// Makes `leaf` say `value`, which is in our words.
 void write_value(tinyxml2::XMLElement& leaf, const Place& place, const std::string& value);
 
-/// The child at a path, or null; and the same, made where it is missing.
-[[nodiscard]] const tinyxml2::XMLElement* find_at(const tinyxml2::XMLElement& base,
-                                                  const std::string& path);
+/// The child at a path, made where it is missing.
 [[nodiscard]] tinyxml2::XMLElement& make_at(tinyxml2::XMLElement& base, const std::string& path);
 
 /// A vendor's file format.

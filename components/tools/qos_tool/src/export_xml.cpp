@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "policy_values.hpp"
-#include "profile_text.hpp"
 #include "vendor_xml.hpp"
 
 namespace tocsin::qos_tool {
@@ -29,7 +28,7 @@ Values values_of_end(const QosProfile& profile, bool writer) {
 void write_end(XMLElement& base, const std::vector<Place>& places, const Values& values) {
   for (const Place& place : places) {
     const std::string policy = place.policy;
-    const std::string& value = policy.empty() ? place.absent : values.at(policy);
+    const std::string& value = policy.empty() ? place.always : values.at(policy);
     if (value.empty() || value == "[]") continue;  // nothing is said by saying nothing
     write_value(make_at(base, place.path), place, value);
   }
@@ -106,14 +105,6 @@ Exported export_xml(Vendor vendor, const std::map<std::string, QosProfile>& prof
   document.Print(&printer);
   result.xml = printer.CStr();
   return result;
-}
-
-std::string qos_file(const std::map<std::string, QosProfile>& profiles) {
-  std::string text;
-  for (const auto& [name, profile] : profiles) {
-    text += show_text(name, profile, false);
-  }
-  return text;
 }
 
 }  // namespace tocsin::qos_tool

@@ -132,15 +132,6 @@ void large_fragments(const LintInput& input, const char* rule, Findings& found) 
   }
 }
 
-void multicast(const LintInput& input, const char* rule, Findings& found) {
-  for (const Wire& wire : input.wires) {
-    if (!wire.multicast) continue;
-    found.push_back({rule, wire.whose,
-                     "discovery by multicast over Wi-Fi: access points send it at the lowest rate, "
-                     "without acknowledgement, or not at all; name the peers"});
-  }
-}
-
 [[noreturn]] void refuse_profile(const LintInput& input, const std::string& name,
                                  const std::string& file) {
   std::vector<std::string> names;
@@ -156,13 +147,9 @@ struct Rule {
 
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all{
-      {"reliable-stream", reliable_stream},
-      {"keeps-everything", keeps_everything},
-      {"short-lease", short_lease},
-      {"slow-heartbeat", slow_heartbeat},
-      {"foreign-clocks", foreign_clocks},
-      {"large-fragments", large_fragments},
-      {"multicast", multicast},
+      {"reliable-stream", reliable_stream}, {"keeps-everything", keeps_everything},
+      {"short-lease", short_lease},         {"slow-heartbeat", slow_heartbeat},
+      {"foreign-clocks", foreign_clocks},   {"large-fragments", large_fragments},
       {"starving-flow", starving_flow},
   };
   return all;

@@ -33,8 +33,7 @@ struct LintTopic {
 struct Wire {
   std::string whose;  ///< as a person reads it
   int message_bytes;  ///< of the largest RTPS message in one datagram
-  bool multicast;
-  double lease_s;  ///< of a participant
+  double lease_s;     ///< of a participant
 };
 
 struct LintInput {

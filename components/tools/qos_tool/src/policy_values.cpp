@@ -64,43 +64,6 @@ Values value_map(const QosProfile& profile) {
   return map;
 }
 
-namespace {
-
-QosProfile loaded(const Values& values, const std::string& owner) {
-  YAML::Node node(YAML::NodeType::Map);
-  for (const auto& [policy, value] : values) {
-    if (policy == "partition") {
-      node[policy] = names_of(value);
-    } else {
-      node[policy] = value;
-    }
-  }
-  return load_parameters<QosProfile>(node, owner, YamlSources("its values"));
-}
-
-}  // namespace
-
-QosProfile profile_of(const Values& values, const std::string& owner) {
-  const QosProfile profile = loaded(values, owner);
-  if (const auto broken = conflict(profile)) {
-    throw ConfigError(owner + "." + broken->policy + ": " + broken->reason);
-  }
-  return profile;
-}
-
-QosProfile settled_profile_of(
-    Values values, const std::string& owner,
-    const std::function<void(const QosConflict& conflict, const std::string& value)>& on_conflict) {
-  for (;;) {
-    const QosProfile profile = loaded(values, owner);
-    const auto broken = conflict(profile);
-    const auto named = broken ? values.find(broken->policy) : values.end();
-    if (named == values.end()) return profile;
-    on_conflict(*broken, named->second);
-    values.erase(named);
-  }
-}
-
 std::string list_text(const std::vector<std::string>& names) {
   YAML::Emitter out;
   out << YAML::Flow << YAML::BeginSeq;

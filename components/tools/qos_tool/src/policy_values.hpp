@@ -2,7 +2,6 @@
 // A profile as a list of policies with texts, as files, pages and other vendors' files have it.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,15 +24,6 @@ struct PolicyValue {
 /// Values by policy.
 using Values = std::map<std::string, std::string>;
 [[nodiscard]] Values value_map(const QosProfile& profile);
-
-/// The profile with these values and defaults elsewhere. Throws ConfigError, which begins with
-/// `owner`, for what no QoS file could say.
-[[nodiscard]] QosProfile profile_of(const Values& values, const std::string& owner);
-
-/// The same; a policy that contradicts others has its default, and `on_conflict` hears of it.
-[[nodiscard]] QosProfile settled_profile_of(
-    Values values, const std::string& owner,
-    const std::function<void(const QosConflict& conflict, const std::string& value)>& on_conflict);
 
 /// A list of texts in the form of a QoS file, and back.
 [[nodiscard]] std::string list_text(const std::vector<std::string>& names);

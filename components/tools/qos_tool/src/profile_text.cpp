@@ -10,7 +10,6 @@
 #include "foundation/joined.hpp"
 #include "foundation/spelling.hpp"
 #include "idl_support/topic_registry.hpp"
-#include "meanings.hpp"
 #include "policy_values.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
 
@@ -107,7 +106,7 @@ std::string explain_text(const std::string& name, const QosProfile& profile,
   for (const PolicyValue& one : values_of(profile)) {
     const std::string value = one.value.empty() ? "none" : one.value;
     text += fmt::format("  {} {}{}: {}\n", one.policy, value, one.is_default ? " (default)" : "",
-                        meaning_of(one.policy, profile));
+                        one.meaning);
   }
   return text;
 }
@@ -118,9 +117,8 @@ std::string diff_text(const QosProfile& one, const QosProfile& other) {
   std::string text;
   for (std::size_t i = 0; i < ones.size(); ++i) {
     if (ones[i].value == others[i].value) continue;
-    text +=
-        fmt::format("{}: {} -> {}\n  {}\n  {}\n", ones[i].policy, ones[i].value, others[i].value,
-                    meaning_of(ones[i].policy, one), meaning_of(others[i].policy, other));
+    text += fmt::format("{}: {} -> {}\n  {}\n", ones[i].policy, ones[i].value, others[i].value,
+                        ones[i].meaning);
   }
   return text.empty() ? "no difference\n" : text;
 }

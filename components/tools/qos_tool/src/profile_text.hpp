@@ -32,7 +32,7 @@ struct TopicUse {
 [[nodiscard]] std::string show_text(const std::string& name, const QosProfile& profile, bool all);
 [[nodiscard]] nlohmann::json show_json(const std::string& name, const QosProfile& profile);
 
-/// Every policy with its value and what follows from it, in plain words.
+/// Every policy with its value and what it means.
 [[nodiscard]] std::string explain_text(const std::string& name, const QosProfile& profile,
                                        const std::vector<TopicUse>& uses);
 

@@ -9,7 +9,7 @@
 int main(int argc, char** argv) {
   tocsin::qos_tool::Options options;
   CLI::App app(
-      "QoS profiles: what they mean, whether ends match, known traps, other makers' files.");
+      "QoS profiles: what they mean, whether ends match, known traps, other vendors' files.");
   app.name("tocsin qos");
   tocsin::qos_tool::declare(app, options);
   return tocsin::run_command(app, argc, argv, [&] {

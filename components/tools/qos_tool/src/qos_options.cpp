@@ -52,7 +52,6 @@ void declare_match(CLI::App& app, Options& options) {
 
 void declare_lint(CLI::App& app, Options& options) {
   CLI::App* const lint = verb(app, "lint", "known traps, each with its reason", options);
-  lint->add_option("XML", options.one, "a file of Fast DDS or Cyclone DDS instead of ours");
   lint->add_option("--traffic", options.traffic, "traffic file [the shipped traffic.yaml]");
   lint->add_flag("--direct", options.direct,
                  "as if link topics were on the radio themselves, without link_router");
@@ -68,13 +67,11 @@ void declare_lint(CLI::App& app, Options& options) {
   may_be_json(*lint, options);
 }
 
-void declare_vendors(CLI::App& app, Options& options) {
-  CLI::App* const out = verb(app, "export", "profiles as XML of another maker", options);
+void declare_export(CLI::App& app, Options& options) {
+  CLI::App* const out = verb(app, "export", "profiles as XML of another vendor", options);
   out->add_option("PROFILE", options.profiles, "[all]");
   out->add_option("--to", options.vendor, "fastdds or cyclone [fastdds]")
       ->check(CLI::IsMember({"fastdds", "cyclone"}));
-  need(*app.add_subcommand("import", "profiles of XML of Fast DDS or Cyclone DDS as a QoS file"),
-       "XML", options.one, "the file");
 }
 
 void declare_tune(CLI::App& app, Options& options) {
@@ -102,7 +99,7 @@ void declare(CLI::App& app, Options& options) {
   declare_pages(app, options);
   declare_match(app, options);
   declare_lint(app, options);
-  declare_vendors(app, options);
+  declare_export(app, options);
   declare_set(app, options);
   declare_tune(app, options);
 }

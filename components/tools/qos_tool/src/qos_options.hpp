@@ -21,7 +21,7 @@ struct Options {
   std::string traffic;  ///< traffic file; empty: the shipped one
   bool json = false;
   bool all = false;
-  std::string one;    ///< first name: profile, topic or file
+  std::string one;    ///< first name: profile or topic
   std::string other;  ///< second name
   std::vector<std::string> settings;
   std::vector<std::string> profiles;

@@ -8,7 +8,6 @@
 #include "command_line/programs.hpp"
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
-#include "foundation/read_file.hpp"
 #include "lint.hpp"
 #include "matches.hpp"
 #include "profile_text.hpp"
@@ -22,8 +21,6 @@ namespace {
 
 /// Findings, and pairs that do not match: the answer is no.
 constexpr int negative = 1;
-
-constexpr std::size_t longest_file = std::size_t{1} << 20U;  // [byte]
 
 void print(const std::string& text) { std::printf("%s", text.c_str()); }
 void print(const nlohmann::json& json) { print(json.dump(2) + "\n"); }
@@ -105,7 +102,7 @@ LintInput own_input(const Options& options) {
   LintInput input;
   input.profiles = profiles.all();
   input.flow_controllers = profiles.flow_controllers();
-  input.wires.push_back({"link_router", radio_message_bytes, false, link_lease_s});
+  input.wires.push_back({"link_router", radio_message_bytes, link_lease_s});
   std::map<std::string, TrafficRule> rules = TrafficRules(traffic, Role::uxv).all();
   rules.merge(std::map(TrafficRules(traffic, Role::gcs).all()));
   for (const TopicUse& use : known_uses()) {
@@ -121,29 +118,13 @@ LintInput own_input(const Options& options) {
   return input;
 }
 
-LintInput foreign_input(const Options& options) {
-  Imported imported = import_xml(read_file(options.one, longest_file), options.one);
-  LintInput input;
-  input.profiles = std::move(imported.profiles);
-  input.wires = std::move(imported.wires);
-  for (const auto& one : input.profiles) {
-    input.topics.push_back({"of profile " + one.first, one.first, Way::direct});
-  }
-  return input;
-}
-
 int lint_files(const Options& options) {
-  LintInput input = options.one.empty() ? own_input(options) : foreign_input(options);
+  LintInput input = own_input(options);
   complete(input, options);
-  mark_streams(input, options.streams,
-               options.one.empty() ? shipped(options.file, "qos.yaml") : options.one);
+  mark_streams(input, options.streams, shipped(options.file, "qos.yaml"));
   const auto findings = lint(input);
   options.json ? print(lint_json(findings)) : print(lint_text(findings));
   return findings.empty() ? 0 : negative;
-}
-
-void tell_losses(const std::vector<std::string>& lost) {
-  for (const std::string& one : lost) std::fprintf(stderr, "lost: %s\n", error_line(one).c_str());
 }
 
 int export_profiles(const Options& options) {
@@ -153,14 +134,9 @@ int export_profiles(const Options& options) {
   const auto exported = export_xml(options.vendor == "cyclone" ? Vendor::cyclone : Vendor::fast_dds,
                                    options.profiles.empty() ? profiles.all() : chosen);
   print(exported.xml);
-  tell_losses(exported.lost);
-  return 0;
-}
-
-int import_profiles(const Options& options) {
-  const Imported imported = import_xml(read_file(options.one, longest_file), options.one);
-  print(qos_file(imported.profiles));
-  tell_losses(imported.lost);
+  for (const std::string& one : exported.lost) {
+    std::fprintf(stderr, "lost: %s\n", error_line(one).c_str());
+  }
   return 0;
 }
 
@@ -185,16 +161,10 @@ int tune(const Options& options) { return run_tune(options.tune); }
 
 int run_verb(const std::string& verb, const Options& options) {
   using Verb = int (*)(const Options&);
-  static const std::map<std::string, Verb> verbs{{"list", list},
-                                                 {"show", show},
-                                                 {"explain", explain},
-                                                 {"diff", diff},
-                                                 {"match", match},
-                                                 {"lint", lint_files},
-                                                 {"export", export_profiles},
-                                                 {"set", set},
-                                                 {"import", import_profiles},
-                                                 {"tune", tune}};
+  static const std::map<std::string, Verb> verbs{
+      {"list", list},   {"show", show},       {"explain", explain},        {"diff", diff},
+      {"match", match}, {"lint", lint_files}, {"export", export_profiles}, {"set", set},
+      {"tune", tune}};
   return verbs.at(verb)(options);
 }
 

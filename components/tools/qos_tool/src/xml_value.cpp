@@ -3,10 +3,8 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #include "dialect.hpp"
 #include "policy_values.hpp"
@@ -18,92 +16,11 @@ using tinyxml2::XMLElement;
 
 constexpr double ns_in_s = 1e9;
 
-std::string trimmed(const char* text) {
-  std::string result = text == nullptr ? "" : text;
-  const auto blank = " \t\r\n";
-  result.erase(0, result.find_first_not_of(blank));
-  result.erase(result.find_last_not_of(blank) + 1);
-  return result;
-}
-
 template <class Char>
 std::string mapped(std::string text, const Char& change) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [&](unsigned char c) { return static_cast<char>(change(c)); });
   return text;
-}
-
-std::optional<std::string> read_word(const std::string& text, const std::string& suffix) {
-  if (text.size() <= suffix.size()) return std::nullopt;
-  const std::size_t length = text.size() - suffix.size();
-  if (text.compare(length, suffix.size(), suffix) != 0) return std::nullopt;
-  return mapped(text.substr(0, length), [](unsigned char c) { return std::tolower(c); });
-}
-
-std::optional<std::int64_t> read_integer(const std::string& text) {
-  std::int64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end ? std::optional(value) : std::nullopt;
-}
-
-/// Unlimited is 0 in a QoS file.
-std::optional<std::string> read_number(const std::string& text) {
-  if (text == "LENGTH_UNLIMITED" || text == "-1") return "0";
-  const auto value = read_integer(text);
-  return value ? std::optional(std::to_string(*value)) : std::nullopt;
-}
-
-bool is_infinite(const std::string& text) { return text.rfind("DURATION_INFINI", 0) == 0; }
-
-std::optional<std::string> read_seconds(const XMLElement& leaf) {
-  if (is_infinite(trimmed(leaf.GetText()))) return ".inf";
-  double s = 0;
-  bool said = false;
-  for (const auto& [name, unit_s] : {std::pair("sec", 1.0), std::pair("nanosec", 1 / ns_in_s)}) {
-    const XMLElement* const part = leaf.FirstChildElement(name);
-    if (part == nullptr) continue;
-    said = true;
-    const std::string text = trimmed(part->GetText());
-    if (is_infinite(text)) return ".inf";
-    const auto value = read_integer(text);
-    if (!value) return std::nullopt;
-    s += static_cast<double>(*value) * unit_s;
-  }
-  return said ? std::optional(seconds_text(s)) : std::nullopt;
-}
-
-std::optional<std::string> read_flag(const std::string& text, bool opposite) {
-  if (text != "true" && text != "1" && text != "false" && text != "0") return std::nullopt;
-  const bool value = text == "true" || text == "1";
-  return value != opposite ? "true" : "false";
-}
-
-std::string read_names(const XMLElement& leaf, const char* child) {
-  std::vector<std::string> names;
-  for (const auto* one = leaf.FirstChildElement(child); one != nullptr;
-       one = one->NextSiblingElement(child)) {
-    names.push_back(trimmed(one->GetText()));
-  }
-  return list_text(names);
-}
-
-std::optional<std::string> read_hex(const XMLElement& leaf) {
-  const XMLElement* const value = leaf.FirstChildElement("value");
-  if (value == nullptr) return std::nullopt;
-  const std::string text = trimmed(value->GetText());
-  std::string bytes;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('.', at), text.size());
-    unsigned byte = 0;
-    const auto result = std::from_chars(text.data() + at, text.data() + end, byte, 16);
-    if (result.ec != std::errc() || result.ptr != text.data() + end || byte > 255) {
-      return std::nullopt;
-    }
-    bytes += static_cast<char>(byte);
-    at = end + 1;
-  }
-  return bytes;
 }
 
 void write_seconds(XMLElement& leaf, double s) {
@@ -128,27 +45,6 @@ void write_hex(XMLElement& leaf, const std::string& bytes) {
 
 }  // namespace
 
-std::optional<std::string> read_value(const XMLElement& leaf, const Place& place) {
-  const std::string text = trimmed(leaf.GetText());
-  switch (place.form) {
-    case Form::word:
-      return read_word(text, place.suffix);
-    case Form::seconds:
-      return read_seconds(leaf);
-    case Form::number:
-      return read_number(text);
-    case Form::flag:
-      return read_flag(text, false);
-    case Form::not_flag:
-      return read_flag(text, true);
-    case Form::names:
-      return read_names(leaf, place.suffix);
-    case Form::hex:
-      return read_hex(leaf);
-  }
-  return std::nullopt;
-}
-
 void write_value(XMLElement& leaf, const Place& place, const std::string& value) {
   switch (place.form) {
     case Form::word: {
@@ -172,13 +68,6 @@ void write_value(XMLElement& leaf, const Place& place, const std::string& value)
     case Form::hex:
       return write_hex(leaf, value);
   }
-}
-
-const XMLElement* find_at(const XMLElement& base, const std::string& path) {
-  const std::size_t slash = path.find('/');
-  const XMLElement* const child = base.FirstChildElement(path.substr(0, slash).c_str());
-  if (child == nullptr || slash == std::string::npos) return child;
-  return find_at(*child, path.substr(slash + 1));
 }
 
 XMLElement& make_at(XMLElement& base, const std::string& path) {

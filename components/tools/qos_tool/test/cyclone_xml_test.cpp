@@ -11,7 +11,6 @@
 namespace tocsin::qos_tool {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -92,32 +91,6 @@ TEST(CycloneXml, WhatIsForEverIsSaidByName) {
   EXPECT_THAT(xml, HasSubstr("<deadline>" + duration("period", forever, forever_ns)));
   EXPECT_THAT(xml, HasSubstr("<lifespan>" + duration("duration", forever, forever_ns)));
   EXPECT_THAT(xml, ::testing::Not(HasSubstr("partition")));
-}
-
-TEST(CycloneXml, ProfilesAreReadWhateverLibraryTheyAreIn) {
-  const auto read = import_xml(
-      "<dds><qos_library name='a'><qos_profile name='one'><datawriter_qos><history>"
-      "<kind>KEEP_ALL_HISTORY_QOS</kind></history></datawriter_qos></qos_profile></qos_library>"
-      "<qos_library name='b'><qos_profile name='two'><datareader_qos><time_based_filter>"
-      "<minimum_separation><sec>1</sec></minimum_separation></time_based_filter></datareader_qos>"
-      "<subscriber_qos><partition><name><element>x</element></name></partition></subscriber_qos>"
-      "</qos_profile></qos_library></dds>",
-      "t");
-  EXPECT_THAT(read.lost, IsEmpty());
-  EXPECT_TRUE(read.profiles.at("one").keeps_all());
-  EXPECT_EQ(read.profiles.at("two").minimum_separation_s, 1);
-  EXPECT_EQ(read.profiles.at("two").reliability, Reliability::best_effort);
-  EXPECT_THAT(read.profiles.at("two").partition, ElementsAre("x"));
-}
-
-TEST(CycloneXml, PoliciesThatWeDoNotHaveAreSaid) {
-  const auto read = import_xml(
-      "<dds><qos_library name='l'><qos_profile name='q'><datawriter_qos><transport_priority>"
-      "<value>5</value></transport_priority></datawriter_qos><topic_qos><topic_data><value>x"
-      "</value></topic_data></topic_qos></qos_profile></qos_library></dds>",
-      "t");
-  EXPECT_THAT(read.lost, ElementsAre(HasSubstr("q: <value> in <transport_priority>"),
-                                     HasSubstr("q: <value> in <topic_data>")));
 }
 
 }  // namespace

@@ -70,17 +70,6 @@ TEST_P(DialectTest, NoTwoPlacesOfAnEndAreTheSame) {
   });
 }
 
-TEST_P(DialectTest, WhatAVendorTakesWhenNothingIsSaidIsAValueOfOurs) {
-  for_each_place([](const Place& place, bool) {
-    const std::string policy = place.policy;
-    const std::string value = place.absent;
-    // A number that stands for "no bound" there is none of ours.
-    if (policy.empty() || policy == "max_samples" || policy == "user_data") return;
-    EXPECT_NO_THROW((void)settled_profile_of({{policy, value}}, "absent", [](auto&&...) {}))
-        << policy << " = " << value;
-  });
-}
-
 TEST_P(DialectTest, EveryEndSaysHowReliableAndHowDurableItIs) {
   for (const bool writer : {true, false}) {
     const auto& all = places(GetParam(), writer);
@@ -91,6 +80,12 @@ TEST_P(DialectTest, EveryEndSaysHowReliableAndHowDurableItIs) {
           << policy;
     }
   }
+}
+
+TEST_P(DialectTest, APlaceOfNoPolicyHasAValue) {
+  for_each_place([](const Place& place, bool) {
+    EXPECT_EQ(*place.policy == 0, *place.always != 0) << place.path;
+  });
 }
 
 TEST_P(DialectTest, OnlyWordsAndNamesHaveASuffix) {

@@ -135,10 +135,10 @@ TEST(Lint, ALifespanBetweenClocksThatDiffer) {
 
 TEST(Lint, WhatParticipantsDoOnTheNetwork) {
   LintInput input;
-  input.wires.push_back({"w", 1472, false, 20});
+  input.wires.push_back({"w", 1472, 20});
   EXPECT_THAT(rules_of(input), IsEmpty());
-  input.wires[0] = {"w", 1473, true, 9};
-  EXPECT_THAT(rules_of(input), ElementsAre("short-lease", "large-fragments", "multicast"));
+  input.wires[0] = {"w", 1473, 9};
+  EXPECT_THAT(rules_of(input), ElementsAre("short-lease", "large-fragments"));
 }
 
 /// A command and a stream on one flow controller.
@@ -207,7 +207,7 @@ TEST(Lint, ReasonsNameTheValuesThatMakeTheTrap) {
   brief.lifespan_s = 0.25;
   EXPECT_THAT(reason_of(one_topic(brief, Way::host)), HasSubstr("and its lifespan is 0.25 s"));
   LintInput large;
-  large.wires.push_back({"w", 65'500, false, 100});
+  large.wires.push_back({"w", 65'500, 100});
   EXPECT_THAT(reason_of(large), HasSubstr("messages of up to 65500 bytes on an MTU of 1500"));
   EXPECT_THAT(reason_of(shared_flow("high_priority", 0, -1)),
               HasSubstr("the stream stream has priority -1 and command has 0"));

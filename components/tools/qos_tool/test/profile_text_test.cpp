@@ -54,21 +54,20 @@ TEST(ProfileText, ShowsDefaultsOnlyWhenAsked) {
   EXPECT_EQ(show_json("p", profile)["policies"]["deadline_s"]["default"], true);
 }
 
-TEST(ProfileText, ExplainsEveryPolicyInWords) {
+TEST(ProfileText, ExplainsEveryPolicyByItsDeclaration) {
   EXPECT_THAT(explain_text("sensor", {}, uses),
               AllOf(HasSubstr("sensor, of location (link), odom\n"),
-                    HasSubstr("  reliability reliable (default): a lost sample is sent again"),
-                    HasSubstr("  partition [] (default): the partition without name")));
+                    HasSubstr("  reliability reliable (default): reliable repairs losses by"),
+                    HasSubstr("  partition [] (default): names, with wildcards")));
 }
 
-TEST(ProfileText, TellsWhatDiffersWithTheMeaningOfBoth) {
+TEST(ProfileText, TellsWhatDiffersWithItsMeaning) {
   QosProfile one;
   QosProfile other;
   EXPECT_EQ(diff_text(one, other), "no difference\n");
   other.lifespan_s = 5;
   EXPECT_EQ(diff_text(one, other),
-            "lifespan_s: .inf -> 5\n  a sample is delivered however old it is\n"
-            "  a sample older than 5 s is not delivered any more\n");
+            "lifespan_s: .inf -> 5\n  [s] an older sample is never delivered\n");
   EXPECT_EQ(diff_json(one, other).dump(), R"({"lifespan_s":[".inf","5"]})");
 }
 

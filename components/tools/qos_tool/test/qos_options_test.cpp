@@ -57,9 +57,7 @@ TEST(QosOptions, EveryVerbTakesItsNames) {
   EXPECT_EQ(parse({"diff", "a", "b"}).options.other, "b");
   EXPECT_EQ(parse({"match", "a"}).options.other, "");
   EXPECT_EQ(parse({"match", "a", "/b"}).options.other, "/b");
-  EXPECT_EQ(parse({"lint"}).options.one, "");
-  EXPECT_EQ(parse({"lint", "f.xml"}).options.one, "f.xml");
-  EXPECT_EQ(parse({"import", "f.xml"}).options.one, "f.xml");
+  EXPECT_EQ(parse({"lint"}).verb, "lint");
   EXPECT_THAT(parse({"export"}).options.profiles, IsEmpty());
   EXPECT_THAT(parse({"export", "a", "b"}).options.profiles, ElementsAre("a", "b"));
   EXPECT_THAT(parse({"set", "/odom", "deadline_s=1", "lifespan_s=2"}).options.settings,
@@ -73,7 +71,7 @@ TEST(QosOptions, WhatIsMissingOrUnknownIsRefused) {
                                              {"show"},
                                              {"diff", "a"},
                                              {"set", "/odom"},
-                                             {"import"},
+                                             {"lint", "f.xml"},
                                              {"list", "sensor"},
                                              {"export", "--to", "rti"},
                                              {"lint", "--mtu", "100"},
@@ -96,10 +94,10 @@ TEST(QosOptions, WhatIsNotSaidHasItsDefault) {
 }
 
 TEST(QosOptions, OptionsAreTaken) {
-  const Options lint = parse({"lint", "f.xml", "--direct", "--stream", "a", "--stream", "b",
-                              "--outage", "30", "--mtu", "1400", "--synchronised-clocks", "--json",
-                              "--traffic", "t.yaml", "--file", "q.yaml"})
-                           .options;
+  const Options lint =
+      parse({"lint", "--direct", "--stream", "a", "--stream", "b", "--outage", "30", "--mtu",
+             "1400", "--synchronised-clocks", "--json", "--traffic", "t.yaml", "--file", "q.yaml"})
+          .options;
   EXPECT_TRUE(lint.direct);
   EXPECT_TRUE(lint.json);
   EXPECT_TRUE(lint.clocks_are_synchronised);

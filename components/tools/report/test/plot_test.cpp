@@ -48,14 +48,12 @@ TEST_F(PlotTest, TrafficHasABlockForEachClassAndAPointForEachSecond) {
   EXPECT_EQ(blocks, 3U) << "uxv critical, uxv low, gcs high";
   EXPECT_THAT(traffic, AllOf(HasSubstr("\n0.5 8\n"), HasSubstr("\n99.5 0\n")))
       << "1000 bytes in the first second are 8 kbit/s";
-  EXPECT_THAT(text("plot.gnuplot"),
-              AllOf(HasSubstr("index 0 "), HasSubstr("index 2 "), Not(HasSubstr("index 3 "))));
 }
 
 const char* const link_head =
     "receive_s,send_s,role,capacity_bytes_per_s,backlog_s,classes,capacity_measured\n";
 
-TEST_F(PlotTest, ARunWithRoutersHasAPanelOfCapacityAndBacklog) {
+TEST_F(PlotTest, CapacityAndBacklogAreThoseThatEachSideRecordedOfItself) {
   run_.write("uxv/link_state.csv", std::string(link_head) +
                                        "1001,1001,uxv,125000,0.02,[],0\n1001,1001,gcs,7,7,[],0\n"
                                        "1002,1002,uxv,250000,0.3,[],1\n");
@@ -64,13 +62,6 @@ TEST_F(PlotTest, ARunWithRoutersHasAPanelOfCapacityAndBacklog) {
   draw();
   EXPECT_EQ(text("link.dat"), "1 nan 20\n2 2000 300\n\n\n3 nan 1\n\n\n")
       << "uxv, gcs; each as its own side recorded it; kbit/s and ms; what was not measured is none";
-  const std::string script = text("plot.gnuplot");
-  EXPECT_THAT(script, AllOf(HasSubstr("layout 3,1"), HasSubstr("size 1200,1200"),
-                            HasSubstr("index 0 using 1:2 axes x1y1"),
-                            HasSubstr("index 0 using 1:3 axes x1y2"),
-                            HasSubstr("index 1 using 1:3 axes x1y2")));
-  EXPECT_THAT(script, Not(HasSubstr("index 1 using 1:2"))) << "the station sends no pictures";
-  EXPECT_LT(script.find("graph 0 to"), script.find("'link.dat'")) << "pauses are shaded there, too";
 }
 
 /// 100 s of router states of a vehicle that measures 2000 kbit/s, but `first` in the first second.
@@ -87,30 +78,25 @@ std::string link_states(int first_bytes_per_s) {
 TEST_F(PlotTest, OneEarlySampleDoesNotFlattenTheCapacity) {
   run_.write("uxv/link_state.csv", link_states(23'750'000));
   draw();
-  EXPECT_THAT(text("plot.gnuplot"), AllOf(HasSubstr("set ylabel \"capacity [kbit/s], to 190000\""),
-                                          HasSubstr("set yrange [0:4000.000000]")));
+  EXPECT_THAT(text("plot.gnuplot"), HasSubstr("[0:4000.000000]"));
 }
 
 TEST_F(PlotTest, ACapacityThatVariesLittleIsDrawnWhole) {
   run_.write("uxv/link_state.csv", link_states(500'000));
   draw();
-  EXPECT_THAT(text("plot.gnuplot"),
-              AllOf(HasSubstr("set ylabel \"capacity [kbit/s]\"\nset yrange [0:*]"),
-                    Not(HasSubstr(", to "))));
+  EXPECT_THAT(text("plot.gnuplot"), Not(HasSubstr(", to ")));
 }
 
 TEST_F(PlotTest, ARouterOfTheStationAloneShowsItsBacklog) {
   run_.write("gcs/link_state.csv", std::string(link_head) + "1003,1003,gcs,1000,nan,[],0\n");
   draw();
   EXPECT_EQ(text("link.dat"), "3 nan nan\n\n\n");
-  EXPECT_THAT(text("plot.gnuplot"), AllOf(HasSubstr("plot 'link.dat' index 0 using 1:3 axes x1y2"),
-                                          Not(HasSubstr("using 1:2 axes"))));
 }
 
 TEST_F(PlotTest, ARunWithoutRoutersHasNoSuchPanel) {
   draw();
   EXPECT_EQ(text("link.dat"), "");
-  EXPECT_THAT(text("plot.gnuplot"), AllOf(HasSubstr("layout 2,1"), Not(HasSubstr("backlog"))));
+  EXPECT_THAT(text("plot.gnuplot"), Not(HasSubstr("backlog")));
 }
 
 TEST_F(PlotTest, PausesAreBoxesAndTheLastOneEndsWithTheRun) {
