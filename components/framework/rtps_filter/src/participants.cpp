@@ -157,12 +157,21 @@ Participants::Known::iterator Participants::longest_silent() {
   return found;
 }
 
+/// Who is authenticated takes no stranger's place: the next instance of a peer is a stranger.
+bool Participants::is_full() const {
+  constexpr std::size_t authenticated_and_strangers = 4;
+  const auto strangers = std::count_if(known_.begin(), known_.end(),
+                                       [](const auto& one) { return !one.second.authenticated; });
+  return static_cast<std::size_t>(strangers) >= limits_.participants ||
+         known_.size() >= authenticated_and_strangers * limits_.participants;
+}
+
 bool Participants::make_room(Time now, Verdict& verdict) {
-  if (known_.size() < limits_.participants) return true;
+  if (!is_full()) return true;
   for (auto at = known_.begin(); at != known_.end();) {
     at = is_over(at->second, now) ? erase(at) : std::next(at);
   }
-  if (known_.size() < limits_.participants) return true;
+  if (!is_full()) return true;
   if (limits_.yields_after <= Duration{}) return false;
   const auto silent = longest_silent();
   if (silent == known_.end() || now - silent->second.heard < limits_.yields_after) return false;

@@ -98,6 +98,7 @@ class Participants {
   /// Whether there is room for one more; `verdict` gets the departure of who yields.
   [[nodiscard]] bool make_room(Time now, Verdict& verdict);
   Known::iterator longest_silent();
+  [[nodiscard]] bool is_full() const;
   /// Whether a participant announces itself from there; at first it may have several sockets.
   [[nodiscard]] bool is_source(Participant& participant, Source from, Time now) const;
   [[nodiscard]] bool is_over(const Participant& participant, Time now) const;

@@ -54,10 +54,14 @@ TEST_F(Secured, AuthenticatedParticipantIsAnnouncedAsBefore) {
   EXPECT_TRUE(inspect(sut, announced('a'), alice, t0 + seconds(100)).before.empty());
 }
 
-TEST_F(Secured, AuthenticatedParticipantYieldsToNobody) {
-  make_known('a');
-  make_known('b');
-  EXPECT_EQ(drop_of(sut, announced('c'), alice, t0 + seconds(10)),
+TEST_F(Secured, AuthenticatedParticipantYieldsToNobodyAndTakesNoStrangersPlace) {
+  for (const char name : {'a', 'b', 'c', 'd', 'e', 'f'}) make_known(name);
+  EXPECT_EQ(drop_of(sut, announced('v')), passes);
+  EXPECT_EQ(drop_of(sut, announced('w')), passes);
+  EXPECT_EQ(drop_of(sut, announced('x')), DropReason::too_many_participants);
+  make_known('v');
+  make_known('w');
+  EXPECT_EQ(drop_of(sut, announced('x'), alice, t0 + seconds(10)),
             DropReason::too_many_participants);
 }
 

@@ -47,6 +47,11 @@ std::optional<Piece> piece_in(const std::uint8_t* bytes, std::size_t size) {
 
 }  // namespace
 
+std::optional<std::uint32_t> piece_number(const std::uint8_t* bytes, std::size_t size) {
+  const auto piece = piece_in(bytes, size);
+  return piece && piece->whole > 0 ? std::optional(piece->number) : std::nullopt;
+}
+
 std::vector<std::vector<std::uint8_t>> MessagePieces::of(const std::uint8_t* message,
                                                          std::size_t size) {
   if (size <= radio_message_bytes) return {{message, message + size}};

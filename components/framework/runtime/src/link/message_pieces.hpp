@@ -30,6 +30,10 @@ class MessagePieces {
   std::uint32_t number_ = 0;
 };
 
+/// Of the message that a packet is a piece of; nothing when it is none.
+[[nodiscard]] std::optional<std::uint32_t> piece_number(const std::uint8_t* bytes,
+                                                        std::size_t size);
+
 /// Puts messages together from their pieces, which may come in any order. Pure; one thread at a
 /// time. Of many unfinished messages the oldest is forgotten.
 class PieceAssembly {

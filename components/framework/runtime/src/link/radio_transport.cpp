@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "fast_dds/this_host.hpp"
+#include "link/authentication_repeats.hpp"
 #include "link/discovery_pacer.hpp"
 #include "link/radio_socket.hpp"
 #include "link/rtps_message.hpp"
@@ -28,18 +29,27 @@ namespace rtps = eprosima::fastrtps::rtps;
 using namespace eprosima::fastdds::rtps;
 using Deadline = std::chrono::steady_clock::time_point;
 
+/// At 30 % loss one of so many arrives in 99.8 %.
+constexpr std::size_t copies_of_last = 5;
 constexpr std::uint32_t largest_datagram = 65500;
+
+/// Of a participant with DDS Security; both null without.
+struct Securing {
+  std::shared_ptr<OtherMakers> others;
+  std::shared_ptr<AuthenticationRepeats> repeats;
+};
 
 /// Sends what the pacer holds back when its time has come, and values of the emergency stop, on a
 /// thread of its own.
 class MarkingSender : public rtps::SenderResource {
  public:
-  MarkingSender(const std::string& address, std::shared_ptr<RadioMarks> marks,
-                std::shared_ptr<OtherMakers> others, StopWay stop)
+  MarkingSender(const std::string& address, std::shared_ptr<RadioMarks> marks, Securing securing,
+                StopWay stop)
       : SenderResource(LOCATOR_KIND_UDPv4),
         socket_(address),
         marks_(std::move(marks)),
-        others_(std::move(others)),
+        others_(std::move(securing.others)),
+        repeats_(std::move(securing.repeats)),
         stop_(std::move(stop)),
         thread_([this] { run(); }) {
     pthread_setname_np(thread_.native_handle(), "link_discovery");
@@ -63,7 +73,8 @@ class MarkingSender : public rtps::SenderResource {
   bool send_to_all(const rtps::octet* bytes, std::size_t whole, rtps::LocatorsIterator& next,
                    const rtps::LocatorsIterator& last) {
     const std::size_t size = size_without_statistics(bytes, whole);
-    if (others_ && is_authentication_of_another(bytes, size)) return true;
+    const auto authentication = repeats_ ? authentication_in(bytes, size) : std::nullopt;
+    if (authentication && authentication->goes_elsewhere) return true;
     const auto state = discovery_state_in(bytes, size);
     std::optional<ActivityTurn> turn;
     if (is_announcement(bytes, size)) turn.emplace(*timer_);
@@ -72,21 +83,32 @@ class MarkingSender : public rtps::SenderResource {
       const rtps::Locator_t& to = *next;
       if (to.kind != LOCATOR_KIND_UDPv4 || rtps::IPLocator::isMulticast(to)) continue;
       if (state && !passes(*state, {{bytes, bytes + size}, to})) continue;
-      all = send_in_pieces(bytes, size, to) && all;
+      all = send_in_pieces(bytes, size, to, authentication) && all;
     }
     return all;
   }
-  bool send_in_pieces(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to) {
-    if (size <= radio_message_bytes || (others_ && others_->are_at(ipv4_of(to)))) {
+  bool send_in_pieces(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to,
+                      const std::optional<Authentication>& authentication) {
+    const bool is_short = size <= radio_message_bytes && !authentication;
+    if (is_short || (others_ && others_->are_at(ipv4_of(to)))) {
       return send_one(bytes, size, to, marks_->mark(bytes, size, size));
     }
     bool all = true;
     std::unique_lock<std::mutex> lock(mutex_);
-    const auto pieces = pieces_.of(bytes, size);
+    auto pieces = pieces_.of(bytes, size);
     lock.unlock();
+    // The last message of a handshake has no answer, and what is sealed with its keys follows at
+    // once: who has not received it never asks for that.
+    const bool is_last = authentication && pieces.size() == 1;
+    if (is_last) pieces.resize(copies_of_last, pieces.front());
     for (const auto& piece : pieces) {
       all =
           send_one(piece.data(), piece.size(), to, marks_->mark(bytes, size, piece.size())) && all;
+    }
+    if (authentication && !is_last) {
+      repeats_->sent(authentication->addressee, {std::move(pieces), to},
+                     std::chrono::steady_clock::now());
+      wake();
     }
     return all;
   }
@@ -117,6 +139,14 @@ class MarkingSender : public rtps::SenderResource {
       }
     }
   }
+  void send_repeats(Time now) {
+    while (const auto due = repeats_ ? repeats_->take_due(now) : std::nullopt) {
+      for (const auto& packet : due->packets) {
+        (void)send_one(packet.data(), packet.size(), due->to,
+                       marks_->mark(packet.data(), packet.size(), packet.size()));
+      }
+    }
+  }
   void wake() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -143,6 +173,7 @@ class MarkingSender : public rtps::SenderResource {
       }
       woken_ = false;
       lock.unlock();
+      send_repeats(std::chrono::steady_clock::now());
       send_stops(std::chrono::steady_clock::now());
       lock.lock();
       if (!woken_ && !stopping_) sleep(lock);
@@ -150,8 +181,9 @@ class MarkingSender : public rtps::SenderResource {
   }
   void sleep(std::unique_lock<std::mutex>& lock) {
     const bool says = stop_.channel && has_header_.load(std::memory_order_acquire);
-    const Time deadline =
-        says ? std::min(pacer_.deadline(), stop_.channel->deadline()) : pacer_.deadline();
+    Time deadline = pacer_.deadline();
+    if (says) deadline = std::min(deadline, stop_.channel->deadline());
+    if (repeats_) deadline = std::min(deadline, repeats_->deadline());
     if (deadline == never) {
       changed_.wait(lock);
     } else {
@@ -162,6 +194,7 @@ class MarkingSender : public rtps::SenderResource {
   RadioSocket socket_;
   std::shared_ptr<RadioMarks> marks_;
   std::shared_ptr<OtherMakers> others_;
+  std::shared_ptr<AuthenticationRepeats> repeats_;
   const StopWay stop_;
   std::mutex mutex_;
   std::condition_variable changed_;
@@ -178,20 +211,20 @@ class MarkingSender : public rtps::SenderResource {
 
 struct MarkingDescriptor : ChainingTransportDescriptor {
   MarkingDescriptor(std::shared_ptr<TransportDescriptorInterface> low, std::string its_address,
-                    std::shared_ptr<RadioMarks> its_marks, std::shared_ptr<OtherMakers> its_others,
+                    std::shared_ptr<RadioMarks> its_marks, std::shared_ptr<OtherMakers> others,
                     StopWay its_stop)
       : ChainingTransportDescriptor(std::move(low)),
         address(std::move(its_address)),
         marks(std::move(its_marks)),
-        others(std::move(its_others)),
         stop(std::move(its_stop)) {
     maxMessageSize = others ? largest_datagram : radio_message_bytes;
+    if (others) securing = {others, std::make_shared<AuthenticationRepeats>()};
   }
   [[nodiscard]] TransportInterface* create_transport() const override;
   [[nodiscard]] std::uint32_t max_message_size() const override { return maxMessageSize; }
   std::string address;
   std::shared_ptr<RadioMarks> marks;
-  std::shared_ptr<OtherMakers> others;
+  Securing securing;
   StopWay stop;
 };
 
@@ -207,6 +240,7 @@ class MarkingTransport : public ChainingTransport {
   }
   void receive(TransportReceiverInterface* next, const rtps::octet* bytes, std::uint32_t size,
                const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
+    if (descriptor_.securing.repeats) descriptor_.securing.repeats->on_packet(bytes, size);
     const std::size_t left = without_stop(bytes, size, remote);
     if (left == 0) return;
     next->OnDataReceived(bytes, static_cast<std::uint32_t>(left), local, remote);
@@ -218,7 +252,7 @@ class MarkingTransport : public ChainingTransport {
       if (dynamic_cast<const MarkingSender*>(one.get()) != nullptr) return true;
     }
     auto sender = std::make_unique<MarkingSender>(descriptor_.address, descriptor_.marks,
-                                                  descriptor_.others, descriptor_.stop);
+                                                  descriptor_.securing, descriptor_.stop);
     if (!sender->usable()) return false;
     channels.push_back(std::move(sender));
     return true;

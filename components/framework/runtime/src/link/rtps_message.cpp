@@ -111,7 +111,7 @@ const std::uint8_t* addressee_in(const Submessage& one) {
 
 }  // namespace
 
-bool is_authentication_of_another(const std::uint8_t* message, std::size_t size) {
+std::optional<Authentication> authentication_in(const std::uint8_t* message, std::size_t size) {
   const std::uint8_t* destination = nullptr;
   Submessages all(message, size);
   while (const auto one = all.next()) {
@@ -119,10 +119,12 @@ bool is_authentication_of_another(const std::uint8_t* message, std::size_t size)
     const auto sender = sender_of(*one);
     if (!sender || *sender != authentication_writer) continue;
     const std::uint8_t* const addressee = addressee_in(*one);
-    return destination != nullptr && addressee != nullptr &&
-           !std::equal(addressee, addressee + prefix_bytes, destination);
+    if (destination == nullptr || addressee == nullptr) return std::nullopt;
+    Authentication found{{}, !std::equal(addressee, addressee + prefix_bytes, destination)};
+    std::copy_n(addressee, prefix_bytes, found.addressee.value);
+    return found;
   }
-  return false;
+  return std::nullopt;
 }
 
 bool is_builtin(const rtps::EntityId_t& endpoint) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fastdds/rtps/common/EntityId_t.hpp>
+#include <fastdds/rtps/common/GuidPrefix_t.hpp>
 
 #include <array>
 #include <cstddef>
@@ -68,10 +69,16 @@ class Submessages {
 /// Whether a message announces its participant (section 8.5.3).
 [[nodiscard]] bool is_announcement(const std::uint8_t* message, std::size_t size);
 
-/// Whether a message of authentication names another participant as its addressee than the one that
-/// the packet is for. Fast DDS 2.9.1 sends each to every participant that it knows (DDS Security
-/// 1.1 sections 7.4.3.5 and 7.4.4.3); who is not the addressee throws it away.
-[[nodiscard]] bool is_authentication_of_another(const std::uint8_t* message, std::size_t size);
+/// Whom a message of authentication is for (DDS Security 1.1 sections 7.4.3.5 and 7.4.4.3).
+struct Authentication {
+  eprosima::fastrtps::rtps::GuidPrefix_t addressee;
+  /// Whether the packet is for another participant. Fast DDS 2.9.1 sends each to every participant
+  /// that it knows; who is not the addressee throws it away.
+  bool goes_elsewhere;
+};
+/// Nothing when it is none, or does not say.
+[[nodiscard]] std::optional<Authentication> authentication_in(const std::uint8_t* message,
+                                                              std::size_t size);
 
 /// Whose state a message tells: HEARTBEAT or ACKNACK, the participant that it is for, reader and
 /// writer.

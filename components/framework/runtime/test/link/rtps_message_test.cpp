@@ -71,25 +71,29 @@ Bytes authentication(std::uint8_t addressee, std::uint8_t destination,
   return bytes;
 }
 
-bool is_of_another(const Bytes& bytes) {
-  return is_authentication_of_another(bytes.data(), bytes.size());
+std::optional<Authentication> read_authentication(const Bytes& bytes) {
+  return authentication_in(bytes.data(), bytes.size());
 }
 
-TEST(Authentication, GoesToItsAddresseeOnly) {
-  EXPECT_FALSE(is_of_another(authentication(7, 7)));
-  EXPECT_TRUE(is_of_another(authentication(7, 8)));
+TEST(AuthenticationIn, TellsWhetherThePacketIsForItsAddressee) {
+  for (const std::uint8_t destination : std::vector<std::uint8_t>{7, 8}) {
+    const auto found = read_authentication(authentication(7, destination));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->addressee.value[0], 7);
+    EXPECT_EQ(found->goes_elsewhere, destination == 8);
+  }
 }
 
-TEST(Authentication, IsToldFromOtherMessages) {
-  EXPECT_FALSE(is_of_another(authentication(7, 8, {0, 0, 7, 3})));
-  EXPECT_FALSE(is_of_another({}));
+TEST(AuthenticationIn, FindsNoneInOtherMessages) {
+  EXPECT_FALSE(read_authentication(authentication(7, 8, {0, 0, 7, 3})));
+  EXPECT_FALSE(read_authentication({}));
 }
 
-TEST(Authentication, ThatIsCutOffIsNotOfAnother) {
+TEST(AuthenticationIn, FindsNoneThatIsCutOff) {
   Bytes bytes = message();
   append(bytes, info_destination, Bytes(12, 8));
   append(bytes, data, {0, 0, 16, 0, 0, 2, 1, 0xc4, 0, 2, 1, 0xc3, 0, 0, 0, 0});
-  EXPECT_FALSE(is_of_another(bytes));
+  EXPECT_FALSE(read_authentication(bytes));
 }
 
 TEST(SenderIn, AHeartbeatComesFromItsWriterAndAnAcknackFromItsReader) {

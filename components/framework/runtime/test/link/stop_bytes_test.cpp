@@ -94,7 +94,9 @@ TEST(StopBytesTest, RandomBytesAreReadWithinTheirEnds) {
     bytes.resize(random() % bytes.size());
     bytes.shrink_to_fit();
     const auto read = stop_value_in(bytes.data(), bytes.size());
-    if (read) EXPECT_LE(read->second, bytes.size());
+    if (read) {
+      EXPECT_LE(read->second, bytes.size());
+    }
   }
 }
 
