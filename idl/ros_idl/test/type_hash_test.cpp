@@ -138,6 +138,10 @@ const std::vector<std::pair<const char*, const char*>> published{
      "RIHS01_d010825374ce8918e72bfd826c82603e60f45419e932ea976f807b74a863a199"},
     {"tf2_msgs::msg::dds_::TFMessage_",
      "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"},
+    {"type_description_interfaces::srv::dds_::GetTypeDescription_Request_",
+     "RIHS01_470f56ccbcf13d55c78c8b735fb12da03e639e5acded994426c89d94778d9e28"},
+    {"type_description_interfaces::srv::dds_::GetTypeDescription_Response_",
+     "RIHS01_648c49d976240861a482f961c5621ddd0d2135d8cce6f297a76d4f6376d93b75"},
     {"unique_identifier_msgs::msg::dds_::UUID_",
      "RIHS01_1b8e8aca958cbea28fe6ef60bf6c19b683c97a9ef60bb34752067d0f2f7ab437"}};
 

@@ -100,6 +100,8 @@ TEST_F(ExitCodes, WhatTheRunningSystemHasNotIsOne) {
   expect(1, "action info /no" + nowhere, "/no");
   expect(1, "param get /no x" + nowhere, "/no");
   expect(1, "component list" + nowhere, "no container runs on this host");
+  expect(1, "component load no navigator --timeout 0.3" + nowhere, "no: no such container");
+  expect(1, "component unload no navigator --timeout 0.3" + nowhere, "no: no such container");
   expect(1, "log list --spin-time 0.5" + nowhere, "tocsin log: nothing runs here");
   expect(1, "qos match /no" + nowhere, "/no");
   expect(1, "qos set /no deadline_s=1 --spin-time 0.2" + nowhere,

@@ -9,6 +9,14 @@ namespace {
 /// A container makes the servers of a node within some milliseconds after somebody calls one.
 constexpr Duration own_host_first = std::chrono::milliseconds(500);
 
+/// Of the services of a node, the one by which the peer's host learns that the node is there: ROS 2
+/// looks for the node before it calls one.
+bool names_its_node(const std::string& service) {
+  static const std::string last = "/list_parameters";
+  return service.size() > last.size() &&
+         service.compare(service.size() - last.size(), last.size(), last) == 0;
+}
+
 bool has_name(const std::set<ServiceName>& services, const std::string& name) {
   return std::any_of(services.begin(), services.end(),
                      [&](const ServiceName& one) { return one.name == name; });
@@ -75,7 +83,8 @@ ServiceLists ServiceDirectory::told(Time now) const {
   for (const ServiceName& server : servers_) {
     const Crossing crossing = rules_.served(server.name);
     const bool offered = crossing == Crossing::always ||
-                         (crossing == Crossing::on_demand && is_wanted_there(server.name));
+                         (crossing == Crossing::on_demand &&
+                          (names_its_node(server.name) || is_wanted_there(server.name)));
     if (offered && lists.offered.size() < most_services) lists.offered.insert(server);
   }
   for (const auto& [client, since] : clients_) {

@@ -126,5 +126,18 @@ TEST_F(ServiceDirectoryTest, OfTwoPeersThatOfferOneNameOneIsShown) {
   EXPECT_EQ(client.shown(t0).size(), 1U);
 }
 
+// `ros2 param` says "Node not found" before it calls anything.
+TEST_F(ServiceDirectoryTest, ANodeOfWhichAPatternSpeaksIsKnownThereBeforeSomebodyCallsIt) {
+  const ServiceName list{"arm/list_parameters", "rcl_interfaces/srv/ListParameters"};
+  server.on_server(parameters, true);
+  server.on_server(list, true);
+  EXPECT_THAT(server.told(t0).offered, ElementsAre(list));
+  (void)client.on_peer(1, server.told(t0));
+  EXPECT_THAT(client.offered_there(), ElementsAre(list.name));
+  EXPECT_THAT(client.shown(t0), IsEmpty());
+  server.on_server(list, false);
+  EXPECT_THAT(server.told(t0).offered, IsEmpty());
+}
+
 }  // namespace
 }  // namespace tocsin::router

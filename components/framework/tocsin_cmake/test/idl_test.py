@@ -123,6 +123,19 @@ class Accepted(unittest.TestCase):
         self.assertIn("bool skip_a_S(", source)
         self.assertIn("bool skip_b_S(", source)
 
+    def test_what_a_hash_is_made_of_is_described(self):
+        source = describe_idl.source("toy", "one_line", self.structs_of("one_line"), {}, [],
+                                     self.hashes_of("one_line"))
+        self.assertIn('{"x", 6, 0, 0, ""},', source)
+        hash_ = self.hashes_of("one_line").of("a::msg::One")
+        self.assertIn(f'register_ros_description({{"a/msg/One", "{hash_}", fields_a_msg_One,', source)
+
+    def test_what_ros2_cannot_say_is_not_described(self):
+        hashes = self.hashes_of("one_line")
+        hashes.of = lambda scoped: ""
+        source = describe_idl.source("toy", "one_line", self.structs_of("one_line"), {}, [], hashes)
+        self.assertNotIn("register_ros_description", source)
+
     def test_the_key_is_read_alone(self):
         keys = idl_dialect.keys(self.parsed[self.folder.idl("key")])
         source = describe_idl.source("toy", "key", self.structs_of("key"), keys, [],

@@ -39,6 +39,11 @@ PathFollower::PathFollower(const FollowerParams& params) : params_(params) {
   }
 }
 
+void PathFollower::set_speeds(double speed_mps, double turn_rate_radps) {
+  params_.speed_mps = speed_mps;
+  params_.turn_rate_radps = turn_rate_radps;
+}
+
 void PathFollower::start(geometry::Path path) {
   assert(!path.empty());
   path_ = std::move(path);

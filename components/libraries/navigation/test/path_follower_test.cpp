@@ -229,5 +229,15 @@ TEST(PathFollower, RefusesAHysteresisThatIsUpsideDown) {
   EXPECT_NO_THROW(PathFollower{params});
 }
 
+TEST(PathFollower, TakesAnotherTopSpeedWithinTheAccelerationLimit) {
+  PathFollower sut{{}};
+  sut.start({{0, 0}, {20, 0}});
+  (void)drive(sut, {0, 0, 0}, 0.05, 100);
+  sut.set_speeds(0.2, 1.2);
+  const Drive slower = drive(sut, {5, 0, 0}, 0.05, 20);
+  EXPECT_NEAR(slower.velocities[0].linear_mps, 0.475, 1e-9);  // 0.5 m/s2 in 50 ms
+  EXPECT_NEAR(slower.velocities.back().linear_mps, 0.2, 1e-9);
+}
+
 }  // namespace
 }  // namespace tocsin::navigation

@@ -74,7 +74,8 @@ std::vector<End> ends_called(const Options& options, const std::string& name, bo
   }
   std::vector<End> ends = ends_of(running, wire_name(options.host, name), writers);
   if (ends.empty()) {
-    throw EnvironmentError(name + ": nobody " + (writers ? "writes" : "reads") + " it here");
+    throw EnvironmentError(name + ": nobody " + (writers ? "writes" : "reads") + " it here" +
+                           like_running(running, name));
   }
   return ends;
 }

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
+#include "foundation/spelling.hpp"
 #include "runtime/middleware/composition_service.hpp"
 #include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/host_graph.hpp"
@@ -69,6 +71,14 @@ std::string wire_name(const HostChoice& host, const std::string& topic) {
   return wire_topic((host.ros_namespace.empty() ? "" : host.ros_namespace + "/") + bare(topic));
 }
 
+std::string like_running(const std::vector<GraphEnd>& ends, const std::string& topic) {
+  std::set<std::string> names;
+  for (const GraphEnd& end : ends) {
+    if (const auto name = ros_topic(end.topic)) names.insert(*name);
+  }
+  return suggestion({names.begin(), names.end()}, topic);
+}
+
 std::vector<GraphEnd> ends_of_host(const Options& options) {
   const auto graph = make_host_graph(host_bus_options(options.host, "tocsin_qos"));
   return settled_ends(*graph, seconds(options.spin_s));
@@ -84,7 +94,8 @@ Changed change_running(const Options& options) {
   const auto writers = ends_of(all, on_wire, true);
   const auto readers = ends_of(all, on_wire, false);
   if (writers.empty() && readers.empty()) {
-    throw EnvironmentError("nobody writes or reads " + options.one + " here");
+    throw EnvironmentError("nobody writes or reads " + options.one + " here" +
+                           like_running(all, "/" + bare(options.one)));
   }
   (void)changed(announced_profile(writers.empty() ? readers : writers), settings);
   const auto bus = make_fast_dds_bus(joined);

@@ -15,6 +15,9 @@ namespace tocsin::qos_tool {
 
 /// All ends of the host that was chosen. Waits until those who are there were heard.
 [[nodiscard]] std::vector<GraphEnd> ends_of_host(const Options& options);
+/// "; did you mean '/odom'?" with the topics of `ends` that are like `topic`; empty: there are
+/// none.
+[[nodiscard]] std::string like_running(const std::vector<GraphEnd>& ends, const std::string& topic);
 
 /// What became of a change.
 struct Changed {

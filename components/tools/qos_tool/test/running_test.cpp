@@ -108,6 +108,8 @@ TEST(Running, ATopicWithoutEndsOrWithForeignOnesOnlyIsSaid) {
   options.one = "/silence";
   options.spin_s = 0.5;
   EXPECT_THAT(refused(options), HasSubstr("nobody writes or reads /silence here"));
+  options.one = "/chater";
+  EXPECT_THAT(refused(options), HasSubstr("did you mean '/chatter'?"));
 }
 
 }  // namespace

@@ -9,12 +9,14 @@
 #include <random>
 #include <utility>
 
+#include "action_text.hpp"
 #include "command_line/stop_signal.hpp"
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
 #include "foundation/yaml_sources.hpp"
 #include "message_yaml.hpp"
 #include "ros_idl/action_msgs.hpp"
+#include "running_names.hpp"
 #include "runtime/middleware/action_ports.hpp"
 
 namespace tocsin::topic_tool {
@@ -74,7 +76,8 @@ std::shared_ptr<void> with_id(const TypeInfo& type, const GoalId& id) {
 class SentGoal {
  public:
   SentGoal(const TopicSession& session, const KnownAction& types, const GoalOptions& options)
-      : types_(types),
+      : session_(session),
+        types_(types),
         options_(options),
         send_(session.graph(), {options.action + "/_action/send_goal", &types.send_goal_request,
                                 &types.send_goal_response}),
@@ -89,7 +92,7 @@ class SentGoal {
     const auto request = goal_request(types_, id_, options_.goal);
     std::printf("Waiting for an action server to become available...\n");
     std::fflush(stdout);
-    for (ServiceCaller* const one : {&send_, &result_, &cancel_}) one->require(options_.patience);
+    require_server();
     std::printf("Sending goal:\n     %s\n",
                 yaml_in(types_.send_goal_request, request.get(), "goal").c_str());
     const auto answer = send_.call(request, options_.patience);
@@ -104,6 +107,15 @@ class SentGoal {
   }
 
  private:
+  /// Throws EnvironmentError with the actions that are like the one that nobody serves.
+  void require_server() {
+    try {
+      for (ServiceCaller* const one : {&send_, &result_, &cancel_}) one->require(options_.patience);
+    } catch (const EnvironmentError& error) {
+      const auto actions = keys_of(actions_in(session_.ends(), session_.graph().nodes()));
+      throw EnvironmentError(error.what() + suggested_names(actions, options_.action));
+    }
+  }
   /// What our servers tell in the result of such a goal; empty: nothing, as others.
   std::string reason_of_rejection() {
     const TypeInfo& type = types_.get_result_response;
@@ -164,6 +176,7 @@ class SentGoal {
     return GoalState::canceled;
   }
 
+  const TopicSession& session_;
   const KnownAction& types_;
   const GoalOptions& options_;
   const GoalId id_ = random_id();

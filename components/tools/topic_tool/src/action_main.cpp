@@ -10,6 +10,7 @@
 #include "command_line/command.hpp"
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
+#include "running_names.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {
@@ -33,7 +34,8 @@ ActionEnds find(const ActionOptions& options) {
   const auto actions = actions_of(options);
   const auto found = actions.find(absolute(options.goal.action));
   if (found != actions.end()) return found->second;
-  throw EnvironmentError("action " + absolute(options.goal.action) + " is not there");
+  throw EnvironmentError("action " + absolute(options.goal.action) + " is not there" +
+                         suggested_names(keys_of(actions), absolute(options.goal.action)));
 }
 
 int list(const ActionOptions& options) {

@@ -13,6 +13,7 @@
 #include "foundation/printable.hpp"
 #include "foundation/ros_names.hpp"
 #include "graph_names.hpp"
+#include "running_names.hpp"
 
 namespace tocsin::topic_tool {
 namespace {
@@ -165,7 +166,8 @@ RawTopic readable(const std::vector<GraphEnd>& ends, const std::string& ros_topi
   const Topics topics = topics_in(ends);
   const auto found = topics.find(ros_topic);
   if (found == topics.end()) {
-    throw EnvironmentError("topic " + ros_topic + " does not appear to be published yet");
+    throw EnvironmentError("topic " + ros_topic + " does not appear to be published yet" +
+                           suggested_names(keys_of(topics), ros_topic));
   }
   const Topic& topic = found->second;
   if (!topic.writers.empty()) return tocsin::readable(topic.writers);

@@ -14,8 +14,8 @@
 #include "foundation/printable.hpp"
 #include "foundation/ros_names.hpp"
 #include "lifecycle_text.hpp"
+#include "running_names.hpp"
 #include "runtime/middleware/lifecycle_service.hpp"
-#include "runtime/middleware/service_caller.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {
@@ -39,8 +39,8 @@ std::shared_ptr<const typename Service::Response> ask(const LifecycleOptions& op
                                                       const TopicSession& session,
                                                       const std::string& node,
                                                       typename Service::Request request = {}) {
-  return call_service<Service>(session.graph(), absolute(node), std::move(request),
-                               seconds(options.timeout_s));
+  return call_node<Service>(session.graph(), absolute(node), std::move(request),
+                            seconds(options.timeout_s));
 }
 
 /// Those that say in which state they are, by path.

@@ -8,6 +8,7 @@
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
 #include "node_text.hpp"
+#include "running_names.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {
@@ -39,7 +40,8 @@ int info(const NodeOptions& options) {
   const std::string text =
       node_info_text(ends, session.graph().nodes(), options.node, options.hidden);
   if (text.empty()) {
-    throw EnvironmentError("Unable to find node '" + absolute(options.node) + "'");
+    throw EnvironmentError("Unable to find node '" + absolute(options.node) + "'" +
+                           suggested_names(node_paths(session.graph()), absolute(options.node)));
   }
   std::fputs(text.c_str(), stdout);
   return 0;

@@ -12,8 +12,8 @@
 #include "foundation/printable.hpp"
 #include "foundation/ros_names.hpp"
 #include "param_text.hpp"
+#include "running_names.hpp"
 #include "runtime/middleware/parameter_service.hpp"
-#include "runtime/middleware/service_caller.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {
@@ -73,7 +73,7 @@ class NodeParameters {
   template <class Service>
   [[nodiscard]] std::shared_ptr<const typename Service::Response> ask(
       typename Service::Request request) const {
-    return call_service<Service>(graph_, node_, std::move(request), patience_);
+    return call_node<Service>(graph_, node_, std::move(request), patience_);
   }
   HostGraph& graph_;
   const std::string node_;

@@ -9,6 +9,7 @@
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
 #include "message_yaml.hpp"
+#include "running_names.hpp"
 #include "runtime/middleware/service_caller.hpp"
 #include "service_text.hpp"
 #include "topic_session.hpp"
@@ -35,7 +36,8 @@ int type(const ServiceOptions& options) {
   const auto services = services_in(session.ends());
   const auto found = services.find(absolute(options.service));
   if (found == services.end()) {
-    throw EnvironmentError("service " + absolute(options.service) + " is not there");
+    throw EnvironmentError("service " + absolute(options.service) + " is not there" +
+                           suggested_names(keys_of(services), absolute(options.service)));
   }
   for (const std::string& one : found->second) std::printf("%s\n", one.c_str());
   return 0;
@@ -47,6 +49,17 @@ int find(const ServiceOptions& options) {
     if (types.count(options.type) != 0) std::printf("%s\n", name.c_str());
   }
   return 0;
+}
+
+/// Throws EnvironmentError with the services that are like the one that nobody serves.
+void require_server(ServiceCaller& caller, const TopicSession& session,
+                    const ServiceOptions& options) {
+  try {
+    caller.require(seconds(options.timeout_s));
+  } catch (const EnvironmentError& error) {
+    const auto services = keys_of(services_in(session.ends()));
+    throw EnvironmentError(error.what() + suggested_names(services, absolute(options.service)));
+  }
 }
 
 int call(const ServiceOptions& options) {
@@ -61,6 +74,7 @@ int call(const ServiceOptions& options) {
   }
   std::printf("requester: making request: %s\n\n", python_text(request, message.get()).c_str());
   std::fflush(stdout);
+  require_server(caller, session, options);
   const auto answer = caller.call(message, seconds(options.timeout_s));
   std::printf("response:\n%s\n\n", python_text(response, answer.get()).c_str());
   return 0;

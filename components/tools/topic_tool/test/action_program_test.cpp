@@ -155,6 +155,12 @@ TEST_F(ActionProgram, SaysInOneLineWhatIsWrong) {
   EXPECT_EQ(nobody.code, 1);
   EXPECT_THAT(nobody.output, HasSubstr("service /nothing/_action/send_goal: nobody serves it\n"));
   EXPECT_EQ(action({"info", "/nothing"}).code, 1);
+  EXPECT_THAT(action({"info", "/fibonaci"}).output,
+              HasSubstr("is not there; did you mean '/fibonacci'?\n"));
+  const Ended misspelt = action({"send_goal", "/fibonaci", "example_interfaces/action/Fibonacci",
+                                 "{order: 1}", "--timeout", "0.3"});
+  EXPECT_EQ(misspelt.code, 1);
+  EXPECT_THAT(misspelt.output, HasSubstr("nobody serves it; did you mean '/fibonacci'?\n"));
 }
 
 }  // namespace

@@ -126,6 +126,14 @@ TEST_F(ServiceProgram, SaysInOneLineThatNobodyServesOrKnowsWhatIsAsked) {
       call(SERVICE_PROGRAM, {"call", "/nothing", "std_srvs/srv/Trigger", "--timeout", "0.3"});
   EXPECT_EQ(none.code, 1);
   EXPECT_THAT(none.output, HasSubstr("service /nothing: nobody serves it\n"));
+  const Ended misspelt =
+      call(SERVICE_PROGRAM, {"call", "/lamp/ste", "std_srvs/srv/SetBool", "--timeout", "0.3"});
+  EXPECT_EQ(misspelt.code, 1);
+  EXPECT_THAT(misspelt.output, HasSubstr("nobody serves it; did you mean '/lamp/set'?\n"));
+  EXPECT_THAT(call(SERVICE_PROGRAM, {"type", "/lamp/sett"}).output,
+              HasSubstr("is not there; did you mean '/lamp/set'?\n"));
+  EXPECT_THAT(call(PARAM_PROGRAM, {"list", "/lmap", "--timeout", "0.3"}).output,
+              HasSubstr("nobody serves it; did you mean '/lamp'?\n"));
   const Ended unknown = call(SERVICE_PROGRAM, {"call", "/lamp/set", "no_srvs/srv/Thing"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_THAT(unknown.output, HasSubstr("'no_srvs/srv/Thing_Request' is not known here"));

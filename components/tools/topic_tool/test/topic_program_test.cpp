@@ -158,6 +158,9 @@ TEST_F(TopicProgram, RefusesInOneLineWhatCannotBe) {
   for (const auto& [arguments, code, text] :
        std::vector<std::tuple<std::vector<std::string>, int, const char*>>{
            {{"echo", "/nothing", "--spin-time", "0.3"}, 1, "topic /nothing does not appear"},
+           {{"echo", "/chattre", "--spin-time", "0.5"}, 1, "; did you mean '/chatter'?"},
+           {{"hz", "/chattre", "--spin-time", "0.5"}, 1, "; did you mean '/chatter'?"},
+           {{"info", "/chattre", "--spin-time", "0.5"}, 1, "; did you mean '/chatter'?"},
            {{"echo", "/chatter", "--field", "date"}, 2, "has no field 'date'"},
            {{"delay", "/chatter"}, 2, "has no header with a stamp"},
            {{"pub", "/x", "no_msgs/msg/Thing"}, 2, "'no_msgs/msg/Thing' is not known here"},

@@ -37,6 +37,11 @@ Navigator::Navigator(const Params& params, navigation::OccupancyMap map,
       planner_(std::move(costs)),
       follower_(params.follower) {}
 
+void Navigator::set_live(const Params& params) {
+  params_.link_lost_after_s = params.link_lost_after_s;
+  follower_.set_speeds(params.follower.speed_mps, params.follower.turn_rate_radps);
+}
+
 GoalAnswer Navigator::on_goal(Goal goal, Time now) {
   const GoalAnswer answer = goals_.on_goal(std::move(goal), now);
   if (answer == GoalAnswer::accepted || answer == GoalAnswer::renewed) heard_ = now;

@@ -36,6 +36,12 @@ NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
       localiser_(
           make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})) {}
 
+void NavigatorComponent::set_parameters(const Params& params) {
+  params_ = params;
+  navigator_.set_live(params.navigator);
+  action_.set_speed(params.navigator.follower.speed_mps);
+}
+
 void NavigatorComponent::tick(Time now) {
   take_odometry(now);
   const bool is_ordered = take_orders(now);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <yaml-cpp/yaml.h>
 
 #include <cmath>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
 #include "navigator_rig.hpp"
+#include "runtime/component_entry.hpp"
 
 namespace tocsin {
 namespace {
@@ -239,6 +241,22 @@ TEST_F(NavigatorComponentTest, RefusesToStartWithoutAMap) {
 
 TEST_F(NavigatorComponentTest, ParametersPrintAsYaml) {
   EXPECT_THAT(default_yaml<NavigatorComponent::Params>(), HasSubstr("on_link_lost: hold"));
+}
+
+TEST_F(NavigatorComponentTest, DrivesAtTheSpeedThatIsSetWhileItDrivesAndKeepsItOnARefusal) {
+  const ComponentEntry entry = make_component_entry<NavigatorComponent>();
+  send_goal(5, 4);
+  run(3);
+  EXPECT_NEAR(command_.linear().x(), 0.5, 0.01);
+  const std::string map = "map_file: " + params_.map_file;
+  entry.change(*sut_, YAML::Load(map + "\nspeed_mps: 0.2"), {});
+  sut_->take_changes();
+  run(2);
+  EXPECT_NEAR(command_.linear().x(), 0.2, 0.01);
+  EXPECT_THROW(entry.change(*sut_, YAML::Load(map + "\nspeed_mps: 0.8"), {}), ConfigError);
+  sut_->take_changes();
+  run(1);
+  EXPECT_NEAR(command_.linear().x(), 0.2, 0.01);
 }
 
 }  // namespace

@@ -24,12 +24,16 @@ void add_rtt(std::optional<RttSummary>& sum, double rtt_ms) {
 }  // namespace
 
 ProbeWindow::ProbeWindow(const ProbeParams& params)
-    : period_(seconds(params.period_s)),
-      timeout_(seconds(params.timeout_s)),
-      sample_period_(seconds(params.sample_period_s)),
-      window_(static_cast<std::size_t>(params.window)),
-      memory_(window_ + static_cast<std::size_t>(std::ceil(params.timeout_s / params.period_s)) +
-              1) {}
+    : period_(seconds(params.period_s)), sample_period_(seconds(params.sample_period_s)) {
+  set_limits(params);
+}
+
+void ProbeWindow::set_limits(const ProbeParams& params) {
+  timeout_ = seconds(params.timeout_s);
+  window_ = static_cast<std::size_t>(params.window);
+  const double on_their_way = std::ceil(params.timeout_s / to_seconds(period_));
+  memory_ = window_ + static_cast<std::size_t>(on_their_way) + 1;
+}
 
 void ProbeWindow::start(Time now) {
   if (started_) return;
@@ -43,7 +47,7 @@ std::optional<std::uint16_t> ProbeWindow::take_due(Time now) {
   if (now < next_probe_) return std::nullopt;
   next_probe_ = next_slot(next_probe_, period_, now);
   probes_.push_back(Probe{now, std::nullopt, false});
-  if (probes_.size() > memory_) {
+  while (probes_.size() > memory_) {
     probes_.pop_front();
     ++first_sequence_;
   }

@@ -247,5 +247,32 @@ TEST(ProbeParams, RejectsAnEmptyWindow) {
   EXPECT_EQ(load_parameters<ProbeParams>(YAML::Load("window: 1"), "a", "b").window, 1);
 }
 
+TEST(ProbeWindow, AnotherWindowCountsFromTheNextSample) {
+  ProbeWindow sut(ProbeParams{});
+  const Time later = t0 + std::chrono::seconds{20};
+  EXPECT_EQ(run(sut, t0, later, always)->sent, 20);
+  ProbeParams shorter;
+  shorter.window = 5;
+  sut.set_limits(shorter);
+  EXPECT_EQ(run(sut, later, later + std::chrono::seconds{5}, never_answered)->per_percent, 100);
+  sut.set_limits({});
+  const auto sample =
+      run(sut, later + std::chrono::seconds{5}, later + std::chrono::seconds{30}, always);
+  EXPECT_EQ(sample->sent, 20);
+  EXPECT_EQ(sample->per_percent, 0);
+}
+
+TEST(ProbeWindow, AnotherTimeoutHoldsForProbesOnTheirWay) {
+  ProbeWindow sut = probed_once();
+  ProbeParams patient;
+  patient.timeout_s = 2;
+  sut.set_limits(patient);
+  EXPECT_EQ(sut.on_reply(0, t0 + milliseconds{2000}), ReplyKind::accepted);
+  ProbeWindow strict = probed_once();
+  patient.timeout_s = 0.5;
+  strict.set_limits(patient);
+  EXPECT_EQ(strict.on_reply(0, t0 + milliseconds{501}), ReplyKind::late);
+}
+
 }  // namespace
 }  // namespace tocsin::network

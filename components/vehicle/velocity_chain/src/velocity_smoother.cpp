@@ -32,9 +32,18 @@ void VelocitySmoother::on_command(const geometry::Twist& velocity, Time now) {
   last_command_ = now;
   target_ = {};
   if (!std::isfinite(velocity.linear_mps) || !std::isfinite(velocity.angular_rad_s)) return;
+  target_ = fitted(velocity);
+}
+
+void VelocitySmoother::set_limits(const Params& params) {
+  params_ = params;
+  target_ = fitted(target_);
+}
+
+geometry::Twist VelocitySmoother::fitted(const geometry::Twist& velocity) const {
   const double fit = std::min(share(velocity.linear_mps, params_.speed_lim_v_mps),
                               share(velocity.angular_rad_s, params_.speed_lim_w_rad_s));
-  target_ = {velocity.linear_mps * fit, velocity.angular_rad_s * fit};
+  return {velocity.linear_mps * fit, velocity.angular_rad_s * fit};
 }
 
 double VelocitySmoother::usual_silence_s() const {

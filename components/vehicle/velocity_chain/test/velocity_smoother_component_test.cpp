@@ -2,9 +2,11 @@
 #include "velocity_smoother/velocity_smoother_component.hpp"
 
 #include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
 #include <cmath>
 
+#include "runtime/component_entry.hpp"
 #include "runtime/sim_bus.hpp"
 
 namespace tocsin {
@@ -69,6 +71,14 @@ TEST_F(VelocitySmootherComponentTest, StandsAndSleepsBeforeTheFirstCommand) {
 TEST_F(VelocitySmootherComponentTest, BrakesOnNumbersThatAreNone) {
   drive(0.3, 2);
   EXPECT_EQ(drive(std::nan(""), 2).back(), 0);
+}
+
+TEST_F(VelocitySmootherComponentTest, TakesOtherLimitsWhileItRunsAndKeepsItsOwnOnARefusal) {
+  const ComponentEntry entry = make_component_entry<VelocitySmootherComponent>();
+  entry.change(sut_, YAML::Load("{speed_lim_v_mps: 0.2}"), {});
+  EXPECT_NEAR(drive(0.3, 3).back(), 0.2, 1e-9);
+  EXPECT_THROW(entry.change(sut_, YAML::Load("{speed_lim_v_mps: 2.5}"), {}), ConfigError);
+  EXPECT_NEAR(drive(0.3, 1).back(), 0.2, 1e-9);
 }
 
 }  // namespace

@@ -146,5 +146,25 @@ TEST_F(Smoother, ComesToRestByItsDeadlinesWhenTheSourceDies) {
   EXPECT_EQ(sut.next_deadline(now + seconds(5)), never);
 }
 
+TEST_F(Smoother, OtherSpeedLimitsHoldForWhatIsDrivenAlready) {
+  drive({0.5, 0}, 100);
+  VelocitySmoother::Params slow;
+  slow.speed_lim_v_mps = 0.2;
+  sut.set_limits(slow);
+  const auto braked = sut.step(now += period);
+  EXPECT_NEAR(braked.linear_mps, 0.485, 1e-9);  // within the acceleration limit
+  EXPECT_NEAR(drive({0.5, 0}, 100).linear_mps, 0.2, 1e-9);
+  sut.set_limits({});
+  EXPECT_NEAR(drive({0.5, 0}, 100).linear_mps, 0.5, 1e-9);
+}
+
+TEST_F(Smoother, AnotherAccelerationLimitHoldsFromTheNextStep) {
+  drive({0.5, 0}, 1);
+  VelocitySmoother::Params brisk;
+  brisk.accel_lim_v_mps2 = 0.6;
+  sut.set_limits(brisk);
+  EXPECT_NEAR(drive({0.5, 0}, 1).linear_mps, 0.045, 1e-12);
+}
+
 }  // namespace
 }  // namespace tocsin

@@ -15,6 +15,7 @@
 #include "foundation/joined.hpp"
 #include "foundation/names.hpp"
 #include "foundation/printable.hpp"
+#include "foundation/spelling.hpp"
 #include "foundation/yaml_sources.hpp"
 #include "runtime/middleware/component_library.hpp"
 #include "runtime/middleware/composition_service.hpp"
@@ -78,7 +79,8 @@ int list(const Options& options) {
   return 0;
 }
 
-/// The one of `paths_of(known)` that `given` means, once it has been heard.
+/// The one of `paths_of(known)` that `given` means, once it has been heard. Throws EnvironmentError
+/// when it is not there, ConfigError when several are meant.
 template <class Paths>
 std::vector<std::string> find(ContainerStates& states, const Options& options,
                               const std::string& given, const Paths& paths_of, const char* what) {
@@ -88,7 +90,12 @@ std::vector<std::string> find(ContainerStates& states, const Options& options,
                        [&given](const std::string& path) { return means(given, path); });
   };
   const Known known = states.wait(seconds(options.timeout_s), heard);
-  return words_of_path(resolve_path(given, paths_of(known), what));
+  try {
+    return words_of_path(resolve_path(given, paths_of(known), what));
+  } catch (const ConfigError& error) {
+    if (heard(known)) throw;  // more than one is meant
+    throw EnvironmentError(error.what());
+  }
 }
 
 /// The container that `options` mean.
@@ -130,7 +137,7 @@ int load(const Options& options, Bus& bus) {
   return 0;
 }
 
-/// The number of the instance; it may have been given by its number. Throws ConfigError.
+/// The number of the instance; it may have been given by its number. Throws EnvironmentError.
 std::uint32_t number_of(const Known& known, const std::string& container,
                         const std::string& instance) {
   std::vector<std::string> names;
@@ -141,8 +148,8 @@ std::uint32_t number_of(const Known& known, const std::string& container,
       names.push_back(one.name());
     }
   }
-  throw ConfigError(printable(instance) + ": no such component; allowed: [" + joined(names, ", ") +
-                    "]");
+  throw EnvironmentError(printable(instance) + ": no such component; allowed: [" +
+                         joined(names, ", ") + "]" + suggestion(names, instance));
 }
 
 int unload(const Options& options, Bus& bus) {

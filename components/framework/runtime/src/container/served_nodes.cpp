@@ -40,10 +40,12 @@ void ServedNodes::note_callers(Time now) {
     const bool over = now - it->second.asked > unasked || !instances_.has(it->first);
     it = over ? served_.erase(it) : std::next(it);
   }
-  if (is_asked(calls_composition_of(owner_.node(), callers.services), callers)) {
+  const bool container_is_called = calls_composition_of(owner_.node(), callers.services) ||
+                                   calls_services_of(owner_.node(), callers.services);
+  if (is_asked(container_is_called, callers)) {
     container_.asked = now;
     if (!container_.services) {
-      container_.services = std::make_unique<CompositionServices>(owner_, instances_);
+      container_.services = std::make_unique<ContainerServices>(owner_, instances_);
     }
   } else if (now - container_.asked > unasked) {
     container_.services.reset();
@@ -59,14 +61,30 @@ bool ServedNodes::serve(const CompositionServices::Load& load, Time now) {
     if (served == served_.end()) continue;
     NodeServices& services = *served->second.services;
     services.parameters.answer(parameters_of(instance, now));
-    services.loggers.answer([this](const std::string& name) {
-      return nodes_.count(name) != 0 || name == owner_.node();
-    });
+    services.loggers.answer([this](const std::string& name) { return has_logger(name); });
     services.lifecycle.answer(lifecycle_of(instance));
+    services.types.answer();
   }
-  if (container_.services && container_.services->answer(load)) changed_ = true;
+  if (container_.services && serve_container(load)) changed_ = true;
   const bool ends = served_.size() != before || had_container != (container_.services != nullptr);
   return std::exchange(changed_, false) || ends;
+}
+
+bool ServedNodes::has_logger(const std::string& name) const {
+  return nodes_.count(name) != 0 || name == owner_.node();
+}
+
+/// True when that has changed what the process has.
+bool ServedNodes::serve_container(const CompositionServices::Load& load) {
+  static const ParameterSource none{
+      [] { return std::vector<ParameterFacts>(); },
+      [](const auto& given) {
+        return Outcome{given.empty(), "a container has no parameters"};
+      }};
+  container_.services->parameters.answer(none);
+  container_.services->loggers.answer([this](const std::string& name) { return has_logger(name); });
+  container_.services->types.answer();
+  return container_.services->composition.answer(load);
 }
 
 void ServedNodes::tell_log() {

@@ -47,10 +47,12 @@ class ServedNodes {
   };
   struct ServedContainer {
     Time asked;
-    std::unique_ptr<CompositionServices> services;
+    std::unique_ptr<ContainerServices> services;
   };
   [[nodiscard]] bool is_asked(bool called, const Callers& callers) const;
   void note_callers(Time now);
+  [[nodiscard]] bool has_logger(const std::string& name) const;
+  bool serve_container(const CompositionServices::Load& load);
   [[nodiscard]] ParameterSource parameters_of(const Instance& instance, Time now);
   [[nodiscard]] LifecycleSource lifecycle_of(const Instance& instance);
   void tell_change(const Instance& instance,

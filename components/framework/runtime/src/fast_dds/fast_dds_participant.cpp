@@ -15,6 +15,7 @@
 #include "fast_dds/shared_memory_leftovers.hpp"
 #include "foundation/error.hpp"
 #include "idl_support/type_registry.hpp"
+#include "runtime/middleware/idl_libraries.hpp"
 #include "runtime/middleware/ros_graph.hpp"
 
 namespace tocsin {
@@ -22,6 +23,12 @@ namespace {
 
 namespace dds = eprosima::fastdds::dds;
 using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
+
+/// Empty when no library here has the type.
+std::string known_hash(const char* type) {
+  const TypeInfo* const known = find_type(type);
+  return known != nullptr ? known->ros_hash : "";
+}
 
 template <class Qos>
 Qos in_partition(Qos qos, const std::vector<std::string>& partition) {
@@ -115,9 +122,13 @@ std::string FastDdsParticipant::announcement(const std::string& topic, const Typ
   const bool on_link = !options_.peers.empty();    // where each announcement takes air
   const bool as_given = topic == discovery_topic;  // a hash there says which gids it takes
   if (on_link || as_given || !type_hash_in(user_data).empty()) return user_data;
-  const TypeInfo* const known = find_type(type.name);
-  const std::string hash = known != nullptr ? known->ros_hash : "";
-  return with_type_hash(user_data, hash.empty() ? remote_ends_.type_hash(topic, type.name) : hash);
+  std::string hash = known_hash(type.name);
+  if (hash.empty()) hash = remote_ends_.type_hash(topic, type.name);
+  if (hash.empty()) {
+    load_idl_libraries();  // what a router carries is of any package
+    hash = known_hash(type.name);
+  }
+  return with_type_hash(user_data, hash);
 }
 
 dds::DataWriter* FastDdsParticipant::create_writer(const std::string& name, const TypeInfo& type,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "graph/type_hash.hpp"
 #include "runtime/middleware/qos_matching.hpp"
 
 namespace tocsin {
@@ -40,13 +41,6 @@ std::string value_in(const std::string& user_data, const std::string& key) {
   return user_data.substr(from, user_data.find(';', from) - from);
 }
 
-bool is_hash(const std::string& text) {
-  static const std::string start = "RIHS01_";
-  constexpr std::size_t digits = 64;
-  return text.size() == start.size() + digits && text.compare(0, start.size(), start) == 0 &&
-         text.find_first_not_of("0123456789abcdef", start.size()) == std::string::npos;
-}
-
 bool clash(const AnnouncedEnd& own, const AnnouncedEnd& other) {
   if (own.topic != other.topic || own.writer == other.writer) return false;
   return own.type != other.type || layouts_differ(own, other);
@@ -71,7 +65,7 @@ std::string layout_in(const std::string& user_data) { return value_in(user_data,
 
 std::string type_hash_in(const std::string& user_data) {
   const std::string hash = value_in(user_data, type_hash_key);
-  return is_hash(hash) ? hash : "";
+  return is_type_hash(hash) ? hash : "";
 }
 
 void RemoteEnds::add(const Participant& participant, const std::string& name,

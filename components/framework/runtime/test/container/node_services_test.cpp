@@ -23,7 +23,7 @@ TEST(NodeServiceNames, EachOfThemCountsAsACallOfItsNode) {
        {"describe_parameters", "get_parameters", "get_parameter_types", "list_parameters",
         "set_parameters", "set_parameters_atomically", "get_logger_levels", "set_logger_levels",
         "change_state", "get_state", "get_available_states", "get_available_transitions",
-        "get_transition_graph"}) {
+        "get_transition_graph", "get_type_description"}) {
     EXPECT_TRUE(calls_services_of("arm", {std::string("arm/") + name})) << name;
     EXPECT_FALSE(calls_services_of("arm", {std::string("leg/") + name})) << name;
   }

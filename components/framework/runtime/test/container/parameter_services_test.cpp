@@ -242,6 +242,21 @@ TEST_F(ParameterServicesTest, AreThereOnlyForTheNodeThatIsAskedAndForAWhile) {
   EXPECT_FALSE(served("driver"));
 }
 
+// `ros2 param list` waits 5 s for each node that has none of these services.
+TEST_F(ParameterServicesTest, OfTheContainerItselfAreThereAndEmpty) {
+  start();
+  Asker<parameter_service::ListParameters> list(bus_, "control");
+  const auto names = list.ask({});
+  ASSERT_NE(names, nullptr);
+  EXPECT_TRUE(names->result().names().empty());
+  Asker<parameter_service::SetParameters> set(bus_, "control");
+  parameter_service::SetParameters::Request request;
+  request.parameters({given("x", ParameterValue(1.0))});
+  const auto results = set.ask(request)->results();
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_EQ(results[0].reason(), "a container has no parameters");
+}
+
 TEST_F(ParameterServicesTest, AreNeverThereWhenTheBringupFileSaysSo) {
   start(Mode::never);
   EXPECT_FALSE((Asker<parameter_service::ListParameters>(bus_, "driver").available()));

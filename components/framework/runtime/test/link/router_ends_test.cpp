@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <set>
 
 #include "fast_dds/remote_ends.hpp"
 #include "graph/ros2_user_data.hpp"
@@ -19,6 +21,8 @@ namespace {
 using ::testing::Contains;
 using ::testing::IsEmpty;
 
+/// Libraries of installed packages are loaded once for a process, by whoever asks first.
+const int staged = ::setenv("AMENT_PREFIX_PATH", STRANGE_PREFIX, 1);
 const std::string hash = "RIHS01_" + std::string(64, 'a');
 const RawTopic strange{"rt/strange", "other_msgs::msg::dds_::Strange_", true, false};
 
@@ -136,6 +140,24 @@ TEST_F(RouterEndsTest, AServiceOfANodeIsShownAsThatNodesAndAnotherAsTheRouters) 
     (void)bus->take();
     return !node_in(*graph, "arm");
   }));
+}
+
+TEST_F(RouterEndsTest, AServiceOfATypeThatOnlyAnInstalledPackageKnowsHasItsHash) {
+  ASSERT_EQ(staged, 0);
+  const auto bus = make_fast_dds_link_bus(
+      with_rules(Role::uxv, "uxv: {}\ngcs: {high: {services: [ask]}}\n"), [] {});
+  bus->services()->serve({"ask", "strange_idl/srv/Ask"});
+  const auto graph = make_host_graph(ordinary(Role::uxv));
+  const auto hashes = [&] {
+    std::set<std::string> found;
+    for (const GraphEnd& end : ends_in(*graph)) {
+      if (end.topic.find("ask") != std::string::npos) found.insert(ros2_type_hash(end.user_data));
+    }
+    return found;
+  };
+  ASSERT_TRUE(eventually([&] { return hashes().size() == 2; }));
+  EXPECT_EQ(hashes(), (std::set<std::string>{"RIHS01_" + std::string(64, 'b'),
+                                             "RIHS01_" + std::string(64, 'c')}));
 }
 
 // `ros2 param list /arm` looks for the node before it calls.

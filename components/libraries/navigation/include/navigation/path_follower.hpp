@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "foundation/parameters.hpp"
 #include "foundation/time.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/twist.hpp"
@@ -22,8 +23,8 @@ struct FollowerParams {
   double turn_done_rad = 0.25;
   template <class Visitor>
   void visit(Visitor& v) {
-    v("speed_mps", speed_mps, {0.05, 0.7}, "[m/s] top speed");
-    v("turn_rate_radps", turn_rate_radps, {0.1, 3}, "[rad/s] top turn rate");
+    live(v)("speed_mps", speed_mps, {0.05, 0.7}, "[m/s] top speed");
+    live(v)("turn_rate_radps", turn_rate_radps, {0.1, 3}, "[rad/s] top turn rate");
     v("acceleration_mps2", acceleration_mps2, {0.05, 3}, "[m/s^2] limit, also for braking");
     v("turn_acceleration_radps2", turn_acceleration_radps2, {0.1, 20}, "[rad/s^2] limit");
     v("creep_mps", creep_mps, {0.01, 0.2}, "[m/s] lowest speed on the last centimetres");
@@ -43,6 +44,8 @@ class PathFollower {
  public:
   /// Throws ConfigError when `turn_done_rad` is not below `turn_in_place_rad`.
   explicit PathFollower(const FollowerParams& params);
+  /// Other top speeds from now on, reached within the acceleration limits.
+  void set_speeds(double speed_mps, double turn_rate_radps);
 
   /// Replaces the path; the velocity goes on from where it is. The path must not be empty.
   void start(geometry::Path path);

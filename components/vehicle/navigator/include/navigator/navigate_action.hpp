@@ -18,6 +18,8 @@ class NavigateAction {
   /// `timeout_s`: so long a goal is driven to. `speed_mps`: for what is told of the time left.
   NavigateAction(Component& owner, double timeout_s, double speed_mps);
 
+  /// The vehicle drives as fast as this from now on.
+  void set_speed(double speed_mps) { speed_mps_ = speed_mps; }
   /// Takes goals and their cancellation to the navigator. True when it should be asked for a
   /// velocity at once.
   bool take(Navigator& navigator, Time now);
@@ -37,7 +39,7 @@ class NavigateAction {
     PoseGoal goal;
   };
   const double timeout_s_;
-  const double speed_mps_;
+  double speed_mps_;
   ActionServer<Action> server_;
   Logger log_;
   std::optional<Running> running_;

@@ -42,7 +42,8 @@ class Navigator {
       v("pose_timeout_s", pose_timeout_s, {0.05, 10}, "[s] older poses stop the vehicle");
       v("on_link_lost", on_link_lost, {"continue", "hold", "return"},
         "what to do about the goal while the ground station is not heard");
-      v("link_lost_after_s", link_lost_after_s, {0.5, 3600}, "[s] longer silence is a lost link");
+      live(v)("link_lost_after_s", link_lost_after_s, {0.5, 3600},
+              "[s] longer silence is a lost link");
       v("stuck_after_s", stuck_after_s, {0.5, 60}, "[s] without moving: back up, plan again");
       v("retry_after_s", retry_after_s, {0.5, 60}, "[s] blocked for this long before a new try");
       v("replan_beside_m", replan_beside_m, {0.1, 5}, "[m] farther beside the path: plan again");
@@ -72,6 +73,8 @@ class Navigator {
   Navigator(const Params& params, navigation::OccupancyMap map,
             std::shared_ptr<const navigation::CostMap> costs);
 
+  /// Other values of the live parameters from now on.
+  void set_live(const Params& params);
   [[nodiscard]] GoalAnswer on_goal(Goal goal, Time now);
   /// The same of somebody on the vehicle, by which the ground station is not heard.
   [[nodiscard]] GoalAnswer on_local_goal(Goal goal, Time now) {

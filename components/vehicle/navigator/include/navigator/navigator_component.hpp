@@ -35,7 +35,7 @@ class NavigatorComponent final : public Component {
       v("start_y_m", start_y_m, {-1e5, 1e5}, "[m]");
       v("start_yaw_rad", start_yaw_rad, {-7, 7}, "[rad]");
       v("rate_hz", rate_hz, {5, 50}, "[Hz] of velocity commands");
-      v("location_hz", location_hz, {0.2, 20}, "[Hz] of the location, over the radio");
+      live(v)("location_hz", location_hz, {0.2, 20}, "[Hz] of the location, over the radio");
       v("status_period_s", status_period_s, {0.1, 60}, "[s] between reports without a change");
       v("pose_goal_timeout_s", pose_goal_timeout_s, {1, 86400},
         "[s] a goal of navigate_to_pose is driven to at most");
@@ -45,6 +45,7 @@ class NavigatorComponent final : public Component {
 
   /// Throws ConfigError when the map cannot be read.
   NavigatorComponent(Context& context, const Params& params);
+  void set_parameters(const Params& params);
   void tick(Time now) override;
 
  private:

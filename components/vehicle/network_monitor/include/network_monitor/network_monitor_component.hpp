@@ -40,6 +40,7 @@ class NetworkMonitorComponent final : public Component {
 
   /// ConfigError when `target` is not an IPv4 address, EnvironmentError without ICMP sockets.
   NetworkMonitorComponent(Context& context, const Params& params);
+  void set_parameters(const Params& params) { window_.set_limits(params.probe); }
   void tick(Time now) override;
 
  private:

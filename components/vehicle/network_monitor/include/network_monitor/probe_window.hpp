@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 
+#include "foundation/parameters.hpp"
 #include "foundation/time.hpp"
 
 namespace tocsin::network {
@@ -19,8 +20,8 @@ struct ProbeParams {
   template <class Visitor>
   void visit(Visitor& v) {
     v("period_s", period_s, {0.02, 10}, "[s] time between two echo requests");
-    v("timeout_s", timeout_s, {0.02, 10}, "[s] a reply that takes longer is a lost probe");
-    v("window", window, {1, 1000}, "[1] newest settled probes that make a sample");
+    live(v)("timeout_s", timeout_s, {0.02, 10}, "[s] a reply that takes longer is a lost probe");
+    live(v)("window", window, {1, 1000}, "[1] newest settled probes that make a sample");
     v("sample_period_s", sample_period_s, {0.1, 60}, "[s] time between two samples");
   }
 };
@@ -58,6 +59,8 @@ enum class ReplyKind { accepted, duplicate, late, unknown };
 class ProbeWindow {
  public:
   explicit ProbeWindow(const ProbeParams& params);
+  /// Another timeout and window from now on. A probe whose reply was late stays lost.
+  void set_limits(const ProbeParams& params);
 
   /// The sequence number of a probe to send at `now`, at most one per call. Slots that were missed
   /// (the process was frozen) are skipped, not sent in a burst.
@@ -94,10 +97,10 @@ class ProbeWindow {
   [[nodiscard]] std::optional<ProbeSample> summarize(Time now) const;
 
   Duration period_;
-  Duration timeout_;
   Duration sample_period_;
-  std::size_t window_;
-  std::size_t memory_;  ///< probes remembered: the window and all that may be on their way
+  Duration timeout_{};
+  std::size_t window_ = 0;
+  std::size_t memory_ = 0;  ///< probes remembered: the window and all that may be on their way
   bool started_ = false;
   Time next_probe_ = Time::min();
   Time next_sample_ = Time::min();

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "foundation/parameters.hpp"
 #include "foundation/time.hpp"
 #include "geometry/twist.hpp"
 
@@ -27,18 +28,20 @@ class VelocitySmoother {
     double repeat_s = 0.25;
     template <class Visitor>
     void visit(Visitor& v) {
-      v("speed_lim_v_mps", speed_lim_v_mps, {0.01, 2}, "[m/s] greatest speed");
-      v("speed_lim_w_rad_s", speed_lim_w_rad_s, {0.01, 10}, "[rad/s] greatest turn rate");
-      v("accel_lim_v_mps2", accel_lim_v_mps2, {0.01, 10}, "[m/s2] greatest acceleration");
-      v("accel_lim_w_rad_s2", accel_lim_w_rad_s2, {0.01, 50},
-        "[rad/s2] greatest turn acceleration");
-      v("decel_factor", decel_factor, {0.1, 10}, "[1] deceleration over acceleration limits");
+      live(v)("speed_lim_v_mps", speed_lim_v_mps, {0.01, 2}, "[m/s] greatest speed");
+      live(v)("speed_lim_w_rad_s", speed_lim_w_rad_s, {0.01, 10}, "[rad/s] greatest turn rate");
+      live(v)("accel_lim_v_mps2", accel_lim_v_mps2, {0.01, 10}, "[m/s2] greatest acceleration");
+      live(v)("accel_lim_w_rad_s2", accel_lim_w_rad_s2, {0.01, 50},
+              "[rad/s2] greatest turn acceleration");
+      live(v)("decel_factor", decel_factor, {0.1, 10}, "[1] deceleration over acceleration limits");
       v("frequency_hz", frequency_hz, {5, 100}, "[Hz] of output while the velocity changes");
       v("repeat_s", repeat_s, {0.05, 0.5}, "[s] between outputs of a velocity that stays");
     }
   };
 
   explicit VelocitySmoother(const Params& params) : params_(params) {}
+  /// Other limits from now on, for what is driven already, too.
+  void set_limits(const Params& params);
   /// NaN or infinity in either part is a stop.
   void on_command(const geometry::Twist& velocity, Time now);
   /// The velocity to send now, if one is due; call after each command and at `next_deadline`.
@@ -56,6 +59,8 @@ class VelocitySmoother {
   [[nodiscard]] bool silent(Time now) const;
   /// Of the commands of late: a longer one means that they have stopped.
   [[nodiscard]] double usual_silence_s() const;
+  /// Within the speed limits, scaled as a whole.
+  [[nodiscard]] geometry::Twist fitted(const geometry::Twist& velocity) const;
   [[nodiscard]] geometry::Twist wanted(Time now) const;
   [[nodiscard]] bool settled(Time now) const;
 

@@ -15,6 +15,7 @@ class VelocitySmootherComponent final : public Component {
   using Params = VelocitySmoother::Params;
   VelocitySmootherComponent(Context& context, const Params& params)
       : Component(context), smoother_(params) {}
+  void set_parameters(const Params& params) { smoother_.set_limits(params); }
   void tick(Time now) override;
 
  private:
