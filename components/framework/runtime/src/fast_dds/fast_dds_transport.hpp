@@ -24,7 +24,6 @@ struct ParticipantOptions {
   std::string address = "127.0.0.1";    ///< on the link: IPv4 of the only interface that is used
   std::vector<std::string> peers = {};  ///< on the link: IPv4 addresses; none: on the host
   std::string user_data = "";           ///< of the participant
-  bool shared_memory = false;           ///< samples go so where the peer has it, too
   std::map<std::string, FlowController> flow_controllers = {};
   /// How long its writers wait, in all, until their readers have what they wrote last.
   Duration farewell = {};
