@@ -12,9 +12,10 @@
 
 #include "fast_dds/fast_dds_qos.hpp"
 #include "fast_dds/host_multicast.hpp"
-#include "fast_dds/host_transport.hpp"
+#include "fast_dds/host_side.hpp"
 #include "fast_dds/packet_filter.hpp"
 #include "keystore/enclave.hpp"
+#include "link/radio_side.hpp"
 #include "runtime/middleware/link_limits.hpp"
 
 namespace tocsin {
@@ -57,13 +58,19 @@ std::vector<rtps::Locator_t> router_ports(const ParticipantOptions& options) {
   return all;
 }
 
-std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(
-    const ParticipantOptions& options, const std::shared_ptr<OtherMakers>& others) {
-  if (!is_on_link(options)) return host_transport(options.domain, host_socket_bytes);
+std::shared_ptr<UDPv4TransportDescriptor> udp_of(const ParticipantOptions& options) {
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {options.address};
-  if (!options.marks) return udp;
-  return marked(std::move(udp), options.marks, others, {options.stop, router_ports(options)});
+  if (!is_on_link(options)) udp->sendBufferSize = udp->receiveBufferSize = host_socket_bytes;
+  return udp;
+}
+
+/// Null on a link without marks.
+std::shared_ptr<TransportSide> side_of(const ParticipantOptions& options,
+                                       const std::shared_ptr<OtherMakers>& others) {
+  if (!is_on_link(options)) return host_side(options.domain, host_socket_bytes);
+  if (!options.marks) return nullptr;
+  return radio_side(options.address, {options.marks, others, options.stop, router_ports(options)});
 }
 
 bool is_free(const std::string& address, int port) {
@@ -165,8 +172,8 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   qos.transport().use_builtin_transports = false;
   auto filter = options.filter ? options.filter : packet_filter(options);
   if (!options.enclave.empty()) secure(options.enclave, qos);
-  qos.transport().user_transports = {
-      hold(transport_of(options, filter->others()), options.reception, filter)};
+  qos.transport().user_transports = {guarded_transport(
+      {udp_of(options), side_of(options, filter->others()), options.reception, filter})};
   rtps::BuiltinAttributes& builtin = qos.wire_protocol().builtin;
   builtin.avoid_builtin_multicast = true;
   is_on_link(options) ? locate_on_link(options, qos) : locate_on_host(options, qos);

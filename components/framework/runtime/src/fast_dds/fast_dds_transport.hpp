@@ -9,13 +9,14 @@
 #include "fast_dds/deferred_reception.hpp"
 #include "fast_dds/remote_ends.hpp"
 #include "foundation/time.hpp"
-#include "link/radio_transport.hpp"
+#include "link/radio_marks.hpp"
+#include "link/stop_channel.hpp"
 #include "link/writer_numbers.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 
 namespace tocsin {
 
-/// Where a participant lives and whom it looks for: on its host (see host_transport), or on the
+/// Where a participant lives and whom it looks for: on its host (see host_side), or on the
 /// link, if it has peers. There discovery is unicast, and traffic stays on the interface
 /// of `address`.
 struct ParticipantOptions {
