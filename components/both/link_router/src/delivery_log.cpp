@@ -34,18 +34,6 @@ void DeliveryLog::add(const Record& record) {
   if (records.size() > StreamReceipt::window + 1) records.pop_front();
 }
 
-void DeliveryLog::take_back(StreamId stream, TransmissionNumber number) {
-  const auto found = streams_.find(stream);
-  if (found == streams_.end() || found->second.empty()) return;
-  Record& last = *found->second.back();
-  if (last.number != number) return;
-  for (Copy& copy : last.copies) {
-    if (!copy.settled) (void)settle(last, copy, false);
-  }
-  found->second.pop_back();
-  drop_settled();
-}
-
 void DeliveryLog::forget_stream(StreamId stream) {
   streams_.erase(stream);
   under_way_.erase(std::remove_if(under_way_.begin(), under_way_.end(),

@@ -158,9 +158,8 @@ void FillInLink::send(Time now) {
     if (!batch) return;
     const CarriedSample sample = packed(*batch);
     const router::Sample what{{0, sample.sequence, now}, sample.bytes, sample.content};
-    const auto transmission = parts_.sender.fill_in(*flow_, what, now);
-    const auto number = parts_.link.send(*flow_, sample);
-    if (number != transmission.number) parts_.sender.on_not_written(transmission, now);
+    parts_.sender.fill_in(*flow_, what, now);
+    if (const auto number = parts_.link.send(*flow_, sample)) parts_.sender.on_written(*number);
   }
 }
 

@@ -11,10 +11,6 @@ bool same_source(const Waiting& a, const Waiting& b) {
   return a.stream == b.stream && a.sample.origin.source == b.sample.origin.source;
 }
 
-DropReason reason_of(const Waiting& replaced) {
-  return replaced.not_before > replaced.offered ? DropReason::thinned : DropReason::superseded;
-}
-
 }  // namespace
 
 std::optional<Dropped> LinkQueue::replace(Class& in, std::size_t depth, const Waiting& waiting) {
@@ -28,7 +24,7 @@ std::optional<Dropped> LinkQueue::replace(Class& in, std::size_t depth, const Wa
   }
   // Each takes the turn of the one before it, so that the oldest goes and the order stays.
   auto place = std::find_if(in.waiting.begin(), in.waiting.end(), same);
-  Dropped oldest{*place, reason_of(*place)};
+  Dropped oldest{*place, DropReason::superseded};
   in.bytes += waiting.sample.bytes - oldest.waiting.sample.bytes;
   for (auto next = place;;) {
     next = std::find_if(std::next(next), in.waiting.end(), same);
@@ -73,9 +69,9 @@ std::vector<Dropped> LinkQueue::take_expired(Time now) {
   return dropped;
 }
 
-LinkQueue::Place LinkQueue::find_first(const Class& in, std::size_t packets, Time now) {
+LinkQueue::Place LinkQueue::find_first(const Class& in, std::size_t packets) {
   for (auto one = in.waiting.begin(); one != in.waiting.end(); ++one) {
-    if (one->not_before > now || one->cost.packets >= packets) continue;
+    if (one->cost.packets >= packets) continue;
     // A source's samples go in their order, also when the first one has to wait.
     const auto is_older = [&](const Waiting& other) { return same_source(other, *one); };
     if (std::none_of(in.waiting.begin(), one, is_older)) return one;
@@ -83,15 +79,9 @@ LinkQueue::Place LinkQueue::find_first(const Class& in, std::size_t packets, Tim
   return in.waiting.end();
 }
 
-bool LinkQueue::has_first(TrafficClass traffic_class, std::size_t packets, Time now) const {
-  const Class& in = classes_[index_of(traffic_class)];
-  return find_first(in, packets, now) != in.waiting.end();
-}
-
-std::optional<Waiting> LinkQueue::take_first(TrafficClass traffic_class, std::size_t packets,
-                                             Time now) {
+std::optional<Waiting> LinkQueue::take_first(TrafficClass traffic_class, std::size_t packets) {
   Class& in = classes_[index_of(traffic_class)];
-  const Place place = find_first(in, packets, now);
+  const Place place = find_first(in, packets);
   if (place == in.waiting.end()) return std::nullopt;
   return take(in, place);
 }
@@ -114,12 +104,11 @@ bool LinkQueue::has(StreamId stream) const {
   });
 }
 
-Time LinkQueue::next_event(Time now) const {
+Time LinkQueue::next_expiry() const {
   Time next = never;
   for (const Class& in : classes_) {
     for (const Waiting& one : in.waiting) {
       if (one.expires != never) next = std::min(next, one.expires + Duration{1});
-      if (one.not_before > now) next = std::min(next, one.not_before);
     }
   }
   return next;

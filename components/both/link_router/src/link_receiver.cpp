@@ -19,10 +19,7 @@ constexpr Duration contrary_for = std::chrono::milliseconds(500);
 
 }  // namespace
 
-LinkReceiver::LinkReceiver(const LinkRouterParams& params, Incarnation self)
-    : params_(params), self_(self) {
-  check(params);
-}
+LinkReceiver::LinkReceiver(const LinkRouterParams& params) : params_(params) { check(params); }
 
 void LinkReceiver::on_peer(const std::string& peer, Incarnation incarnation) {
   Peer& known = peers_.try_emplace(peer, seconds(params_.clock_window_s)).first->second;
@@ -151,7 +148,7 @@ std::optional<LinkReceiver::Addressed> LinkReceiver::take_receipt(Time now) {
 }
 
 LinkReceipt LinkReceiver::make_receipt(Peer& peer, Time now) const {
-  LinkReceipt receipt{self_, peer.incarnation.value_or(0), ++peer.receipts, now, {}};
+  LinkReceipt receipt{++peer.receipts, now, {}};
   // After a silence everything is told once more.
   const bool idle = !peer.receipt_sent || now - *peer.receipt_sent >= told_for;
   for (const auto& [id, stream] : peer.streams) {

@@ -24,9 +24,6 @@ namespace {
 /// What routers tell each other; on the link only.
 using Receipt = tocsin_msgs::msg::LinkReceipt;
 
-/// Lives are compared here, where the wire tells them; the decisions see one life of each side.
-constexpr router::Incarnation this_life = 1;
-
 Flow receipt_flow() {
   Flow flow;
   flow.topic = link_receipt_topic;
@@ -55,8 +52,8 @@ LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
     : Component(context),
       params_(params),
       keeper_(seconds(params.silence_limit_s)),
-      sender_(params.link, this_life),
-      receiver_(params.link, this_life),
+      sender_(params.link),
+      receiver_(params.link),
       link_(open_link(bus(), schedule())),
       stop_(std::make_unique<RouterStop>(*this, context, *link_, log())),
       receipts_(link_->open(receipt_flow(), TrafficClass::critical)),
@@ -201,9 +198,8 @@ void LinkRouterComponent::take_receipt(const Incoming& from, const CarriedSample
   if (message == nullptr || message->to_life() != link_->self()) return;
   auto receipt = to_receipt(*message, [this](std::uint32_t id) { return stream_of(id); });
   if (!receipt) return;
-  receipt->from = from.peer;
-  receipt->to = this_life;
-  sender_.on_receipt(peers_.at(from.peer), *receipt, now);
+  const std::string& name = peers_.at(from.peer);
+  if (lives_[name] == from.peer) sender_.on_receipt(name, *receipt, now);
   for (const auto& request : message->requests()) {
     const auto range = to_range(request);
     if (range && fill_ins_->fills(from.peer)) fill_ins_->request(*range, now);
@@ -222,10 +218,8 @@ void LinkRouterComponent::send(Time now) {
   while (const auto transmission = sender_.next(now)) {
     Outgoing& flow = *by_link_.at(transmission->stream);
     const auto number = link_->send(transmission->stream, carried(transmission->sample));
-    if (number != transmission->number) {
-      sender_.on_not_written(*transmission, now);
-      continue;
-    }
+    if (!number) continue;
+    sender_.on_written(*number);
     flow.sent_bytes += transmission->sample.bytes;
   }
   fill_ins_->send(now);

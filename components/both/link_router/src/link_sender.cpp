@@ -13,7 +13,6 @@ namespace {
 
 /// Sources of one stream that are remembered; then the one unheard for longest goes.
 constexpr std::size_t most_sources = 64;
-constexpr double interval_weight = 1.0 / 8;
 /// A measured nominal rate is forgotten with this time constant.
 constexpr double peak_memory_s = 20;
 
@@ -25,9 +24,8 @@ Duration patience_of(const LinkRouterParams& params) {
 
 }  // namespace
 
-LinkSender::LinkSender(const LinkRouterParams& params, Incarnation self)
+LinkSender::LinkSender(const LinkRouterParams& params)
     : params_(params),
-      self_(self),
       queue_(static_cast<std::size_t>(params.queue_bytes)),
       log_(patience_of(params)),
       scale_(params) {
@@ -38,7 +36,7 @@ void LinkSender::add_stream(StreamId stream, const StreamRule& rule) {
   assert(rule.depth > 0);
   const bool is_new = streams_.try_emplace(stream, Stream{}).second;
   assert(is_new);
-  if (is_new) streams_[stream].rule = rule;
+  streams_[stream].rule = rule;
 }
 
 void LinkSender::remove_stream(StreamId stream) {
@@ -134,10 +132,6 @@ LinkSender::Source& LinkSender::source_of(Stream& stream, const Sample& sample) 
 void LinkSender::meter_offer(Stream& stream, const WireCost& cost, Time now) {
   if (stream.offered != Time::min()) {
     const Duration since = now - stream.offered;
-    stream.interval =
-        stream.interval == Duration::zero()
-            ? since
-            : stream.interval + seconds(interval_weight * to_seconds(since - stream.interval));
     stream.peak_bytes_per_s *= std::exp(-to_seconds(since) / peak_memory_s);
   }
   stream.offered = now;
@@ -147,27 +141,16 @@ void LinkSender::meter_offer(Stream& stream, const WireCost& cost, Time now) {
   stream.peak_bytes_per_s = std::max(stream.peak_bytes_per_s, stream.nominal.bytes_per_s(now));
 }
 
-Time LinkSender::not_before(const Stream& stream, const Source& source) const {
-  const double scale = scale_.scale();
-  if (scale >= 1 || stream.rule.min_rate_hz <= 0 || stream.rule.adaptive) return Time::min();
-  if (source.sent == Time::min()) return Time::min();
-  const double wanted_s = to_seconds(stream.interval) / scale;
-  return source.sent + seconds(std::min(wanted_s, 1 / stream.rule.min_rate_hz));
-}
-
 void LinkSender::offer(StreamId stream, const Sample& sample, Time now) {
   const auto found = streams_.find(stream);
   assert(found != streams_.end());
-  if (found == streams_.end()) return;
   Stream& to = found->second;
   ++counts(to.rule.traffic_class).offered;
   ++to.counts.offered;
   const WireCost cost = wire_cost(sample.bytes);
   meter_offer(to, cost, now);
-  Waiting waiting{stream, sample, cost, now, later(now, to.rule.lifespan), Time::min()};
-  if (is_paused(to.rule)) return hold(to, waiting);
-  waiting.not_before = not_before(to, source_of(to, sample));
-  enqueue(to, waiting);
+  const Waiting waiting{stream, sample, cost, now, later(now, to.rule.lifespan)};
+  is_paused(to.rule) ? hold(to, waiting) : enqueue(to, waiting);
 }
 
 void LinkSender::enqueue(Stream& stream, const Waiting& waiting) {

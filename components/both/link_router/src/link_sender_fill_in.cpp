@@ -30,7 +30,7 @@ Time LinkSender::fill_in_opens(Time now) const {
   return drained > now ? drained : never;
 }
 
-Transmission LinkSender::fill_in(StreamId stream, const Sample& sample, Time now) {
+void LinkSender::fill_in(StreamId stream, const Sample& sample, Time now) {
   const auto sent = std::make_shared<SentSample>();
   sent->stream = stream;
   sent->traffic_class = streams_.at(stream).rule.traffic_class;
@@ -44,7 +44,7 @@ Transmission LinkSender::fill_in(StreamId stream, const Sample& sample, Time now
     if (entry.second.wanted.count(stream) != 0) sent->missing.push_back(entry.second.index);
   }
   open_.push_back(sent);
-  return transmit(sent, now);
+  (void)transmit(sent, now);
 }
 
 }  // namespace tocsin::router

@@ -15,10 +15,9 @@ LinkSender::Peer* LinkSender::peer_of(PeerIndex index) {
 
 void LinkSender::on_receipt(const std::string& peer, const LinkReceipt& receipt, Time now) {
   const auto known = peers_.find(peer);
-  if (known == peers_.end() || receipt.to != self_) return;
+  if (known == peers_.end()) return;
   Peer& from = known->second;
   // An older or repeated one is as true as when it was made, so that no count is remembered.
-  if (receipt.from != from.incarnation) return;
   const bool was_silent = from.estimator.is_silent(now);
   const auto settlements = log_.on_receipt(from.index, receipt);
   const bool came = std::any_of(settlements.begin(), settlements.end(),

@@ -72,7 +72,7 @@ std::size_t LinkSender::packets_allowed(TrafficClass traffic_class, Time now) co
 
 std::optional<Waiting> LinkSender::take_waiting(TrafficClass traffic_class, Time now) {
   if (queue_.samples(traffic_class) == 0) return std::nullopt;
-  return queue_.take_first(traffic_class, packets_allowed(traffic_class, now), now);
+  return queue_.take_first(traffic_class, packets_allowed(traffic_class, now));
 }
 
 std::optional<Transmission> LinkSender::next(Time now) {
@@ -135,7 +135,7 @@ Duration LinkSender::repair_wait(const SentSample& sent, Duration expected) cons
 Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
   Stream& stream = streams_.at(sent->stream);
   const WireCost& cost = sent->cost;
-  DeliveryLog::Record record{++stream.last, now, cost, sent, {}};
+  unwritten_ = {0, now, cost, sent, {}};
   Duration expected{0};
   for (auto& entry : peers_) {
     Peer& peer = entry.second;
@@ -143,16 +143,15 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
     const Duration wait = std::min(peer.estimator.backlog(now), peer.estimator.expected_delay());
     expected = std::max(expected, wait);
     const Time drained = peer.estimator.on_sent(cost, now);
-    record.copies.push_back({peer.index, drained, false, false});
+    unwritten_.copies.push_back({peer.index, drained, false, false});
   }
   const bool repair = sent->transmissions > 0;
   if (!repair) sent->first_sent = now;
   ++sent->transmissions;
   sent->repair_at = now + repair_wait(*sent, expected);
-  log_.add(record);
   ClassCounts& count = counts(sent->traffic_class);
   sent_at_ = now;
-  if (stream.fills_in) return {sent->stream, record.number, sent->sample, false};
+  if (stream.fills_in) return {sent->stream, sent->sample, false};
   if (!stream.rule.adaptive) others_.add(cost.bytes, now);
   if (repair || !sent->counted) {
     ++count.repairs;
@@ -160,15 +159,12 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
     repair_bytes_ = repair_allowance(now) - static_cast<double>(cost.bytes);
     repair_filled_ = now;
   }
-  return {sent->stream, record.number, sent->sample, repair};
+  return {sent->stream, sent->sample, repair};
 }
 
-void LinkSender::on_not_written(const Transmission& transmission, Time now) {
-  const auto found = streams_.find(transmission.stream);
-  if (found == streams_.end() || found->second.last != transmission.number) return;
-  --found->second.last;
-  log_.take_back(transmission.stream, transmission.number);
-  conclude_all(now);
+void LinkSender::on_written(TransmissionNumber number) {
+  unwritten_.number = number;
+  log_.add(unwritten_);
 }
 
 double LinkSender::repair_allowance(Time now) const {
@@ -199,7 +195,7 @@ SentSamplePtr LinkSender::due_repair(TrafficClass traffic_class, Time now) {
 }
 
 Time LinkSender::deadline(Time now) const {
-  Time next = std::min(queue_.next_event(now), log_.next_overdue());
+  Time next = std::min(queue_.next_expiry(), log_.next_overdue());
   for (const SentSamplePtr& sent : open_) {
     if (!can_repair(*sent, now)) continue;
     if (sent->expires != never) next = std::min(next, sent->expires + Duration{1});

@@ -43,7 +43,6 @@ tocsin_msgs::msg::LinkClass to_message(TrafficClass traffic_class,
   message.repairs(counts.repairs);
   message.dropped_paused(dropped(counts, DropReason::paused));
   message.dropped_superseded(dropped(counts, DropReason::superseded));
-  message.dropped_thinned(dropped(counts, DropReason::thinned));
   message.dropped_expired(dropped(counts, DropReason::expired));
   message.dropped_overflow(dropped(counts, DropReason::overflow));
   message.queue_samples(static_cast<std::uint32_t>(counts.waiting_samples));
@@ -72,7 +71,6 @@ router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule) {
   stream.repaired = router::repairs_by_default(stream.traffic_class);
   stream.durable = flow.transient_local;
   stream.adaptive = rule.adaptive;
-  stream.min_rate_hz = rule.min_rate_hz;
   stream.stored = rule.stored || rule.logged || flow.stored;
   return stream;
 }

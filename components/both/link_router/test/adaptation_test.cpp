@@ -72,33 +72,5 @@ TEST(Adaptation, AnAdaptiveSourceHoldsWhileItsLastSampleWaits) {
   EXPECT_FALSE(link.sender.budgets(link.now).at(0).hold);
 }
 
-TEST(Adaptation, AShortBudgetThinsATopicDownToItsRate) {
-  LinkPair link;
-  StreamRule camera = rule_of(TrafficClass::low);
-  camera.adaptive = true;
-  StreamRule load = rule_of(TrafficClass::low);
-  load.min_rate_hz = 2;
-  link.add(1, camera);
-  link.add(2, load);
-  std::uint64_t sequence = 1;
-  // Pictures too large for the link: the scale falls to its least.
-  const auto play = [&] {
-    for (int i = 0; i < 80; ++i) {
-      if (i % 2 == 0) link.offer(1, sequence, 300000);
-      link.offer(2, sequence++);
-      link.run(50 * ms);
-    }
-  };
-  play();
-  EXPECT_LT(link.sender.state(link.now).scale, 0.35);
-  const std::size_t before = link.count_sent(2);
-  play();
-  const std::size_t thinned = link.count_sent(2) - before;
-  EXPECT_GE(thinned, 8U) << "2 a second at least";
-  EXPECT_LE(thinned, 30U) << "of 20 a second";
-  EXPECT_GT(link.counts(TrafficClass::low).dropped[static_cast<std::size_t>(DropReason::thinned)],
-            20U);
-}
-
 }  // namespace
 }  // namespace tocsin::router

@@ -109,22 +109,5 @@ TEST_F(DeliveryLogTest, AnOldArrivalSaysNothingOfTheDelay) {
   EXPECT_FALSE(sut.on_receipt(station, one).at(0).is_exact);
 }
 
-TEST_F(DeliveryLogTest, TakesBackTheLastTransmission) {
-  const auto sent = send(1, 1, t0);
-  sut.take_back(1, 2);
-  EXPECT_EQ(sent->under_way, 1U) << "not the last";
-  sut.take_back(1, 1);
-  EXPECT_EQ(sent->under_way, 0U);
-  EXPECT_TRUE(sut.on_receipt(station, receipt(1, 1, 0)).empty());
-}
-
-TEST_F(DeliveryLogTest, CountsOnlyBulkWhenAsked) {
-  (void)send(1, 1, t0);
-  EXPECT_EQ(sut.count_under_way(station, 1), 1U);
-  EXPECT_EQ(sut.count_under_way(station, 2), 0U);
-  sut.forget_stream(1);
-  EXPECT_EQ(sut.count_under_way(station, 1), 0U);
-}
-
 }  // namespace
 }  // namespace tocsin::router

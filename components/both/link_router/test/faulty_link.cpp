@@ -38,14 +38,17 @@ void FaultyLink::add_stream(StreamId id, Duration period, Duration lifespan, std
 }
 
 void FaultyLink::restart_sender() {
-  sender_ = std::make_unique<LinkSender>(params_, ++sender_instance_);
+  sender_ = std::make_unique<LinkSender>(params_);
+  ++sender_instance_;
+  numbers_.clear();
   air_.clear();
   for (const auto& [id, stream] : streams_) sender_->add_stream(id, stream.rule);
   if (receiver_) introduce();
 }
 
 void FaultyLink::restart_receiver() {
-  receiver_ = std::make_unique<LinkReceiver>(params_, ++receiver_instance_);
+  receiver_ = std::make_unique<LinkReceiver>(params_);
+  ++receiver_instance_;
   for (auto& entry : streams_) entry.second.delivered.clear();
   introduce();
 }
@@ -109,17 +112,17 @@ void FaultyLink::forge_sample() {
   const std::array<TransmissionNumber, 3> numbers{1, 1U << 20U, std::uint64_t{1} << 52U};
   Transmission one;
   one.stream = id;
-  one.number = numbers[static_cast<std::size_t>(below(3))];
+  const TransmissionNumber number = numbers[static_cast<std::size_t>(below(3))];
   one.sample.origin = {source, sequences[static_cast<std::size_t>(below(4))],
                        now_ + clock_difference_ + ahead[static_cast<std::size_t>(below(5))]};
   for (int i = 1 + below(12); i > 0; --i) {
-    air_.emplace(now_ + below(forged_delay / ms) * ms, OnAir{one, false});
+    air_.emplace(now_ + below(forged_delay / ms) * ms, OnAir{one, number, false});
   }
 }
 
 void FaultyLink::forge_acknowledgement() {
   ++forged_;
-  LinkReceipt receipt{receiver_instance_, sender_instance_, ~0U, now_, {}};
+  LinkReceipt receipt{~0U, now_, {}};
   receipt.made += (below(2'000'000) - 1'000'000) * ms;
   if (chance(0.3)) receipt.count = static_cast<std::uint32_t>(random_());
   const auto id = static_cast<StreamId>(1 + below(3));
@@ -131,7 +134,7 @@ void FaultyLink::replay() {
   if (heard_.empty()) return;
   const std::size_t first = random_() % heard_.size();
   for (std::size_t i = first; i < heard_.size() && i < first + 20; ++i) {
-    air_.emplace(now_ + below(200) * ms, OnAir{heard_[i], true});
+    air_.emplace(now_ + below(200) * ms, heard_[i]);
   }
 }
 
@@ -157,11 +160,13 @@ void FaultyLink::offer() {
 
 void FaultyLink::send() {
   while (const auto one = sender_->next(now_)) {
-    heard_.push_back(*one);
+    const OnAir sent{*one, ++numbers_[one->stream], true};
+    sender_->on_written(sent.number);
+    heard_.push_back(sent);
     if (chance(loss_)) continue;
     for (int i = chance(0.05) ? 2 : 1; i > 0; --i) {
       const Duration delay = chance(0.1) ? below(150) * ms : 2 * ms;
-      air_.emplace(now_ + delay, OnAir{*one, true});
+      air_.emplace(now_ + delay, sent);
     }
   }
 }
@@ -177,7 +182,7 @@ void FaultyLink::receive() {
 
 void FaultyLink::take(StreamId id, const OnAir& one) {
   const Origin& origin = one.what.sample.origin;
-  const auto disposition = receiver_->on_arrived(vehicle, {id, one.what.number, origin}, now_);
+  const auto disposition = receiver_->on_arrived(vehicle, {id, one.number, origin}, now_);
   if (disposition != Disposition::deliver || !one.honest) return;
   ++deliveries_;
   Stream& stream = streams_[id];

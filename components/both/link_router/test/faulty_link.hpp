@@ -40,6 +40,7 @@ class FaultyLink {
   };
   struct OnAir {
     Transmission what;
+    TransmissionNumber number;
     bool honest;
   };
   [[nodiscard]] int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
@@ -64,6 +65,7 @@ class FaultyLink {
   std::mt19937 random_;
   LinkRouterParams params_;
   std::map<StreamId, Stream> streams_;
+  std::map<StreamId, TransmissionNumber> numbers_;
   Time now_{std::chrono::hours(1)};
   Time end_of_faults_;
   Time last_fault_ = never;
@@ -75,7 +77,7 @@ class FaultyLink {
   std::unique_ptr<LinkSender> sender_;
   std::unique_ptr<LinkReceiver> receiver_;
   std::multimap<Time, OnAir> air_;
-  std::vector<Transmission> heard_;  ///< by whoever replays
+  std::vector<OnAir> heard_;  ///< by whoever replays
   double loss_ = 0;
   std::string broken_;
   std::size_t deliveries_ = 0;

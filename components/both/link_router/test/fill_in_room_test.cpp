@@ -27,7 +27,7 @@ class FillInRoomTest : public ::testing::Test {
     return {{7, sequence, {}}, bytes, nullptr};
   }
   Time now_{std::chrono::hours(1)};
-  LinkSender sut_{LinkRouterParams{}, 1};
+  LinkSender sut_{LinkRouterParams{}};
 };
 
 TEST_F(FillInRoomTest, NothingGoesBeforeTheRadiosQueueIsEmpty) {
@@ -43,7 +43,7 @@ TEST_F(FillInRoomTest, NothingGoesBeforeTheRadiosQueueIsEmpty) {
 }
 
 TEST_F(FillInRoomTest, OneGoesAtATime) {
-  (void)sut_.fill_in(fill_ins, sample(1, 200), now_);
+  sut_.fill_in(fill_ins, sample(1, 200), now_);
   EXPECT_FALSE(sut_.may_fill_in(now_));
   EXPECT_TRUE(sut_.may_fill_in(sut_.fill_in_opens(now_)));
 }

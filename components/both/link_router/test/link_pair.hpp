@@ -33,7 +33,7 @@ inline StreamRule rule_of(TrafficClass traffic_class) {
 /// packet on top. Time goes on in steps of 1 ms.
 class LinkPair {
  public:
-  explicit LinkPair(const LinkRouterParams& params = {}) : sender(params, 1), receiver(params, 2) {
+  explicit LinkPair(const LinkRouterParams& params = {}) : sender(params), receiver(params) {
     sender.on_peer("station", 2, now);
     receiver.on_peer("vehicle", 1);
   }
@@ -82,21 +82,27 @@ class LinkPair {
   int receipts = 0;
 
  private:
+  struct OnAir {
+    Time arrives;
+    Transmission what;
+    TransmissionNumber number;
+  };
   void send() {
     while (const auto one = sender.next(now)) {
       sent.push_back(*one);
-      ASSERT_EQ(one->number, ++numbers_[one->stream]);
+      const TransmissionNumber number = ++numbers_[one->stream];
+      sender.on_written(number);
       const std::size_t packets = wire_cost(one->sample.bytes).packets;
       drained_ = std::max(drained_, now) + (packets > 1 ? static_cast<int>(packets) * ms : 0 * ms);
-      if (!dead) air_.emplace_back(drained_ + 2 * ms, *one);
+      if (!dead) air_.push_back({drained_ + 2 * ms, *one, number});
     }
     if (sender.deadline(now) <= now) ADD_FAILURE() << "wants to be called without end";
   }
   void arrive() {
-    while (!air_.empty() && air_.front().first <= now) {
-      const Transmission& one = air_.front().second;
+    while (!air_.empty() && air_.front().arrives <= now) {
+      const auto& [arrives, one, number] = air_.front();
       const Disposition disposition = receiver.on_arrived(
-          "vehicle", {one.stream, one.number, one.sample.origin}, now + clock_difference);
+          "vehicle", {one.stream, number, one.sample.origin}, now + clock_difference);
       if (disposition == Disposition::deliver) {
         delivered[one.stream].push_back(one.sample.origin.sequence);
       }
@@ -104,7 +110,7 @@ class LinkPair {
     }
   }
   std::map<StreamId, TransmissionNumber> numbers_;
-  std::deque<std::pair<Time, Transmission>> air_;
+  std::deque<OnAir> air_;
   Time drained_{};
 };
 

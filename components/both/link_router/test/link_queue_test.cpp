@@ -28,10 +28,10 @@ TEST(LinkQueue, GivesAClassInTheOrderOfItsTurns) {
   LinkQueue sut(10000);
   EXPECT_TRUE(sut.add(TrafficClass::low, 1, waiting(1, 11)).empty());
   EXPECT_TRUE(sut.add(TrafficClass::low, 1, waiting(2, 21)).empty());
-  EXPECT_FALSE(sut.take_first(TrafficClass::critical, any, t0));
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 11U);
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 21U);
-  EXPECT_FALSE(sut.take_first(TrafficClass::low, any, t0));
+  EXPECT_FALSE(sut.take_first(TrafficClass::critical, any));
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any)), 11U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any)), 21U);
+  EXPECT_FALSE(sut.take_first(TrafficClass::low, any));
 }
 
 TEST(LinkQueue, GivesTheNewestTheTurnOfTheOneItReplaces) {
@@ -42,7 +42,7 @@ TEST(LinkQueue, GivesTheNewestTheTurnOfTheOneItReplaces) {
   ASSERT_EQ(dropped.size(), 1U);
   EXPECT_EQ(dropped[0].waiting.sample.origin.sequence, 11U);
   EXPECT_EQ(dropped[0].reason, DropReason::superseded);
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 12U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any)), 12U);
 }
 
 TEST(LinkQueue, KeepsAsManyOfASourceAsItsDepthInTheirOrder) {
@@ -54,9 +54,9 @@ TEST(LinkQueue, KeepsAsManyOfASourceAsItsDepthInTheirOrder) {
   const auto dropped = sut.add(TrafficClass::high, 2, waiting(1, 3));
   ASSERT_EQ(dropped.size(), 1U);
   EXPECT_EQ(dropped[0].waiting.sample.origin.sequence, 1U);
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::high, any, t0)), 2U);
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::high, any, t0)), 3U);
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::high, any, t0)), 9U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::high, any)), 2U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::high, any)), 3U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::high, any)), 9U);
 }
 
 TEST(LinkQueue, DropsTheOldestOfAClassBeyondItsBytes) {
@@ -77,7 +77,7 @@ TEST(LinkQueue, KeepsASingleSampleThatIsLongerThanTheBound) {
   (void)sut.add(TrafficClass::low, 1, waiting(1, 11, 100));
   const auto dropped = sut.add(TrafficClass::low, 1, waiting(2, 21, 5000));
   ASSERT_EQ(dropped.size(), 1U);
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 21U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any)), 21U);
 }
 
 TEST(LinkQueue, DoesNotDropTheNewOneThatTookTheFirstTurn) {
@@ -87,7 +87,7 @@ TEST(LinkQueue, DoesNotDropTheNewOneThatTookTheFirstTurn) {
   const auto dropped = sut.add(TrafficClass::low, 1, waiting(1, 12, 250));
   ASSERT_EQ(dropped.size(), 2U);
   EXPECT_EQ(dropped[1].waiting.sample.origin.sequence, 21U);
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 12U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any)), 12U);
 }
 
 TEST(LinkQueue, TakesOutWhatIsOlderThanItsLifespan) {
@@ -96,43 +96,30 @@ TEST(LinkQueue, TakesOutWhatIsOlderThanItsLifespan) {
   one.expires = t0 + 100 * ms;
   (void)sut.add(TrafficClass::high, 1, one);
   EXPECT_TRUE(sut.take_expired(t0 + 100 * ms).empty());
-  EXPECT_EQ(sut.next_event(t0), t0 + 100 * ms + Duration{1});
+  EXPECT_EQ(sut.next_expiry(), t0 + 100 * ms + Duration{1});
   const auto dropped = sut.take_expired(t0 + 100 * ms + Duration{1});
   ASSERT_EQ(dropped.size(), 1U);
   EXPECT_EQ(dropped[0].reason, DropReason::expired);
-  EXPECT_EQ(sut.next_event(t0), never);
+  EXPECT_EQ(sut.next_expiry(), never);
 }
 
 TEST(LinkQueue, PassesBulkByWhenOnlySmallSamplesMayGo) {
   LinkQueue sut(1000000);
   (void)sut.add(TrafficClass::low, 1, waiting(1, 11, 40000));
   (void)sut.add(TrafficClass::low, 1, waiting(2, 21, 100));
-  EXPECT_FALSE(sut.has_first(TrafficClass::low, 1, t0));
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, 4, t0)), 21U);
-  EXPECT_FALSE(sut.take_first(TrafficClass::low, 4, t0));
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 11U);
+  EXPECT_FALSE(sut.take_first(TrafficClass::low, 1));
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, 4)), 21U);
+  EXPECT_FALSE(sut.take_first(TrafficClass::low, 4));
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any)), 11U);
 }
 
 TEST(LinkQueue, LetsNoSampleOvertakeAnOlderOneOfItsSource) {
   LinkQueue sut(1000000);
   (void)sut.add(TrafficClass::low, 2, waiting(1, 11, 40000));
   (void)sut.add(TrafficClass::low, 2, waiting(1, 12, 100));
-  EXPECT_FALSE(sut.take_first(TrafficClass::low, 4, t0));
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0)), 11U);
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, 4, t0)), 12U);
-}
-
-TEST(LinkQueue, HoldsAThinnedSampleAndTellsTheOneThatItReplaces) {
-  LinkQueue sut(10000);
-  Waiting one = waiting(1, 11);
-  one.not_before = t0 + 50 * ms;
-  (void)sut.add(TrafficClass::low, 1, one);
-  EXPECT_FALSE(sut.take_first(TrafficClass::low, any, t0 + 49 * ms));
-  EXPECT_EQ(sut.next_event(t0), t0 + 50 * ms);
-  Waiting next = waiting(1, 12);
-  next.not_before = t0 + 50 * ms;
-  EXPECT_EQ(sut.add(TrafficClass::low, 1, next).at(0).reason, DropReason::thinned);
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any, t0 + 50 * ms)), 12U);
+  EXPECT_FALSE(sut.take_first(TrafficClass::low, 4));
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any)), 11U);
+  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, 4)), 12U);
 }
 
 TEST(LinkQueue, TakesOutAllOfAStream) {

@@ -122,6 +122,19 @@ TEST_F(LinkRouterTest, AReceiptForAnotherLifeOrWithoutSenseIsIgnored) {
   EXPECT_GE(script_.sent_on(on_link), 2U) << "it was taken for an acknowledgement";
 }
 
+TEST_F(LinkRouterTest, AReceiptOfAPeersFormerLifeIsIgnored) {
+  meet();
+  begin_peer_flow("link_receipt", receipt_flow);
+  const FlowId on_link = begin("heartbeat");
+  meet(station + 1);
+  script_.happen(link_event::PeerListens{on_link, station + 1});
+  write(1);
+  run(0.05);
+  acknowledge(on_link, 1);
+  run(0.3);
+  EXPECT_GE(script_.sent_on(on_link), 2U) << "it was taken for the new life's";
+}
+
 TEST_F(LinkRouterTest, WhileTheStateOfItsRoleIsPassiveClassLowIsSilent) {
   const FlowId low = begin("battery_state");
   const FlowId critical = begin("heartbeat", host_flow + 1);

@@ -25,7 +25,7 @@ inline constexpr Time radio_start{std::chrono::hours(1)};
 class RadioPair {
  public:
   RadioPair(const radio::ChannelParams& channel, const LinkRouterParams& params, std::uint64_t seed)
-      : radio(channel, {}, seed, radio_start), sender(params, 1), receiver(params, 2) {
+      : radio(channel, {}, seed, radio_start), sender(params), receiver(params) {
     sender.on_peer("station", 2, now);
     receiver.on_peer("vehicle", 1);
   }
@@ -37,7 +37,7 @@ class RadioPair {
     sender.add_stream(stream, rule);
     receiver.on_stream("vehicle", stream, rule);
     sender.set_wanted("station", stream, true, now);
-    streams_.push_back({bytes, period, now + phase, {}});
+    streams_.push_back({bytes, period, now + phase, 0, {}});
   }
 
   void run(Duration length) {
@@ -85,6 +85,7 @@ class RadioPair {
     std::size_t bytes;
     Duration period;
     Time next;
+    TransmissionNumber written = 0;
     std::vector<std::pair<Time, Time>> samples;  ///< when each was offered and delivered
   };
   struct Cargo {
@@ -102,10 +103,12 @@ class RadioPair {
     }
   }
   void put(const Transmission& one) {
+    const TransmissionNumber number = ++streams_[one.stream].written;
+    sender.on_written(number);
     const WireCost cost = wire_cost(one.sample.bytes);
-    push(radio::Direction::uplink, cost, [this, one](Time at) {
+    push(radio::Direction::uplink, cost, [this, one, number](Time at) {
       const Origin& origin = one.sample.origin;
-      if (receiver.on_arrived("vehicle", {one.stream, one.number, origin}, at) ==
+      if (receiver.on_arrived("vehicle", {one.stream, number, origin}, at) ==
           Disposition::deliver) {
         streams_[one.stream].samples[origin.sequence - 1].second = at;
       }

@@ -62,6 +62,11 @@ class RandomStore {
   [[nodiscard]] std::size_t retired() const { return retired_.size(); }
 
  private:
+  struct OnAir {
+    Transmission what;
+    TransmissionNumber number;
+    FillInBatch batch;
+  };
   int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
   bool chance(double p) { return below(100000) < static_cast<int>(p * 100000); }
 
@@ -76,7 +81,6 @@ class RandomStore {
     rule.durable = chance(0.3);
     if (rule.traffic_class >= TrafficClass::normal) {
       rule.while_paused = static_cast<WhilePaused>(below(3));
-      if (chance(0.3)) rule.min_rate_hz = 1 + below(5);
     }
     return rule;
   }
@@ -84,7 +88,9 @@ class RandomStore {
   [[nodiscard]] std::int64_t wall_ns() const { return now_.time_since_epoch().count(); }
 
   void start_vehicle() {
-    sender_ = std::make_unique<LinkSender>(LinkRouterParams{}, ++vehicle_life_);
+    sender_ = std::make_unique<LinkSender>(LinkRouterParams{});
+    ++vehicle_life_;
+    numbers_.clear();
     fill_in_ = std::make_unique<FillInSender>(LinkRouterParams{});
     log_.reset();
     log_ = std::make_unique<sample_log::SampleLog>(vehicle_files_, limits_, now_, wall_ns());
@@ -101,7 +107,8 @@ class RandomStore {
     meet();
   }
   void start_station() {
-    receiver_ = std::make_unique<LinkReceiver>(LinkRouterParams{}, ++station_life_);
+    receiver_ = std::make_unique<LinkReceiver>(LinkRouterParams{});
+    ++station_life_;
     filled_ = std::make_unique<FillInReceiver>();
     ledger_.reset();
     ledger_ = std::make_unique<sample_log::Ledger>(station_files_, "given");
@@ -177,15 +184,19 @@ class RandomStore {
       std::size_t bytes = 160;
       for (const auto& entry : batch->samples) bytes += entry.bytes.size() + 28;
       const Origin origin{0, ++batches_, now_};
-      put(sender_->fill_in(fill_in_stream, {origin, bytes, nullptr}, now_), *batch);
+      const Sample sample{origin, bytes, nullptr};
+      sender_->fill_in(fill_in_stream, sample, now_);
+      put({fill_in_stream, sample}, *batch);
     }
     EXPECT_GT(sender_->deadline(now_), now_);
   }
   void put(const Transmission& one, const FillInBatch& batch) {
+    const TransmissionNumber number = ++numbers_[one.stream];
+    sender_->on_written(number);
     if (chance(loss_)) return;
     const int copies = chance(0.02) ? 2 : 1;
     for (int i = 0; i < copies; ++i) {
-      air_.emplace(now_ + (1 + below(delay_ms_)) * ms, std::make_pair(one, batch));
+      air_.emplace(now_ + (1 + below(delay_ms_)) * ms, OnAir{one, number, batch});
     }
   }
 
@@ -200,10 +211,9 @@ class RandomStore {
 
   void arrive() {
     for (; !air_.empty() && air_.begin()->first <= now_; air_.erase(air_.begin())) {
-      const auto& [one, batch] = air_.begin()->second;
+      const auto& [one, number, batch] = air_.begin()->second;
       const Origin& origin = one.sample.origin;
-      const auto disposition =
-          receiver_->on_arrived("vehicle", {one.stream, one.number, origin}, now_);
+      const auto disposition = receiver_->on_arrived("vehicle", {one.stream, number, origin}, now_);
       if (one.stream == fill_in_stream) {
         take(batch);
       } else if (disposition == Disposition::deliver) {
@@ -271,7 +281,8 @@ class RandomStore {
   double loss_ = 0;
   int delay_ms_ = 5;
   std::uint64_t batches_ = 0;
-  std::multimap<Time, std::pair<Transmission, FillInBatch>> air_;
+  std::map<StreamId, TransmissionNumber> numbers_;
+  std::multimap<Time, OnAir> air_;
   std::multimap<Time, std::pair<LinkReceipt, FillInProgress>> confirmations_;
   std::map<std::pair<StreamId, SourceId>, std::uint64_t> sequences_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> last_filled_;

@@ -76,7 +76,6 @@ TEST(RouterMessages, ARuleIsMadeOfWhatTheFileAndTheWritersSay) {
   rule.traffic_class = TrafficClass::high;
   rule.while_poor = WhilePoor::latest;
   rule.adaptive = true;
-  rule.min_rate_hz = 2;
   const auto stream = stream_rule(flow, rule);
   EXPECT_EQ(stream.name, "goal|station;");
   EXPECT_EQ(stream.traffic_class, TrafficClass::high);
@@ -86,7 +85,6 @@ TEST(RouterMessages, ARuleIsMadeOfWhatTheFileAndTheWritersSay) {
   EXPECT_TRUE(stream.repaired);
   EXPECT_TRUE(stream.durable);
   EXPECT_TRUE(stream.adaptive);
-  EXPECT_EQ(stream.min_rate_hz, 2);
 }
 
 TEST(RouterMessages, AFlowWithoutLifespanLivesForEver) {

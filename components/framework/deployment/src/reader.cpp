@@ -59,15 +59,6 @@ Program read_program(const YAML::Node& node, const std::string& owner, const Yam
   return program;
 }
 
-/// `shared` or `one_each`.
-bool read_shared_thread(const Section& section) {
-  const std::string threads = section.text("threads", "one_each");
-  if (threads != "shared" && threads != "one_each") {
-    section.fail("threads", "'" + threads + "' is not one of: one_each, shared");
-  }
-  return threads == "shared";
-}
-
 ParameterServices read_parameter_services(const Section& section) {
   const std::string word = section.text("parameter_services", "on_demand");
   const auto value = value_of<ParameterServices>(word);
@@ -79,13 +70,11 @@ ParameterServices read_parameter_services(const Section& section) {
 
 Container read_container(const YAML::Node& node, const std::string& owner,
                          const YamlSources& sources) {
-  const Section section(
-      node, owner, sources,
-      {"name", "terminal", "threads", "health", "parameter_services", "components"});
+  const Section section(node, owner, sources,
+                        {"name", "terminal", "health", "parameter_services", "components"});
   Container container;
   container.name = section.required_name("name");
   container.terminal = section.flag("terminal", false);
-  container.shared_thread = read_shared_thread(section);
   container.parameter_services = read_parameter_services(section);
   container.health =
       load_parameters<HealthLimits>(section.find("health"), owner + ".health", sources);

@@ -79,7 +79,6 @@ void write(YAML::Emitter& out, const Container& container, const YamlSources& so
   out << BeginMap;
   pair(out, "name", container.name);
   pair(out, "terminal", container.terminal);
-  pair(out, "threads", container.shared_thread ? "shared" : "one_each");
   pair(out, "parameter_services", word_of(container.parameter_services));
   write_all(out, "health", container.health);
   out << YAML::Key << "components" << YAML::Value << BeginSeq;

@@ -97,9 +97,8 @@ TEST_F(DeploymentTest, AnUnknownKeyNamesAllKeysOnceAndComesBeforeWhatIsMissing) 
   EXPECT_THAT(error_of(with(whole, "role: uxv", "rol: uxv")),
               HasSubstr("hosts.uxv.rol: unknown key; allowed: [role, address, peers, enclave, "
                         "programs, containers]; did you mean 'role'? ("));
-  EXPECT_THAT(
-      error_of(with(whole, "terminal: true", "terminl: true")),
-      HasSubstr("allowed: [name, terminal, threads, health, parameter_services, components]"));
+  EXPECT_THAT(error_of(with(whole, "terminal: true", "terminl: true")),
+              HasSubstr("allowed: [name, terminal, health, parameter_services, components]"));
   EXPECT_THAT(
       error_of(with(whole, "domain: 40", "domian: 40")),
       HasSubstr(
@@ -217,14 +216,6 @@ TEST_F(DeploymentTest, RejectsStopWhenExitsThatNamesNoProcess) {
   EXPECT_THAT(error_of(with(whole, "gcs/mission", "gcs/missoin")),
               HasSubstr("stop_when_exits: 'gcs/missoin' is not one of: [uxv/base, uxv/drive, "
                         "gcs/mission]; did you mean 'gcs/mission'?"));
-}
-
-TEST_F(DeploymentTest, AContainerHasOneThreadEachUnlessItSharesOne) {
-  EXPECT_FALSE(load(whole).hosts[0].containers[0].shared_thread);
-  const auto shared = with(whole, "- name: drive", "- name: drive\n        threads: shared");
-  EXPECT_TRUE(load(shared).hosts[0].containers[0].shared_thread);
-  EXPECT_THAT(error_of(with(whole, "- name: drive", "- name: drive\n        threads: two")),
-              HasSubstr("threads: 'two' is not one of: one_each, shared"));
 }
 
 TEST_F(DeploymentTest, AContainerHasParameterServicesOnDemandUnlessItSaysOtherwise) {

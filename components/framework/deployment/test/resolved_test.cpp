@@ -56,19 +56,17 @@ TEST_F(ResolvedTest, KeepsHostsAndTheirProcesses) {
   EXPECT_EQ(sut.hosts[0].containers[0].components[1].name, "pilot");
 }
 
-TEST_F(ResolvedTest, KeepsThreadsAndLimitsOfAContainer) {
+TEST_F(ResolvedTest, KeepsServicesAndLimitsOfAContainer) {
   std::string yaml = whole;
   const std::string at = "- name: drive";
   yaml.replace(yaml.find(at), at.size(),
-               at + "\n        threads: shared\n        parameter_services: never\n"
+               at + "\n        parameter_services: never\n"
                     "        health: {period_s: 2}");
   const Deployment sut = through_file(yaml);
-  EXPECT_TRUE(sut.hosts[0].containers[0].shared_thread);
   EXPECT_EQ(sut.hosts[0].containers[0].parameter_services, ParameterServices::never);
   EXPECT_EQ(sut.hosts[0].containers[0].health.period_s, 2);
   EXPECT_EQ(sut.hosts[0].containers[0].health.growth_mib, 64);
   EXPECT_EQ(sut.hosts[1].containers[0].health.period_s, 1);
-  EXPECT_FALSE(sut.hosts[1].containers[0].shared_thread);
 }
 
 TEST_F(ResolvedTest, KeepsHostsWithoutProcesses) {

@@ -21,8 +21,8 @@ constexpr std::size_t stream_receipt_bytes = 18;
 RouterRadio::RouterRadio(radio::RadioChannel& channel, const Setup& setup, Time start)
     : channel_(channel), dscp_(setup.dscp) {
   for (std::size_t side = 0; side < 2; ++side) {
-    senders_[side] = std::make_unique<router::LinkSender>(setup.params, side + 1);
-    receivers_[side] = std::make_unique<router::LinkReceiver>(setup.params, side + 1);
+    senders_[side] = std::make_unique<router::LinkSender>(setup.params);
+    receivers_[side] = std::make_unique<router::LinkReceiver>(setup.params);
     senders_[side]->on_peer(peer, 2 - side, start);
     receivers_[side]->on_peer(peer, 2 - side);
   }
@@ -52,7 +52,9 @@ void RouterRadio::send(Cargo cargo, const std::vector<std::size_t>& packets, Tim
 void RouterRadio::send(std::size_t side, const router::Transmission& one, Time now) {
   const auto packets = router::packets_of(one.sample.bytes);
   if (one.repair) ++repairs_;
-  send({one, 1 - side, classes_.at(one.stream), packets.size()}, packets, now);
+  const router::TransmissionNumber number = ++numbers_[side][one.stream];
+  senders_[side]->on_written(number);
+  send({one, 1 - side, classes_.at(one.stream), packets.size(), number}, packets, now);
 }
 
 void RouterRadio::send(std::size_t side, const router::LinkReceipt& receipt, Time now) {
@@ -99,7 +101,7 @@ void RouterRadio::arrive(const Cargo& cargo, Time now, const Deliver& deliver) {
   }
   const auto& one = std::get<router::Transmission>(cargo.what);
   const auto disposition =
-      receivers_[cargo.to]->on_arrived(peer, {one.stream, one.number, one.sample.origin}, now);
+      receivers_[cargo.to]->on_arrived(peer, {one.stream, cargo.number, one.sample.origin}, now);
   if (disposition == router::Disposition::deliver) {
     deliver(cargo.to, one.stream, one.sample.origin, now);
   }

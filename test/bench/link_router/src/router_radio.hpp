@@ -51,6 +51,7 @@ class RouterRadio {
     std::size_t to = 0;  ///< side
     TrafficClass traffic_class = TrafficClass::critical;
     std::size_t missing = 0;  ///< packets
+    router::TransmissionNumber number = 0;
   };
   void send(Cargo cargo, const std::vector<std::size_t>& packets, Time now);
   void send(std::size_t side, const router::Transmission& one, Time now);
@@ -62,6 +63,7 @@ class RouterRadio {
   std::array<std::unique_ptr<router::LinkSender>, 2> senders_;
   std::array<std::unique_ptr<router::LinkReceiver>, 2> receivers_;
   std::unordered_map<router::StreamId, TrafficClass> classes_;
+  std::array<std::unordered_map<router::StreamId, router::TransmissionNumber>, 2> numbers_;
   std::unordered_map<radio::FrameId, std::shared_ptr<Cargo>> under_way_;
   double receipts_ = 0;
   double repairs_ = 0;

@@ -22,8 +22,7 @@ std::string file(const std::string& name, const std::string& text) {
 
 }  // namespace
 
-std::unique_ptr<Bus> make_bench_bus(const std::string& name, int domain, bool shared_memory,
-                                    Timing timing) {
+std::unique_ptr<Bus> make_bench_bus(const std::string& name, int domain, Timing timing) {
   BusOptions options;
   options.name = name;
   options.role = Role::uxv;
@@ -32,7 +31,6 @@ std::unique_ptr<Bus> make_bench_bus(const std::string& name, int domain, bool sh
                            std::string(timing == Timing::raw ? raw_timing : "") + "}\n");
   options.traffic_file = file("traffic.yaml", "uxv: {}\n");
   options.host_domain = domain;
-  options.shared_memory = shared_memory;
   auto bus = make_fast_dds_bus(options);
   unlink(options.qos_file.c_str());
   unlink(options.traffic_file.c_str());

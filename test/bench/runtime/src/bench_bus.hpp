@@ -32,7 +32,6 @@ enum class Timing { raw, tocsin };
 
 /// A bus on a domain of its own, on loopback, with one profile `bench`: reliable, depth 4.
 [[nodiscard]] std::unique_ptr<Bus> make_bench_bus(const std::string& name, int domain,
-                                                  bool shared_memory,
                                                   Timing timing = Timing::tocsin);
 [[nodiscard]] std::shared_ptr<const Blob> blob(std::size_t bytes);
 

@@ -43,15 +43,13 @@ Series clock_nanosleep_lateness(int count) {
 }
 
 void print_deadline(int count) {
-  const auto bus = make_bench_bus("sleepy", 85, false);
+  const auto bus = make_bench_bus("sleepy", 85);
   Context context{*bus, "sleepy", Role::uxv};
   Sleepy sleepy(context);
   TickAccount account;
   Series raw;
   {
-    Runner runner("sleepy", *bus);
-    runner.add(sleepy, account);
-    runner.start();
+    const Runner runner("sleepy", *bus, sleepy, account);
     raw = clock_nanosleep_lateness(count);
   }
   std::printf(

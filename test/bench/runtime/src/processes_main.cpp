@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Round trips between two processes: components against raw Fast DDS read by a wait-set, both on
-// loopback UDP and on shared memory, and Cyclone's ddsperf when it is installed.
+// loopback UDP, and Cyclone's ddsperf when it is installed.
 // The ways take turns, with new processes for each generation.
 // usage: runtime_processes [--quick] [BYTES]
 #include <sys/prctl.h>
@@ -28,29 +28,23 @@
 namespace tocsin::bench {
 namespace {
 
-using Transport = RawParticipant::Transport;
-
 constexpr std::array<std::size_t, 4> sizes{64, 1024, 65536, 1U << 20U};
 constexpr int first_domain = 70;
 struct Setting {
   const char* name;
   std::optional<RawType> raw;  // empty: components
-  Transport transport;
   Timing timing;
   std::vector<std::size_t> rivals;
 };
-constexpr std::size_t way_count = 6;
+constexpr std::size_t way_count = 4;
 const std::array<Setting, way_count> settings{
-    {{"raw, octets, UDP", RawType::octets, Transport::udp, Timing::raw, {}},
-     {"raw, the same message, UDP", RawType::message, Transport::udp, Timing::raw, {0}},
-     {"components, UDP", {}, Transport::udp, Timing::raw, {1, 0}},
-     {"components, UDP, Tocsin's timing", {}, Transport::udp, Timing::tocsin, {1, 0}},
-     {"raw, the same message, SHM", RawType::message, Transport::shared_memory, Timing::raw, {1}},
-     {"components, SHM", {}, Transport::shared_memory, Timing::raw, {4}}}};
+    {{"raw, octets, UDP", RawType::octets, Timing::raw, {}},
+     {"raw, the same message, UDP", RawType::message, Timing::raw, {0}},
+     {"components, UDP", {}, Timing::raw, {1, 0}},
+     {"components, UDP, Tocsin's timing", {}, Timing::tocsin, {1, 0}}}};
 
 std::unique_ptr<Bus> make_bus(const char* name, const Setting& setting, int domain) {
-  return make_bench_bus(name, domain, setting.transport == Transport::shared_memory,
-                        setting.timing);
+  return make_bench_bus(name, domain, setting.timing);
 }
 
 /// Until it is killed.
@@ -58,7 +52,7 @@ std::unique_ptr<Bus> make_bus(const char* name, const Setting& setting, int doma
   const Setting& setting = settings.at(index);
   const int domain = first_domain + static_cast<int>(index);
   if (setting.raw) {
-    RawParticipant participant(domain, setting.transport, *setting.raw);
+    RawParticipant participant(domain, *setting.raw);
     const RawEcho echo(participant);
     for (;;) pause();
   }
@@ -66,9 +60,7 @@ std::unique_ptr<Bus> make_bus(const char* name, const Setting& setting, int doma
   Context context{*bus, "echo", Role::uxv};
   Pong pong(context);
   TickAccount account;
-  Runner runner("echo", *bus);
-  runner.add(pong, account);
-  runner.start();
+  const Runner runner("echo", *bus, pong, account);
   for (;;) pause();
 }
 
@@ -90,16 +82,14 @@ class End : public Way {
     const Setting& setting = settings.at(index);
     const int domain = first_domain + static_cast<int>(index);
     if (setting.raw) {
-      participant_ = std::make_unique<RawParticipant>(domain, setting.transport, *setting.raw);
+      participant_ = std::make_unique<RawParticipant>(domain, *setting.raw);
       raw_ = std::make_unique<RawPing>(*participant_, bytes);
       return;
     }
     bus_ = make_bus("ping", setting, domain);
     context_ = std::make_unique<Context>(Context{*bus_, "ping", Role::uxv});
     ping_ = std::make_unique<Ping>(*context_, bytes);
-    runner_ = std::make_unique<Runner>("ping", *bus_);
-    runner_->add(*ping_, account_);
-    runner_->start();
+    runner_ = std::make_unique<Runner>("ping", *bus_, *ping_, account_);
   }
   ~End() override { runner_.reset(); }
   bool run(int trips, Series& series) override {

@@ -4,7 +4,6 @@
 #include <fastcdr/Cdr.h>
 #include <fastcdr/FastBuffer.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 
 #include <fastrtps/utils/IPLocator.h>
 
@@ -130,18 +129,6 @@ dds::DomainParticipantQos udp_qos(const RawLink& link, std::uint32_t message_byt
   return qos;
 }
 
-dds::DomainParticipantQos participant_qos(RawParticipant::Transport transport) {
-  using eprosima::fastdds::rtps::SharedMemTransportDescriptor;
-  auto qos = udp_qos({"127.0.0.1", "127.0.0.1"}, 65500);
-  if (transport == RawParticipant::Transport::shared_memory) {
-    auto memory = std::make_shared<SharedMemTransportDescriptor>();
-    memory->segment_size(32U << 20U);
-    memory->max_message_size(16U << 20U);
-    qos.transport().user_transports.push_back(memory);
-  }
-  return qos;
-}
-
 dds::DomainParticipant* create(int domain, const dds::DomainParticipantQos& qos, RawType type) {
   dds::DomainParticipant* const participant =
       dds::DomainParticipantFactory::get_instance()->create_participant(
@@ -155,8 +142,8 @@ dds::DomainParticipant* create(int domain, const dds::DomainParticipantQos& qos,
 
 }  // namespace
 
-RawParticipant::RawParticipant(int domain, Transport transport, RawType type)
-    : type_(type), participant_(create(domain, participant_qos(transport), type)) {}
+RawParticipant::RawParticipant(int domain, RawType type)
+    : type_(type), participant_(create(domain, udp_qos({"127.0.0.1", "127.0.0.1"}, 65500), type)) {}
 
 RawParticipant::RawParticipant(int domain, const RawLink& link)
     : type_(RawType::message),

@@ -29,11 +29,10 @@ struct RawLink {
 };
 
 /// The rival: Fast DDS as its manual shows it, reliable, depth 4, buffers that are reused, large
-/// socket buffers and segments.
+/// socket buffers.
 class RawParticipant {
  public:
-  enum class Transport { udp, shared_memory };
-  RawParticipant(int domain, Transport transport, RawType type = RawType::octets);
+  explicit RawParticipant(int domain, RawType type = RawType::octets);
   /// On a link: components' messages, best effort, in RTPS messages of at most 1400 bytes.
   RawParticipant(int domain, const RawLink& link);
   ~RawParticipant();

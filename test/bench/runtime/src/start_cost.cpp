@@ -57,14 +57,12 @@ class Station : public Component {
 class Crowd {
  public:
   Crowd(const char* mine, const char* theirs, int count)
-      : bus_(make_bench_bus(mine, start_domain, false)), context_{*bus_, mine, Role::uxv} {
+      : bus_(make_bench_bus(mine, start_domain)), context_{*bus_, mine, Role::uxv} {
     for (int i = 0; i < count; ++i) {
       stations_.emplace_back(context_, topic(theirs, i), topic(mine, i));
     }
     for (Station& station : stations_) {
-      runners_.emplace_back("station", *bus_);
-      runners_.back().add(station, accounts_.emplace_back());
-      runners_.back().start();
+      runners_.emplace_back("station", *bus_, station, accounts_.emplace_back());
     }
   }
   ~Crowd() { runners_.clear(); }
@@ -121,8 +119,8 @@ void end(pid_t child, int signal) {
 }
 
 /// Writes without end, and says in every sample which life it is.
-int writer_child(bool shared_memory) {
-  const auto bus = make_bench_bus("writer", restart_domain, shared_memory);
+int writer_child() {
+  const auto bus = make_bench_bus("writer", restart_domain);
   const auto writer = bus->advertise(topic("restart", 0));
   const auto message = blob(64);
   for (;;) {
@@ -153,11 +151,13 @@ class NewWriters : public Receiver {
   std::atomic<std::int64_t> heard_ns_{0};
 };
 
-void print_restart(const char* way, int times) {
+}  // namespace
+
+void print_restarts(int times) {
   NewWriters ears;
-  const auto bus = make_bench_bus("reader", restart_domain, std::string(way) == "shm");
+  const auto bus = make_bench_bus("reader", restart_domain);
   const auto reader = bus->subscribe(topic("restart", 0), ears);
-  pid_t child = start({"writer", way});
+  pid_t child = start({"writer"});
   (void)ears.wait_for_new();
   Series series;
   int silent = 0;
@@ -165,7 +165,7 @@ void print_restart(const char* way, int times) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     end(child, SIGKILL);
     const std::int64_t restarted = now_ns();
-    child = start({"writer", way});
+    child = start({"writer"});
     const std::int64_t heard = ears.wait_for_new();
     if (heard == 0) {
       ++silent;
@@ -174,18 +174,11 @@ void print_restart(const char* way, int times) {
     }
   }
   end(child, SIGKILL);
-  std::printf("restart after kill -9, %s, %d times: heard again after [ms] median %.1f, p90 %.1f, ",
-              way, times, series.percentile(0.5) / 1e6, series.percentile(0.9) / 1e6);
+  std::printf("restart after kill -9, %d times: heard again after [ms] median %.1f, p90 %.1f, ",
+              times, series.percentile(0.5) / 1e6, series.percentile(0.9) / 1e6);
   std::printf("p99 %.1f, longest %.1f; %d above 200 ms; %d never within 10 s\n",
               series.percentile(0.99) / 1e6, series.percentile(1) / 1e6, series.above(200'000'000),
               silent);
-}
-
-}  // namespace
-
-void print_restarts(int times) {
-  print_restart("udp", times);
-  print_restart("shm", times);
 }
 
 void print_start_costs() {
@@ -199,8 +192,8 @@ void print_start_costs() {
 }
 
 int run_child(int argc, char** argv) {
-  if (argc < 2) return 2;
-  if (std::string(argv[0]) == "writer") return writer_child(std::string(argv[1]) == "shm");
+  if (std::string(argv[0]) == "writer") return writer_child();
+  if (argc < 3) return 2;
   if (argc > 3) {
     return crowd_child(argv[0], argv[1], std::atoi(argv[2]), std::strtoll(argv[3], nullptr, 10));
   }

@@ -78,8 +78,6 @@ class DeliveryLog {
   };
   /// Numbers of a stream rise.
   void add(const Record& record);
-  /// The last one of its stream was not written.
-  void take_back(StreamId stream, TransmissionNumber number);
   void forget_stream(StreamId stream);
   /// Nothing is expected of it any more.
   [[nodiscard]] std::vector<Settlement> forget_peer(PeerIndex peer);

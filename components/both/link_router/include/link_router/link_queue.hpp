@@ -17,7 +17,6 @@ struct Waiting {
   WireCost cost;  ///< of the sample
   Time offered{};
   Time expires = never;  ///< not sent after it
-  Time not_before{};     ///< held to the rate of its stream until then
 };
 
 /// A sample that was not sent.
@@ -40,17 +39,14 @@ class LinkQueue {
                                          const Waiting& waiting);
   /// Takes out what is older than its lifespan.
   [[nodiscard]] std::vector<Dropped> take_expired(Time now);
-  /// Takes out the first of the class that may go at `now` and makes less than `packets` packets.
-  [[nodiscard]] std::optional<Waiting> take_first(TrafficClass traffic_class, std::size_t packets,
-                                                  Time now);
-  /// Whether take_first() would give something.
-  [[nodiscard]] bool has_first(TrafficClass traffic_class, std::size_t packets, Time now) const;
+  /// Takes out the first of the class that makes less than `packets` packets.
+  [[nodiscard]] std::optional<Waiting> take_first(TrafficClass traffic_class, std::size_t packets);
   /// Takes out all of a stream.
   [[nodiscard]] std::vector<Waiting> take_stream(StreamId stream);
   [[nodiscard]] bool has(StreamId stream) const;
 
-  /// When take_expired() or take_first() have something new; `never` when nothing waits for time.
-  [[nodiscard]] Time next_event(Time now) const;
+  /// When take_expired() has something; `never` when nothing that waits expires.
+  [[nodiscard]] Time next_expiry() const;
   [[nodiscard]] std::size_t bytes(TrafficClass traffic_class) const {
     return classes_[index_of(traffic_class)].bytes;
   }
@@ -66,7 +62,7 @@ class LinkQueue {
   using Place = std::list<Waiting>::const_iterator;
   [[nodiscard]] static std::optional<Dropped> replace(Class& in, std::size_t depth,
                                                       const Waiting& waiting);
-  [[nodiscard]] static Place find_first(const Class& in, std::size_t packets, Time now);
+  [[nodiscard]] static Place find_first(const Class& in, std::size_t packets);
   [[nodiscard]] static Waiting take(Class& from, Place place);
   std::size_t class_bytes_;
   std::array<Class, traffic_classes.size()> classes_;

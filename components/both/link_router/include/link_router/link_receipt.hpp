@@ -24,9 +24,7 @@ struct StreamReceipt {
 /// lost receipt loses nothing. Of the clocks only differences are used. Coded with 32 bits for
 /// numbers and 16 for ages in units of 100 us it takes 24 bytes and 18 a stream.
 struct LinkReceipt {
-  Incarnation from = 0;     ///< life of the router that made it
-  Incarnation to = 0;       ///< life of the router whose transmissions are meant
-  std::uint32_t count = 0;  ///< rises by 1 with each receipt to this life
+  std::uint32_t count = 0;  ///< rises by 1 with each receipt to this life of the peer
   Time made{};              ///< by the clock of who made it
   std::vector<StreamReceipt> streams;
 };

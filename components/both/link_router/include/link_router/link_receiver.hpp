@@ -41,9 +41,8 @@ enum class Disposition : std::uint8_t {
 /// clocks differ. Pure; `now` never decreases.
 class LinkReceiver {
  public:
-  /// `self` is this life of the router. Throws ConfigError for parameters that do not fit each
-  /// other.
-  LinkReceiver(const LinkRouterParams& params, Incarnation self);
+  /// Throws ConfigError for parameters that do not fit each other.
+  explicit LinkReceiver(const LinkRouterParams& params);
 
   /// A peer, or its next life: numbers start afresh. The same life again changes nothing.
   void on_peer(const std::string& peer, Incarnation incarnation);
@@ -97,7 +96,6 @@ class LinkReceiver {
   [[nodiscard]] LinkReceipt make_receipt(Peer& peer, Time now) const;
 
   LinkRouterParams params_;
-  Incarnation self_;
   std::map<std::string, Peer> peers_;
 };
 

@@ -31,19 +31,19 @@ namespace tocsin::router {
 /// share of the capacity. Peers are known by name; a new life of one starts afresh.
 ///
 ///     sender.offer(stream, sample, now);                         // for each sample of the host
-///     while (auto one = sender.next(now)) write(*one);           // after each call, and at
-///     deadline() sender.on_receipt("station", receipt, now);
+///     while (auto one = sender.next(now)) sender.on_written(write(*one));  // after each call, and
+///                                                                          // at deadline()
+///     sender.on_receipt("station", receipt, now);
 ///
 /// Pure; `now` never decreases.
 class LinkSender {
  public:
-  /// `self` is this life of the router. Throws ConfigError for parameters that do not fit each
-  /// other.
-  LinkSender(const LinkRouterParams& params, Incarnation self);
+  /// Throws ConfigError for parameters that do not fit each other.
+  explicit LinkSender(const LinkRouterParams& params);
   LinkSender(const LinkSender&) = delete;
   LinkSender& operator=(const LinkSender&) = delete;
 
-  /// A link writer; its numbers begin with 1.
+  /// A link writer.
   void add_stream(StreamId stream, const StreamRule& rule);
   void remove_stream(StreamId stream);
 
@@ -57,15 +57,15 @@ class LinkSender {
 
   /// A sample of the host for a stream that was added.
   void offer(StreamId stream, const Sample& sample, Time now);
-  /// What to put on the wire at `now`, if anything. It must be written: its number is taken.
+  /// What to put on the wire at `now`, if anything.
   [[nodiscard]] std::optional<Transmission> next(Time now);
-  /// The last transmission was not written after all: its number is free again, the sample is lost
-  /// unless it is repaired.
-  void on_not_written(const Transmission& transmission, Time now);
+  /// The last transmission was written, under this number. One that was not is lost unless it is
+  /// repaired.
+  void on_written(TransmissionNumber number);
   /// When to call next() though nothing happens; `never` when there is nothing to do.
   [[nodiscard]] Time deadline(Time now) const;
 
-  /// Receipts of an unknown peer or another instance are ignored.
+  /// Of the peer's present life; receipts of an unknown peer are ignored.
   void on_receipt(const std::string& peer, const LinkReceipt& receipt, Time now);
   /// What became of samples of stored streams since the last call.
   [[nodiscard]] std::vector<StoredFate> take_fates() { return std::exchange(fates_, {}); }
@@ -77,8 +77,8 @@ class LinkSender {
   [[nodiscard]] bool may_fill_in(Time now) const;
   /// When may_fill_in() can become true though nothing happens; `never` when it cannot.
   [[nodiscard]] Time fill_in_opens(Time now) const;
-  /// Puts a sample of that stream on the wire at once.
-  [[nodiscard]] Transmission fill_in(StreamId stream, const Sample& sample, Time now);
+  /// A sample of that stream goes on the wire at once; on_written() as after next().
+  void fill_in(StreamId stream, const Sample& sample, Time now);
 
   /// The gate: streams that are not `send` are silent while it is closed.
   void set_paused(bool paused, Time now);
@@ -101,12 +101,10 @@ class LinkSender {
   struct Stream {
     StreamRule rule;
     StreamCounts counts;
-    TransmissionNumber last = 0;
     std::map<SourceId, Source> sources;
     bool fills_in = false;
     RateMeter nominal;            ///< of an adaptive stream: what it would take at scale 1
     double peak_bytes_per_s = 0;  ///< of nominal, forgotten slowly
-    Duration interval{0};         ///< between offers, smoothed
     Time offered = Time::min();
   };
   struct Peer {
@@ -123,7 +121,6 @@ class LinkSender {
     return counts_[index_of(traffic_class)];
   }
   [[nodiscard]] Source& source_of(Stream& stream, const Sample& sample) const;
-  [[nodiscard]] Time not_before(const Stream& stream, const Source& source) const;
   void meter_offer(Stream& stream, const WireCost& cost, Time now);
   void enqueue(Stream& stream, const Waiting& waiting);
   void hold(Stream& stream, const Waiting& waiting);
@@ -159,12 +156,12 @@ class LinkSender {
   [[nodiscard]] double repair_allowance(Time now) const;
 
   LinkRouterParams params_;
-  Incarnation self_;
   std::map<StreamId, Stream> streams_;
   std::map<std::string, Peer> peers_;
   PeerIndex last_peer_ = 0;
   LinkQueue queue_;
   DeliveryLog log_;
+  DeliveryLog::Record unwritten_;  ///< the last transmission, until it has a number
   std::list<SentSamplePtr> open_;  ///< those whose fate is open, in the order of their sending
   std::array<ClassCounts, traffic_classes.size()> counts_;
   AdaptiveScale scale_;

@@ -59,10 +59,9 @@ struct StreamRule {
   std::size_t depth = 1;  ///< newest samples of each source that are kept (KEEP_LAST); at least 1
   Duration lifespan = Duration::max();  ///< an older sample is neither sent nor delivered
   bool repaired = false;                ///< what is missing is sent again; see repairs_by_default
-  bool durable = false;    ///< the newest sample of each source is sent to peers that come later
-  bool adaptive = false;   ///< its source follows the budget
-  double min_rate_hz = 0;  ///< [1/s] may be thinned down to this while the budget is short; 0: not
-  bool stored = false;     ///< the fate of each sample is told, so that what did not cross follows
+  bool durable = false;   ///< the newest sample of each source is sent to peers that come later
+  bool adaptive = false;  ///< its source follows the budget
+  bool stored = false;    ///< the fate of each sample is told, so that what did not cross follows
 };
 
 /// Critical and high.
@@ -80,12 +79,11 @@ enum class LiveFate : std::uint8_t {
 enum class DropReason : std::uint8_t {
   paused,      ///< while_paused is `drop`, or a newer one came during the pause
   superseded,  ///< a newer one of its source came while it waited
-  thinned,     ///< the same, while its stream was held to its min_rate_hz
   expired,     ///< older than its lifespan before it was sent
   overflow,    ///< its class has more waiting than its bound of bytes
   removed,     ///< its stream was removed
 };
-inline constexpr std::size_t drop_reason_count = 6;
+inline constexpr std::size_t drop_reason_count = 5;
 
 /// What became of a sample of a stored stream.
 struct StoredFate {
@@ -97,7 +95,6 @@ struct StoredFate {
 /// What to put on the wire now, by the stream's link writer.
 struct Transmission {
   StreamId stream = 0;
-  TransmissionNumber number = 0;  ///< that the writer gives it
   Sample sample;
   bool repair = false;  ///< it was sent before
 };

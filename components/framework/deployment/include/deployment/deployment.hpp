@@ -64,8 +64,6 @@ struct Container {
   std::string name;       ///< unique among the programs and containers of its host
   bool terminal = false;  ///< owns the terminal; at most one of a deployment
   std::vector<ComponentInstance> components;
-  /// All components on one thread, which hand over without a system call; else one thread each.
-  bool shared_thread = false;
   HealthLimits health = {};
   ParameterServices parameter_services = ParameterServices::on_demand;
 };

@@ -4,13 +4,13 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
 #include "runtime/bus.hpp"
 #include "runtime/component.hpp"
 #include "runtime/middleware/sample_queue.hpp"
-#include "runtime/middleware/turn_lock.hpp"
 
 namespace tocsin {
 
@@ -51,7 +51,7 @@ class InputPort : private Receiver {
   const Endpoint endpoint_;
   const WakeMode wake_mode_;
   const InstanceEnds ends_;
-  mutable TurnLock turn_;
+  mutable std::mutex mutex_;
   SampleQueue queue_{capacity};
   std::atomic<bool> has_sample_{false};  ///< so that to look into an empty queue takes no lock
   std::uint64_t received_ = 0;

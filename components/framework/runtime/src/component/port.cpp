@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/port.hpp"
 
-#include <mutex>
 #include <utility>
 
 namespace tocsin {
@@ -28,7 +27,7 @@ InputPort::~InputPort() { owner_.remove_port(*this); }
 
 void InputPort::receive_last(Sample&& sample) {
   {
-    const std::lock_guard<TurnLock> lock(turn_);
+    const std::lock_guard<std::mutex> lock(mutex_);
     ++received_;
     last_ = sample.received;
     if (!queue_.push(std::move(sample))) ++dropped_;
@@ -41,7 +40,7 @@ void InputPort::receive_last(Sample&& sample) {
 // Another may miss it, and the next one sees it.
 std::optional<Sample> InputPort::take_sample() {
   if (!has_sample()) return std::nullopt;
-  const std::lock_guard<TurnLock> lock(turn_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (queue_.size() == 0) return std::nullopt;
   has_sample_.store(queue_.size() > 1, std::memory_order_relaxed);
   return queue_.pop();
@@ -49,14 +48,14 @@ std::optional<Sample> InputPort::take_sample() {
 
 std::shared_ptr<const void> InputPort::take_message() {
   if (!has_sample()) return nullptr;
-  const std::lock_guard<TurnLock> lock(turn_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (queue_.size() == 0) return nullptr;
   has_sample_.store(queue_.size() > 1, std::memory_order_relaxed);
   return queue_.pop().message;
 }
 
 PortHealth InputPort::health() const {
-  const std::lock_guard<TurnLock> lock(turn_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   return {endpoint_.topic.name, received_, dropped_, queue_.size(), last_};
 }
 
@@ -71,7 +70,7 @@ void InputPort::listen(bool on) {
     return;
   }
   subscription_.reset();
-  const std::lock_guard<TurnLock> lock(turn_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   queue_.clear();
   has_sample_.store(false, std::memory_order_relaxed);
 }

@@ -29,7 +29,6 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
                      deployment.link_domain,
                      host.address,
                      host.peers,
-                     false,
                      host.name,
                      gid_size_of_environment(),
                      enclave_of(deployment, host)};
@@ -60,8 +59,7 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
                    .with_node(container_node(container.name))),
       watch_(watch_limits(container.health), tell_and_end) {
   const auto notice_failure = [this] { control_->schedule().input_arrived(); };
-  threads_ = std::make_unique<RunnerThreads>(*bus_, container.shared_thread, container.name,
-                                             notice_failure);
+  threads_ = std::make_unique<RunnerThreads>(*bus_, notice_failure);
   instances_ = std::make_unique<Instances>(context_, *threads_, load_component);
   control_ = std::make_unique<ControlComponent>(
       context_, container.health,
@@ -83,9 +81,7 @@ Container::~Container() {
 
 void Container::start() {
   instances_->activate_all();
-  control_runner_ = std::make_unique<Runner>(control_->name(), *bus_);
-  control_runner_->add(*control_, control_account_);
-  control_runner_->start();
+  control_runner_ = std::make_unique<Runner>(control_->name(), *bus_, *control_, control_account_);
 }
 
 }  // namespace tocsin

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <mutex>
 #include <utility>
 
 namespace tocsin {
@@ -32,7 +31,7 @@ bool TopicExchange::expired(const Sample& sample, Time now) const {
 }
 
 void TopicExchange::attach(Receiver& receiver, Time now) {
-  const std::lock_guard<TurnLock> lock(turn_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   receivers_.push_back(&receiver);
   has_receivers_.store(true, std::memory_order_relaxed);
   for (const auto& writer : kept_) {
@@ -43,18 +42,18 @@ void TopicExchange::attach(Receiver& receiver, Time now) {
 }
 
 void TopicExchange::detach(Receiver& receiver) {
-  const std::lock_guard<TurnLock> lock(turn_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   receivers_.erase(std::remove(receivers_.begin(), receivers_.end(), &receiver), receivers_.end());
   has_receivers_.store(!receivers_.empty(), std::memory_order_relaxed);
 }
 
 void TopicExchange::deliver(Sample&& sample) {
-  const std::lock_guard<TurnLock> lock(turn_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   hand_over(std::move(sample));
 }
 
 void TopicExchange::deliver(Sample&& sample, std::uint64_t& sequence) {
-  const std::lock_guard<TurnLock> lock(turn_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   sample.sequence = ++sequence;
   hand_over(std::move(sample));
 }
@@ -77,7 +76,7 @@ void TopicExchange::keep(const Sample& sample) {
 }
 
 void TopicExchange::change(const QosProfile& qos, Time now) {
-  const std::lock_guard<TurnLock> lock(turn_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   lifespan_ = seconds(qos.lifespan_s);
   separation_.change(seconds(qos.minimum_separation_s));
   deadline_.change(seconds(qos.deadline_s), now);
@@ -88,7 +87,7 @@ void TopicExchange::tell_end(const Sample& sample) {
 }
 
 void TopicExchange::end_instance(const Sample& sample) {
-  const std::lock_guard<TurnLock> lock(turn_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (sample.state == InstanceState::disposed) {
     for (auto it = kept_.begin(); it != kept_.end();) {
       it = it->first.second == sample.instance ? kept_.erase(it) : std::next(it);
@@ -102,7 +101,7 @@ void TopicExchange::end_instance(const Sample& sample) {
 
 void TopicExchange::forget(std::uint64_t source, Time now) {
   constexpr std::uint64_t last_instance = std::numeric_limits<std::uint64_t>::max();
-  const std::lock_guard<TurnLock> lock(turn_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   kept_.erase(kept_.lower_bound({source, 0}), kept_.upper_bound({source, last_instance}));
   separation_.forget(source);
   for (const std::uint64_t instance : instances_.on_writer_gone(source)) {
@@ -116,7 +115,7 @@ void TopicExchange::forget(std::uint64_t source, Time now) {
 }
 
 TopicExchange::Account TopicExchange::account(Time now) const {
-  const std::lock_guard<TurnLock> lock(turn_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   return {samples_, separation_.dropped(), deadline_.missed(now), deadline_.last()};
 }
 

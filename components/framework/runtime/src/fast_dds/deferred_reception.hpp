@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
-
 #include <atomic>
 #include <condition_variable>
-#include <memory>
 #include <mutex>
 
 namespace tocsin {
-
-class PacketFilter;
 
 /// Keeps what arrives at a participant in its sockets until the participant can take it.
 ///
@@ -29,11 +24,5 @@ class DeferredReception {
   std::mutex mutex_;
   std::condition_variable changed_;
 };
-
-/// The transport of `low`, whose reception is held until `reception` is released, and then shown
-/// what `filter` lets through.
-[[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> hold(
-    std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> low,
-    std::shared_ptr<DeferredReception> reception, std::shared_ptr<PacketFilter> filter);
 
 }  // namespace tocsin

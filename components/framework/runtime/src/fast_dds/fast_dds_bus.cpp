@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/middleware/fast_dds_bus.hpp"
 
-#include <atomic>
 #include <chrono>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <set>
@@ -21,23 +19,6 @@
 
 namespace tocsin {
 namespace {
-
-/// Wall time of an instant close to now, at the price of one clock reading in 10 ms. Any thread.
-class WallClock {
- public:
-  [[nodiscard]] std::int64_t at(Time now) {
-    const std::int64_t ns = now.time_since_epoch().count();
-    if (ns - read_ns_.load(std::memory_order_relaxed) > 10'000'000) {
-      offset_ns_.store(wall_now_ns() - ns, std::memory_order_relaxed);
-      read_ns_.store(ns, std::memory_order_relaxed);
-    }
-    return ns + offset_ns_.load(std::memory_order_relaxed);
-  }
-
- private:
-  std::atomic<std::int64_t> read_ns_{std::numeric_limits<std::int64_t>::min() / 2};
-  std::atomic<std::int64_t> offset_ns_{0};
-};
 
 /// Calls who wants to know of callers. Thread-safe.
 class CallerWatch {
@@ -61,7 +42,6 @@ ParticipantOptions host_options(const BusOptions& options, const QosProfiles& pr
   ParticipantOptions host;
   host.name = options.name;
   host.domain = options.host_domain;
-  host.shared_memory = options.shared_memory;
   host.farewell = std::chrono::milliseconds(300);
   host.user_data = participant_user_data;
   host.flow_controllers = profiles.flow_controllers();
@@ -165,7 +145,7 @@ class ChannelPublication : public Publication {
   Sample head() {
     Sample head;
     head.received = TickTime::now() != never ? TickTime::now() : bus_.now();
-    head.sent_wall_ns = head.received_wall_ns = wall_.at(head.received);
+    head.sent_wall_ns = head.received_wall_ns = bus_.wall_ns(head.received);
     head.source = source_;
     return head;
   }
@@ -175,7 +155,6 @@ class ChannelPublication : public Publication {
   const std::uint64_t source_;
   const NodeEnd end_;
   std::uint64_t delivered_ = 0;  // guarded by the channel
-  WallClock wall_;
 };
 
 std::unique_ptr<TopicChannel> FastDdsBus::make_channel(const Endpoint& endpoint) {

@@ -12,7 +12,6 @@
 #include "fast_dds/cdr_topic_type.hpp"
 #include "fast_dds/fast_dds_qos.hpp"
 #include "fast_dds/packet_filter.hpp"
-#include "fast_dds/shared_memory_leftovers.hpp"
 #include "foundation/error.hpp"
 #include "idl_support/type_registry.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
@@ -90,7 +89,6 @@ bool move_to(Holder* holder, const std::vector<std::string>& partition) {
 FastDdsParticipant::FastDdsParticipant(ParticipantOptions options)
     : options_(with_filter(std::move(options))), farewell_(options_.farewell) {
   deliver_by_packets();
-  if (options_.shared_memory) remove_shared_memory_leftovers();
   participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
       static_cast<std::uint32_t>(options_.domain), participant_qos(options_), &discovery_listener_,
       dds::StatusMask::none());

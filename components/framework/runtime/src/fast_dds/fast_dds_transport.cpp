@@ -2,7 +2,6 @@
 #include "fast_dds/fast_dds_transport.hpp"
 
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 
 #include <arpa/inet.h>
@@ -10,13 +9,13 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <random>
 
 #include "fast_dds/fast_dds_qos.hpp"
 #include "fast_dds/host_multicast.hpp"
-#include "fast_dds/host_transport.hpp"
+#include "fast_dds/host_side.hpp"
 #include "fast_dds/packet_filter.hpp"
 #include "keystore/enclave.hpp"
+#include "link/radio_side.hpp"
 #include "runtime/middleware/link_limits.hpp"
 
 namespace tocsin {
@@ -24,11 +23,8 @@ namespace {
 
 namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
-using eprosima::fastdds::rtps::SharedMemTransportDescriptor;
 using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
 
-/// Fast DDS's own 512 KiB make a message of 1 MiB take 10 ms.
-constexpr std::uint32_t segment_bytes = 32U << 20U;
 /// A picture of a few MB in one burst must fit; the kernel caps it at net.core.rmem_max.
 constexpr std::uint32_t host_socket_bytes = 4U << 20U;
 
@@ -62,20 +58,21 @@ std::vector<rtps::Locator_t> router_ports(const ParticipantOptions& options) {
   return all;
 }
 
-std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(
-    const ParticipantOptions& options, const std::shared_ptr<OtherMakers>& others) {
-  if (!is_on_link(options)) return host_transport(options.domain, host_socket_bytes);
+std::shared_ptr<UDPv4TransportDescriptor> udp_of(const ParticipantOptions& options) {
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {options.address};
-  if (!options.marks) return udp;
-  return marked(std::move(udp), options.marks, others, {options.stop, router_ports(options)});
+  if (!is_on_link(options)) udp->sendBufferSize = udp->receiveBufferSize = host_socket_bytes;
+  return udp;
 }
 
-std::shared_ptr<SharedMemTransportDescriptor> shared_memory_transport() {
-  auto transport = std::make_shared<SharedMemTransportDescriptor>();
-  transport->segment_size(segment_bytes);
-  transport->max_message_size(segment_bytes / 2);
-  return transport;
+/// Null on a link without marks.
+std::shared_ptr<TransportSide> side_of(const ParticipantOptions& options,
+                                       const std::shared_ptr<OtherMakers>& others) {
+  if (!is_on_link(options)) return host_side(options.domain, host_socket_bytes);
+  if (!options.marks) return nullptr;
+  auto repeats = others ? std::make_shared<AuthenticationRepeats>() : nullptr;
+  return radio_side(options.address, {options.marks, others, std::move(repeats), options.stop,
+                                      router_ports(options)});
 }
 
 bool is_free(const std::string& address, int port) {
@@ -133,18 +130,6 @@ void locate_on_host(const ParticipantOptions& options, dds::DomainParticipantQos
   builtin.discovery_config.leaseDuration_announcementperiod = dds_duration(0.5);
 }
 
-/// A shared-memory port that no other process has, nor had: when a process was killed, its peers
-/// go on writing to the port they know, and Fast DDS 2.9.1 does not notice that a successor took
-/// the number and made a new one. Discovery stays on UDP, so peers learn the number at once.
-rtps::Locator_t fresh_shared_memory_port() {
-  std::random_device random;
-  rtps::Locator_t locator;
-  locator.kind = LOCATOR_KIND_SHM;
-  locator.address[0] = 'U';
-  locator.port = (1U << 20U) + random() % (1U << 30U);
-  return locator;
-}
-
 /// DDS Security 1.1 with the plug-ins of its clause 9, with the files of a SROS2 enclave.
 void secure(const std::string& enclave, dds::DomainParticipantQos& qos) {
   auto& properties = qos.properties().properties();
@@ -189,12 +174,8 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   qos.transport().use_builtin_transports = false;
   auto filter = options.filter ? options.filter : packet_filter(options);
   if (!options.enclave.empty()) secure(options.enclave, qos);
-  qos.transport().user_transports = {
-      hold(transport_of(options, filter->others()), options.reception, filter)};
-  if (options.shared_memory) {
-    qos.transport().user_transports.push_back(shared_memory_transport());
-    qos.wire_protocol().default_unicast_locator_list.push_back(fresh_shared_memory_port());
-  }
+  qos.transport().user_transports = {guarded_transport(
+      {udp_of(options), side_of(options, filter->others()), options.reception, filter})};
   rtps::BuiltinAttributes& builtin = qos.wire_protocol().builtin;
   builtin.avoid_builtin_multicast = true;
   is_on_link(options) ? locate_on_link(options, qos) : locate_on_host(options, qos);

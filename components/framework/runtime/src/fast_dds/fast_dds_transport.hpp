@@ -9,13 +9,14 @@
 #include "fast_dds/deferred_reception.hpp"
 #include "fast_dds/remote_ends.hpp"
 #include "foundation/time.hpp"
-#include "link/radio_transport.hpp"
+#include "link/radio_marks.hpp"
+#include "link/stop_channel.hpp"
 #include "link/writer_numbers.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 
 namespace tocsin {
 
-/// Where a participant lives and whom it looks for: on its host (see host_transport), or on the
+/// Where a participant lives and whom it looks for: on its host (see host_side), or on the
 /// link, if it has peers. There discovery is unicast, and traffic stays on the interface
 /// of `address`.
 struct ParticipantOptions {
@@ -24,7 +25,6 @@ struct ParticipantOptions {
   std::string address = "127.0.0.1";    ///< on the link: IPv4 of the only interface that is used
   std::vector<std::string> peers = {};  ///< on the link: IPv4 addresses; none: on the host
   std::string user_data = "";           ///< of the participant
-  bool shared_memory = false;           ///< samples go so where the peer has it, too
   std::map<std::string, FlowController> flow_controllers = {};
   /// How long its writers wait, in all, until their readers have what they wrote last.
   Duration farewell = {};

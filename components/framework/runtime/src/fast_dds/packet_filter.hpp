@@ -28,7 +28,7 @@ struct Surroundings {
   bool radio = false;              ///< nobody but the peers is heard
 };
 /// What a participant is shown there: on the radio, packets of its peers only, and their locators
-/// only; on the host, all, since host_transport sends to loopback whatever a locator says.
+/// only; on the host, all, since host_side sends to loopback whatever a locator says.
 [[nodiscard]] rtps_filter::Limits limits_in(const Surroundings& surroundings);
 /// Whether a packet from an address was sent on this computer: on the host always, on the radio
 /// when it is our own address.

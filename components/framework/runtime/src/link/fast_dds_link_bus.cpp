@@ -14,6 +14,7 @@
 #include "link/origin.hpp"
 #include "link/router_name.hpp"
 #include "link/sound_identity.hpp"
+#include "runtime/middleware/link_limits.hpp"
 
 namespace tocsin {
 namespace {

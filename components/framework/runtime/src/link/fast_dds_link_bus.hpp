@@ -13,7 +13,7 @@
 #include "link/flow_readers.hpp"
 #include "link/flow_table.hpp"
 #include "link/late_interface.hpp"
-#include "link/radio_transport.hpp"
+#include "link/radio_marks.hpp"
 #include "link/stop_channel.hpp"
 #include "link/writer_numbers.hpp"
 #include "runtime/logger.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link/radio_transport.hpp"
+#include "link/radio_marks.hpp"
 #include "link/rtps_message.hpp"
 
 namespace tocsin {

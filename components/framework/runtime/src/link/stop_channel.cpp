@@ -26,6 +26,8 @@ constexpr std::size_t longest_certificate = 1200;
 constexpr int burst_packets = 4;
 constexpr Duration burst_period = std::chrono::milliseconds(15);
 constexpr Duration certificate_period = std::chrono::seconds(1);
+/// At 30 % loss one of so many arrives in 99.8 %.
+constexpr int certificates_after_restart = 5;
 /// Values that wait for a router that does not look, and routers that are told apart.
 constexpr std::size_t most_values = 64;
 constexpr std::size_t most_routers = 64;
@@ -126,11 +128,11 @@ std::vector<StopChannel::Bytes> StopChannel::due(std::uint32_t to, Time now) {
     if (told.burst > 0) --told.burst;
     told.next = now + (told.burst > 0 ? burst_period : stop_value_period);
   }
-  const Duration period = told.has_restarted ? certificate_period / 5 : certificate_period;
+  const Duration period = told.certificates > 0 ? certificate_period / 5 : certificate_period;
   if (seal_ && now - told.certificate >= period) {
     all.push_back(seal_->certificate);
     told.certificate = now;
-    told.has_restarted = false;
+    told.certificates = std::max(0, told.certificates - 1);
   }
   return all;
 }
@@ -168,7 +170,7 @@ std::size_t StopChannel::take(const std::uint8_t* packet, std::size_t size, std:
   note_packet(router, now);
   const auto told = told_.find(from);
   const bool is_new = told != told_.end() && std::exchange(told->second.router, router) != router;
-  if (is_new) told->second.has_restarted = true;
+  if (is_new) told->second.certificates = certificates_after_restart;
   const bool tell = std::exchange(has_news_, false);
   lock.unlock();
   if (tell) options_.on_news();

@@ -63,7 +63,7 @@ class StopChannel {
     Time last{};  ///< when a packet took the value to it
     Time certificate{};
     std::uint64_t router = 0;    ///< of which a packet came last
-    bool has_restarted = false;  ///< since it was told the certificate
+    int certificates = 0;        ///< so many follow each other fast: it has restarted
     int burst = 0;               ///< so many packets of its own follow at once
     Time next{};
   };

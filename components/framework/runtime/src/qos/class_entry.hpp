@@ -16,7 +16,6 @@ struct ClassEntry {
   std::vector<std::string> keep;
   std::vector<std::string> services;
   std::vector<std::string> actions;
-  double min_rate_hz = 0;
   double max_rate_hz = 0;
   double lifespan_s = 0;
   int depth = 1;
@@ -33,8 +32,6 @@ struct ClassEntry {
     v("keep", keep,
       "those of them, or patterns, that the other side's log keeps as they arrive, for late "
       "readers");
-    v("min_rate_hz", min_rate_hz, {0, 1000},
-      "[1/s] its topics may be thinned to this while the budget is short; 0: never");
     v("max_rate_hz", max_rate_hz, {0, 1000},
       "[1/s] of each writer of its topics at most so many samples cross; 0: all");
     v("lifespan_s", lifespan_s, {0, 1e6},

@@ -67,7 +67,6 @@ TrafficRule rule_of(const std::string& topic, TrafficClass traffic_class, const 
   rule.traffic_class = traffic_class;
   rule.while_poor = to_while_poor(entry.while_poor);
   rule.adaptive = names(entry.adaptive, topic);
-  rule.min_rate_hz = entry.min_rate_hz;
   rule.stored = entry.while_poor == "store" || names(entry.store, topic);
   rule.logged = names(entry.log, topic);
   rule.max_rate_hz = entry.max_rate_hz;

@@ -10,31 +10,16 @@ constexpr Duration patience = std::chrono::seconds(3);
 
 }  // namespace
 
-RunnerThreads::RunnerThreads(Bus& bus, bool shared, const std::string& name,
-                             std::function<void()> on_failure)
-    : bus_(bus), on_failure_(std::move(on_failure)) {
-  if (shared) shared_ = start(name);
-}
-
-std::unique_ptr<Runner> RunnerThreads::start(const std::string& name) {
-  auto runner = std::make_unique<Runner>(name, bus_, on_failure_);
-  runner->start();
-  return runner;
-}
+RunnerThreads::RunnerThreads(Bus& bus, std::function<void()> on_failure)
+    : bus_(bus), on_failure_(std::move(on_failure)) {}
 
 void RunnerThreads::add(Component& component, TickAccount& account) {
-  if (shared_) {
-    shared_->add(component, account);
-    return;
-  }
-  auto& own = own_[&component] = start(component.name());
-  own->add(component, account);
+  runners_.try_emplace(&component, component.name(), bus_, component, account, on_failure_);
 }
 
 bool RunnerThreads::remove(Component& component) {
-  Runner& runner = shared_ ? *shared_ : *own_.at(&component);
-  if (!runner.remove(component, patience)) return false;
-  own_.erase(&component);
+  if (!runners_.at(&component).stop(patience)) return false;
+  runners_.erase(&component);
   return true;
 }
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/middleware/schedule.hpp"
 
-#include <mutex>
 #include <string>
 
 #include "foundation/hash.hpp"
 
 namespace tocsin {
 namespace {
-
-thread_local const Waker* waker_of_this_thread = nullptr;
 
 /// Lets every bit of `x` reach every bit of the result (splitmix64's finish).
 std::uint64_t mixed(std::uint64_t x) {
@@ -39,30 +36,21 @@ Time PeriodicInstants::after(Time now) const {
   return Time(offset + (exact ? number : number + 1) * period);
 }
 
-void Waker::claim_this_thread() const { waker_of_this_thread = this; }
-
-// From the thread that ticks the component, which looks before it sleeps: nothing to wake, and
-// nobody else to agree with. From another, the flag and the waker pair up with the runner, which
-// stores its waker, or that it sleeps, before it looks at the flag: one of the two sees the other.
+// The flag and the waker pair up with the runner, which stores its waker, or that it sleeps, before
+// it looks at the flag: one of the two sees the other.
 void Schedule::input_arrived() {
-  const Waker* const waker = waker_of_this_thread;
-  if (waker != nullptr && waker_.load(std::memory_order_relaxed) == waker) {
-    own_input_.store(true, std::memory_order_relaxed);
-    return;
-  }
   if (input_pending.exchange(true)) return;  // whoever set it has woken, too
   if (waker_.load() == nullptr) return;
-  const std::lock_guard<TurnLock> lock(wake_turn_);
+  const std::lock_guard<std::mutex> lock(waker_mutex_);
   if (Waker* const still = waker_.load(std::memory_order_relaxed)) still->wake();
 }
 
 void Schedule::set_waker(Waker* waker) {
-  const std::lock_guard<TurnLock> lock(wake_turn_);
+  const std::lock_guard<std::mutex> lock(waker_mutex_);
   waker_.store(waker);
 }
 
 void Schedule::begin_tick(Time now) {
-  own_input_.store(false, std::memory_order_relaxed);
   if (input_pending.load(std::memory_order_relaxed)) {
     input_pending.exchange(false);  // reads what the input's thread did before it set it
   }

@@ -39,19 +39,20 @@ void Sleeper::wake() {
   }
 }
 
-void Sleeper::sleep(Time due, const std::vector<int>& descriptors) {
-  readable_.clear();
+bool Sleeper::sleep(Time due, const std::vector<int>& descriptors) {
   std::uint32_t expected = announced;
-  if (!state_.compare_exchange_strong(expected, descriptors.empty() ? on_futex : in_poll)) return;
+  if (!state_.compare_exchange_strong(expected, descriptors.empty() ? on_futex : in_poll)) {
+    return false;
+  }
+  bool readable = false;
   if (descriptors.empty()) {
     sleep_on_futex(due);
   } else {
-    poll_until(due, descriptors);
+    readable = poll_until(due, descriptors);
   }
   state_.store(awake);
+  return readable;
 }
-
-void Sleeper::look(const std::vector<int>& descriptors) { poll_until(Time{}, descriptors); }
 
 // The futex's clock is CLOCK_MONOTONIC, that of Time.
 void Sleeper::sleep_on_futex(Time due) {
@@ -59,22 +60,20 @@ void Sleeper::sleep_on_futex(Time due) {
   futex(state_, FUTEX_WAIT_BITSET, on_futex, due == never ? nullptr : &until);
 }
 
-void Sleeper::poll_until(Time due, const std::vector<int>& descriptors) {
+bool Sleeper::poll_until(Time due, const std::vector<int>& descriptors) {
   constexpr Duration longest = std::chrono::hours(1);
   const Time now = std::chrono::steady_clock::now();
   const timespec timeout =
       to_timespec(due <= now ? Duration::zero() : std::min(due - now, longest));
-  readable_.clear();
   polled_.assign(1, {wake_fd_, POLLIN, 0});
   for (const int descriptor : descriptors) polled_.push_back({descriptor, POLLIN, 0});
-  if (ppoll(polled_.data(), polled_.size(), &timeout, nullptr) <= 0) return;
+  if (ppoll(polled_.data(), polled_.size(), &timeout, nullptr) <= 0) return false;
   if (polled_[0].revents != 0) {
     std::uint64_t count = 0;
     [[maybe_unused]] const auto drained = read(wake_fd_, &count, sizeof count);
   }
-  for (std::size_t i = 1; i < polled_.size(); ++i) {
-    if (polled_[i].revents != 0) readable_.push_back(polled_[i].fd);
-  }
+  return std::any_of(polled_.begin() + 1, polled_.end(),
+                     [](const pollfd& one) { return one.revents != 0; });
 }
 
 }  // namespace tocsin

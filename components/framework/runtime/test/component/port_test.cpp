@@ -144,32 +144,5 @@ TEST_F(PortTest, WakesOnceForSeveralInputsUntilTheNextTick) {
   sut_.schedule().set_waker(nullptr);
 }
 
-TEST_F(PortTest, TheThreadThatTicksItIsNotWokenButSeesItsOwnInputUntilTheNextTick) {
-  CountingWaker waker;
-  sut_.schedule().set_waker(&waker);
-  std::thread([&] {
-    waker.claim_this_thread();
-    publish_goal();
-  }).join();
-  EXPECT_EQ(waker.calls, 0);
-  EXPECT_TRUE(sut_.schedule().has_input());
-  sut_.schedule().begin_tick(bus_.now());
-  EXPECT_FALSE(sut_.schedule().has_input());
-  sut_.schedule().set_waker(nullptr);
-}
-
-TEST_F(PortTest, AThreadThatTicksAnotherComponentWakesIt) {
-  CountingWaker waker;
-  CountingWaker other;
-  sut_.schedule().set_waker(&waker);
-  std::thread([&] {
-    other.claim_this_thread();
-    publish_goal();
-  }).join();
-  EXPECT_EQ(waker.calls, 1);
-  EXPECT_TRUE(sut_.schedule().has_input());
-  sut_.schedule().set_waker(nullptr);
-}
-
 }  // namespace
 }  // namespace tocsin

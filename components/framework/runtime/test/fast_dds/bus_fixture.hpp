@@ -45,8 +45,7 @@ class Samples : public Receiver {
 };
 
 /// A bus on loopback with the QoS file `qos`.
-inline std::unique_ptr<Bus> make_test_bus(int domain, const std::string& qos,
-                                          bool shared_memory = false) {
+inline std::unique_ptr<Bus> make_test_bus(int domain, const std::string& qos) {
   const std::string path = ::testing::TempDir() + "bus_test_" + std::to_string(getpid());
   std::ofstream(path + "_qos.yaml") << qos;
   std::ofstream(path + "_traffic.yaml") << "uxv: {}\n";
@@ -56,7 +55,6 @@ inline std::unique_ptr<Bus> make_test_bus(int domain, const std::string& qos,
   options.qos_file = path + "_qos.yaml";
   options.traffic_file = path + "_traffic.yaml";
   options.host_domain = domain;
-  options.shared_memory = shared_memory;
   auto bus = make_fast_dds_bus(options);
   unlink(options.qos_file.c_str());
   unlink(options.traffic_file.c_str());

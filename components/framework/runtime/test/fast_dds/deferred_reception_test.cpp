@@ -13,6 +13,7 @@
 
 #include "fast_dds/bus_fixture.hpp"
 #include "fast_dds/dropped_packets.hpp"
+#include "fast_dds/guarded_transport.hpp"
 #include "fast_dds/packet_filter.hpp"
 
 namespace tocsin {
@@ -38,8 +39,9 @@ class DeferredReceptionTest : public ::testing::Test {
   DeferredReceptionTest() {
     auto udp = std::make_shared<UDPv4TransportDescriptor>();
     udp->interfaceWhiteList = {"127.0.0.1"};
-    transport_.reset(hold(udp, reception_, std::make_shared<PacketFilter>(rtps_filter::Limits{}))
-                         ->create_transport());
+    auto filter = std::make_shared<PacketFilter>(rtps_filter::Limits{});
+    transport_.reset(
+        guarded_transport({udp, nullptr, reception_, std::move(filter)})->create_transport());
     at_.kind = LOCATOR_KIND_UDPv4;
     at_.port = port;
     rtps::IPLocator::setIPv4(at_, "127.0.0.1");

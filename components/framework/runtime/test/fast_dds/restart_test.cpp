@@ -19,10 +19,10 @@ const char* const qos = "sensor: {reliability: reliable, depth: 5}\n";
 /// A process that, once told, writes until it is killed. Forked before this process has threads.
 class Writer {
  public:
-  Writer(int domain, bool shared_memory) {
+  Writer(int domain) {
     if (pipe(pipe_.data()) != 0) abort();
     child_ = fork();
-    if (child_ == 0) run(domain, shared_memory);
+    if (child_ == 0) run(domain);
   }
   ~Writer() { die(); }
   Writer(const Writer&) = delete;
@@ -36,10 +36,10 @@ class Writer {
   }
 
  private:
-  [[noreturn]] void run(int domain, bool shared_memory) {
+  [[noreturn]] void run(int domain) {
     char told = 0;
     if (read(pipe_[0], &told, 1) != 1) _exit(1);
-    const auto bus = make_test_bus(domain, qos, shared_memory);
+    const auto bus = make_test_bus(domain, qos);
     const auto writer = bus->advertise(text);
     const auto message = std::make_shared<const std_msgs::msg::String>();
     for (;;) {
@@ -52,10 +52,9 @@ class Writer {
 };
 
 /// The reader is made in a child of its own, too, so that each test starts without threads.
-void hear_every_life(int domain, bool shared_memory) {
-  std::array<Writer, 3> lives{
-      {{domain, shared_memory}, {domain, shared_memory}, {domain, shared_memory}}};
-  const auto bus = make_test_bus(domain, qos, shared_memory);
+void hear_every_life(int domain) {
+  std::array<Writer, 3> lives{{{domain}, {domain}, {domain}}};
+  const auto bus = make_test_bus(domain, qos);
   Samples samples;
   const auto reader = bus->subscribe(text, samples);
   std::uint64_t source = 0;
@@ -100,19 +99,10 @@ TEST(RestartTest, OneThatComesIsHeardWithoutWaitingForAPeriodicAnnouncement) {
       ::testing::ExitedWithCode(0), "");
 }
 
-TEST(RestartTest, AProcessKilledTwiceIsHeardAgainByUdp) {
+TEST(RestartTest, AProcessKilledTwiceIsHeardAgain) {
   EXPECT_EXIT(
       {
-        hear_every_life(36, false);
-        _exit(::testing::Test::HasFailure() ? 1 : 0);
-      },
-      ::testing::ExitedWithCode(0), "");
-}
-
-TEST(RestartTest, AProcessKilledTwiceIsHeardAgainBySharedMemoryBesideItsDeadSegments) {
-  EXPECT_EXIT(
-      {
-        hear_every_life(37, true);
+        hear_every_life(36);
         _exit(::testing::Test::HasFailure() ? 1 : 0);
       },
       ::testing::ExitedWithCode(0), "");

@@ -64,9 +64,7 @@ class RunnerTest : public ::testing::Test {
 
 TEST_F(RunnerTest, TicksOnceAtStartThenOnInput) {
   Counting component(context_);
-  Runner sut("test", bus_);
-  sut.add(component, account_);
-  sut.start();
+  Runner sut("test", bus_, component, account_);
   ASSERT_TRUE(component.wait_for_ticks(1));
   component.schedule().input_arrived();
   EXPECT_TRUE(component.wait_for_ticks(2));
@@ -81,9 +79,7 @@ TEST_F(RunnerTest, TicksAtADeadlineAndNotBefore) {
     if (at.size() == 1) component.ask_at(asked = now + std::chrono::milliseconds(20));
   };
   {
-    Runner sut("test", bus_);
-    sut.add(component, account_);
-    sut.start();
+    Runner sut("test", bus_, component, account_);
     ASSERT_TRUE(component.wait_for_ticks(2));
   }
   EXPECT_GE(at[1], asked);
@@ -101,9 +97,7 @@ TEST_F(RunnerTest, TicksWhenADescriptorIsReadable) {
     component.unwatch(ends[0]);
   };
   {
-    Runner sut("test", bus_);
-    sut.add(component, account_);
-    sut.start();
+    Runner sut("test", bus_, component, account_);
     ASSERT_TRUE(component.wait_for_ticks(1));
     ASSERT_EQ(write(ends[1], "x", 1), 1);
     EXPECT_TRUE(component.wait_for_ticks(2));
@@ -112,147 +106,73 @@ TEST_F(RunnerTest, TicksWhenADescriptorIsReadable) {
   close(ends[1]);
 }
 
-TEST_F(RunnerTest, AThrowingComponentDiesAloneAndItsNeighbourGoesOn) {
+TEST_F(RunnerTest, ReportsAFailureOfAnyKindToItsOwner) {
+  std::promise<void> failed;
+  Counting bad(context_);
+  bad.on_tick = [](Time) { throw 7; };
+  Runner sut("test", bus_, bad, account_, [&failed] { failed.set_value(); });
+  ASSERT_EQ(failed.get_future().wait_for(patience), std::future_status::ready);
+  EXPECT_EQ(account_.read().error, "something that is no std::exception");
+}
+
+TEST_F(RunnerTest, TicksAComponentThatThrewNoMore) {
   Counting bad(context_);
   Counting good(context_);
   bad.on_tick = [](Time) { throw std::runtime_error("broken"); };
   TickAccount good_account;
-  Runner sut("test", bus_);
-  sut.add(bad, account_);
-  sut.add(good, good_account);
-  sut.start();
-  ASSERT_TRUE(good.wait_for_ticks(1));
+  std::promise<void> failed;
+  Runner sut("test", bus_, bad, account_, [&failed] { failed.set_value(); });
+  const Runner neighbour("test", bus_, good, good_account);
+  ASSERT_EQ(failed.get_future().wait_for(patience), std::future_status::ready);
   bad.schedule().input_arrived();
   good.schedule().input_arrived();
-  EXPECT_TRUE(good.wait_for_ticks(2));
+  EXPECT_TRUE(good.wait_for_ticks(1));
+  EXPECT_TRUE(sut.stop(patience));
   EXPECT_EQ(bad.ticks(), 1);
   EXPECT_EQ(account_.read().error, "broken");
   EXPECT_FALSE(good_account.failed());
 }
 
-TEST_F(RunnerTest, ReportsAFailureOfAnyKindToItsOwner) {
-  std::promise<void> failed;
-  Counting bad(context_);
-  bad.on_tick = [](Time) { throw 7; };
-  Runner sut("test", bus_, [&failed] { failed.set_value(); });
-  sut.add(bad, account_);
-  sut.start();
-  ASSERT_EQ(failed.get_future().wait_for(patience), std::future_status::ready);
-  EXPECT_EQ(account_.read().error, "something that is no std::exception");
-}
-
-TEST_F(RunnerTest, ARemovedComponentIsTickedNoMoreAndItsNeighbourGoesOn) {
+TEST_F(RunnerTest, AStoppedOneTicksNoMore) {
   Counting gone(context_);
-  Counting stays(context_);
-  TickAccount other;
-  Runner sut("test", bus_);
-  sut.add(gone, account_);
-  sut.add(stays, other);
-  sut.start();
+  Runner sut("test", bus_, gone, account_);
   ASSERT_TRUE(gone.wait_for_ticks(1));
-  ASSERT_TRUE(sut.remove(gone, patience));
+  ASSERT_TRUE(sut.stop(patience));
   const int ticks = gone.ticks();
   gone.schedule().input_arrived();
-  stays.schedule().input_arrived();
-  EXPECT_TRUE(stays.wait_for_ticks(2));
   EXPECT_EQ(gone.ticks(), ticks);
+  EXPECT_TRUE(sut.stop(patience)) << "it is";
 }
 
-TEST_F(RunnerTest, TakesAComponentThatComesWhileItRuns) {
-  Counting late(context_);
-  Runner sut("test", bus_);
-  sut.start();
-  sut.add(late, account_);
-  EXPECT_TRUE(late.wait_for_ticks(1));
-  late.schedule().input_arrived();
-  EXPECT_TRUE(late.wait_for_ticks(2));
-}
-
-TEST_F(RunnerTest, DoesNotRemoveAComponentWhoseTickDoesNotEnd) {
+TEST_F(RunnerTest, DoesNotStopWhileATickDoesNotEndAndTicksOnThen) {
   std::promise<void> go_on;
   Counting blocked(context_);
-  blocked.on_tick = [&](Time) { go_on.get_future().wait(); };
-  Runner sut("test", bus_);
-  sut.add(blocked, account_);
-  sut.start();
+  blocked.on_tick = [&](Time) {
+    if (blocked.ticks() == 1) go_on.get_future().wait();
+  };
+  Runner sut("test", bus_, blocked, account_);
   ASSERT_TRUE(blocked.wait_for_ticks(1));
-  EXPECT_FALSE(sut.remove(blocked, std::chrono::milliseconds(1)));
+  EXPECT_FALSE(sut.stop(std::chrono::milliseconds(1)));
   EXPECT_TRUE(account_.read().running_since.has_value());
   go_on.set_value();
-}
-
-TEST_F(RunnerTest, NeighboursThatKeepEachOtherBusyDoNotStarveADescriptor) {
-  int ends[2];
-  ASSERT_EQ(pipe(ends), 0);
-  Counting busy(context_);
-  Counting watcher(context_);
-  std::promise<void> seen;
-  busy.on_tick = [&](Time) { busy.schedule().input_arrived(); };
-  watcher.watch(ends[0]);
-  watcher.on_tick = [&](Time) {
-    if (watcher.ticks() < 2) return;
-    watcher.unwatch(ends[0]);
-    seen.set_value();
-  };
-  TickAccount other;
-  {
-    Runner sut("test", bus_);
-    sut.add(busy, account_);
-    sut.add(watcher, other);
-    sut.start();
-    ASSERT_TRUE(watcher.wait_for_ticks(1));
-    ASSERT_EQ(write(ends[1], "x", 1), 1);
-    EXPECT_EQ(seen.get_future().wait_for(patience), std::future_status::ready);
-  }
-  close(ends[0]);
-  close(ends[1]);
+  blocked.schedule().input_arrived();
+  EXPECT_TRUE(blocked.wait_for_ticks(2));
+  EXPECT_TRUE(sut.stop(patience));
 }
 
 TEST_F(RunnerTest, TheTimeOfATickHoldsForItsWritesAndEndsWithIt) {
   Counting component(context_);
-  Counting throwing(context_);
   Time given{};
   Time within{};
   std::promise<Time> later;
   component.on_tick = [&](Time now) {
     given = now;
     within = TickTime::now();
+    throw std::runtime_error("on purpose");
   };
-  throwing.on_tick = [](Time) { throw std::runtime_error("on purpose"); };
-  TickAccount account;
-  Runner sut("test", bus_, [&] { later.set_value(TickTime::now()); });
-  sut.add(component, account_);
-  sut.add(throwing, account);
-  sut.start();
+  const Runner sut("test", bus_, component, account_, [&] { later.set_value(TickTime::now()); });
   EXPECT_EQ(later.get_future().get(), never);
   EXPECT_EQ(within, given);
-  EXPECT_EQ(TickTime::now(), never);
-}
-
-/// Neighbours on one thread, and inputs from another: none may stay where it is for good.
-TEST_F(RunnerTest, LosesNoInputOfANeighbourNorOfAnotherThread) {
-  Counting first(context_);
-  Counting second(context_);
-  std::atomic<int> sent{0};
-  std::atomic<int> passed{0};
-  std::atomic<int> seen{0};
-  first.on_tick = [&](Time) {
-    passed = sent.load();
-    second.schedule().input_arrived();
-  };
-  second.on_tick = [&](Time) { seen = passed.load(); };
-  TickAccount account;
-  Runner sut("test", bus_);
-  sut.add(second, account);  // before the one that it hears
-  sut.add(first, account_);
-  sut.start();
-  for (int i = 1; i <= 10000; ++i) {
-    sent = i;
-    first.schedule().input_arrived();
-    if (i % 3 == 0) second.schedule().input_arrived();
-    const Time limit = bus_.now() + patience;
-    while (i % 16 == 0 && seen < i) ASSERT_LT(bus_.now(), limit);
-  }
 }
 
 /// Many inputs from another thread: none may find the runner asleep for good.
@@ -261,9 +181,7 @@ TEST_F(RunnerTest, LosesNoWakeUp) {
   std::atomic<int> sent{0};
   std::atomic<int> seen{0};
   component.on_tick = [&](Time) { seen = sent.load(); };
-  Runner sut("test", bus_);
-  sut.add(component, account_);
-  sut.start();
+  Runner sut("test", bus_, component, account_);
   for (int i = 1; i <= 20000; ++i) {
     sent = i;
     component.schedule().input_arrived();

@@ -36,46 +36,32 @@ class RunnerThreadsTest : public ::testing::Test {
   TickAccount other_account_;
 };
 
-TEST_F(RunnerThreadsTest, ComponentsThatShareAreTickedOnOneThread) {
+TEST_F(RunnerThreadsTest, EachComponentHasAThreadOfItsOwn) {
   Teller one(context_);
   Teller other(context_);
-  RunnerThreads sut(bus_, true, "drive", {});
-  sut.add(one, account_);
-  sut.add(other, other_account_);
-  EXPECT_EQ(one.thread(), other.thread());
-}
-
-TEST_F(RunnerThreadsTest, OtherwiseEachHasAThreadOfItsOwn) {
-  Teller one(context_);
-  Teller other(context_);
-  RunnerThreads sut(bus_, false, "drive", {});
+  RunnerThreads sut(bus_, {});
   sut.add(one, account_);
   sut.add(other, other_account_);
   EXPECT_NE(one.thread(), other.thread());
 }
 
 TEST_F(RunnerThreadsTest, ARemovedComponentMayBeAddedAgain) {
-  for (const bool shared : {true, false}) {
-    Teller one(context_);
-    RunnerThreads sut(bus_, shared, "drive", {});
-    sut.add(one, account_);
-    (void)one.thread();
-    EXPECT_TRUE(sut.remove(one));
-    sut.add(one, account_);
-    EXPECT_TRUE(sut.remove(one));
-  }
+  Teller one(context_);
+  RunnerThreads sut(bus_, {});
+  sut.add(one, account_);
+  (void)one.thread();
+  EXPECT_TRUE(sut.remove(one));
+  sut.add(one, account_);
+  EXPECT_TRUE(sut.remove(one));
 }
 
 TEST_F(RunnerThreadsTest, TellsItsOwnerOfAComponentThatThrew) {
-  for (const bool shared : {true, false}) {
-    std::promise<void> failed;
-    Teller broken(context_, true);
-    TickAccount account;
-    RunnerThreads sut(bus_, shared, "drive", [&] { failed.set_value(); });
-    sut.add(broken, account);
-    failed.get_future().wait();
-    EXPECT_TRUE(account.failed());
-  }
+  std::promise<void> failed;
+  Teller broken(context_, true);
+  RunnerThreads sut(bus_, [&] { failed.set_value(); });
+  sut.add(broken, account_);
+  failed.get_future().wait();
+  EXPECT_TRUE(account_.failed());
 }
 
 }  // namespace

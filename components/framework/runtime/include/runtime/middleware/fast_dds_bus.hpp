@@ -15,18 +15,15 @@ namespace tocsin {
 
 /// What one process needs to join the DDS domain of its host, and a router that of the link.
 struct BusOptions {
-  std::string name;                     ///< participant name, shown by discovery tools
-  Role role = Role::uxv;                ///< which rules of traffic.yaml hold
-  std::string ros_namespace;            ///< of all topics; empty for none
-  std::string qos_file;                 ///< empty: the profiles that are built in
-  std::string traffic_file;             ///< empty: any link topic may be written
-  int host_domain = 0;                  ///< [0, 231] of topics that stay on this host
-  int link_domain = 1;                  ///< [0, 231] of topics that cross the radio
-  std::string link_address;             ///< of a router: own IPv4 on the link; empty: no link
-  std::vector<std::string> link_peers;  ///< of a router: IPv4 of the other sides
-  /// Samples go to other processes of this host by shared memory instead of loopback UDP. A
-  /// process that is killed leaves files in /dev/shm; the next start removes them.
-  bool shared_memory = false;
+  std::string name;                      ///< participant name, shown by discovery tools
+  Role role = Role::uxv;                 ///< which rules of traffic.yaml hold
+  std::string ros_namespace;             ///< of all topics; empty for none
+  std::string qos_file;                  ///< empty: the profiles that are built in
+  std::string traffic_file;              ///< empty: any link topic may be written
+  int host_domain = 0;                   ///< [0, 231] of topics that stay on this host
+  int link_domain = 1;                   ///< [0, 231] of topics that cross the radio
+  std::string link_address;              ///< of a router: own IPv4 on the link; empty: no link
+  std::vector<std::string> link_peers;   ///< of a router: IPv4 of the other sides
   std::string host = "";                 ///< name of this side, as the peers of its router know it
   std::optional<GidSize> gid_size = {};  ///< told to ROS 2; empty: what its peers take
   /// Of a router: folder with its identity for DDS Security, laid out as an enclave of SROS2;

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "foundation/time.hpp"
-#include "runtime/middleware/turn_lock.hpp"
 
 namespace tocsin {
 
@@ -39,8 +39,6 @@ class Waker {
  public:
   /// Any thread; must not block.
   virtual void wake() = 0;
-  /// The waker whose thread this is needs no waking: it looks before it sleeps.
-  void claim_this_thread() const;
 
  protected:
   ~Waker() = default;
@@ -49,7 +47,7 @@ class Waker {
 /// When a component runs next. The component asks through its protected functions; the runner
 /// reads. Only `input_arrived` and `set_waker` may be called from another thread.
 struct Schedule {
-  std::atomic<bool> input_pending{false};  ///< one that another thread has delivered
+  std::atomic<bool> input_pending{false};  ///< one has come since the last tick began
   Time deadline = never;
   std::optional<PeriodicInstants> period;
   Time next_period = never;
@@ -59,8 +57,6 @@ struct Schedule {
   /// `waker` is woken by the first input after each tick; null ends that, and waits for a call
   /// that is running. Between two wakers the component does not listen.
   void set_waker(Waker* waker);
-  /// Since the last tick began, an input came.
-  [[nodiscard]] bool has_input() const { return own_input_ || input_pending; }
   /// The next instant at which a tick is due without input.
   [[nodiscard]] Time due() const { return std::min(deadline, next_period); }
   /// Forgets what the tick at `now` answers to.
@@ -70,8 +66,7 @@ struct Schedule {
 
  private:
   Time begun_ = never;
-  std::atomic<bool> own_input_{false};  // delivered and looked at by the waker's thread alone
-  TurnLock wake_turn_;
+  std::mutex waker_mutex_;
   std::atomic<Waker*> waker_{nullptr};
 };
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -12,7 +13,6 @@
 #include "runtime/middleware/instance_table.hpp"
 #include "runtime/middleware/qos_policies.hpp"
 #include "runtime/middleware/thinning.hpp"
-#include "runtime/middleware/turn_lock.hpp"
 
 namespace tocsin {
 
@@ -65,7 +65,7 @@ class TopicExchange {
 
   const std::size_t kept_per_writer_;
   Duration lifespan_;
-  mutable TurnLock turn_;
+  mutable std::mutex mutex_;
   std::vector<Receiver*> receivers_;
   std::atomic<bool> has_receivers_{false};
   using Key = std::pair<std::uint64_t, std::uint64_t>;  // source and instance

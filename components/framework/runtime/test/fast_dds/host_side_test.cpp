@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Real sockets on loopback.
-#include "fast_dds/host_transport.hpp"
+#include "fast_dds/host_side.hpp"
 
 #include <arpa/inet.h>
 #include <fastdds/rtps/transport/TransportInterface.h>
@@ -13,6 +13,7 @@
 
 #include "fast_dds/bus_fixture.hpp"
 #include "fast_dds/host_multicast.hpp"
+#include "fast_dds/packet_filter.hpp"
 #include "foundation/file_descriptor.hpp"
 
 namespace tocsin {
@@ -27,6 +28,7 @@ constexpr int domain = 44;
 constexpr int group_port = discovery_group_port(domain);
 constexpr int discovery_port = group_port + 30;  // even, as RTPS numbers them
 constexpr int data_port = group_port + 31;
+const std::string rtps_start("RTPS\2\1\1\17", 8);
 
 rtps::Locator_t locator(const std::string& address, int port) {
   rtps::Locator_t made;
@@ -41,7 +43,8 @@ class Listener : public TransportReceiverInterface {
  public:
   void OnDataReceived(const rtps::octet* bytes, const std::uint32_t size, const rtps::Locator_t&,
                       const rtps::Locator_t&) override {
-    const std::string text(bytes, bytes + size);
+    std::string text(bytes + rtps_start.size(), bytes + size);
+    text.erase(text.find_last_not_of(' ') + 1);
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       texts_.push_back(text);
@@ -60,9 +63,9 @@ class Listener : public TransportReceiverInterface {
   std::promise<void> go_on_;
 };
 
-class HostTransportTest : public ::testing::Test {
+class HostSideTest : public ::testing::Test {
  protected:
-  HostTransportTest() : sut_(host_transport(domain, 1U << 20U)->create_transport()) {
+  HostSideTest() : sut_(transport()) {
     EXPECT_TRUE(sut_->init());
     for (const auto& at : places_) {
       EXPECT_FALSE(sut_->IsInputChannelOpen(at));
@@ -70,10 +73,22 @@ class HostTransportTest : public ::testing::Test {
       EXPECT_TRUE(sut_->IsInputChannelOpen(at));
     }
   }
-  ~HostTransportTest() override {
+  ~HostSideTest() override {
     for (const auto& at : places_) EXPECT_TRUE(sut_->CloseInputChannel(at));
   }
-  static void send(const std::string& text, const std::string& address, int port) {
+  static std::unique_ptr<TransportInterface> transport() {
+    auto udp = std::make_shared<UDPv4TransportDescriptor>();
+    udp->interfaceWhiteList = {"127.0.0.1"};
+    auto reception = std::make_shared<DeferredReception>();
+    reception->release();
+    auto filter = std::make_shared<PacketFilter>(rtps_filter::Limits{});
+    return std::unique_ptr<TransportInterface>(
+        guarded_transport({udp, host_side(domain, 1U << 20U), reception, std::move(filter)})
+            ->create_transport());
+  }
+  /// In a message of RTPS that has a header only, as the name of its sender.
+  static void send(const std::string& sender_name, const std::string& address, int port) {
+    const std::string text = (rtps_start + sender_name + "            ").substr(0, 20);
     const FileDescriptor sender(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
     const in_addr loopback{htonl(INADDR_LOOPBACK)};
     setsockopt(sender.get(), IPPROTO_IP, IP_MULTICAST_IF, &loopback, sizeof loopback);
@@ -98,7 +113,7 @@ class HostTransportTest : public ::testing::Test {
   std::unique_ptr<TransportInterface> sut_;
 };
 
-TEST_F(HostTransportTest, HearsTheGroupAndUnicast) {
+TEST_F(HostSideTest, HearsTheGroupAndUnicast) {
   send("group", discovery_group, group_port);
   send("discovery", "127.0.0.1", discovery_port);
   send("data", "127.0.0.1", data_port);
@@ -107,7 +122,7 @@ TEST_F(HostTransportTest, HearsTheGroupAndUnicast) {
 }
 
 // While Fast DDS answers an announcement, it throws away what else its sender says.
-TEST_F(HostTransportTest, WhatFollowsAnAnnouncementWaitsUntilThatIsDealtWithAndSamplesDoNot) {
+TEST_F(HostSideTest, WhatFollowsAnAnnouncementWaitsUntilThatIsDealtWithAndSamplesDoNot) {
   send("wait", discovery_group, group_port);
   ASSERT_TRUE(eventually([&] { return listener_.texts().size() == 1; }));
   send("discovery", "127.0.0.1", discovery_port);
@@ -119,26 +134,26 @@ TEST_F(HostTransportTest, WhatFollowsAnAnnouncementWaitsUntilThatIsDealtWithAndS
   EXPECT_TRUE(eventually([&] { return listener_.texts().size() == 3; }));
 }
 
-TEST_F(HostTransportTest, SendsToEveryPeerByLoopback) {
+TEST_F(HostSideTest, SendsToEveryPeerByLoopback) {
   EXPECT_EQ(taken_for("127.0.0.1", 7412), "127.0.0.1:7412");
   EXPECT_EQ(taken_for("192.168.7.9", 7412), "127.0.0.1:7412");
 }
 
-TEST_F(HostTransportTest, SendsNothingButAnnouncementsByMulticast) {
+TEST_F(HostSideTest, SendsNothingButAnnouncementsByMulticast) {
   EXPECT_EQ(taken_for(discovery_group, group_port),
             std::string(discovery_group) + ":" + std::to_string(group_port));
   EXPECT_EQ(taken_for(discovery_group, group_port + 1), "refused") << "Cyclone DDS's, for samples";
   EXPECT_EQ(taken_for("239.255.0.7", group_port), "refused");
 }
 
-TEST_F(HostTransportTest, KnowsNothingOfOtherKinds) {
+TEST_F(HostSideTest, KnowsNothingOfOtherKinds) {
   rtps::Locator_t shared_memory;
   shared_memory.kind = LOCATOR_KIND_SHM;
   rtps::Locator_t result;
   EXPECT_FALSE(sut_->transform_remote_locator(shared_memory, result));
 }
 
-TEST_F(HostTransportTest, OneChannelSendsToAllPeersAndAnnounces) {
+TEST_F(HostSideTest, OneChannelSendsToAllPeersAndAnnounces) {
   SendResourceList channels;
   for (const char* const address : {"127.0.0.1", "192.168.7.9", "127.0.0.1"}) {
     EXPECT_TRUE(sut_->OpenOutputChannel(channels, locator(address, 7412)));

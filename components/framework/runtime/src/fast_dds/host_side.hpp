@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/transport/TransportDescriptorInterface.h>
-
 #include <cstdint>
 #include <memory>
+
+#include "fast_dds/guarded_transport.hpp"
 
 namespace tocsin {
 
@@ -15,8 +15,7 @@ namespace tocsin {
 /// announce themselves to the discovery group, on loopback and wherever another program of this
 /// host listens to it, and hear it there. Throws EnvironmentError, see HostMulticastReceiver.
 ///
-/// `socket_bytes`: size of the buffers of its sockets.
-[[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> host_transport(
-    int domain, std::uint32_t socket_bytes);
+/// `socket_bytes`: size of the buffer of its sending socket.
+[[nodiscard]] std::shared_ptr<TransportSide> host_side(int domain, std::uint32_t socket_bytes);
 
 }  // namespace tocsin

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Locator.h>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/common/EntityId_t.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <mutex>
-#include <optional>
-#include <vector>
 
-#include "link/message_pieces.hpp"
-#include "link/other_makers.hpp"
-#include "link/stop_channel.hpp"
 #include "runtime/middleware/link_bus.hpp"
-#include "runtime/middleware/link_limits.hpp"
 
 namespace tocsin {
 
@@ -48,22 +39,5 @@ class RadioMarks {
   std::map<Endpoint, Mark> marks_;
   LinkPackets packets_;
 };
-
-/// The stop's way out of a transport.
-struct StopWay {
-  std::shared_ptr<StopChannel> channel;
-  std::vector<eprosima::fastrtps::rtps::Locator_t> peers;  ///< where packets of its own go
-};
-
-/// A UDP transport that sends through a socket of its own, each packet with the code point that
-/// `marks` has for it, in RTPS messages of at most `radio_message_bytes`; it receives any size.
-/// Heartbeats and acknowledgements of discovery are paced (DiscoveryPacer). With `others` it is for
-/// a participant with DDS Security: Fast DDS
-/// makes messages as long as UDP carries, and they go in pieces (MessagePieces); whole, so that IP
-/// divides them, to where `others` are. What `stop` has to say rides in the packets, and goes alone
-/// where none follow.
-[[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> marked(
-    std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp,
-    std::shared_ptr<RadioMarks> marks, std::shared_ptr<OtherMakers> others, StopWay stop);
 
 }  // namespace tocsin
