@@ -136,24 +136,101 @@ describe("Page in Chromium", { concurrency: false }, () => {
     standIn.state.withoutImages = false;
   });
 
-  it("sends a goal by click and drag, after mission_control has paused", async () => {
+  it("hands a place that is chosen by click and drag to mission_control as a mission", async () => {
     await operator.chooseGoal(0.02, 0.5);
-    await reads(".goal-bar", "in a wall or beyond the map");
-    await press("Cancel");
+    await reads(".mission-bar", "in a wall or beyond the map");
+    await press("Leave");
     await operator.chooseGoal(0.7, 0.78); // in the classroom
     await operator.picture("goal");
     await press("Drive there");
-    await eventually("a goal", () => commands("/goal").length > 0);
-    const { message: goal, at } = commands("/goal")[0];
-    const pause = commands("/mission/command")[0];
-    assert.equal(pause.message.data, "pause");
-    assert.ok(pause.at <= at, "the pause comes first");
-    assert.ok(Math.abs(goal.yaw - Math.PI / 2) < 0.05, `heading ${goal.yaw}`);
-    assert.ok(goal.id === 1n && goal.mission !== 0n && goal.lifetime_s === 60);
-    await reads(".mission", "Your goal: asked");
+    await eventually("a mission", () => commands("send_goal").length > 0);
+    const { poses } = commands("send_goal")[0].message.goal;
+    assert.equal(poses.length, 1);
+    const { z, w } = poses[0].pose.orientation;
+    assert.ok(Math.abs(2 * Math.atan2(z, w) - Math.PI / 2) < 0.05, `heading ${2 * Math.atan2(z, w)}`);
+    assert.equal(commands("/goal").length + commands("/mission/command").length, 0, "mission_control alone leads");
+    await reads(".mission", "Mission accepted");
+    await reads(".mission", "follow_waypoints: running");
+    await reads(".mission", "1 of 1");
+    await press("Pause");
+    await reads(".mission", "follow_waypoints: paused");
     await press("Resume");
-    await eventually("resume", () => commands("/mission/command").at(-1).message.data === "resume");
-    await reads(".mission", "running");
+    await reads(".mission", "follow_waypoints: running");
+    await press("Cancel mission");
+    await reads(".mission", "follow_waypoints: aborted");
+  });
+
+  it("edits a mission on the map: add, move, reorder, remove; sends it as one", async () => {
+    const sent = commands("send_goal").length;
+    await press("Mission");
+    await reads(".mission-bar", "Press on the map");
+    for (const [across, down] of [[0.7, 0.78], [0.74, 0.78], [0.78, 0.78]]) {
+      const { x, y } = await operator.onMap(across, down);
+      await page.mouse.click(x, y);
+    }
+    await reads(".mission-bar", "Place 3 of 3");
+    const [from, to] = [await operator.onMap(0.74, 0.78), await operator.onMap(0.74, 0.82)];
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(to.x, to.y, { steps: 3 });
+    await page.mouse.up();
+    await reads(".mission-bar", "Place 2 of 3");
+    await page.click("button[title^='Later in the order']");
+    await reads(".mission-bar", "Place 3 of 3");
+    await wait(300);
+    await operator.picture("mission_edit");
+    await page.keyboard.press(",");
+    await page.keyboard.press("Delete"); // the one that was third
+    await reads(".mission-bar", "of 2");
+    await page.keyboard.press("Insert");
+    await reads(".mission-bar", "of 3");
+    await page.keyboard.press("Delete");
+    await page.keyboard.press("Enter");
+    await eventually("a mission", () => commands("send_goal").length > sent);
+    const { poses } = commands("send_goal").at(-1).message.goal;
+    assert.equal(poses.length, 2);
+    const [first, second] = poses.map(({ pose }) => pose.position);
+    assert.ok(second.y < first.y - 0.05 && second.x > first.x, "the moved one is the last");
+    await reads(".mission", "1 of 2");
+  });
+
+  it("keeps a draft that is rejected, and says why", async () => {
+    standIn.state.refusal = "waypoint 1 is nearer to a wall than 0.18 m";
+    await operator.chooseGoal(0.7, 0.78);
+    await press("Drive there");
+    await reads(".mission .refused", standIn.state.refusal);
+    await reads(".mission-bar", "Place 1 of 1");
+    standIn.state.refusal = "";
+    await press("Drive there");
+    await reads(".mission", "Mission accepted");
+    await until("no draft", () => document.querySelector(".mission-bar") === null);
+  });
+
+  it("edits by fingers: a tap adds, a drag moves, two fingers edit nothing", async () => {
+    const touch = await page.createCDPSession();
+    const send = (type, ...touchPoints) => touch.send("Input.dispatchTouchEvent", { type, touchPoints });
+    const point = async (across, down, id = 0) => ({ ...(await operator.onMap(across, down)), id });
+    await press("Mission");
+    await reads(".mission-bar", "Press on the map");
+    await send("touchStart", await point(0.7, 0.78));
+    await send("touchEnd");
+    await reads(".mission-bar", "Place 1 of 1");
+    await send("touchStart", await point(0.76, 0.78));
+    await send("touchStart", await point(0.76, 0.78), await point(0.8, 0.85, 1));
+    await send("touchEnd");
+    await reads(".mission-bar", "Place 1 of 1");
+    await press("Leave");
+    await touch.detach();
+  });
+
+  it("shows another page, and one that is loaded anew, the same mission", async () => {
+    const other = await Operator.open(`http://127.0.0.1:${standIn.port}/`, options);
+    await other.reads(".mission", "follow_waypoints: running");
+    await other.press("Cancel mission");
+    await other.close();
+    await reads(".mission", "follow_waypoints: aborted");
+    await page.reload();
+    await reads(".mission", "follow_waypoints: aborted");
   });
 
   it("shows strip, mission buttons and link without scrolling at 1280 x 800", async () => {

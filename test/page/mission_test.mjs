@@ -167,11 +167,17 @@ describe("Mission led from the page", { concurrency: false }, () => {
   it("sends the vehicle to a place that was clicked", async () => {
     await operator.chooseGoal(0.7, 0.78);
     await operator.press("Drive there");
-    await reads(".mission", "Your goal: driving");
+    await reads(".mission", "follow_waypoints: running");
     const words = await operator.page.$$eval(".entries li", (all) => all.map((one) => one.textContent));
     const [, x, y] = /goal: waypoint 1 at \((-?[\d.]+), (-?[\d.]+)\)/.exec(words.find((one) => one.includes("goal: waypoint 1 at")));
     await eventually(`a vehicle at ${x}, ${y}`, () => Math.hypot(now().x - x, now().y - y) < 0.3);
-    await reads(".mission", "Your goal: reached");
+    await reads(".mission", "follow_waypoints: done");
+  });
+
+  it("shows the mission to a page that opens late", async () => {
+    const late = await Operator.open(url, options);
+    await late.reads(".mission", "follow_waypoints: done");
+    await late.close();
   });
 
   it("records when it is told, and shows the recording from the station's list", async () => {

@@ -74,13 +74,19 @@ export class Operator {
 
   /** Chooses a goal at a share of the map's width and height, heading up. */
   async chooseGoal(across, down) {
-    await this.press("Goal");
-    const box = await (await this.page.$(".map canvas")).boundingBox();
-    const [x, y] = [box.x + across * box.width, box.y + down * box.height];
+    await this.press("Mission");
+    await this.until("a bar of the mission", () => document.querySelector(".mission-bar") !== null);
+    const { x, y } = await this.onMap(across, down);
     await this.page.mouse.move(x, y);
     await this.page.mouse.down();
     await this.page.mouse.move(x, y - 60);
     await this.page.mouse.up();
+  }
+
+  /** The pixel at a share of the map's width and height. */
+  async onMap(across, down) {
+    const box = await (await this.page.$(".map canvas")).boundingBox();
+    return { x: box.x + across * box.width, y: box.y + down * box.height };
   }
 
   async picture(name, options = {}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // In place of operator_server, for tests and for work on the page: serves the page's files and plays
-// a bag as if it happened now. Obeys the emergency stop and mission/command.
+// a bag as if it happened now. Obeys the emergency stop and mission/command, and takes missions as mission_control does.
 // usage: node stand_in_server.mjs --page FOLDER --bag FILE.mcap [--port 8765] [--from SECONDS] [--map FILE.yaml FILE.pgm]
 import fs from "node:fs";
 import http from "node:http";
@@ -39,15 +39,30 @@ const publishedText = {
     "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z",
   ].join(separator),
   "tocsin_msgs/msg/DriverRequest": `builtin_interfaces/Time stamp\nstring name\nstring verb${stampText}`,
-  "tocsin_msgs/msg/Goal": [
-    "builtin_interfaces/Time stamp\nuint64 id\nuint32 waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw\n" +
-      "float64 tolerance_m\nfloat64 lifetime_s\ntocsin_msgs/Waypoint[] ahead\nuint64 mission",
-    "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec",
-    "MSG: tocsin_msgs/Waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw",
-  ].join(separator),
+};
+const uuidText = `MSG: unique_identifier_msgs/UUID\nuint8[16] uuid`;
+const timeText = "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec";
+const poseTexts = [
+  "MSG: geometry_msgs/PoseStamped\nstd_msgs/Header header\ngeometry_msgs/Pose pose",
+  "MSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id",
+  timeText,
+  "MSG: geometry_msgs/Pose\ngeometry_msgs/Point position\ngeometry_msgs/Quaternion orientation",
+  "MSG: geometry_msgs/Point\nfloat64 x\nfloat64 y\nfloat64 z",
+  "MSG: geometry_msgs/Quaternion\nfloat64 x\nfloat64 y\nfloat64 z\nfloat64 w",
+];
+const pathText = ["std_msgs/Header header\ngeometry_msgs/PoseStamped[] poses", ...poseTexts].join(separator);
+const goalText = "MSG: nav2_msgs/FollowWaypoints_Goal\nuint32 number_of_loops\nuint32 goal_index\ngeometry_msgs/PoseStamped[] poses";
+const goalInfoText = "MSG: action_msgs/GoalInfo\nunique_identifier_msgs/UUID goal_id\nbuiltin_interfaces/Time stamp";
+const goalId = "unique_identifier_msgs/UUID goal_id";
+/** Of follow_waypoints, by the end of their names: request and response. */
+const serviceTexts = {
+  send_goal: [[`${goalId}\nnav2_msgs/FollowWaypoints_Goal goal`, uuidText, goalText, ...poseTexts], ["bool accepted\nbuiltin_interfaces/Time stamp", timeText]],
+  get_result: [[goalId, uuidText], ["int8 status\nnav2_msgs/FollowWaypoints_Result result", "MSG: nav2_msgs/FollowWaypoints_Result\nstring error_msg"]],
+  cancel_goal: [["action_msgs/GoalInfo goal_info", goalInfoText, uuidText, timeText],
+    ["int8 return_code\naction_msgs/GoalInfo[] goals_canceling", goalInfoText, uuidText, timeText]],
 };
 /** Which it says itself, whatever the bag has. */
-const ownTopics = ["/map", "/teleop/driver", "/emergency_stop/state"];
+const ownTopics = ["/map", "/mission/path", "/teleop/driver", "/emergency_stop/state"];
 const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".css": "text/css" };
 
 /** All messages of a bag in order, and its channels by topic. */
@@ -131,7 +146,7 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS 
   });
   const server = new FoxgloveServer({
     name: "stand-in",
-    capabilities: [ServerCapability.clientPublish, ServerCapability.time],
+    capabilities: [ServerCapability.clientPublish, ServerCapability.services, ServerCapability.time],
     supportedEncodings: ["cdr"],
     metadata: { tocsin: "0.1.0", host: "gcs" },
   });
@@ -147,6 +162,7 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS 
   addOwn("/map", "nav_msgs/msg/OccupancyGrid", gridText);
   addOwn("/teleop/driver", "tocsin_msgs/msg/DriverState", driverStateText);
   addOwn("/emergency_stop/state", "tocsin_msgs/msg/EmergencyStopState", stopStateText);
+  addOwn("/mission/path", "nav_msgs/msg/Path", pathText);
   const ownLast = new Map();
   const sendOwn = (topic, message) => {
     const data = writers.get(topic).writeMessage(message);
@@ -155,6 +171,8 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS 
   };
   const state = {
     ...{ stopped: false, paused: false, commands: [], position: 0 },
+    /** The mission that was taken, its end, and why the next one is refused. */
+    ...{ mission: undefined, missionState: "running", refusal: "" },
     ...{ silent: false, withoutImages: false, withoutVehicle: false },
   };
   const rewritten = (topic, data) => rewrite(topic, data, channels.get(topic), state);
@@ -166,6 +184,32 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS 
     sendOwn("/map", { header: { stamp: stamp(), frame_id: "map" }, info, data });
   }
   sendOwn("/emergency_stop/state", { stamp: stamp(), asked: "never", vehicle: "may_drive", stopped_by: [] });
+
+  const missionAnswers = {
+    send_goal: ({ goal }) => {
+      if (state.refusal) return { accepted: false, stamp: stamp() };
+      [state.mission, state.missionState, state.paused] = [goal.poses, "running", false];
+      sendOwn("/mission/path", { header: { stamp: stamp(), frame_id: "map" }, poses: goal.poses });
+      return { accepted: true, stamp: stamp() };
+    },
+    get_result: () => ({ status: 6, result: { error_msg: state.refusal } }),
+    cancel_goal: ({ goal_info }) => {
+      if (state.mission) state.missionState = "aborted";
+      return { return_code: 0, goals_canceling: state.mission ? [goal_info] : [] };
+    },
+  };
+  const services = new Map();
+  for (const [name, texts] of Object.entries(serviceTexts)) {
+    const [request, response] = texts.map((parts) => ({ encoding: "cdr", schemaName: name, schemaEncoding: "ros2msg", schema: parts.join(separator) }));
+    services.set(server.addService({ name: `/follow_waypoints/_action/${name}`, type: name, request, response }), { name, request, response });
+  }
+  server.on("serviceCallRequest", ({ serviceId, callId, data }, client) => {
+    const { name, request, response } = services.get(serviceId);
+    const message = new MessageReader(parse(request.schema, { ros2: true })).readMessage(data);
+    state.commands.push({ topic: name, at: Date.now(), message });
+    const answer = new MessageWriter(parse(response.schema, { ros2: true })).writeMessage(missionAnswers[name](message));
+    server.sendServiceCallResponse({ serviceId, callId, encoding: "cdr", data: answer }, client);
+  });
 
   const longTrail = trailOf(trailS, channels.get("/location"));
   const begin = messages[0].at + from * 1000;
@@ -276,7 +320,11 @@ function rewrite(topic, data, channel, state) {
       stopped_by: state.stopped ? ["station"] : [],
     }),
     "/link_state": (message) => ({ ...message, stored: message.role === "uxv" ? [storedTopic] : [] }),
-    "/mission_status": (message) => (state.paused ? { ...message, state: "paused" } : message),
+    "/mission_status": (message) => ({
+      ...message,
+      ...(state.mission && { mission: "follow_waypoints", waypoint: 0, waypoints: state.mission.length, state: state.missionState }),
+      ...(state.paused && { state: "paused" }),
+    }),
   };
   const change = changes[topic];
   if (!change) return data;

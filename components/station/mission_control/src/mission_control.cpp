@@ -56,6 +56,7 @@ MissionControl::MissionControl(const Params& params, std::optional<navigation::M
 
 void MissionControl::begin(navigation::Mission mission) {
   mission_ = std::move(mission);
+  ++missions_;
   checksum_ = checksum_of(mission_);
   state_ = State::waiting;
   draw_identity();

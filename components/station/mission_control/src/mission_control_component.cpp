@@ -34,6 +34,16 @@ geometry::Pose pose_of(const topic::Location::Message& message) {
           geometry::heading_of({q.x(), q.y(), q.z(), q.w()})};
 }
 
+geometry_msgs::msg::Pose message_of(const geometry::Pose& pose) {
+  const auto q = geometry::quaternion_of(pose.heading_rad);
+  geometry_msgs::msg::Pose message;
+  message.position().x(pose.x_m);
+  message.position().y(pose.y_m);
+  message.orientation().z(q.z);
+  message.orientation().w(q.w);
+  return message;
+}
+
 /// Two starts never begin in the same nanosecond, and a simulated one begins always in the same.
 std::uint64_t seed_of(const Bus& bus) { return static_cast<std::uint64_t>(bus.wall_ns(bus.now())); }
 
@@ -58,6 +68,7 @@ void MissionControlComponent::tick(Time now) {
   if (const auto goal = control_.update(now)) send(*goal, now);
   waypoints_.follow(control_, now);
   log_arrivals();
+  publish_path(now);
   report(now);
 }
 
@@ -113,6 +124,19 @@ void MissionControlComponent::log_arrivals() {
 
 std::string MissionControlComponent::mission_name() const {
   return control_.mission().waypoints.empty() ? "none" : control_.mission().name;
+}
+
+void MissionControlComponent::publish_path(Time now) {
+  if (published_missions_ == control_.missions()) return;
+  topic::MissionPath::Message path;
+  path.header().stamp(wall(now));
+  path.header().frame_id("map");
+  for (const geometry::Pose& waypoint : control_.mission().waypoints) {
+    path.poses().emplace_back();
+    path.poses().back().header(path.header());
+    path.poses().back().pose(message_of(waypoint));
+  }
+  if (path_.write(std::move(path)) == Status::ok) published_missions_ = control_.missions();
 }
 
 void MissionControlComponent::report(Time now) {

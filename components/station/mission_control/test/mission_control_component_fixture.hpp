@@ -89,6 +89,7 @@ class MissionControlComponentTest : public ::testing::Test {
   std::unique_ptr<MissionControlComponent> sut_;
   SimReader<topic::Goal> goals_{bus_};
   SimReader<topic::MissionStatus> statuses_{bus_};
+  SimReader<topic::MissionPath> paths_{bus_};
   std::optional<int> exit_code_;
 };
 

@@ -19,6 +19,26 @@ TEST_F(MissionControlComponentTest, WaitsForTheVehicle) {
   EXPECT_EQ(state(), "waiting");
 }
 
+TEST_F(MissionControlComponentTest, PublishesAllWaypointsOnceForEachMission) {
+  start();
+  run(10);
+  const auto paths = paths_.take();
+  ASSERT_EQ(paths.size(), 1U);
+  EXPECT_EQ(paths[0].header().frame_id(), "map");
+  ASSERT_EQ(paths[0].poses().size(), 2U);
+  EXPECT_EQ(paths[0].poses()[1].pose().position().x(), 3);
+  EXPECT_EQ(paths[0].poses()[1].pose().orientation().w(), 1);
+}
+
+TEST_F(MissionControlComponentTest, PublishesAnEmptyPathWithoutAMission) {
+  params_.mission_file = "";
+  start();
+  run(1);
+  const auto paths = paths_.take();
+  ASSERT_EQ(paths.size(), 1U);
+  EXPECT_TRUE(paths[0].poses().empty());
+}
+
 TEST_F(MissionControlComponentTest, SendsTheFirstWaypointAsAGoal) {
   const auto goal = first_goal();
   EXPECT_EQ(goal.waypoint(), 0U);

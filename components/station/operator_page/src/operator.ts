@@ -2,15 +2,17 @@
 // The thin shell around the model and the orders: what comes in goes to them, what is due goes out.
 import type { IWebSocket } from "@foxglove/ws-protocol";
 
+import { isFree } from "./map/grid.ts";
 import type { Point } from "./model/geometry.ts";
 import { type Row, type Tables, historyOf, rowsOf } from "./model/history.ts";
-import { type OccupancyGrid, type Stamp, type Topic, type Topics, type Waypoint, isTopicRead, topicsRead } from "./model/messages.ts";
+import { type OccupancyGrid, type Stamp, type Topic, type Topics, isTopicRead, topicsRead } from "./model/messages.ts";
+import { type MissionDraft, draftOf } from "./model/mission_draft.ts";
 import { Station } from "./model/station.ts";
 import { type DriveConditions, DriverSeat, whyNotDrive } from "./orders/driver_seat.ts";
 import { EmergencyStopOrder, type StopHeard } from "./orders/emergency_stop.ts";
-import { MissionOrder, leads } from "./orders/mission_order.ts";
+import { MissionOrder } from "./orders/mission_order.ts";
 import { RecordOrder, recorderNode, recordingParameter } from "./orders/record_order.ts";
-import { OperatorGoal } from "./orders/operator_goal.ts";
+import { MissionRequest } from "./orders/mission_request.ts";
 import { type Speeds, keysVelocity, padVelocity, speedChoices, stickVelocity } from "./orders/stick.ts";
 import { TeleopSender, type Velocity } from "./orders/teleop_sender.ts";
 import { WhatIfQuery } from "./orders/what_if_query.ts";
@@ -20,8 +22,9 @@ import { BagPlayer } from "./replay/bag_player.ts";
 import type { BagSource } from "./replay/bag_source.ts";
 import { Connection, type ServerInfo } from "./protocol/connection.ts";
 import { type StationBag, StationFiles } from "./protocol/station_files.ts";
-import { driverRequest, emergencyStopRequest, goal, missionCommand, teleopVelocity } from "./protocol/published.ts";
+import { driverRequest, emergencyStopRequest, missionCommand, teleopVelocity } from "./protocol/published.ts";
 
+const drawId = (): Uint8Array => crypto.getRandomValues(new Uint8Array(16));
 const random64 = (): bigint => crypto.getRandomValues(new BigUint64Array(1))[0] ?? 1n;
 const stampNow = (): Stamp => {
   const ms = Date.now();
@@ -38,7 +41,7 @@ export class Operator {
   player: BagPlayer | undefined;
   readonly connection: Connection;
   readonly stop = new EmergencyStopOrder();
-  readonly goal = new OperatorGoal(random64);
+  readonly missionRequest = new MissionRequest((service, request) => this.connection.call(service, request), drawId);
   readonly missionOrder = new MissionOrder();
   readonly record = new RecordOrder();
   readonly bags: BagList;
@@ -47,8 +50,8 @@ export class Operator {
   server: ServerInfo | undefined;
   /** Messages that came; whoever draws compares it. */
   version = 0;
-  /** Places that are being chosen on the map; undefined: none. */
-  draft: Waypoint[] | undefined;
+  /** A mission that is edited on the map; undefined: none. */
+  draft: MissionDraft | undefined;
   bySight = false;
   speeds: Speeds = speedChoices[1] ?? { linear: 0.2, angular: 0.7 };
   /** Keys that are held while the seat is taken, and the finger on the touch stick. */
@@ -56,7 +59,6 @@ export class Operator {
   touch: Point | undefined;
   hands: "keys" | "touch" | "gamepad" = "keys";
   #sender = new TeleopSender();
-  #waiting: readonly Waypoint[] | undefined;
   #files: StationFiles;
   /** Process of the recorder that is watched. */
   #recorder: number | undefined;
@@ -166,11 +168,40 @@ export class Operator {
     };
   }
 
-  /** Drive there; mission_control pauses first, so that two do not lead. */
-  driveTo(poses: readonly Waypoint[], now: number): void {
-    this.#waiting = poses;
-    this.draft = undefined;
-    if (leads(this.live.mission?.value)) this.missionOrder.pause(now);
+  /** Hands them to mission_control as one mission; a draft that is refused stays, to be mended. */
+  async sendDraft(): Promise<void> {
+    const { draft } = this;
+    if (draft === undefined || this.whyNotSend() !== undefined) return;
+    const accepted = await this.missionRequest.send(draft.places);
+    if (accepted && this.draft === draft) this.draft = undefined;
+    this.#onAnswer("the mission");
+  }
+
+  /** Why the draft cannot be sent as it is; undefined: it can. */
+  whyNotSend(): string | undefined {
+    const { map } = this;
+    const places = this.draft?.places ?? [];
+    const blocked = places.findIndex((place) => map !== undefined && !isFree(map, place));
+    if (this.player) return "A recording is shown.";
+    if (blocked >= 0) return `Place ${blocked + 1} is in a wall or beyond the map.`;
+    if (places.length === 0) return "Press on the map, drag for the heading.";
+    return this.missionRequest.isPending ? "Sent, no answer yet." : undefined;
+  }
+
+  /** Begins a draft with what is left of the present mission. */
+  editMission(): void {
+    this.draft = draftOf(this.live.route.points().filter(({ state }) => state !== "passed"));
+  }
+
+  async cancelMission(): Promise<void> {
+    await this.missionRequest.cancel();
+    this.#onAnswer("its end");
+  }
+
+  #onAnswer(what: string): void {
+    ++this.version;
+    const { phase } = this.missionRequest;
+    if (phase.kind === "failed") this.#say("error", "mission", `${what} is refused: ${phase.reason}`);
   }
 
   /** mission_control holds the vehicle where it is. */
@@ -180,8 +211,6 @@ export class Operator {
 
   /** The mission goes on with the waypoint where it was paused. */
   resumeMission(now: number): void {
-    this.#waiting = undefined;
-    this.goal.clear();
     this.missionOrder.resume(now);
   }
 
@@ -214,13 +243,6 @@ export class Operator {
     const words = this.missionOrder.due(this.live.mission?.value, now);
     if (words !== undefined) this.connection.publish(missionCommand, { data: words });
     if (this.missionOrder.unheeded) this.#notHeeded();
-    if (this.#waiting !== undefined && !this.missionOrder.pending) {
-      this.goal.set(this.#waiting);
-      this.#waiting = undefined;
-    }
-    const due = this.goal.due(now);
-    if (due === undefined) return;
-    if (!this.connection.publish(goal, { ...due, stamp: stampNow() })) this.goal.notSent();
   }
 
   #tickDriving(now: number): void {
@@ -259,11 +281,11 @@ export class Operator {
     this.connection.watchParameters([recordingParameter]);
   }
 
-  /** Trail and mission of before; a station without a recorder that writes tables has none. */
+  /** The trail of before; a station without a recorder that writes tables has none. */
   async #readHistory(): Promise<void> {
     const rows = async (name: keyof Tables): Promise<Row[]> => rowsOf(await this.#files.table(name).catch(() => ""));
-    const [location, goals, transmission_state] = await Promise.all([rows("location"), rows("goal"), rows("transmission_state")]);
-    this.live.onHistory(historyOf({ location, goal: goals, transmission_state }));
+    const [location, transmission_state] = await Promise.all([rows("location"), rows("transmission_state")]);
+    this.live.onHistory(historyOf({ location, transmission_state }));
     ++this.version;
   }
 
@@ -271,7 +293,6 @@ export class Operator {
     if (!isTopicRead(topic)) return;
     this.live.onMessage(topic, message as Topics[Topic], pageNow());
     ++this.version;
-    if (topic === "navigation_status") this.goal.onStatus(message as Topics["navigation_status"]);
     if (topic === "container_state") this.#watchRecorder(message as Topics["container_state"]);
     if (topic === "teleop/driver") {
       const { driver, asked_by } = message as Topics["teleop/driver"];
@@ -279,10 +300,8 @@ export class Operator {
     }
   }
 
-  /** A goal beside a mission_control that leads would be taken back at once: it is not sent. */
   #notHeeded(): void {
     this.missionOrder.unheeded = false;
-    this.#waiting = undefined;
     this.#say("error", "mission", "mission_control has not done what was asked");
   }
 

@@ -10,13 +10,8 @@ const locations = [
   "receive_s,pose.pose.position.x,pose.pose.position.y,pose.pose.orientation.z,pose.pose.orientation.w",
   ...[0, 1, 2, 3, 4].map((x) => `${100 + x},${x},${x % 2},0,1`),
 ].join("\n") + "\n";
-const goals = [
-  "receive_s,stamp.sec,stamp.nanosec,id,waypoint,x,y,yaw,tolerance_m,lifetime_s,ahead,mission",
-  '100,100,0,1,0,1,1,0,0.15,60,"[{""x"":2,""y"":2,""yaw"":0},{""x"":3,""y"":3,""yaw"":1}]",-7',
-].join("\n") + "\n";
 const decisions = "receive_s,role,active,qni\n99,gcs,0,10\n99,uxv,1,80\n102,uxv,0,20\n";
-const tables = { location: rowsOf(locations), goal: rowsOf(goals), transmission_state: rowsOf(decisions) };
-const mission = BigInt.asUintN(64, -7n);
+const tables = { location: rowsOf(locations), transmission_state: rowsOf(decisions) };
 
 describe("rowsOf", () => {
   it("reads quoted cells, and leaves out what is still being written", () => {
@@ -35,31 +30,16 @@ describe("History", () => {
   });
   it("leaves out positions that are none, and knows nothing of empty tables", () => {
     const location = rowsOf("receive_s,pose.pose.position.x,pose.pose.position.y\n1,,2\n");
-    const { trail, route } = historyOf({ location, goal: [], transmission_state: [] });
-    assert.deepEqual([trail.points, trail.tail, route.points()], [[], undefined, []]);
+    const { trail } = historyOf({ location, transmission_state: [] });
+    assert.deepEqual([trail.points, trail.tail], [[], undefined]);
   });
-  it("gives a page that opens late the trail of before and the whole mission", () => {
+  it("gives a page that opens late the trail of before", () => {
     const sut = new Station();
-    sut.onMessage("goal", make.goal({ id: 3n, waypoint: 2, x: 3, y: 3, mission }), 1000);
     sut.onMessage("location", make.location(4.5, 0), 1000);
     sut.onMessage("location", make.location(5, 0.5), 1100);
     sut.onHistory(historyOf(tables));
-    assert.deepEqual(sut.route.points().map(({ number, x, state }) => [number, x, state]),
-      [[1, 1, "passed"], [2, 2, "passed"], [3, 3, "present"]]);
     assert.deepEqual(sut.trail.points.map((one) => (one === "gap" ? one : one.x)), [0, 1, 2, 3, 4, 4.5]);
     assert.deepEqual([sut.trail.tail?.x, sut.trail.bounds?.min.x, sut.trail.bounds?.max.x], [5, 0, 5]);
-  });
-  it("knows the mission before a goal has come, and where the vehicle is in it", () => {
-    const sut = new Station();
-    sut.onMessage("navigation_status", make.navigation({ state: "driving", goal_id: 2n, mission }), 1000);
-    sut.onHistory(historyOf(tables));
-    assert.deepEqual(sut.route.points().map(({ state }) => state), ["passed", "present", "ahead"]);
-  });
-  it("keeps another mission's waypoints out", () => {
-    const sut = new Station();
-    sut.onMessage("goal", make.goal({ id: 1n, waypoint: 0, mission: 5n }), 1000);
-    sut.onHistory(historyOf(tables));
-    assert.equal(sut.route.points().length, 1);
   });
   it("draws no line over a stretch of which nothing is known", () => {
     const sut = new Station();

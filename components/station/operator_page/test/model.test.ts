@@ -267,6 +267,27 @@ describe("Route", () => {
     sut.onGoal(make.goal({ ...c, mission: 8n }));
     assert.equal(sut.points().length, 1);
   });
+  it("is all of mission_control's mission for a page that opens in the middle", () => {
+    const sut = new Route();
+    sut.onPath([a, b, c]);
+    sut.onMission(make.mission({ waypoint: 1, waypoints: 3 }));
+    assert.deepEqual(sut.points().map(({ number, x, state }) => [number, x, state]),
+      [[1, 1, "passed"], [2, 2, "present"], [3, 3, "ahead"]]);
+    sut.onMission(make.mission({ waypoint: 0, waypoints: 9 })); // of a mission whose path is still to come
+    assert.equal(sut.points()[1]?.state, "present");
+    sut.onMission(make.mission({ waypoint: 2, waypoints: 3, state: "done" }));
+    assert.ok(sut.points().every(({ state }) => state === "passed"));
+  });
+  it("keeps the whole mission when its goals come, and gives it up for the goal of another", () => {
+    const sut = new Route();
+    sut.onPath([a, b, c]);
+    sut.onGoal(make.goal({ ...b, id: 2n, waypoint: 1 }));
+    assert.deepEqual(sut.points().map(({ state }) => state), ["passed", "present", "ahead"]);
+    sut.onPath([c, b]);
+    assert.deepEqual(sut.points().map(({ x, state }) => [x, state]), [[3, "present"], [2, "ahead"]]);
+    sut.onGoal(make.goal({ ...a, mission: 8n }));
+    assert.deepEqual(sut.points().map(({ x }) => x), [1]);
+  });
   it("does not take the status of another mission for its own", () => {
     const sut = new Route();
     sut.onGoal(make.goal({ ...a, ahead: [b] }));

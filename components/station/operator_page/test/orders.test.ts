@@ -5,7 +5,6 @@ import { describe, it } from "node:test";
 import { type DriveConditions, DriverSeat, cameraLimitMs, vehicleLimitMs, whyNotDrive } from "../src/orders/driver_seat.ts";
 import { EmergencyStopOrder, type StopHeard } from "../src/orders/emergency_stop.ts";
 import { MissionOrder, leads } from "../src/orders/mission_order.ts";
-import { OperatorGoal, longestRoute } from "../src/orders/operator_goal.ts";
 import { isDrivingKey, keysVelocity, padVelocity, stickVelocity } from "../src/orders/stick.ts";
 import { TeleopSender, standing } from "../src/orders/teleop_sender.ts";
 import * as make from "./messages.ts";
@@ -220,63 +219,6 @@ describe("Stick", () => {
     assert.equal(padVelocity(pad(0), speeds), undefined);
     assert.deepEqual(padVelocity(pad(5), speeds), { linear: 0.4, angular: 0 });
     assert.equal(padVelocity({ ...pad(5), connected: false }, speeds), undefined);
-  });
-});
-
-describe("OperatorGoal", () => {
-  const [a, b] = [{ x: 1, y: 2, yaw: 0 }, { x: 3, y: 4, yaw: 1 }];
-  const drawn = () => {
-    let last = 40n;
-    return new OperatorGoal(() => ++last);
-  };
-  it("is sent at once, under an identity of its own, with the places that follow", () => {
-    const sut = drawn();
-    sut.set([a, b]);
-    const goal = sut.due(0);
-    assert.deepEqual([goal?.x, goal?.id, goal?.mission, goal?.ahead], [1, 1n, 41n, [b]]);
-  });
-  it("is repeated every 3 s until the vehicle names it, then renewed after 30 s", () => {
-    const sut = drawn();
-    sut.set([a]);
-    sut.due(0);
-    assert.equal(sut.due(2999), undefined);
-    assert.ok(sut.due(3000));
-    sut.onStatus(make.navigation({ mission: 41n, goal_id: 1n, state: "driving" }));
-    assert.equal(sut.due(32_999), undefined);
-    assert.ok(sut.due(33_000));
-    assert.equal(sut.phase, "driving");
-  });
-  it("is repeated when the vehicle only holds it", () => {
-    const sut = drawn();
-    sut.set([a]);
-    sut.due(0);
-    sut.onStatus(make.navigation({ mission: 41n, goal_id: 1n, state: "held" }));
-    assert.ok(sut.due(3000));
-    assert.equal(sut.phase, "held");
-  });
-  it("is over when the last place is reached, not the first", () => {
-    const sut = drawn();
-    sut.set([a, b]);
-    sut.onStatus(make.navigation({ mission: 41n, goal_id: 1n, state: "reached" }));
-    assert.equal(sut.phase, "driving");
-    sut.onStatus(make.navigation({ mission: 41n, goal_id: 2n, state: "reached" }));
-    assert.equal(sut.phase, "reached");
-    assert.equal(sut.due(1e9), undefined);
-  });
-  it("does not fight somebody who took over", () => {
-    const sut = drawn();
-    sut.set([a]);
-    sut.onStatus(make.navigation({ mission: 5n, goal_id: 1n, state: "driving" }));
-    assert.ok(sut.due(0), "the vehicle had not heard of it yet");
-    sut.onStatus(make.navigation({ mission: 41n, goal_id: 1n, state: "driving" }));
-    sut.onStatus(make.navigation({ mission: 6n, goal_id: 1n, state: "driving" }));
-    assert.equal(sut.phase, "taken over");
-    assert.equal(sut.due(1e9), undefined);
-  });
-  it("holds no more places than a goal may", () => {
-    const sut = drawn();
-    sut.set(Array.from({ length: 50 }, () => a));
-    assert.equal(sut.poses.length, longestRoute);
   });
 });
 

@@ -4,19 +4,17 @@ import { describe, it } from "node:test";
 
 import { decoderOf, encoderOf } from "../src/protocol/codec.ts";
 import { Connection, silenceLimitMs } from "../src/protocol/connection.ts";
-import { emergencyStopRequest, goal, teleopVelocity } from "../src/protocol/published.ts";
+import { emergencyStopRequest, teleopVelocity } from "../src/protocol/published.ts";
 
 describe("Codec", () => {
   it("writes CDR as it stands on the wire", () => {
     assert.deepEqual([...encoderOf(emergencyStopRequest.text)({ data: true })], [0, 1, 0, 0, 1]);
   });
   it("reads what it has written, with lists and 64-bit numbers", () => {
-    const message = {
-      stamp: { sec: 5, nanosec: 6 }, id: 2n ** 63n + 1n, waypoint: 3, x: 1.5, y: -2.5, yaw: 0.25,
-      tolerance_m: 0.15, lifetime_s: 60, ahead: [{ x: 1, y: 2, yaw: 3 }], mission: 2n ** 64n - 1n,
-    };
-    const decode = decoderOf({ name: goal.schemaName, encoding: "ros2msg", text: goal.text });
-    assert.deepEqual(decode?.(encoderOf(goal.text)(message)), message);
+    const message = { id: 2n ** 63n + 1n, x: 1.5, ahead: [{ x: 1, y: 2 }], mission: 2n ** 64n - 1n };
+    const text = `uint64 id\nfloat64 x\na/Place[] ahead\nuint64 mission\n${"=".repeat(80)}\nMSG: a/Place\nfloat64 x\nfloat64 y`;
+    const decode = decoderOf({ name: "a/Goal", encoding: "ros2msg", text });
+    assert.deepEqual(decode?.(encoderOf(text)(message)), message);
   });
   it("throws at a message that ends too early", () => {
     const bytes = encoderOf(teleopVelocity.text)({});
@@ -55,6 +53,18 @@ class FakeSocket {
       const message = typeof one === "string" ? JSON.parse(one) : {};
       return message.op === "subscribe" ? message.subscriptions : [];
     });
+  }
+  /** The answer to a call, as it stands on the wire. */
+  answers(service: number, call: number, payload: Uint8Array): void {
+    const bytes = new Uint8Array(16 + payload.length);
+    const view = new DataView(bytes.buffer);
+    view.setUint8(0, 3);
+    view.setUint32(1, service, true);
+    view.setUint32(5, call, true);
+    view.setUint32(9, 3, true);
+    bytes.set(new TextEncoder().encode("cdr"), 13);
+    bytes.set(payload, 16);
+    this.onmessage?.({ data: bytes.buffer });
   }
   data(subscription: number, payload: Uint8Array): void {
     const bytes = new Uint8Array(13 + payload.length);
@@ -107,6 +117,40 @@ describe("Connection", () => {
     assert.deepEqual([said.op, said.parameters], ["setParameters", [{ name: "/lamp.on", value: true }]]);
     last().says({ op: "parameterValues", parameters: [{ name: "/lamp.on", value: true }] });
     assert.deepEqual(parameters, [["/lamp.on", true]]);
+  });
+  const lampService = {
+    op: "advertiseServices",
+    services: [{
+      id: 4, name: "/lamp/set", type: "std_srvs/srv/SetBool",
+      request: { encoding: "cdr", schemaName: "R", schemaEncoding: "ros2msg", schema: "bool data" },
+      response: { encoding: "cdr", schemaName: "A", schemaEncoding: "ros2msg", schema: "bool success" },
+    }],
+  };
+  it("calls a service and hands on its answer", async () => {
+    const { sut, last } = setUp();
+    last().onopen?.({});
+    last().says(lampService);
+    const answer = sut.call("lamp/set", { data: true });
+    const sent = last().sent.at(-1) as Uint8Array;
+    assert.deepEqual([sent[0], sent[1], sent[5]], [2, 4, 1]);
+    last().answers(4, 1, new Uint8Array([0, 1, 0, 0, 1]));
+    assert.deepEqual(await answer, { success: true });
+  });
+  it("says why a call has no answer: nobody serves it, the server's reason, a loss, an answer that cannot be read", async () => {
+    const { sut, last } = setUp();
+    await assert.rejects(sut.call("lamp/set", {}), /no connection to the station/);
+    last().onopen?.({});
+    await assert.rejects(sut.call("lamp/set", {}), /nobody serves lamp\/set/);
+    last().says(lampService);
+    const refused = sut.call("lamp/set", {});
+    last().says({ op: "serviceCallFailure", serviceId: 4, callId: 1, message: "nobody answered in time" });
+    await assert.rejects(refused, /nobody answered in time/);
+    const unreadable = sut.call("lamp/set", {});
+    last().answers(4, 2, new Uint8Array(2));
+    await assert.rejects(unreadable, /the answer cannot be read/);
+    const lost = sut.call("lamp/set", {});
+    last().onclose?.({ code: 1006 });
+    await assert.rejects(lost, /the connection was lost before an answer/);
   });
   it("subscribes to what it reads, by the name without the slash, and to nothing else", () => {
     const { last, heard } = setUp();

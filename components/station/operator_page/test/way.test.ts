@@ -74,21 +74,22 @@ describe("WayFinder", () => {
 
 describe("WayAhead", () => {
   it("is straight without a map, and ends with the last place", () => {
-    assert.deepEqual(new WayAhead().through(undefined, left, [right]), [left, right]);
-    assert.deepEqual(new WayAhead().through(undefined, undefined, [left, right]), [left, right]);
+    assert.deepEqual(new WayAhead().through(undefined, left, [right]), [[left, right]]);
+    assert.deepEqual(new WayAhead().through(undefined, undefined, [left, right]), [[left, right]]);
     assert.deepEqual(new WayAhead().through(room(3), left, []), []);
   });
   it("leads through all places around the walls", () => {
-    const way = new WayAhead().through(room(3), left, [right, { x: 5, y: 3 }, left]);
+    const [way, ...others] = new WayAhead().through(room(3), left, [right, { x: 5, y: 3 }, left]) as [Point[]];
+    assert.deepEqual(others, []);
     assert.ok(lengthOf(way) > 10);
     for (const place of along(way)) assert.ok(isFree(room(3), place));
   });
   it("drops what is passed while the vehicle keeps to it", () => {
     const sut = new WayAhead();
     const map = room(3);
-    const before = sut.through(map, left, [right]);
+    const [before] = sut.through(map, left, [right]) as [Point[]];
     const beyond = { x: 4, y: 2 };
-    const after = sut.through(map, beyond, [right]);
+    const [after] = sut.through(map, beyond, [right]) as [Point[]];
     assert.ok(before.length > 2);
     assert.deepEqual([after[0], after.at(-1)], [beyond, right]);
     assert.ok(lengthOf(after) < 0.5 * lengthOf(before));
@@ -97,8 +98,22 @@ describe("WayAhead", () => {
     const sut = new WayAhead();
     sut.through(room(3), left, [right]);
     const aside = { x: 1, y: 3.5 };
-    const way = sut.through(room(3), aside, [right]);
+    const [way] = sut.through(room(3), aside, [right]) as [Point[]];
     assert.deepEqual(way[0], aside);
-    assert.deepEqual(sut.through(room(0.5), left, [right]), [left, right]);
+    assert.deepEqual(sut.through(room(0.5), left, [right]), [[left, right]]);
+  });
+  it("has a gap, and no line through the wall, where the map knows no way", () => {
+    const closed = room(4);
+    const lines = new WayAhead().through(closed, left, [{ x: 1, y: 3 }, right, { x: 5, y: 3 }]);
+    assert.deepEqual(lines.map((line) => [line[0], line.at(-1)]), [[left, { x: 1, y: 3 }], [right, { x: 5, y: 3 }]]);
+  });
+  it("searches a few new legs in a call, until all are known", () => {
+    const sut = new WayAhead();
+    const places = Array.from({ length: 1000 }, (_, index) => ({ x: 1 + (index % 7) * 0.2, y: 1 + (index % 11) * 0.2 }));
+    let calls = 0;
+    do sut.through(room(3), left, places);
+    while (!sut.isComplete && ++calls < 1000);
+    assert.ok(calls > 10, `${calls}`);
+    assert.equal(sut.through(room(3), left, places).length > 0, true);
   });
 });

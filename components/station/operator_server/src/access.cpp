@@ -123,8 +123,8 @@ bool is_plain(char c) {
          c == '_' || c == '-' || c == '/';
 }
 
-/// The tables that a page draws the trail and the mission from.
-constexpr std::array<const char*, 3> tables{"location.csv", "goal.csv", "transmission_state.csv"};
+/// The tables that a page draws the trail from.
+constexpr std::array<const char*, 2> tables{"location.csv", "transmission_state.csv"};
 
 /// A request for what only this run has; none: it is for a file of the page.
 std::optional<Verdict> verdict_of_run(const std::string& path, const RequestFacts& request) {

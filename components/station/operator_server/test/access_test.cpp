@@ -168,7 +168,8 @@ TEST(AccessTest, RecordingsAndWhatIfAreOfTheRunAndNotOfThePage) {
 }
 
 TEST(AccessTest, WhatIsOfTheRunNeedsTheTokenAndOurOwnPage) {
-  for (const std::string target : {"/bags", "/bags/bag_0.mcap", "/tables/goal.csv", "/what_if"}) {
+  for (const std::string target :
+       {"/bags", "/bags/bag_0.mcap", "/tables/location.csv", "/what_if"}) {
     RequestFacts request = request_for(target);
     EXPECT_EQ(status_of(judge(guarded_rules(), request)), 401U) << target;
     request.target = target + "?token=" + secret;

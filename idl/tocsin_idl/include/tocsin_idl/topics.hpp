@@ -146,6 +146,11 @@ struct MissionStatus {
   using Message = tocsin_msgs::msg::MissionStatus;
   static constexpr TopicInfo info{"mission_status", "state", Scope::link};
 };
+/// All waypoints of the present mission of mission_control, in the order of the drive; empty: none.
+struct MissionPath {
+  using Message = nav_msgs::msg::Path;
+  static constexpr TopicInfo info{"mission/path", "state", Scope::host};
+};
 /// What people ask of mission_control: "pause", "resume", or "skip N", N the present waypoint
 /// from 1.
 struct MissionCommand {
@@ -255,6 +260,6 @@ using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation, CmdVelDocking,
          CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs, MuxSetInputs,
          SafetyEnable, EmergencyStop, LinkStop, EmergencyStopRequest, EmergencyStopState,
-         MissionCommand, Map, LinkBudget, LogRequest, ContainerState>;
+         MissionPath, MissionCommand, Map, LinkBudget, LogRequest, ContainerState>;
 
 }  // namespace tocsin::topic

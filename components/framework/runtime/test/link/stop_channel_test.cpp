@@ -222,6 +222,25 @@ TEST_F(SecuredStopChannelTest, TellsARestartedPeerItsCertificateWithin200Millise
   EXPECT_FALSE(vehicle_->take_news().values.empty());
 }
 
+TEST_F(SecuredStopChannelTest, TellsARestartedPeerItsCertificateFiveTimesInASecond) {
+  open(enclave("gcs"), enclave("uxv1"));
+  const auto certificates_in_a_second = [&] {
+    constexpr std::uint8_t certificate = 0xc9;
+    int sent = 0;
+    for (int i = 0; i < 10; ++i) {
+      station_->say(value(true), now_);
+      for (const Bytes& one : station_->due(vehicle, now_)) sent += one[0] == certificate ? 1 : 0;
+      now_ += milliseconds(100);
+    }
+    return sent;
+  };
+  EXPECT_EQ(certificates_in_a_second(), 1);
+  const Bytes of_successor = packet(nullptr);
+  (void)station_->take(of_successor.data(), of_successor.size(), vehicle, now_, wall_s);
+  EXPECT_EQ(certificates_in_a_second(), 5);
+  EXPECT_EQ(certificates_in_a_second(), 1);
+}
+
 TEST_F(SecuredStopChannelTest, TakesNothingWithoutAValidSignature) {
   open("", enclave("uxv1"));
   station_->say(value(true), now_);

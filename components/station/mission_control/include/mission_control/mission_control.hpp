@@ -124,6 +124,8 @@ class MissionControl {
 
   /// Without waypoints while it is idle.
   [[nodiscard]] const navigation::Mission& mission() const { return mission_; }
+  /// Missions that were begun so far; another number: mission() is another one.
+  [[nodiscard]] std::uint32_t missions() const { return missions_; }
   [[nodiscard]] Progress progress(Time now) const;
   /// All arrivals of the mission so far, in order.
   [[nodiscard]] const std::vector<Arrival>& arrivals() const { return arrivals_; }
@@ -158,6 +160,7 @@ class MissionControl {
 
   Params params_;
   navigation::Mission mission_;
+  std::uint32_t missions_ = 0;
   std::uint32_t checksum_ = 0;
   std::uint64_t seed_;
   std::uint64_t identity_ = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "mission_control/mission_control.hpp"
@@ -47,6 +49,7 @@ class MissionControlComponent final : public Component {
   void log_arrivals();
   [[nodiscard]] std::string mission_name() const;
   void report(Time now);
+  void publish_path(Time now);
   void end_when_over(MissionControl::State state);
 
   Input<topic::Location> location_{*this, WakeMode::time_triggered};
@@ -54,11 +57,13 @@ class MissionControlComponent final : public Component {
   OptionalInput<topic::MissionCommand> orders_{*this};
   Output<topic::Goal> goal_{*this};
   Output<topic::MissionStatus> status_{*this};
+  Output<topic::MissionPath> path_{*this};
 
   Params params_;
   MissionControl control_;
   WaypointsServer waypoints_;
   std::size_t arrivals_logged_ = 0;
+  std::optional<std::uint32_t> published_missions_;  // whose path is published
   Time next_report_{};
   MissionControl::Progress reported_;
 };

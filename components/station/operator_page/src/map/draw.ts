@@ -3,6 +3,7 @@
 import { ageText } from "../model/freshness.ts";
 import type { Ellipse, Point } from "../model/geometry.ts";
 import type { OccupancyGrid, Waypoint } from "../model/messages.ts";
+import type { MissionDraft } from "../model/mission_draft.ts";
 import type { RoutePoint } from "../model/route.ts";
 import type { Theme } from "./theme.ts";
 import type { TrailPiece } from "./trail_pieces.ts";
@@ -66,9 +67,9 @@ export function drawTrail(sheet: Sheet, pieces: readonly TrailPiece<Path2D>[]): 
 }
 
 /** The way ahead, dashed, and the waypoints. */
-export function drawRoute(sheet: Sheet, route: readonly RoutePoint[], way: readonly Point[]): void {
+export function drawRoute(sheet: Sheet, route: readonly RoutePoint[], way: readonly Point[][]): void {
   const { context, theme } = sheet;
-  drawLine(sheet, way, theme.goal, 2, [6, 5]);
+  for (const line of way) drawLine(sheet, line, theme.goal, 2, [6, 5]);
   for (const point of route) {
     at(sheet, point, 0, () => {
       const isPresent = point.state === "present";
@@ -130,8 +131,27 @@ function drawLabel(context: CanvasRenderingContext2D, text: string, px: number, 
   context.fillText(text, 0, 0.5);
 }
 
-/** A place with a heading that is being chosen, or was. */
-export function drawGoal(sheet: Sheet, goal: Waypoint, label: string): void {
+/** A mission that is edited: its way and its places, the selected one with a ring. */
+export function drawDraft(sheet: Sheet, { places, selected }: MissionDraft, way: readonly Point[][]): void {
+  for (const line of way) drawLine(sheet, line, sheet.theme.goal, 2, [2, 4]);
+  places.forEach((place, index) => {
+    drawGoal(sheet, place, String(index + 1));
+    if (index === selected) drawRing(sheet, place);
+  });
+}
+
+function drawRing(sheet: Sheet, place: Point): void {
+  at(sheet, place, 0, () => {
+    sheet.context.beginPath();
+    sheet.context.arc(0, 0, 15, 0, tau);
+    sheet.context.strokeStyle = sheet.theme.text;
+    sheet.context.lineWidth = 2;
+    sheet.context.stroke();
+  });
+}
+
+/** A place with a heading. */
+function drawGoal(sheet: Sheet, goal: Waypoint, label: string): void {
   const { context, theme } = sheet;
   at(sheet, goal, goal.yaw, () => {
     context.lineWidth = 3;

@@ -4,7 +4,7 @@ import { type Freshness, freshness } from "../model/freshness.ts";
 import type { OccupancyGrid, Waypoint } from "../model/messages.ts";
 import type { Operator } from "../operator.ts";
 import { Backdrop, type Layer } from "./backdrop.ts";
-import { type Sheet, drawEllipse, drawGoal, drawLine, drawRoute, drawScale, drawVehicle } from "./draw.ts";
+import { type Sheet, drawDraft, drawEllipse, drawLine, drawRoute, drawScale, drawVehicle } from "./draw.ts";
 import { gridPixels, knownBounds } from "./grid.ts";
 import { MapHands } from "./map_hands.ts";
 import { type Theme, readTheme } from "./theme.ts";
@@ -27,6 +27,7 @@ export class MapCanvas {
     picture: (map) => this.#picture(map),
   });
   #way = new WayAhead();
+  #draftWay = new WayAhead();
   #grid: { of: OccupancyGrid; theme: Theme; picture: CanvasImageSource } | undefined;
   #known: { of: OccupancyGrid; bounds: Bounds | undefined } | undefined;
   /** Nobody has moved the map: it shows all. */
@@ -124,25 +125,23 @@ export class MapCanvas {
     const size = this.size();
     if (size.width === 0 || size.height === 0) return;
     this.#fitCanvas(size);
-    const { station, map, goal, draft } = this.operator;
+    const { station, map, draft } = this.operator;
     if (this.#showsAll) this.#showAll();
     if (this.follows && station.location) this.#view = this.#view.centredAt(station.location.value);
     const sheet = { context: this.#context, view: this.#view, size, theme: this.#theme };
     const { accessPoint } = this.operator;
     this.#backdrop.draw(sheet, window.devicePixelRatio || 1, { map, accessPoint, trail: station.trail });
     const place = station.location?.value;
-    const isLed = goal.poses.length === 0 || this.operator.player !== undefined;
     const route = station.route.points();
-    const ahead = isLed ? route.filter(({ state }) => state !== "passed") : goal.poses;
-    const way = this.#way.through(map, place, ahead);
-    if (isLed) drawRoute(sheet, route, way);
+    const isOver = station.mission !== undefined && ["done", "aborted"].includes(station.mission.value.state);
+    const ahead = isOver ? [] : route.filter(({ state }) => state !== "passed");
+    drawRoute(sheet, route, this.#way.through(map, place, ahead));
     if (station.plan && freshness(station.plan.at, now) !== "unknown") {
       drawLine(sheet, station.plan.value.poses.map(({ pose }) => pose.position), this.#theme.accent, 2, []);
     }
-    if (!isLed) drawLine(sheet, way, this.#theme.goal, 2, [6, 5]);
-    if (!isLed) goal.poses.forEach((one, index) => drawGoal(sheet, one, String(index + 1)));
     if (station.location) this.#drawVehicle(sheet, station.location.value, station.location.at, now);
-    draft?.forEach((one, index) => drawGoal(sheet, one, String(index + 1)));
+    if (draft) drawDraft(sheet, draft, this.#draftWay.through(map, place, draft.places));
+    if (!this.#way.isComplete || !this.#draftWay.isComplete) this.touch();
     drawScale(sheet);
   }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pointers, wheel and keys do on the map: move it, and choose places with headings.
+// What pointers, wheel and keys do on the map: move it, and edit a mission.
 import { isWriting } from "../keys.ts";
 import { type Point, distance } from "../model/geometry.ts";
-import type { Waypoint } from "../model/messages.ts";
-import { type Operator, pageNow } from "../operator.ts";
-import { isFree } from "./grid.ts";
+import { type MissionDraft, add, draftOf, emptyDraft, moveBy, moveTo, placeAt, remove, reorder, select, turnBy, turnTo } from "../model/mission_draft.ts";
+import type { Operator } from "../operator.ts";
 import type { Size, Viewport } from "./viewport.ts";
 
 /** Shorter drags [px] are a click: the heading stays. */
 const headingDragPx = 12;
+/** A place is taken within so many pixels: a finger is wide. */
+const reachPx = 18;
 
 /** The map that the hands work on. */
 export interface HandledMap {
@@ -25,7 +26,8 @@ export interface HandledMap {
 
 export class MapHands {
   #pointers = new Map<number, Point>();
-  #choosing = false;
+  /** What the pointer does with the selected place, and the draft before it went down. */
+  #edit: { readonly kind: "move" | "turn"; readonly before: MissionDraft } | undefined;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -54,21 +56,26 @@ export class MapHands {
     this.canvas.setPointerCapture(event.pointerId);
     this.#pointers.set(event.pointerId, pixel);
     const { draft, station } = this.operator;
-    if (draft === undefined || this.#pointers.size > 1) return;
-    this.#choosing = true;
+    if (this.#pointers.size > 1) return this.#takeBack();
+    if (draft === undefined) return;
     const place = this.map.view.toMap(pixel, this.map.size());
-    const before = (event.shiftKey ? draft.at(-1) : undefined) ?? station.location?.value;
-    const yaw = before ? Math.atan2(place.y - before.y, place.x - before.x) : 0;
-    const kept = event.shiftKey ? draft : [];
-    this.#setDraft([...kept, { ...place, yaw }]);
+    const taken = placeAt(draft, place, reachPx / this.map.view.scale);
+    this.#edit = { kind: taken === undefined || event.shiftKey ? "turn" : "move", before: draft };
+    this.#setDraft(taken === undefined ? add(draft, place, station.location?.value) : select(draft, taken));
   };
+
+  /** Two fingers move the map: the first one has edited nothing. */
+  #takeBack(): void {
+    if (this.#edit && this.operator.draft) this.#setDraft(this.#edit.before);
+    this.#edit = undefined;
+  }
 
   #move = (event: PointerEvent): void => {
     const before = this.#pointers.get(event.pointerId);
     if (before === undefined) return;
     const pixel = this.#pixelOf(event);
     const others = [...this.#pointers].filter(([id]) => id !== event.pointerId);
-    if (this.#choosing) return this.#turn(pixel);
+    if (this.#edit && this.operator.draft) return this.#edited(this.#edit.kind, this.operator.draft, pixel);
     this.#pointers.set(event.pointerId, pixel);
     const other = others[0]?.[1];
     if (other !== undefined) this.#pinch(other, before, pixel);
@@ -77,7 +84,7 @@ export class MapHands {
 
   #up = (event: PointerEvent): void => {
     this.#pointers.delete(event.pointerId);
-    this.#choosing = false;
+    this.#edit = undefined;
   };
 
   #wheel = (event: WheelEvent): void => {
@@ -95,17 +102,16 @@ export class MapHands {
     this.map.setView(this.map.view.zoomed(factor, fixed, this.map.size()));
   }
 
-  #turn(pixel: Point): void {
-    const draft = this.operator.draft ?? [];
-    const last = draft.at(-1);
-    if (last === undefined) return;
-    const from = this.map.view.toScreen(last, this.map.size());
+  #edited(kind: "move" | "turn", draft: MissionDraft, pixel: Point): void {
+    if (kind === "move") return this.#setDraft(moveTo(draft, this.map.view.toMap(pixel, this.map.size())));
+    const place = draft.places[draft.selected ?? 0];
+    if (place === undefined) return;
+    const from = this.map.view.toScreen(place, this.map.size());
     if (distance(from, pixel) < headingDragPx) return;
-    const yaw = Math.atan2(from.y - pixel.y, pixel.x - from.x);
-    this.#setDraft([...draft.slice(0, -1), { ...last, yaw }]);
+    this.#setDraft(turnTo(draft, Math.atan2(from.y - pixel.y, pixel.x - from.x)));
   }
 
-  #setDraft(draft: Waypoint[] | undefined): void {
+  #setDraft(draft: MissionDraft | undefined): void {
     this.operator.draft = draft;
     this.map.touch();
     this.map.onChange();
@@ -136,36 +142,35 @@ export class MapHands {
     return action !== undefined;
   }
 
-  /** By keyboard a goal begins in the middle of what is seen. */
-  #firstDraft(): Waypoint[] {
+  /** By keyboard a mission begins in the middle of what is seen. */
+  #firstDraft(): MissionDraft {
     const { x, y } = this.map.view.centre;
-    return document.activeElement === this.canvas ? [{ x, y, yaw: 0 }] : [];
+    return document.activeElement === this.canvas ? draftOf([{ x, y, yaw: 0 }]) : emptyDraft;
   }
 
-  #draftAction(key: string, draft: Waypoint[]): (() => void) | undefined {
+  #draftAction(key: string, draft: MissionDraft): (() => void) | undefined {
     const step = 12 / this.map.view.scale;
-    const move = (dx: number, dy: number, turn = 0) => (): void => {
-      const last = draft.at(-1) ?? { ...this.map.view.centre, yaw: 0 };
-      const moved = { x: last.x + dx * step, y: last.y + dy * step, yaw: wrap(last.yaw + turn) };
-      this.operator.draft = [...draft.slice(0, -1), moved];
-    };
+    const selected = draft.selected ?? -1;
+    const { x, y } = draft.places[selected] ?? this.map.view.centre;
+    const becomes = (next: MissionDraft) => (): void => void (this.operator.draft = next);
     const actions: Record<string, () => void> = {
-      ArrowUp: move(0, 1),
-      ArrowDown: move(0, -1),
-      ArrowLeft: move(-1, 0),
-      ArrowRight: move(1, 0),
-      "[": move(0, 0, Math.PI / 12),
-      "]": move(0, 0, -Math.PI / 12),
+      ArrowUp: becomes(moveBy(draft, 0, step)),
+      ArrowDown: becomes(moveBy(draft, 0, -step)),
+      ArrowLeft: becomes(moveBy(draft, -step, 0)),
+      ArrowRight: becomes(moveBy(draft, step, 0)),
+      "[": becomes(turnBy(draft, Math.PI / 12)),
+      "]": becomes(turnBy(draft, -Math.PI / 12)),
+      Insert: becomes(add(draft, { x: x + 3 * step, y })),
+      Delete: becomes(remove(draft)),
+      Backspace: becomes(remove(draft)),
+      PageUp: becomes(reorder(draft, -1)),
+      PageDown: becomes(reorder(draft, 1)),
+      ",": becomes(select(draft, selected - 1)),
+      ".": becomes(select(draft, selected + 1)),
       Escape: () => (this.operator.draft = undefined),
-      Enter: () => {
-        const { map } = this.operator;
-        const isGood = draft.length > 0 && !this.operator.player && draft.every((place) => map === undefined || isFree(map, place));
-        if (isGood) this.operator.driveTo(draft, pageNow());
-      },
+      Enter: () => void this.operator.sendDraft(),
     };
     const isTaken = this.operator.seat.taken && key.startsWith("Arrow");
     return isTaken ? undefined : actions[key];
   }
 }
-
-const wrap = (angle: number): number => Math.atan2(Math.sin(angle), Math.cos(angle));

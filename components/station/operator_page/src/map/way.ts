@@ -191,6 +191,9 @@ class Queue {
   }
 }
 
+/** New legs that one call searches: a picture is not held up by a mission of a thousand places. */
+const mostSearches = 4;
+
 /** Farther from the way that was found [m] the vehicle takes another one. */
 const strayM = 0.4;
 
@@ -200,14 +203,21 @@ export class WayAhead {
   #finder: WayFinder | undefined;
   #legs = new Map<string, Point[]>();
   #first: { readonly to: Point; readonly way: Point[] } | undefined;
+  #searches = 0;
+  /** Whether all legs were searched; if not, the next call goes on. */
+  isComplete = true;
 
-  /** Straight where the map, or a way in it, is not known. */
-  through(map: OccupancyGrid | undefined, from: Point | undefined, places: readonly Point[]): Point[] {
+  /** Lines, with a gap where the map knows no way; straight without a map. Searches few new legs in each call. */
+  through(map: OccupancyGrid | undefined, from: Point | undefined, places: readonly Point[]): Point[][] {
     if (map !== this.#map) this.#begin(map);
+    this.#searches = 0;
+    this.isComplete = true;
     const [next, ...others] = places;
     if (next === undefined) return [];
-    const first = from === undefined ? [next] : this.#fromVehicle(from, next);
-    return [...first, ...others.flatMap((to, index) => this.#leg(places[index] ?? to, to).slice(1))];
+    const used = new Map<string, Point[]>();
+    const legs = others.map((to, index) => this.#leg(places[index] ?? to, to, used));
+    this.#legs = used;
+    return joined(from === undefined ? legs : [this.#fromVehicle(from, next), ...legs]);
   }
 
   #begin(map: OccupancyGrid | undefined): void {
@@ -217,11 +227,21 @@ export class WayAhead {
     this.#first = undefined;
   }
 
-  #leg(from: Point, to: Point): Point[] {
+  /** Empty: there is no way, or it was not searched yet. */
+  #leg(from: Point, to: Point, used: Map<string, Point[]>): Point[] {
     const key = `${from.x} ${from.y} ${to.x} ${to.y}`;
-    let way = this.#legs.get(key);
-    if (way === undefined) this.#legs.set(key, (way = this.#finder?.way(from, to) ?? [from, to]));
+    const known = used.get(key) ?? this.#legs.get(key);
+    if (known === undefined && ++this.#searches > mostSearches) {
+      this.isComplete = false;
+      return [];
+    }
+    const way = known ?? this.#search(from, to);
+    used.set(key, way);
     return way;
+  }
+
+  #search(from: Point, to: Point): Point[] {
+    return this.#finder === undefined ? [from, to] : this.#finder.way(from, to) ?? [];
   }
 
   #fromVehicle(from: Point, to: Point): Point[] {
@@ -229,9 +249,21 @@ export class WayAhead {
     const isSame = known !== undefined && known.to.x === to.x && known.to.y === to.y;
     const rest = isSame ? restOf(known.way, from) : undefined;
     if (rest !== undefined) return [from, ...rest];
-    this.#first = { to, way: this.#finder?.way(from, to) ?? [from, to] };
+    this.#first = { to, way: this.#search(from, to) };
     return this.#first.way;
   }
+}
+
+/** Lines of ways that go on where the one before ends. */
+function joined(ways: readonly Point[][]): Point[][] {
+  const lines: Point[][] = [];
+  let isOpen = false;
+  for (const way of ways) {
+    if (isOpen && way.length > 0) lines.at(-1)?.push(...way.slice(1));
+    else if (way.length > 0) lines.push([...way]);
+    isOpen = way.length > 0;
+  }
+  return lines;
 }
 
 /** What of a way lies before who is on it; undefined: nobody is. */

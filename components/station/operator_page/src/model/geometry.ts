@@ -13,6 +13,9 @@ export const distance = (a: Point, b: Point): number => Math.hypot(a.x - b.x, a.
 export const yawOf = (q: Quaternion): number =>
   Math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
 
+/** The rotation about z by a heading. */
+export const quaternionOf = (yaw: number): Quaternion => ({ x: 0, y: 0, z: Math.sin(yaw / 2), w: Math.cos(yaw / 2) });
+
 export const isFinitePose = (pose: Waypoint): boolean =>
   Number.isFinite(pose.x) && Number.isFinite(pose.y) && Number.isFinite(pose.yaw);
 

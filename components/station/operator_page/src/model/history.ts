@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The trail and the mission from before the page was opened, from the tables of the station's recorder. Pure.
+// The trail from before the page was opened, from the tables of the station's recorder. Pure.
 import { yawOf } from "./geometry.ts";
-import type { Goal, Waypoint } from "./messages.ts";
-import { Route } from "./route.ts";
 import { Trail } from "./trail.ts";
 
 export type Row = Readonly<Record<string, string>>;
@@ -25,18 +23,14 @@ function cellsOf(line: string): string[] {
 
 export interface Tables {
   readonly location: readonly Row[];
-  readonly goal: readonly Row[];
   readonly transmission_state: readonly Row[];
 }
 
 export interface History {
   readonly trail: Trail;
-  readonly route: Route;
 }
 
-export function historyOf({ location, goal, transmission_state }: Tables): History {
-  const route = new Route();
-  for (const row of goal) route.onGoal(goalOf(row));
+export function historyOf({ location, transmission_state }: Tables): History {
   const decisions = transmission_state.filter(({ role }) => role === "uxv");
   const trail = new Trail();
   let next = 0;
@@ -48,29 +42,10 @@ export function historyOf({ location, goal, transmission_state }: Tables): Histo
     if (!Number.isFinite(place.x + place.y + yaw)) continue;
     trail.add(place, decision && number(decision, "qni"), decision?.["active"] === "0");
   }
-  return { trail, route };
+  return { trail };
 }
 
 const number = (row: Row | undefined, name: string): number => {
   const text = row?.[name] ?? "";
   return text === "" ? NaN : Number(text);
 };
-
-const big = (text: string | undefined): bigint => BigInt.asUintN(64, BigInt(/^-?\d+$/.test(text ?? "") ? (text ?? "0") : "0"));
-
-function goalOf(row: Row): Goal {
-  return {
-    ...{ stamp: { sec: number(row, "stamp.sec"), nanosec: number(row, "stamp.nanosec") }, id: big(row["id"]) },
-    ...{ waypoint: number(row, "waypoint"), x: number(row, "x"), y: number(row, "y"), yaw: number(row, "yaw") },
-    ...{ tolerance_m: number(row, "tolerance_m"), lifetime_s: number(row, "lifetime_s"), mission: big(row["mission"]) },
-    ahead: placesOf(row["ahead"] ?? "[]"),
-  };
-}
-
-function placesOf(json: string): Waypoint[] {
-  try {
-    return JSON.parse(json) as Waypoint[];
-  } catch {
-    return []; // cut off by the recorder
-  }
-}

@@ -253,6 +253,7 @@ export interface Topics {
   goal: Goal;
   navigation_status: NavigationStatus;
   mission_status: MissionStatus;
+  "mission/path": Path;
   memory_usage: MemoryUsage;
   cpu_load: CpuLoad;
   cpu_temperature: Temperature;
@@ -281,6 +282,7 @@ const everyTopic: Record<Topic, true> = {
   goal: true,
   navigation_status: true,
   mission_status: true,
+  "mission/path": true,
   memory_usage: true,
   cpu_load: true,
   cpu_temperature: true,

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Goal, NavigationStatus, Waypoint } from "./messages.ts";
+import { distance } from "./geometry.ts";
+import type { Goal, MissionStatus, NavigationStatus, Waypoint } from "./messages.ts";
+
+/** Places that are nearer to each other [m] are the same. */
+const sameM = 0.001;
 
 export type WaypointState = "passed" | "present" | "ahead";
 
@@ -9,30 +13,34 @@ export interface RoutePoint extends Waypoint {
   readonly state: WaypointState;
 }
 
-/** The waypoints of the mission that is driven, as its goals tell them one after the other. */
+/** The waypoints of the mission that is driven: mission_control publishes all of them, goals of others name theirs. */
 export class Route {
   #mission: bigint | undefined;
   #waypoints = new Map<number, Waypoint>();
   #present = 0;
   #firstId = 0n;
 
+  /** All waypoints of mission_control's mission. */
+  onPath(waypoints: readonly Waypoint[]): void {
+    this.#waypoints = new Map(waypoints.entries());
+    this.#present = 0;
+  }
+
+  /** Where mission_control is in it. */
+  onMission({ state, waypoint, waypoints }: MissionStatus): void {
+    if (waypoints !== this.#waypoints.size) return; // of a path that is still to come
+    this.#present = state === "done" ? waypoints : waypoint;
+  }
+
   onGoal(goal: Goal): void {
     // The lower half of a mission's identity is a checksum of its waypoints: the same way.
-    if (this.#mission === undefined || low(this.#mission) !== low(goal.mission)) this.#waypoints.clear();
+    const isSame = this.#mission !== undefined && low(this.#mission) === low(goal.mission);
+    if (!isSame && !this.#holds(goal)) this.#waypoints.clear();
     this.#mission = goal.mission;
     this.#firstId = goal.id - BigInt(goal.waypoint);
     this.#present = goal.waypoint;
     this.#waypoints.set(goal.waypoint, goal);
     goal.ahead.forEach((one, index) => this.#waypoints.set(goal.waypoint + 1 + index, one));
-  }
-
-  /** What was known of the same mission before; of none yet, all of it. */
-  adopt(earlier: Route): void {
-    if (earlier.#mission === undefined) return;
-    if (this.#mission === undefined) {
-      [this.#mission, this.#firstId, this.#present] = [earlier.#mission, earlier.#firstId, earlier.#present];
-    } else if (low(this.#mission) !== low(earlier.#mission)) return;
-    for (const [index, place] of earlier.#waypoints) if (!this.#waypoints.has(index)) this.#waypoints.set(index, place);
   }
 
   /** The vehicle may have gone on by itself. */
@@ -41,6 +49,11 @@ export class Route {
     const told = Number(status.goal_id - this.#firstId);
     if (!this.#waypoints.has(told)) return;
     this.#present = status.state === "reached" && !this.#waypoints.has(told + 1) ? told + 1 : told;
+  }
+
+  #holds({ waypoint, x, y }: Goal): boolean {
+    const known = this.#waypoints.get(waypoint);
+    return known !== undefined && distance(known, { x, y }) < sameM;
   }
 
   points(): RoutePoint[] {

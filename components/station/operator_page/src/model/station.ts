@@ -20,6 +20,7 @@ import {
   type NetworkQuality,
   type OccupancyGrid,
   type Path,
+  type Pose,
   type PoseWithCovarianceStamped,
   type Role,
   type SafetyStatus,
@@ -110,10 +111,8 @@ export class Station {
   }
 
   /** What was the case before the first message came. */
-  onHistory({ trail, route }: History): void {
+  onHistory({ trail }: History): void {
     this.trail.prepend(trail);
-    this.route.adopt(route);
-    if (this.navigation) this.route.onStatus(this.navigation.value);
   }
 
   side(role: Role): Side {
@@ -152,10 +151,12 @@ export class Station {
     navigation_status: (value, at) => this.#onNavigation(value, at),
     mission_status: (value, at) => {
       this.mission = { value, at };
+      this.route.onMission(value);
       const text = `mission ${value.mission}: ${value.state}`;
       const severity = value.state === "aborted" ? "error" : "info";
       this.journal.onChange("mission", { at, severity, source: "mission", text });
     },
+    "mission/path": ({ poses }) => this.route.onPath(poses.map(({ pose }) => waypointOf(pose))),
     memory_usage: (message, at) => (this.memoryPercent = { value: message.used_percent, at }),
     cpu_load: (message, at) => (this.cpuPercent = { value: message.load_percent, at }),
     cpu_temperature: (message, at) => (this.temperatureC = { value: message.temperature, at }),
@@ -192,8 +193,7 @@ export class Station {
   }
 
   #onLocation(message: PoseWithCovarianceStamped, at: number): void {
-    const { position, orientation } = message.pose.pose;
-    const pose = { x: position.x, y: position.y, yaw: yawOf(orientation) };
+    const pose = waypointOf(message.pose.pose);
     if (!isFinitePose(pose)) return;
     this.location = { value: { ...pose, ellipse: ellipse95(message.pose.covariance) }, at };
     const transmission = this.uxv.transmission?.value;
@@ -263,6 +263,8 @@ export class Station {
     this.journal.add({ at, severity, source: message.name, text: message.msg });
   }
 }
+
+const waypointOf = ({ position: { x, y }, orientation }: Pose): Waypoint => ({ x, y, yaw: yawOf(orientation) });
 
 const bits = (value: number, names: readonly string[]): string =>
   names.filter((_, index) => value & (1 << index)).join(" and ");

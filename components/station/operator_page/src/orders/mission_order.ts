@@ -57,7 +57,7 @@ export class MissionOrder {
   }
 }
 
-/** Whether mission_control sends goals, so that it must pause before others do. */
+/** Whether mission_control sends goals. */
 export const leads = (status: MissionStatus | undefined): boolean =>
   status !== undefined && (status.state === "running" || status.state === "waiting");
 

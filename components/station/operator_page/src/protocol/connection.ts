@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The connection to the station's server: comes back by itself, with all subscriptions, and finds
 // out by silence when the other end is gone without a word (browsers cannot ping).
-import { type Channel, FoxgloveClient, type IWebSocket } from "@foxglove/ws-protocol";
+import { type Channel, FoxgloveClient, type IWebSocket, type Service } from "@foxglove/ws-protocol";
 
 import { type Decode, type Encode, decoderOf, encoderOf } from "./codec.ts";
 import { type Published, allPublished } from "./published.ts";
@@ -46,6 +46,13 @@ export interface ConnectionOptions {
   readonly openSocket: (url: string, subprotocols: string[]) => IWebSocket;
 }
 
+/** A call that is under way. */
+interface PendingCall {
+  readonly decode: Decode;
+  readonly resolve: (response: unknown) => void;
+  readonly reject: (reason: Error) => void;
+}
+
 interface Subscription {
   readonly topic: string;
   readonly channel: number;
@@ -60,6 +67,9 @@ export class Connection {
   #subscriptions = new Map<number, Subscription>();
   #channels = new Map<string, number>();
   #encoders = new Map<string, Encode>();
+  #services = new Map<string, Service>();
+  #calls = new Map<number, PendingCall>();
+  #lastCall = 0;
   #heard = 0;
   #retryAt = 0;
   #paused = new Set<string>();
@@ -91,6 +101,22 @@ export class Connection {
       this.options.onTrouble(`${what.topic} was not sent: ${String(error)}`);
       return false;
     }
+  }
+
+  /** Calls a service, by its name without the slash. Rejects with the server's reason, or that of the loss. */
+  call(name: string, request: object): Promise<unknown> {
+    const service = this.#services.get(name);
+    const client = this.#client;
+    if (client === undefined || this.state.phase !== "open") return Promise.reject(new Error("no connection to the station"));
+    if (service?.request === undefined || service.response === undefined) return Promise.reject(new Error(`nobody serves ${name}`));
+    const { request: asked, response: answered } = service;
+    return new Promise((resolve, reject) => {
+      const data = encoderOf(asked.schema)(request);
+      const decode = decoderOf({ name: answered.schemaName, encoding: answered.schemaEncoding, text: answered.schema });
+      if (decode === undefined) throw new Error(`${name}: schemas in ${answered.schemaEncoding} are not read here`);
+      this.#calls.set(++this.#lastCall, { decode, resolve, reject });
+      client.sendServiceCallRequest({ serviceId: service.id, callId: this.#lastCall, encoding: "cdr", data });
+    });
   }
 
   /** Asks for parameters, `/node.parameter`, and for their changes as long as this connection is there. */
@@ -145,6 +171,16 @@ export class Connection {
     client.on("status", mine((status) => options.onTrouble(status.message)));
     client.on("advertise", mine((channels) => this.#subscribe(channels)));
     client.on("unadvertise", mine((ids) => ids.forEach((id) => this.#unadvertised(id))));
+    client.on("advertiseServices", mine((services) => {
+      for (const service of services) this.#services.set(plainTopic(service.name), service);
+    }));
+    client.on("unadvertiseServices", mine((ids) => {
+      for (const [name, { id }] of this.#services) if (ids.includes(id)) this.#services.delete(name);
+    }));
+    client.on("serviceCallResponse", mine(({ callId, data }) => this.#answered(callId, (call) => call.resolve(call.decode(data)))));
+    client.on("serviceCallFailure", mine(({ callId, message }) => {
+      this.#answered(callId, (call) => call.reject(new Error(message)));
+    }));
     client.on("time", mine(() => undefined));
     client.on("parameterValues", mine(({ parameters }) => {
       for (const { name, value } of parameters) options.onParameter(name, value);
@@ -222,6 +258,17 @@ export class Connection {
     this.options.onMessage(found.topic, message, logTimeMs);
   }
 
+  #answered(id: number, end: (call: PendingCall) => void): void {
+    const call = this.#calls.get(id);
+    this.#calls.delete(id);
+    if (call === undefined) return;
+    try {
+      end(call);
+    } catch (error) {
+      call.reject(new Error(`the answer cannot be read: ${String(error)}`));
+    }
+  }
+
   #lose(reason: string): void {
     const now = this.options.now();
     const { phase, tries } = this.state;
@@ -234,6 +281,9 @@ export class Connection {
     this.#subscriptions.clear();
     this.#channels.clear();
     this.#known.clear();
+    this.#services.clear();
+    for (const { reject } of this.#calls.values()) reject(new Error(`the connection was lost before an answer: ${reason}`));
+    this.#calls.clear();
     this.offered.clear();
     client?.close();
   }

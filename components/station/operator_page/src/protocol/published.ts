@@ -32,17 +32,6 @@ export const teleopVelocity: Published = {
   ),
 };
 
-export const goal: Published = {
-  topic: "goal",
-  schemaName: "tocsin_msgs/msg/Goal",
-  text: parts(
-    "builtin_interfaces/Time stamp\nuint64 id\nuint32 waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw\n" +
-      "float64 tolerance_m\nfloat64 lifetime_s\ntocsin_msgs/Waypoint[] ahead\nuint64 mission",
-    time,
-    "MSG: tocsin_msgs/Waypoint\nfloat64 x\nfloat64 y\nfloat64 yaw",
-  ),
-};
-
 export const missionCommand: Published = {
   topic: "mission/command",
   schemaName: "std_msgs/msg/String",
@@ -59,7 +48,6 @@ export const driverRequest: Published = {
 export const allPublished: readonly Published[] = [
   emergencyStopRequest,
   teleopVelocity,
-  goal,
   missionCommand,
   driverRequest,
 ];

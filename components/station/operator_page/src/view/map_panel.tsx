@@ -2,9 +2,9 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { MapCanvas } from "../map/map_canvas.ts";
-import { isFree } from "../map/grid.ts";
+import { type MissionDraft, emptyDraft, remove, reorder, select, turnBy } from "../model/mission_draft.ts";
 import { qualityWords } from "../model/quality.ts";
-import { type Operator, pageNow } from "../operator.ts";
+import type { Operator } from "../operator.ts";
 import { Panel } from "./parts.tsx";
 
 export function MapPanel({ operator }: { operator: Operator }) {
@@ -18,8 +18,9 @@ export function MapPanel({ operator }: { operator: Operator }) {
     return () => canvas.dispose();
   }, [operator]);
   const { draft } = operator;
-  const setDraft = (poses: typeof draft): void => {
-    operator.draft = poses;
+  const setDraft = (next: typeof draft): void => {
+    operator.draft = next;
+    map.current?.touch();
     redraw((count) => count + 1);
   };
   return (
@@ -40,39 +41,50 @@ export function MapPanel({ operator }: { operator: Operator }) {
           </button>
           <button
             type="button"
-            title="Choose a goal (G)"
+            title="Choose places (G)"
             aria-pressed={draft !== undefined}
-            onClick={() => setDraft(draft ? undefined : [])}
+            onClick={() => setDraft(draft ? undefined : emptyDraft)}
           >
-            Goal
+            Mission
           </button>
         </div>
-        {draft && <GoalBar operator={operator} setDraft={setDraft} />}
       </div>
+      {draft && <MissionBar operator={operator} setDraft={setDraft} />}
     </Panel>
   );
 }
 
-function GoalBar({ operator, setDraft }: { operator: Operator; setDraft: (poses: Operator["draft"]) => void }) {
-  const draft = operator.draft ?? [];
-  const { map } = operator;
-  const blocked = draft.findIndex((place) => map !== undefined && !isFree(map, place));
+/** What is edited, with buttons for fingers and for who has no pointer. */
+function MissionBar({ operator, setDraft }: { operator: Operator; setDraft: (draft: Operator["draft"]) => void }) {
+  const draft = operator.draft ?? emptyDraft;
+  const fault = operator.whyNotSend();
+  const count = draft.places.length;
+  const selected = draft.selected ?? -1;
+  const step = (label: string, title: string, next: MissionDraft, disabled = selected < 0) => (
+    <button type="button" title={title} aria-label={title} disabled={disabled} onClick={() => setDraft(next)}>{label}</button>
+  );
   return (
-    <div class="goal-bar">
-      {blocked >= 0
-        ? <span class="refused">Place {blocked + 1} is in a wall or beyond the map.</span>
-        : draft.length === 0
-        ? <span title="Arrow keys move, [ ] turn">Press on the map, drag for the heading.</span>
-        : <span>{draft.length === 1 ? "Goal" : `Route of ${draft.length}`}. Shift adds a place.</span>}
+    <div class="mission-bar">
+      {fault !== undefined && count > 0
+        ? <span class="refused" role="status">{fault}</span>
+        : <span title="Arrow keys move, [ ] turn, Insert adds, Delete removes, PageUp and PageDown reorder" role="status">
+            {fault ?? `Place ${selected + 1} of ${count}: drag to move. A press beside it adds one.`}
+          </span>}
+      <span class="buttons edit">
+        {step("‹", "Select the place before (,)", select(draft, selected - 1), selected <= 0)}
+        {step("›", "Select the next place (.)", select(draft, selected + 1), selected + 1 >= count)}
+        {step("↑", "Earlier in the order (PageUp)", reorder(draft, -1), selected <= 0)}
+        {step("↓", "Later in the order (PageDown)", reorder(draft, 1), selected + 1 >= count)}
+        {step("↺", "Turn left ([)", turnBy(draft, Math.PI / 12))}
+        {step("↻", "Turn right (])", turnBy(draft, -Math.PI / 12))}
+        {step("Remove", "Remove the place (Delete)", remove(draft))}
+        {count === 0 && operator.station.route.points().length > 0 &&
+          <button type="button" onClick={() => { operator.editMission(); setDraft(operator.draft); }}>Edit the present one</button>}
+      </span>
       <span class="buttons">
-        <button type="button" onClick={() => setDraft(undefined)}>Cancel <kbd>Esc</kbd></button>
-        <button
-          type="button"
-          class="go"
-          disabled={draft.length === 0 || blocked >= 0 || operator.player !== undefined}
-          onClick={() => operator.driveTo(draft, pageNow())}
-        >
-          Drive there <kbd>Enter</kbd>
+        <button type="button" onClick={() => setDraft(undefined)}>Leave <kbd>Esc</kbd></button>
+        <button type="button" class="go" disabled={fault !== undefined} onClick={() => void operator.sendDraft()}>
+          {count > 1 ? `Send ${count} places` : "Drive there"} <kbd>Enter</kbd>
         </button>
       </span>
     </div>

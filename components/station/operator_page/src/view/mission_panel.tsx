@@ -2,11 +2,12 @@
 import type { MissionStatus } from "../model/messages.ts";
 import { type Operator, pageNow } from "../operator.ts";
 import { leads } from "../orders/mission_order.ts";
+import type { Phase } from "../orders/mission_request.ts";
 import { Panel, Value, number } from "./parts.tsx";
 
-/** How far the mission is, and who leads it: mission_control, or the operator's own goal. */
+/** How far the mission is, by mission_control's word, and what is asked of it. */
 export function MissionPanel({ operator, now }: { operator: Operator; now: number }) {
-  const { station, goal } = operator;
+  const { station } = operator;
   const state = station.mission?.value.state;
   const isLive = operator.player === undefined;
   const runs = isLive && leads(station.mission?.value);
@@ -22,6 +23,10 @@ export function MissionPanel({ operator, now }: { operator: Operator; now: numbe
           onClick={() => operator.skipWaypoint(pageNow())}>
           Skip waypoint
         </button>
+        <button type="button" disabled={!isLive || !canCancel(station.mission?.value) || operator.missionRequest.isPending}
+          title="End the mission: the vehicle halts" onClick={() => void operator.cancelMission()}>
+          Cancel mission
+        </button>
       </div>
       <dl class="values">
         <Value label="Mission" heard={station.mission} now={now} bad={({ state }) => state === "aborted"}
@@ -35,10 +40,24 @@ export function MissionPanel({ operator, now }: { operator: Operator; now: numbe
           show={({ x, y }) => `${x.toFixed(2)}, ${y.toFixed(2)}\u202fm`} />
       </dl>
       {station.mission && <Progress mission={station.mission.value} />}
-      {goal.phase !== "none" && <p class="operator-goal">Your goal: {goal.phase}</p>}
+      <Answer phase={operator.missionRequest.phase} />
     </Panel>
   );
 }
+
+/** What mission_control answered to what this page has asked. */
+function Answer({ phase }: { phase: Phase }) {
+  if (phase.kind === "none") return null;
+  const isRefused = phase.kind === "failed";
+  const text = isRefused ? `Mission refused: ${phase.reason}` : answers[phase.kind];
+  return <p class={isRefused ? "refused" : "answer"} role="status">{text}</p>;
+}
+
+const answers = { sending: "Mission sent, no answer yet", accepted: "Mission accepted", canceled: "Mission canceled" };
+
+/** A mission from a file is no goal that can be canceled: it is paused, or another one takes its place. */
+const canCancel = (mission: MissionStatus | undefined): boolean =>
+  mission?.mission === "follow_waypoints" && (leads(mission) || mission.state === "paused");
 
 function Progress({ mission }: { mission: MissionStatus }) {
   const done = mission.state === "done" ? mission.waypoints : mission.waypoint;
