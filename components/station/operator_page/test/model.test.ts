@@ -373,8 +373,7 @@ describe("Station", () => {
   });
   it("writes a finding of diagnostics down once, not with each report", () => {
     const sut = new Station();
-    const status = [{ level: 2, name: "drive", message: "no frames" }];
-    const report = { header: { stamp: make.stampOf(0), frame_id: "" }, status };
+    const report = make.diagnostics("drive", 2, "no frames");
     for (const at of [1000, 2000]) sut.onMessage("diagnostics", report, at);
     assert.equal(sut.journal.entries.length, 1);
     assert.equal(sut.journal.entries[0]?.severity, "error");
