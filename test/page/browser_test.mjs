@@ -199,7 +199,7 @@ describe("Page in Chromium", { concurrency: false }, () => {
     await operator.chooseGoal(0.7, 0.78);
     await press("Drive there");
     await reads(".mission .refused", standIn.state.refusal);
-    await reads(".mission-bar", "Place 1 of 1");
+    await reads(".mission-bar", `Place 1 of 1. Refused: ${standIn.state.refusal}`);
     standIn.state.refusal = "";
     await press("Drive there");
     await reads(".mission", "Mission accepted");
@@ -305,6 +305,22 @@ describe("Page in Chromium", { concurrency: false }, () => {
     await reads(".seat", "page_other has taken over");
     standIn.sayDriver("");
     await reads(".drive button", "Take the wheel");
+  });
+
+  it("sends no mission while another drives by hand, or without a place", async () => {
+    const count = commands("send_goal").length;
+    await press("Mission");
+    await reads(".mission-bar", "Press on the map");
+    await page.keyboard.press("Enter");
+    const { x, y } = await operator.onMap(0.7, 0.78);
+    await page.mouse.click(x, y);
+    standIn.sayDriver("page_other");
+    await reads(".mission-bar", "page_other drives by hand");
+    await page.keyboard.press("Enter");
+    standIn.sayDriver("");
+    await reads(".mission-bar", "Place 1 of 1");
+    await page.keyboard.press("Escape");
+    assert.equal(commands("send_goal").length, count);
   });
 
   it("plays a recording in place of the vehicle, and stops the vehicle all the same", async () => {

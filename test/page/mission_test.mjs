@@ -198,7 +198,7 @@ describe("Mission led from the page", { concurrency: false }, () => {
       return button !== null && button !== undefined;
     }, line);
     await reads(".alert", `This is the recording ${line}`);
-    await reads(".mission", "mission_a");
+    await reads(".mission", "follow_waypoints: done");
     await operator.until("a map", () => {
       const canvas = document.querySelector(".map canvas");
       const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);

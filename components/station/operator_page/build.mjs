@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bundles the page: `node build.mjs FOLDER` writes index.html, page.js and page.css there, and each of
-// them compressed. Without npm's packages the folder stays empty, and a line says so. Fails when the
-// page is larger than a phone should wait for.
+// Bundles the page: `node build.mjs FOLDER [TYPES...]` writes index.html, page.js and page.css there, and each of
+// them compressed. TYPES are the folders that idl/ was printed to. Without npm's packages the folder stays
+// empty, and a line says so. Fails when the page is larger than a phone should wait for.
 import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
+
+import { takeIdlTypes } from "./idl_types.mjs";
 
 const mostCompressedBytes = 150_000;
 const here = path.dirname(fileURLToPath(import.meta.url));
@@ -21,6 +23,8 @@ try {
   process.exit(0);
 }
 
+const types = process.argv.slice(3);
+takeIdlTypes(types.length > 0 ? types : undefined);
 const common = { outdir: target, bundle: true, minify: true, logLevel: "warning" };
 await esbuild.build({
   ...common,

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # tocsin_idl_library(name IDL idl/a.idl ... [LINK ros_idl::ros_idl])
 # Generates C++ from IDL with fastddsgen at build time into one shared library. Headers are included
-# as "<name>/<stem>.hpp". Only the types and their CDR coding are compiled: what Fast DDS needs to
+# as "<name>/<stem>.hpp". The same in TypeScript is installed as share/<name>/ts/<stem>.ts. Only the types and their CDR coding are compiled: what Fast DDS needs to
 # know of a type, the runtime makes from its TypeInfo (a PubSubTypes file costs four times as much
 # to compile as the type itself).
 include_guard(GLOBAL)
@@ -23,7 +23,7 @@ function(tocsin_idl_library name)
   set(sources)
   foreach(idl IN LISTS idls)
     get_filename_component(stem "${idl}" NAME_WE)
-    list(APPEND outputs "${gen}/${stem}.h" "${gen}/${stem}.hpp")
+    list(APPEND outputs "${gen}/${stem}.h" "${gen}/${stem}.hpp" "${gen}/${stem}.ts")
     list(APPEND sources "${gen}/${stem}.cxx" "${gen}/${stem}_type_info.cpp")
   endforeach()
   set(search --search "${CMAKE_CURRENT_SOURCE_DIR}/idl")
@@ -52,5 +52,6 @@ function(tocsin_idl_library name)
   install(DIRECTORY "${gen}/" DESTINATION include/${name} FILES_MATCHING PATTERN "*.h"
           PATTERN "*.hpp")
   install(FILES ${idls} DESTINATION share/${name}/idl)
+  install(DIRECTORY "${gen}/" DESTINATION share/${name}/ts FILES_MATCHING PATTERN "*.ts")
   tocsin_export(TARGETS ${name} LINK idl_support::idl_support ${A_LINK})
 endfunction()

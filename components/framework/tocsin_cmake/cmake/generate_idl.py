@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes C++ of IDL files: for each <stem>.h, .cxx, .hpp and _type_info.cpp.
+"""Makes C++ and TypeScript of IDL files: for each <stem>.h, .cxx, .hpp, _type_info.cpp and .ts.
 
 The types and their CDR coding are fastddsgen's; the description of their fields is taken from its
 own parse. What the dialect does not know is refused with file and line, and nothing is written.
@@ -14,6 +14,7 @@ import idl_dialect
 import idl_parser
 import inline_types
 import ros_definition
+import ros_typescript
 import type_hash
 
 
@@ -26,11 +27,13 @@ def put(path, text):
 def files_of(package, idl, parsed, generated, bounds):
     """{file name: text} of one IDL file."""
     stem = idl.stem
-    definitions = ros_definition.definitions(idl.read_text(errors="replace"), parsed)
+    text = idl.read_text(errors="replace")
+    definitions = ros_definition.definitions(text, parsed)
     types = idl_dialect.structs(parsed)
     includes = [pathlib.PurePath(name).name for name in parsed["includes"]]
     header, source = inline_types.inlined(*generated)
     return {f"{stem}.h": header + "\n", f"{stem}.cxx": source,
+            f"{stem}.ts": ros_typescript.file_text(stem, text, parsed),
             f"{stem}.hpp": describe_idl.header(package, stem, includes, types),
             f"{stem}_type_info.cpp": describe_idl.source(
                 package, stem, types, idl_dialect.keys(parsed), definitions,

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What generate_idl.py makes of small IDL files, by the fastddsgen that is installed."""
+import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -13,6 +15,7 @@ import describe_idl  # noqa: E402
 import idl_dialect  # noqa: E402
 import idl_parser  # noqa: E402
 import ros_definition  # noqa: E402
+import ros_typescript  # noqa: E402
 import type_hash  # noqa: E402
 
 
@@ -200,6 +203,47 @@ class Defined(unittest.TestCase):
                          ["r::msg::dds_::Lists_", "r::msg::dds_::Numbers_"])
 
 
+class Typed(unittest.TestCase):
+    """What pages read of our messages: TypeScript, as decoded from ROS 2's syntax."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = IdlFolder({"one_line": ACCEPTED["one_line"], "defined": DEFINED})
+        parsed = folder.parse("defined")[folder.idl("defined")]
+        cls.text = ros_typescript.file_text("defined", DEFINED, parsed)
+
+    def fields(self, name):
+        body = re.search(rf"    interface {name} {{\n(.*?)\n    }}", self.text, re.DOTALL).group(1)
+        return re.findall(r"readonly (\w+): (.*);", body)
+
+    def test_numbers_are_numbers_but_for_those_of_64_bits(self):
+        other = {"b": "boolean", "i64": "bigint", "u64": "bigint", "s": "string"}
+        self.assertEqual(self.fields("Numbers"),
+                         [(name, other.get(name, "number")) for name in
+                          "b o c i8 u8 i16 u16 i32 u32 i64 u64 f32 f64 s e".split()])
+
+    def test_lists_and_structs_of_other_packages(self):
+        self.assertEqual(self.fields("Lists"), [
+            ("covariance", "ArrayLike<number>"), ("grid", "ArrayLike<number>"),
+            ("bytes", "ArrayLike<number>"), ("row", "ArrayLike<number>"),
+            ("ones", "readonly a.One[]"), ("pair", "readonly r.Numbers[]"), ("one", "a.One")])
+
+    def test_a_field_has_the_comment_of_its_line(self):
+        self.assertIn("/** [m] of the road */\n      readonly i32: number;", self.text)
+
+    def test_whoever_writes_one_has_its_whole_definition(self):
+        schema = json.loads(re.search(r"export const Lists = (.*);", self.text).group(1))
+        self.assertEqual(schema["schemaName"], "r/msg/Lists")
+        own, *parts = schema["text"].split(ros_typescript.SEPARATOR)
+        self.assertEqual(own.splitlines()[-2:], ["r/Numbers[2] pair", "a/One one"])
+        self.assertEqual([part.splitlines()[:2] for part in parts],
+                         [["MSG: a/One", "int32 x"], ["MSG: r/Numbers", "bool b"]])
+
+    def test_what_ros_cannot_say_is_left_out(self):
+        self.assertEqual(re.findall(r"interface (\w+)", self.text), re.findall(r"const (\w+)", self.text))
+        self.assertEqual(sorted(re.findall(r"const (\w+)", self.text)), ["Lists", "Numbers"])
+
+
 class Refused(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -317,7 +361,7 @@ class Program(unittest.TestCase):
     def test_makes_the_same_of_the_same(self):
         folder = IdlFolder({"enum": ACCEPTED["enum"]})
         self.assertEqual(folder.run("enum"), (0, ""))
-        self.assertEqual(folder.made(), ["enum.cxx", "enum.h", "enum.hpp", "enum_type_info.cpp"])
+        self.assertEqual(folder.made(), ["enum.cxx", "enum.h", "enum.hpp", "enum.ts", "enum_type_info.cpp"])
         files = sorted((folder.path / "out").iterdir())
         before = [(file.stat().st_mtime_ns, file.read_text()) for file in files]
         self.assertEqual(folder.run("enum")[0], 0)

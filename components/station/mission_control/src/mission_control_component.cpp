@@ -162,7 +162,8 @@ void MissionControlComponent::report(Time now) {
 }
 
 void MissionControlComponent::end_when_over(MissionControl::State state) {
-  if (!params_.exit_when_over) return;
+  const bool is_replaced = !params_.mission_file.empty() && control_.missions() > 1;
+  if (!params_.exit_when_over || is_replaced) return;
   if (state == MissionControl::State::done) context().request_exit(0);
   if (state == MissionControl::State::aborted) context().request_exit(1);
 }

@@ -186,6 +186,18 @@ TEST_F(WaypointsServerTest, TakesThePlaceOfTheMissionOfTheFile) {
   EXPECT_EQ(state(), "done");
 }
 
+TEST_F(WaypointsServerTest, AGoalInPlaceOfTheMissionOfTheFileDoesNotEndTheProcess) {
+  params_.mission_file = folder_ / "two.yaml";
+  params_.exit_when_over = true;
+  begin();
+  run(2);
+  send(goal({2}));
+  locate(2);
+  run(0.3);
+  EXPECT_EQ(state(), "done");
+  EXPECT_FALSE(exit_code_);
+}
+
 TEST_F(WaypointsServerTest, EndsTheProcessWithTheGoalWhenToldSo) {
   params_.exit_when_over = true;
   begin();

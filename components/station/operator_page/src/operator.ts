@@ -52,6 +52,8 @@ export class Operator {
   version = 0;
   /** A mission that is edited on the map; undefined: none. */
   draft: MissionDraft | undefined;
+  /** The draft that mission_control has refused as it is. */
+  refused: MissionDraft | undefined;
   bySight = false;
   speeds: Speeds = speedChoices[1] ?? { linear: 0.2, angular: 0.7 };
   /** Keys that are held while the seat is taken, and the finger on the touch stick. */
@@ -174,6 +176,7 @@ export class Operator {
     if (draft === undefined || this.whyNotSend() !== undefined) return;
     const accepted = await this.missionRequest.send(draft.places);
     if (accepted && this.draft === draft) this.draft = undefined;
+    this.refused = accepted ? undefined : draft;
     this.#onAnswer("the mission");
   }
 
@@ -183,6 +186,7 @@ export class Operator {
     const places = this.draft?.places ?? [];
     const blocked = places.findIndex((place) => map !== undefined && !isFree(map, place));
     if (this.player) return "A recording is shown.";
+    if (this.seat.other !== "") return `${this.seat.other} drives by hand: ask for the wheel before.`;
     if (blocked >= 0) return `Place ${blocked + 1} is in a wall or beyond the map.`;
     if (places.length === 0) return "Press on the map, drag for the heading.";
     return this.missionRequest.isPending ? "Sent, no answer yet." : undefined;

@@ -23,7 +23,7 @@ function heard(until: number, told: Told = {}, positionUntil = until): Station {
   for (let at = 0; at <= until; at += 500) {
     const stamp = make.stampOf(1_000_000 + at);
     if (at <= positionUntil) station.onMessage("location", make.location(0, 0, 1_000_000 + at), at);
-    station.onMessage("heartbeat", { stamp, role: "uxv" }, at);
+    station.onMessage("heartbeat", make.heartbeat(1_000_000 + at), at);
     station.onMessage("network_quality", make.quality({ stamp, per_percent: told.per ?? 0 }), at);
     station.onMessage("transmission_state", make.transmission({ stamp, qni: told.qni ?? 90 }), at);
     const link = { ...make.linkState([]), stamp, loss: (told.loss ?? 0) / 100, backlog_s: told.backlogS ?? 0 };
@@ -119,7 +119,7 @@ describe("Alert", () => {
   });
   it("tells what it does not know yet in place of well", () => {
     const station = new Station();
-    for (const at of [0, 500, 2500]) station.onMessage("heartbeat", { stamp: make.stampOf(at + 1), role: "uxv" }, at);
+    for (const at of [0, 500, 2500]) station.onMessage("heartbeat", make.heartbeat(at + 1), at);
     assert.equal(textAt(station, 2500), "The vehicle is received, but not its position, not the link's quality, not its safety.");
   });
   it("takes a state that a late reader gets for no sign of life", () => {
@@ -165,8 +165,7 @@ describe("Alert", () => {
     const station = heard(4000);
     station.onMessage("battery_state", make.battery({ percentage: 0.19 }), 4000);
     assert.equal(textAt(station, 4000), "The battery is low: 19 %.");
-    const status = [{ level: 2, name: "drive", message: "no frames" }];
-    station.onMessage("diagnostics", { header: { stamp: make.stampOf(0), frame_id: "" }, status }, 4000);
+    station.onMessage("diagnostics", make.diagnostics("drive", 2, "no frames"), 4000);
     assert.equal(textAt(station, 4000), "drive: no frames.");
   });
   it("knows no forced resume where there is none", () => {

@@ -8,6 +8,7 @@ import type { Theme } from "../src/map/theme.ts";
 import { TrailPieces, lookOf } from "../src/map/trail_pieces.ts";
 import { Viewport } from "../src/map/viewport.ts";
 import { Trail, longestTrail } from "../src/model/trail.ts";
+import * as make from "./messages.ts";
 
 class RecordedPath {
   calls: string[] = [];
@@ -134,9 +135,7 @@ class Bench {
   });
 
   constructor(trail = zigzag(2000)) {
-    const origin = { position: { x: 0, y: 0, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } };
-    const map = { info: { resolution: 0.5, width: 2, height: 1, origin }, data: [0, 0] };
-    this.scene = { map, accessPoint: { x: 1, y: 1 }, trail };
+    this.scene = { map: make.grid(0.5, 2, [0, 0]), accessPoint: { x: 1, y: 1 }, trail };
   }
 
   /** What one more frame draws. */

@@ -5,8 +5,6 @@ import fs from "node:fs";
 import path from "node:path";
 import { describe, it } from "node:test";
 
-import { structs } from "./idl_structs.ts";
-
 const repository = path.join(import.meta.dirname, "../../../..");
 const folder = path.join(repository, "config/layouts");
 
@@ -15,6 +13,17 @@ function topics(): Map<string, string> {
   const text = fs.readFileSync(path.join(repository, "idl/tocsin_idl/include/tocsin_idl/topics.hpp"), "utf8");
   const found = text.matchAll(/using Message = (\w+)::msg::(\w+);\s*static constexpr TopicInfo info\{"([^"]+)"/g);
   return new Map([...found].map(([, pack, type, name]) => [`/${name}`, `${pack}/${type}`]));
+}
+
+/** The names of the fields of each message, by "package/Type". */
+function fieldsOfTypes(): Map<string, string[]> {
+  const printed = path.join(import.meta.dirname, "../generated");
+  const texts = fs.readdirSync(printed).map((name) => fs.readFileSync(path.join(printed, name), "utf8"));
+  return new Map(texts.flatMap((text) => [...text.matchAll(/^export const \w+ = (\{.*\});$/gm)].map(([, json]) => {
+    const { schemaName, text: definition } = JSON.parse(json ?? "") as { schemaName: string; text: string };
+    const own = (definition.split("\n===")[0] ?? "").split("\n");
+    return [schemaName.replace("/msg/", "/"), own.map((line) => line.split(" ")[1] ?? "")];
+  })));
 }
 
 /** All texts of a layout that are message paths: "/topic{filter}.field". */
@@ -30,7 +39,7 @@ const panelTypes = ["3D", "DiagnosticSummary", "ImageViewPanel", "Plot", "RawMes
 
 describe("Layouts", () => {
   const known = topics();
-  const fields = structs();
+  const fields = fieldsOfTypes();
   for (const file of fs.readdirSync(folder)) {
     const layout = JSON.parse(fs.readFileSync(path.join(folder, file), "utf8"));
     it(`${file} names topics and fields of the IDL`, () => {
@@ -40,7 +49,7 @@ describe("Layouts", () => {
         const [, topic, filter, field] = /^([^{.]+)(?:\{(\w+)==[^}]*\})?(?:\.(\w+))?$/.exec(one) ?? [];
         const type = known.get(topic ?? "");
         assert.ok(type, `${one}: there is no such topic`);
-        const names = fields.get(type)?.map((text) => text.split(" ")[1]) ?? [];
+        const names = fields.get(type) ?? [];
         for (const name of [filter, field]) if (name) assert.ok(names.includes(name), `${one}: ${type} has no ${name}`);
       }
     });

@@ -5,6 +5,7 @@ import { describe, it } from "node:test";
 import { noteShift, scaleLengthM } from "../src/map/draw.ts";
 import { gridPixels, isFree, knownBounds } from "../src/map/grid.ts";
 import { Viewport, greatestScale } from "../src/map/viewport.ts";
+import * as make from "./messages.ts";
 
 const size = { width: 400, height: 200 };
 const near = (a: { x: number; y: number }, b: { x: number; y: number }): void =>
@@ -55,8 +56,7 @@ describe("A note beside a place", () => {
 });
 
 describe("Grid", () => {
-  const origin = { position: { x: 5, y: 6, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } };
-  const grid = { info: { resolution: 0.5, width: 3, height: 2, origin }, data: [-1, 0, 100, -1, -1, -1] };
+  const grid = make.grid(0.5, 3, [-1, 0, 100, -1, -1, -1], 5, 6);
   it("paints the row with the greatest y first", () => {
     const colours = { free: [1, 1, 1, 255], occupied: [2, 2, 2, 255], unknown: [3, 3, 3, 255] } as const;
     const pixels = gridPixels(grid, colours);

@@ -244,6 +244,18 @@ describe("DecisionSeries", () => {
 
 describe("Route", () => {
   const [a, b, c] = [{ x: 1, y: 0, yaw: 0 }, { x: 2, y: 0, yaw: 0 }, { x: 3, y: 0, yaw: 0 }];
+  it("keeps mission_control's path while goals of others and that of a pause are heard", () => {
+    const sut = new Route();
+    const mission = { waypoints: 3, waypoint: 1 };
+    sut.onPath([a, b, c]);
+    sut.onMission(make.mission(mission));
+    sut.onGoal(make.goal({ ...b, waypoint: 1 }));
+    for (const other of [{ mission: 99n }, { waypoint: 1 }]) sut.onGoal(make.goal({ x: 9, y: 9, ...other }));
+    assert.deepEqual(sut.points().map(({ x, state }) => [x, state]), [[1, "passed"], [2, "present"], [3, "ahead"]]);
+    sut.onMission(make.mission({ ...mission, state: "aborted" }));
+    sut.onGoal(make.goal({ x: 9, y: 9, mission: 99n }));
+    assert.deepEqual(sut.points().map(({ x }) => x), [9]);
+  });
   it("learns the waypoints from goals and keeps those that were passed", () => {
     const sut = new Route();
     sut.onGoal(make.goal({ ...a, ahead: [b] }));
@@ -373,8 +385,7 @@ describe("Station", () => {
   });
   it("writes a finding of diagnostics down once, not with each report", () => {
     const sut = new Station();
-    const status = [{ level: 2, name: "drive", message: "no frames" }];
-    const report = { header: { stamp: make.stampOf(0), frame_id: "" }, status };
+    const report = make.diagnostics("drive", 2, "no frames");
     for (const at of [1000, 2000]) sut.onMessage("diagnostics", report, at);
     assert.equal(sut.journal.entries.length, 1);
     assert.equal(sut.journal.entries[0]?.severity, "error");

@@ -9,7 +9,7 @@ import { isDrivingKey, keysVelocity, padVelocity, stickVelocity } from "../src/o
 import { TeleopSender, standing } from "../src/orders/teleop_sender.ts";
 import * as make from "./messages.ts";
 
-const station = (asked: string, vehicle: string) => ({ asked, vehicle, stopped_by: [] });
+const station = (asked: string, vehicle: string) => make.stopState({ asked, vehicle });
 
 describe("EmergencyStopOrder", () => {
   const heard = (changes: Partial<StopHeard>): StopHeard => ({

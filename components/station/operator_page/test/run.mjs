@@ -9,6 +9,7 @@ import { run } from "node:test";
 import { spec } from "node:test/reporters";
 import { fileURLToPath } from "node:url";
 
+import { takeIdlTypes } from "../idl_types.mjs";
 import { collectCases, skip } from "./result_file.mjs";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
@@ -27,6 +28,7 @@ try {
   skip("operator_page", "the page's npm packages are not installed: bringup/install_packages");
 }
 
+takeIdlTypes();
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "operator_page_test_"));
 const names = fs.readdirSync(here).filter((name) => name.endsWith(".test.ts"));
 await esbuild.build({

@@ -144,7 +144,8 @@ void GuardedTransport::show(TransportReceiverInterface* next, const TransportSid
                             const rtps::Locator_t& local, const rtps::Locator_t& remote) {
   std::vector<std::uint8_t> changed;
   descriptor_.parts.filter->pass(
-      packet.first, packet.second, remote, PacketFilter::kind_of(local.port), [&](const rtps::octet* shown, std::size_t length) {
+      packet.first, packet.second, remote, PacketFilter::kind_of(local.port),
+      [&](const rtps::octet* shown, std::size_t length) {
         const auto [message, size] = with_lone_keys(shown, length, changed);
         next->OnDataReceived(message, static_cast<std::uint32_t>(size), local, remote);
       });

@@ -62,9 +62,9 @@ class StopChannel {
   struct Told {
     Time last{};  ///< when a packet took the value to it
     Time certificate{};
-    std::uint64_t router = 0;    ///< of which a packet came last
-    int certificates = 0;        ///< so many follow each other fast: it has restarted
-    int burst = 0;               ///< so many packets of its own follow at once
+    std::uint64_t router = 0;  ///< of which a packet came last
+    int certificates = 0;      ///< so many follow each other fast: it has restarted
+    int burst = 0;             ///< so many packets of its own follow at once
     Time next{};
   };
   struct Seal {

@@ -33,7 +33,8 @@ class MissionControlComponent final : public Component {
       v("rate_hz", rate_hz, {1, 20}, "[Hz] of looking whether a goal is due");
       v("status_period_s", status_period_s, {0.1, 60}, "[s] between reports without a change");
       v("exit_when_over", exit_when_over,
-        "end the process when a mission is over: code 0 when done, 1 when aborted");
+        "end the process when a mission is over, with mission_file that one: code 0 when done, 1 "
+        "when aborted");
       control.visit(v);
     }
   };

@@ -1,248 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-// The messages that the page reads, as far as it reads them. What the fields mean: idl/.
+// The messages that the page reads. Their types are printed from idl/ at build time: generated/.
 
 /** Since the Unix epoch, by the clock of its writer. */
-export interface Stamp {
-  readonly sec: number;
-  readonly nanosec: number;
-}
-
-export interface Header {
-  readonly stamp: Stamp;
-  readonly frame_id: string;
-}
-
-export interface Vector3 {
-  readonly x: number;
-  readonly y: number;
-  readonly z: number;
-}
-
-export interface Quaternion extends Vector3 {
-  readonly w: number;
-}
-
-export interface Pose {
-  readonly position: Vector3;
-  readonly orientation: Quaternion;
-}
-
-export interface PoseWithCovarianceStamped {
-  readonly header: Header;
-  readonly pose: { readonly pose: Pose; readonly covariance: ArrayLike<number> };
-}
-
-export interface NetworkQuality {
-  readonly stamp: Stamp;
-  readonly per_percent: number;
-  readonly rtt_mean_ms: number;
-  readonly signal_dbm: number;
-  readonly quality_percent: number;
-}
-
-export interface TransmissionState {
-  readonly stamp: Stamp;
-  readonly role: string;
-  readonly active: boolean;
-  readonly policy: string;
-  readonly reason: string;
-  readonly qni: number;
-  readonly statistic: number;
-  readonly threshold: number;
-  readonly deadline_s: number;
-}
-
-export interface Heartbeat {
-  readonly stamp: Stamp;
-  readonly role: string;
-}
-
-export interface Waypoint {
-  readonly x: number;
-  readonly y: number;
-  readonly yaw: number;
-}
-
-export interface Goal extends Waypoint {
-  readonly stamp: Stamp;
-  readonly id: bigint;
-  readonly waypoint: number;
-  readonly tolerance_m: number;
-  readonly lifetime_s: number;
-  readonly ahead: readonly Waypoint[];
-  readonly mission: bigint;
-}
-
-export interface NavigationStatus {
-  readonly stamp: Stamp;
-  readonly goal_id: bigint;
-  readonly state: string;
-  readonly distance_m: number;
-  readonly mission: bigint;
-}
-
-export interface MissionStatus {
-  readonly stamp: Stamp;
-  readonly mission: string;
-  readonly state: string;
-  readonly waypoint: number;
-  readonly waypoints: number;
-  readonly elapsed_s: number;
-}
-
-export interface MemoryUsage {
-  readonly used_percent: number;
-}
-
-export interface CpuLoad {
-  readonly load_percent: number;
-}
-
-export interface Temperature {
-  readonly temperature: number;
-}
-
-export interface BatteryState {
-  readonly voltage: number;
-  readonly current: number;
-  readonly percentage: number;
-  readonly power_supply_status: number;
-}
-
-export interface CompressedImage {
-  readonly header: Header;
-  readonly format: string;
-  readonly data: Uint8Array;
-}
-
-export interface TopicTraffic {
-  readonly topic: string;
-  readonly traffic_class: string;
-  readonly paused: boolean;
-  readonly sent: bigint;
-  readonly dropped: bigint;
-}
-
-export interface TrafficReport {
-  readonly stamp: Stamp;
-  readonly role: string;
-  readonly process: string;
-  readonly topics: readonly TopicTraffic[];
-}
-
-export interface LinkClass {
-  readonly traffic_class: string;
-  readonly offered: bigint;
-  readonly sent: bigint;
-  readonly delivered: bigint;
-  readonly late: bigint;
-  readonly lost: bigint;
-  readonly repaired: bigint;
-  readonly dropped_paused: bigint;
-  readonly dropped_superseded: bigint;
-  readonly dropped_thinned: bigint;
-  readonly dropped_expired: bigint;
-  readonly dropped_overflow: bigint;
-  readonly bytes: bigint;
-  readonly queue_samples: number;
-  readonly delay_s: number;
-}
-
-export interface LinkState {
-  readonly stamp: Stamp;
-  readonly role: string;
-  readonly paused: boolean;
-  readonly live_peers: number;
-  readonly silent_peers: number;
-  readonly capacity_bytes_per_s: number;
-  readonly backlog_s: number;
-  readonly loss: number;
-  readonly scale: number;
-  readonly repair_share: number;
-  readonly bytes: bigint;
-  readonly classes: readonly LinkClass[];
-  readonly capacity_measured: boolean;
-  readonly stored: readonly StoredTopic[];
-}
-
-export interface StoredTopic {
-  readonly topic: string;
-  readonly stored: bigint;
-  readonly filled_in: bigint;
-  readonly expired: bigint;
-  readonly refused: bigint;
-  readonly waiting: number;
-}
-
-export interface SafetyStatus {
-  readonly stamp: Stamp;
-  readonly emergency_stop: boolean;
-  readonly bumper: number;
-  readonly cliff: number;
-  readonly wheel_drop: number;
-  readonly enabled: boolean;
-  readonly stopped_by: readonly string[];
-}
-
-export interface EmergencyStopState {
-  readonly asked: string;
-  readonly vehicle: string;
-  readonly stopped_by: readonly string[];
-}
-
-export interface DockingStatus {
-  readonly state: string;
-  readonly result: string;
-}
-
-export interface DriverState {
-  readonly driver: string;
-  readonly asked_by: string;
-}
-
-export interface ContainerState {
-  readonly stamp: Stamp;
-  readonly host: string;
-  readonly container: string;
-  readonly pid: number;
-  readonly components: readonly {
-    readonly library: string;
-    readonly name: string;
-    readonly state: string;
-    readonly error: string;
-  }[];
-}
-
-export interface DiagnosticArray {
-  readonly header: Header;
-  readonly status: readonly {
-    readonly level: number;
-    readonly name: string;
-    readonly message: string;
-    }[];
-}
-
-/** A line of a log, as rcl_interfaces/msg/Log on `rosout`. */
-export interface Log {
-  readonly stamp: Stamp;
-  readonly level: number;
-  readonly name: string;
-  readonly msg: string;
-}
-
-export interface OccupancyGrid {
-  readonly info: {
-    readonly resolution: number;
-    readonly width: number;
-    readonly height: number;
-    readonly origin: Pose;
-  };
-  readonly data: ArrayLike<number>;
-}
-
-export interface Path {
-  readonly poses: readonly { readonly pose: Pose }[];
-}
+export type Stamp = builtin_interfaces.Time;
+export type PoseWithCovarianceStamped = geometry_msgs.PoseWithCovarianceStamped;
+export type Quaternion = geometry_msgs.Quaternion;
+export type Pose = geometry_msgs.Pose;
+export type NetworkQuality = tocsin_msgs.NetworkQuality;
+export type TransmissionState = tocsin_msgs.TransmissionState;
+export type Heartbeat = tocsin_msgs.Heartbeat;
+export type Waypoint = tocsin_msgs.Waypoint;
+export type Goal = tocsin_msgs.Goal;
+export type NavigationStatus = tocsin_msgs.NavigationStatus;
+export type MissionStatus = tocsin_msgs.MissionStatus;
+export type MemoryUsage = tocsin_msgs.MemoryUsage;
+export type CpuLoad = tocsin_msgs.CpuLoad;
+export type Temperature = sensor_msgs.Temperature;
+export type BatteryState = sensor_msgs.BatteryState;
+export type CompressedImage = sensor_msgs.CompressedImage;
+export type TopicTraffic = tocsin_msgs.TopicTraffic;
+export type TrafficReport = tocsin_msgs.TrafficReport;
+export type LinkClass = tocsin_msgs.LinkClass;
+export type LinkState = tocsin_msgs.LinkState;
+export type StoredTopic = tocsin_msgs.StoredTopic;
+export type SafetyStatus = tocsin_msgs.SafetyStatus;
+export type EmergencyStopState = tocsin_msgs.EmergencyStopState;
+export type DockingStatus = tocsin_msgs.DockingStatus;
+export type DriverState = tocsin_msgs.DriverState;
+export type ContainerState = tocsin_msgs.ContainerState;
+export type DiagnosticArray = diagnostic_msgs.DiagnosticArray;
+export type Log = rcl_interfaces.Log;
+export type OccupancyGrid = nav_msgs.OccupancyGrid;
+export type Path = nav_msgs.Path;
 
 /** The topics that the page reads, and their messages. */
 export interface Topics {

@@ -19,20 +19,26 @@ export class Route {
   #waypoints = new Map<number, Waypoint>();
   #present = 0;
   #firstId = 0n;
+  #hasPath = false;
+  /** mission_control leads through its path: other goals, as that of a pause, do not change it. */
+  #isLed = false;
 
   /** All waypoints of mission_control's mission. */
   onPath(waypoints: readonly Waypoint[]): void {
     this.#waypoints = new Map(waypoints.entries());
     this.#present = 0;
+    this.#hasPath = waypoints.length > 0;
   }
 
   /** Where mission_control is in it. */
   onMission({ state, waypoint, waypoints }: MissionStatus): void {
     if (waypoints !== this.#waypoints.size) return; // of a path that is still to come
+    this.#isLed = this.#hasPath && state !== "done" && state !== "aborted";
     this.#present = state === "done" ? waypoints : waypoint;
   }
 
   onGoal(goal: Goal): void {
+    if (this.#isLed && !this.#holds(goal)) return;
     // The lower half of a mission's identity is a checksum of its waypoints: the same way.
     const isSame = this.#mission !== undefined && low(this.#mission) === low(goal.mission);
     if (!isSame && !this.#holds(goal)) this.#waypoints.clear();

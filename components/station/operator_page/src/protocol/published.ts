@@ -1,53 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// The topics that the page writes, with their types in ros2msg. A test compares them with idl/.
+// The topics that the page writes. Their types are printed from idl/ at build time: generated/.
+import { TwistStamped } from "../../generated/geometry_msgs.ts";
+import { Bool, String as Text } from "../../generated/std_msgs.ts";
+import { DriverRequest } from "../../generated/tocsin_msgs.ts";
 
 /** A topic that the page may write. */
 export interface Published {
   readonly topic: string;
   readonly schemaName: string;
+  /** The type in ros2msg. */
   readonly text: string;
 }
 
-const separator = `\n${"=".repeat(80)}\n`;
-const parts = (...texts: string[]): string => texts.join(separator);
-
-const time = "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec";
-const vector = "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z";
-
-export const emergencyStopRequest: Published = {
-  topic: "emergency_stop/request",
-  schemaName: "std_msgs/msg/Bool",
-  text: "bool data",
-};
-
-export const teleopVelocity: Published = {
-  topic: "teleop/cmd_vel",
-  schemaName: "geometry_msgs/msg/TwistStamped",
-  text: parts(
-    "std_msgs/Header header\ngeometry_msgs/Twist twist",
-    "MSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id",
-    time,
-    "MSG: geometry_msgs/Twist\ngeometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular",
-    vector,
-  ),
-};
-
-export const missionCommand: Published = {
-  topic: "mission/command",
-  schemaName: "std_msgs/msg/String",
-  text: "string data",
-};
-
+export const emergencyStopRequest: Published = { topic: "emergency_stop/request", ...Bool };
+export const teleopVelocity: Published = { topic: "teleop/cmd_vel", ...TwistStamped };
+export const missionCommand: Published = { topic: "mission/command", ...Text };
 /** Asks for the wheel, gives it, keeps it. */
-export const driverRequest: Published = {
-  topic: "teleop/request",
-  schemaName: "tocsin_msgs/msg/DriverRequest",
-  text: parts("builtin_interfaces/Time stamp\nstring name\nstring verb", time),
-};
+export const driverRequest: Published = { topic: "teleop/request", ...DriverRequest };
 
-export const allPublished: readonly Published[] = [
-  emergencyStopRequest,
-  teleopVelocity,
-  missionCommand,
-  driverRequest,
-];
+export const allPublished: readonly Published[] = [emergencyStopRequest, teleopVelocity, missionCommand, driverRequest];

@@ -60,13 +60,15 @@ function MissionBar({ operator, setDraft }: { operator: Operator; setDraft: (dra
   const fault = operator.whyNotSend();
   const count = draft.places.length;
   const selected = draft.selected ?? -1;
+  const { phase } = operator.missionRequest;
+  const refusal = fault ?? (phase.kind === "failed" && draft === operator.refused ? `Place ${selected + 1} of ${count}. Refused: ${phase.reason}` : undefined);
   const step = (label: string, title: string, next: MissionDraft, disabled = selected < 0) => (
     <button type="button" title={title} aria-label={title} disabled={disabled} onClick={() => setDraft(next)}>{label}</button>
   );
   return (
     <div class="mission-bar">
-      {fault !== undefined && count > 0
-        ? <span class="refused" role="status">{fault}</span>
+      {refusal !== undefined && count > 0
+        ? <span class="refused" role="status">{refusal}</span>
         : <span title="Arrow keys move, [ ] turn, Insert adds, Delete removes, PageUp and PageDown reorder" role="status">
             {fault ?? `Place ${selected + 1} of ${count}: drag to move. A press beside it adds one.`}
           </span>}
