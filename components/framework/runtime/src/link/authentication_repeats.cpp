@@ -11,7 +11,7 @@ namespace tocsin {
 namespace {
 
 /// Whose numbers are remembered: more than a link has peers.
-constexpr std::size_t most_participants = 64;
+constexpr std::size_t most_remembered = 64;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void AuthenticationRepeats::on_packet(const std::uint8_t* bytes, std::size_t siz
   if (!is_first && last->second == *number) return;
   last->second = *number;
   messages_.remove_if([&](const Message& one) { return one.addressee == sender; });
-  if (last_.size() > most_participants) last_.erase(last_.begin());
+  if (last_.size() > most_remembered) last_.erase(last_.begin());
 }
 
 std::optional<AuthenticationRepeats::Due> AuthenticationRepeats::take_due(Time now) {
