@@ -21,10 +21,10 @@ TEST(LinkRouterParams, DefaultsAreInOrder) { EXPECT_NO_THROW(check({})); }
 TEST(LinkRouterParams, RefusesWhatIsOutOfOrderAndNamesIt) {
   LinkRouterParams params;
   params.repair_max_s = 0.05;
-  EXPECT_THROW(LinkSender(params, 1), ConfigError);
+  EXPECT_THROW(LinkSender{params}, ConfigError);
   params = {};
   params.receipt_idle_s = 0.01;
-  EXPECT_THROW(LinkReceiver(params, 1), ConfigError);
+  EXPECT_THROW(LinkReceiver{params}, ConfigError);
   params = {};
   params.hold_backlog_s = 0;
   try {
