@@ -26,8 +26,8 @@ constexpr std::size_t longest_certificate = 1200;
 constexpr int burst_packets = 4;
 constexpr Duration burst_period = std::chrono::milliseconds(15);
 constexpr Duration certificate_period = std::chrono::seconds(1);
-/// At 30 % loss one of so many arrives in 99.8 %.
-constexpr int certificates_after_restart = 5;
+/// A restarted router may not listen yet when its first packet arrives.
+constexpr int certificates_after_restart = 10;
 /// Values that wait for a router that does not look, and routers that are told apart.
 constexpr std::size_t most_values = 64;
 constexpr std::size_t most_routers = 64;
@@ -128,7 +128,7 @@ std::vector<StopChannel::Bytes> StopChannel::due(std::uint32_t to, Time now) {
     if (told.burst > 0) --told.burst;
     told.next = now + (told.burst > 0 ? burst_period : stop_value_period);
   }
-  const Duration period = told.certificates > 0 ? certificate_period / 5 : certificate_period;
+  const Duration period = told.certificates > 0 ? stop_value_period : certificate_period;
   if (seal_ && now - told.certificate >= period) {
     all.push_back(seal_->certificate);
     told.certificate = now;
