@@ -69,7 +69,7 @@ class Participants {
       return (high ^ std::uint64_t{low} << 21U) * 0x9e3779b97f4a7c15ULL;
     }
   };
-  /// It has left unless it is heard of within `wait`.
+  /// It has left unless something of it is received within `wait`.
   struct Departure {
     Time since;
     Duration wait;

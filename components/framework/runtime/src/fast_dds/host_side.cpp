@@ -13,6 +13,7 @@
 
 #include "fast_dds/acknack_counts.hpp"
 #include "fast_dds/host_multicast.hpp"
+#include "fast_dds/packet_filter.hpp"
 #include "fast_dds/udp_sockets.hpp"
 #include "foundation/error.hpp"
 #include "foundation/file_descriptor.hpp"
@@ -75,9 +76,6 @@ class HostSender : public rtps::SenderResource {
       watched_activity(Duty::announcements, "timer of the host's participant");
 };
 
-/// Ports for discovery are even, those for samples odd (RTPS 2.2 section 9.6.1.1).
-bool is_for_discovery(const rtps::Locator_t& local) { return local.port % 2 == 0; }
-
 class HostSide final : public TransportSide {
  public:
   HostSide(std::uint16_t group_port, std::uint32_t socket_bytes)
@@ -94,8 +92,8 @@ class HostSide final : public TransportSide {
   /// Announcements come by the group, what follows by unicast: who announces itself is not known
   /// yet while Fast DDS answers, and what it says then would be thrown away.
   [[nodiscard]] std::unique_lock<std::mutex> turn(const Locator& local) override {
-    return is_for_discovery(local) ? std::unique_lock<std::mutex>(discovery_)
-                                   : std::unique_lock<std::mutex>();
+    const bool discovers = PacketFilter::kind_of(local.port) == PacketFilter::Port::discovery;
+    return discovers ? std::unique_lock<std::mutex>(discovery_) : std::unique_lock<std::mutex>();
   }
   [[nodiscard]] HostMulticastReceiver* group() override { return &group_; }
   /// Whom we hear is on this host, and whoever listens to an address of this host, listens to

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <set>
@@ -88,12 +89,18 @@ rtps_filter::Sender PacketFilter::sender(const rtps_filter::Source& source) {
 }
 
 rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::size_t size,
-                                              const rtps::Locator_t& from) {
+                                              const rtps::Locator_t& from, Port at) {
   const rtps_filter::Source source = source_in(from);
   const rtps_filter::Sender whose = sender(source);
   const Time now = std::chrono::steady_clock::now();
   std::unique_lock<std::mutex> lock(mutex_);
   rtps_filter::Inspection inspection = filter_.inspect(bytes, size, source, now, whose);
+  if (at == Port::discovery && !inspection.drop) {
+    auto due = filter_.take_due();
+    due.insert(due.end(), std::move_iterator(inspection.before.begin()),
+               std::move_iterator(inspection.before.end()));
+    inspection.before = std::move(due);
+  }
   lock.unlock();
   if (inspection.drop) {
     count_dropped_packet(*inspection.drop, source.address);
@@ -105,11 +112,6 @@ rtps_filter::Inspection PacketFilter::inspect(const std::uint8_t* bytes, std::si
   if (others_) others_->hear(bytes, size, source.address);
   if (numbers_) numbers_->see(bytes, size, now);
   return inspection;
-}
-
-std::vector<std::vector<std::uint8_t>> PacketFilter::take_due() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return filter_.take_due();
 }
 
 void PacketFilter::took(Duration cpu) {

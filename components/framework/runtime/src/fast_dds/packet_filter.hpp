@@ -61,10 +61,7 @@ class PacketFilter {
   template <class Show>
   void pass(const std::uint8_t* bytes, std::size_t size,
             const eprosima::fastrtps::rtps::Locator_t& from, Port at, Show show) {
-    const rtps_filter::Inspection inspection = inspect(bytes, size, from);
-    if (at == Port::discovery) {
-      for (const auto& message : take_due()) show(message.data(), message.size());
-    }
+    const rtps_filter::Inspection inspection = inspect(bytes, size, from, at);
     if (inspection.drop) return;
     const JumpCost cost(*this, inspection.jumps);
     for (const auto& message : inspection.before) show(message.data(), message.size());
@@ -106,8 +103,7 @@ class PacketFilter {
   };
   void took(Duration cpu);
   rtps_filter::Inspection inspect(const std::uint8_t* bytes, std::size_t size,
-                                  const eprosima::fastrtps::rtps::Locator_t& from);
-  [[nodiscard]] std::vector<std::vector<std::uint8_t>> take_due();
+                                  const eprosima::fastrtps::rtps::Locator_t& from, Port at);
   PieceAssembly::Result assemble(const std::uint8_t* bytes, std::size_t size,
                                  const eprosima::fastrtps::rtps::Locator_t& from);
   [[nodiscard]] rtps_filter::Sender sender(const rtps_filter::Source& source);
