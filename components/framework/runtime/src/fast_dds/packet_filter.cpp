@@ -38,7 +38,7 @@ Limits limits_on_radio(const std::set<std::uint32_t>& configured) {
   // A picture crosses 2 s after a forger ends that has begun the largest sample.
   limits.unfinished_bytes.per_s = 8U << 20U;
   limits.bytes = {wifi_bytes_per_s, wifi_bytes_per_s};
-  limits.participants = 32;  // each costs the radio up to 8 kB/s
+  limits.participants = 32;  // each is sent announcements over the radio
   limits.source_has_port = false;
   limits.participant_has_address = true;
   limits.hears = [configured](std::uint32_t address) { return configured.count(address) > 0; };
