@@ -309,7 +309,7 @@ function trailOf(seconds, channel) {
 }
 
 /** A topic of which nothing is to be lost, though the mission has none. */
-const storedTopic = { topic: "battery_state", stored: 120n, filled_in: 30n, expired: 0n, refused: 2n, waiting: 4 };
+const storedTopic = { topic: "battery_state", stored: 120n, backfilled: 30n, expired: 0n, refused: 2n, waiting: 4 };
 
 /** What the vehicle and mission_control would say differently of what was ordered here. */
 function rewrite(topic, data, channel, state) {

@@ -130,28 +130,28 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-Bytes lone_key(std::uint8_t option = lone_key_options[1]) {
-  return {0, 1, lone_key_options[0], option, 4, 3, 2, 1, 3, 0, 0, 0, 'a', 'b', 0, 0};
+Bytes key_only(std::uint8_t option = key_only_options[1]) {
+  return {0, 1, key_only_options[0], option, 4, 3, 2, 1, 3, 0, 0, 0, 'a', 'b', 0, 0};
 }
 
 TEST(Deserialize, ReadsAKeyThatIsMarkedAsAlone) {
   Keyed message;
-  const Bytes bytes = lone_key();
+  const Bytes bytes = key_only();
   ASSERT_TRUE(deserialize<Keyed>(bytes.data(), bytes.size(), &message));
   EXPECT_EQ(message.id, 0x01020304);
   EXPECT_EQ(message.name, "ab");
 }
 
-TEST(Deserialize, TakesALoneKeyWithoutItsMarkForAMessageThatIsCutOff) {
+TEST(Deserialize, TakesAKeyOnlyWithoutItsMarkForAMessageThatIsCutOff) {
   Keyed message;
-  const Bytes bytes = lone_key(0);
+  const Bytes bytes = key_only(0);
   EXPECT_FALSE(deserialize<Keyed>(bytes.data(), bytes.size(), &message));
 }
 
-TEST(Deserialize, RefusesALoneKeyThatIsCutOff) {
+TEST(Deserialize, RefusesAKeyOnlyThatIsCutOff) {
   Keyed message;
   for (std::size_t size = 0; size < 15; ++size) {
-    Bytes cut = lone_key();
+    Bytes cut = key_only();
     cut.resize(size);
     EXPECT_FALSE(deserialize<Keyed>(cut.data(), size, &message)) << size;
   }

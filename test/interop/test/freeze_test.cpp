@@ -20,7 +20,7 @@ using std::chrono::seconds;
 using std::chrono::steady_clock;
 using ::testing::IsEmpty;
 
-/// Ours and one of another maker on a domain of their own; one of the two will be stopped.
+/// Ours and one of another vendor on a domain of their own; one of the two will be stopped.
 struct Pair {
   Pair(const std::string& maker, bool stops_ours, seconds time, int domain)
       : ours("tocsin", domain, "ours"),

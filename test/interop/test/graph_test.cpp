@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our nodes as another maker's participant sees them, which decodes ros_discovery_info by the code
+// Our nodes as another vendor's participant sees them, which decodes ros_discovery_info by the code
 // of its own generator: what `ros2 node list` and `ros2 topic info -v` stand on.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reliable samples between ours and participants of other makers that lose packets in both
+// Reliable samples between ours and participants of other vendors that lose packets in both
 // directions, announcements included.
 #include <gtest/gtest.h>
 

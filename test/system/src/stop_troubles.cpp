@@ -166,7 +166,7 @@ std::vector<Condition> conditions() {
           {"forged departures", with(departs), true},
           {"forged leases", with(leases), true},
           {"forged names", with(names), true},
-          {"forged origins and receipts", with(exaggerates), true},
+          {"forged origins and acknowledgements", with(exaggerates), true},
           {"stranger's cmd_vel on the link", stranger, true},
           {"flood of odd packets", flood, true},
           {"full disk", full_disk, true, 24}};

@@ -88,12 +88,12 @@ std::vector<StoredTopicFigures> figures(const Stack& stack, const StationReaders
 bool tell(const std::vector<StoredTopicFigures>& all, std::int64_t end_ns) {
   bool sound = true;
   fmt::print("  {:<18}{:>8}{:>10}{:>8}{:>11}{:>9}{:>9}{:>7}{:>12}{:>12}\n", "topic", "logged",
-             "unrouted", "live", "filled in", "missing", "unheard", "twice", "disordered",
+             "unrouted", "live", "backfilled", "missing", "unheard", "twice", "disordered",
              "complete");
   for (std::size_t i = 0; i < all.size(); ++i) {
     const StoredTopicFigures& one = all[i];
     fmt::print("  {:<18}{:>8}{:>10}{:>8}{:>11}{:>9}{:>9}{:>7}{:>12}{:>10.1f} s\n", stored[i],
-               one.logged, one.unrouted, one.live, one.filled_in, one.missing, one.unheard,
+               one.logged, one.unrouted, one.live, one.backfilled, one.missing, one.unheard,
                one.twice, one.disordered, static_cast<double>(one.last_ns - end_ns) * 1e-9);
     sound = sound && one.logged > 0 && one.missing == 0 && one.unheard == 0 && one.twice == 0 &&
             one.disordered == 0;

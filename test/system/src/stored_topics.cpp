@@ -30,13 +30,13 @@ using Id = std::pair<Writer, std::uint64_t>;
 
 class StationReaders::Reading final : public Receiver {
  public:
-  Reading(Shared& shared, std::uint32_t topic, bool filled_in)
-      : shared_(shared), topic_(topic), filled_in_(filled_in) {}
+  Reading(Shared& shared, std::uint32_t topic, bool backfilled)
+      : shared_(shared), topic_(topic), backfilled_(backfilled) {}
   /// All readers of the process; several threads.
   void receive(const Sample& sample) override {
     const std::size_t at = shared_.claimed.fetch_add(1);
     if (at >= most) return;
-    shared_.samples[at] = {topic_, filled_in_, sample.source, sample.sequence,
+    shared_.samples[at] = {topic_, backfilled_, sample.source, sample.sequence,
                            sample.received_wall_ns};
     shared_.written[at].store(true, std::memory_order_release);
   }
@@ -44,7 +44,7 @@ class StationReaders::Reading final : public Receiver {
  private:
   Shared& shared_;
   const std::uint32_t topic_;
-  const bool filled_in_;
+  const bool backfilled_;
 };
 
 StationReaders::StationReaders(pid_t station, int domain, const std::string& qos,
@@ -63,7 +63,7 @@ StationReaders::StationReaders(pid_t station, int domain, const std::string& qos
     for (std::uint32_t i = 0; i < topics.size(); ++i) {
       const KnownTopic topic = known(topics[i]);
       const TopicInfo live = make_topic_info(topics[i], topic.info.qos, Scope::host);
-      const TopicInfo filled = make_topic_info(topics[i] + "/filled_in", "event", Scope::host);
+      const TopicInfo filled = make_topic_info(topics[i] + "/backfilled", "event", Scope::host);
       for (const bool is_filled : {false, true}) {
         readings.push_back(std::make_unique<Reading>(*shared_, i, is_filled));
         subscriptions.push_back(
@@ -110,7 +110,7 @@ StoredTopicFigures figures_of(std::uint32_t topic, const BothLogs& logs,
     if (one.topic != topic) continue;
     if (begin_ns == 0) begin_ns = one.at_ns;
     if (!first.try_emplace({one.source, one.sequence}, one).second) ++figures.twice;
-    std::uint64_t& highest = last[{one.source, one.filled_in}];
+    std::uint64_t& highest = last[{one.source, one.backfilled}];
     if (one.sequence < highest) ++figures.disordered;
     highest = std::max(highest, one.sequence);
   }
@@ -134,7 +134,7 @@ StoredTopicFigures figures_of(std::uint32_t topic, const BothLogs& logs,
     if (found == first.end()) {
       ++figures.unheard;
     } else {
-      ++(found->second.filled_in ? figures.filled_in : figures.live);
+      ++(found->second.backfilled ? figures.backfilled : figures.live);
     }
   }
   return figures;

@@ -20,13 +20,13 @@ namespace tocsin {
 /// A sample that a reader of the station got, by the wall clock of this computer.
 struct GotSample {
   std::uint32_t topic = 0;  ///< index in the list of topics
-  bool filled_in = false;
+  bool backfilled = false;
   std::uint64_t source = 0;
   std::uint64_t sequence = 0;
   std::int64_t at_ns = 0;  ///< since the Unix epoch
 };
 
-/// Readers of stored topics and of what is filled in of them on the station, which belong to no
+/// Readers of stored topics and of what is backfilled of them on the station, which belong to no
 /// launch. What they get is in memory that they share with this process.
 class StationReaders {
  public:
@@ -62,14 +62,14 @@ struct LoggedOne {
 
 /// What became of one topic until a time.
 struct StoredTopicFigures {
-  std::size_t logged = 0;     ///< on the vehicle, from the readers' first sample on
-  std::size_t unrouted = 0;   ///< written between these while the vehicle had no router
-  std::size_t live = 0;       ///< of these, first seen live by the readers
-  std::size_t filled_in = 0;  ///< and filled in
-  std::size_t missing = 0;    ///< not in the station's log
-  std::size_t unheard = 0;    ///< there, and no reader got it: the router was new to them
+  std::size_t logged = 0;      ///< on the vehicle, from the readers' first sample on
+  std::size_t unrouted = 0;    ///< written between these while the vehicle had no router
+  std::size_t live = 0;        ///< of these, first seen live by the readers
+  std::size_t backfilled = 0;  ///< and backfilled
+  std::size_t missing = 0;     ///< not in the station's log
+  std::size_t unheard = 0;     ///< there, and no reader got it: the router was new to them
   std::size_t twice = 0;
-  std::size_t disordered = 0;  ///< live or filled in before an older one of its writer
+  std::size_t disordered = 0;  ///< live or backfilled before an older one of its writer
   std::int64_t last_ns = 0;    ///< when the last of these came, since the Unix epoch
 };
 /// The logs of both sides.

@@ -87,7 +87,7 @@ class FetchRuleTest : public ::testing::Test {
 TEST_F(FetchRuleTest, TenSecondsAroundAnEmergencyStopCrossOnceThoughTheRouterIsKilled) {
   // A small share, so that there is time to kill in.
   const Stack stack(
-      {folder_.path("fetch.yaml"), "--seed", "1", "--set", "link_router.fill_in_share=0.05"});
+      {folder_.path("fetch.yaml"), "--seed", "1", "--set", "link_router.backfill_share=0.05"});
   const auto has_logged = [&] {
     const auto all = logged_in(stack.path("uxv/store/history"), "odom");
     return !all.empty() && all.back().at_ns - all.front().at_ns > 6'000'000'000;
@@ -115,7 +115,7 @@ TEST_F(FetchRuleTest, TenSecondsAroundAnEmergencyStopCrossOnceThoughTheRouterIsK
   ASSERT_TRUE(Stack::eventually(seconds(90), [&] { return !kept(stack); })) << stack.output();
   std::vector<Id> got;
   for (const GotSample& one : readers.got()) {
-    EXPECT_TRUE(one.filled_in) << "odom is not sent by itself";
+    EXPECT_TRUE(one.backfilled) << "odom is not sent by itself";
     got.emplace_back(one.source, one.sequence);
   }
   const std::vector<Id> wanted = logged(stack, window);

@@ -38,7 +38,7 @@ constexpr std::size_t largest_packet = 28 + 1400;
 
 /// The class of a topic of the link; nothing for one that is not to cross.
 std::optional<TrafficClass> class_of(const std::string& topic, const TrafficRules& rules) {
-  if (topic == link_receipt_topic) return TrafficClass::critical;
+  if (topic == link_acknowledgement_topic) return TrafficClass::critical;
   if (topic == link_services_topic) return TrafficClass::high;
   const TrafficRule* const rule = rules.find(topic);
   return rule == nullptr ? std::nullopt : std::optional(rule->traffic_class);
@@ -87,9 +87,9 @@ TEST(LinkCapture, EachPacketOfAMissionBearsTheMarkOfItsClassAndNoneIsAbove1400By
     return std::includes(names.begin(), names.end(), wanted.begin(), wanted.end());
   };
   ASSERT_TRUE(Stack::eventually(seconds(40), [&] {
-    return has(topics(uxv), {"camera/image_raw/compressed", "heartbeat", "link_receipt",
+    return has(topics(uxv), {"camera/image_raw/compressed", "heartbeat", "link_acknowledgement",
                              "link_state", "location"}) &&
-           has(topics(gcs), {"heartbeat", "link_receipt", "link_state"});
+           has(topics(gcs), {"heartbeat", "link_acknowledgement", "link_state"});
   })) << stack.output();
   EXPECT_EQ(check_marks(sent(uxv, since), uxv_rules).size(), 4U) << "classes of the vehicle";
   EXPECT_GE(check_marks(sent(gcs, since), gcs_rules).size(), 2U) << "classes of the station";

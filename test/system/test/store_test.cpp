@@ -31,7 +31,7 @@ using std::chrono::seconds;
 using Message = std_msgs::msg::String;
 
 constexpr TopicInfo live{"history", "history", Scope::host};
-constexpr TopicInfo filled{"history/filled_in", "history", Scope::host};
+constexpr TopicInfo filled{"history/backfilled", "history", Scope::host};
 constexpr int outage_s = 6;
 constexpr auto period = milliseconds(50);
 /// Of lives of the routers. The topic is transient local, and its last sample is sent again
@@ -113,11 +113,11 @@ class StoreTest : public ::testing::Test {
     options.host_domain = domain;
     peers_.push_back(std::make_unique<Peer>(process, options, job));
   }
-  /// All that were written, live or filled in, each once.
+  /// All that were written, live or backfilled, each once.
   [[nodiscard]] std::vector<std::uint64_t> got() const {
     std::vector<std::uint64_t> all = history_->live.all();
-    const auto filled_in = history_->filled.all();
-    all.insert(all.end(), filled_in.begin(), filled_in.end());
+    const auto backfilled = history_->filled.all();
+    all.insert(all.end(), backfilled.begin(), backfilled.end());
     std::sort(all.begin(), all.end());
     return all;
   }
@@ -168,9 +168,9 @@ TEST_F(StoreTest, AnOutageWithKilledRoutersLosesNothingAndGivesEachSampleOnceAnd
       << "\n"
       << stack.output();
   EXPECT_LE(twice().size(), meetings) << ::testing::PrintToString(twice());
-  const auto filled_in = history_->filled.all();
-  EXPECT_GT(filled_in.size(), 60U) << "at least what was written in half of the outage";
-  EXPECT_TRUE(std::is_sorted(filled_in.begin(), filled_in.end())) << "in the order of the writer";
+  const auto backfilled = history_->filled.all();
+  EXPECT_GT(backfilled.size(), 60U) << "at least what was written in half of the outage";
+  EXPECT_TRUE(std::is_sorted(backfilled.begin(), backfilled.end())) << "in the order of the writer";
 }
 
 TEST_F(StoreTest, ReadersThatFindARestartedRouterLateMissNothingThatCrossed) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arrival_log.hpp"
 
-#include "fill_in_messages.hpp"
+#include "backfill_messages.hpp"
 #include "router_messages.hpp"
 #include "runtime/middleware/link_permissions.hpp"
 

@@ -12,7 +12,7 @@
 namespace tocsin {
 
 /// What this host keeps of what peers send: topics that the traffic file lists under `keep` go to
-/// its history as they are given to the host, live or filled in, for readers that come late.
+/// its history as they are given to the host, live or backfilled, for readers that come late.
 class ArrivalLog {
  public:
   /// All outlive it. `wall_ns`: [ns] since the Unix epoch, of a time.

@@ -8,13 +8,16 @@
 namespace tocsin::router {
 namespace {
 
-/// Ages of this and more say nothing of the arrival: a receipt codes them in 16 bits of 100 us.
+/// Ages of this and more say nothing of the arrival: an acknowledgement codes them in 16 bits of
+/// 100 us.
 constexpr Duration longest_age = std::chrono::seconds(5);
 
-bool names(const StreamReceipt& receipt, TransmissionNumber number) {
-  if (number == receipt.highest) return true;
-  if (number > receipt.highest || receipt.highest - number > StreamReceipt::window) return false;
-  return (receipt.before >> (receipt.highest - number - 1) & 1U) != 0;
+bool names(const StreamAcknowledgement& acknowledgement, TransmissionNumber number) {
+  if (number == acknowledgement.highest) return true;
+  if (number > acknowledgement.highest ||
+      acknowledgement.highest - number > StreamAcknowledgement::window)
+    return false;
+  return (acknowledgement.before >> (acknowledgement.highest - number - 1) & 1U) != 0;
 }
 
 bool is_settled(const DeliveryLog::Record& record) {
@@ -30,8 +33,8 @@ void DeliveryLog::add(const Record& record) {
   records.push_back(kept);
   record.sample->under_way += static_cast<unsigned>(record.copies.size());
   if (!record.copies.empty()) under_way_.push_back(kept);
-  // No receipt tells of older ones.
-  if (records.size() > StreamReceipt::window + 1) records.pop_front();
+  // No acknowledgement tells of older ones.
+  if (records.size() > StreamAcknowledgement::window + 1) records.pop_front();
 }
 
 void DeliveryLog::forget_stream(StreamId stream) {
@@ -83,17 +86,17 @@ std::vector<Settlement> DeliveryLog::forget_peer(PeerIndex peer) {
   return settled;
 }
 
-void DeliveryLog::take_stream(PeerIndex peer, const StreamReceipt& receipt, Time made,
-                              std::vector<Settlement>& settled) {
-  const auto found = streams_.find(receipt.stream);
+void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& acknowledgement,
+                              Time made, std::vector<Settlement>& settled) {
+  const auto found = streams_.find(acknowledgement.stream);
   if (found == streams_.end()) return;
   for (const RecordPtr& record : found->second) {
-    if (!names(receipt, record->number)) continue;
+    if (!names(acknowledgement, record->number)) continue;
     for (Copy& copy : record->copies) {
       if (copy.peer != peer || copy.came) continue;
       Settlement one = settle(*record, copy, true);
-      one.is_exact = record->number == receipt.highest && receipt.age < longest_age;
-      one.arrived = one.is_exact ? made - receipt.age : made;
+      one.is_exact = record->number == acknowledgement.highest && acknowledgement.age < longest_age;
+      one.arrived = one.is_exact ? made - acknowledgement.age : made;
       settled.push_back(std::move(one));
     }
   }
@@ -114,10 +117,11 @@ void DeliveryLog::give_up_overtaken(PeerIndex peer, const std::vector<Settlement
       settled);
 }
 
-std::vector<Settlement> DeliveryLog::on_receipt(PeerIndex peer, const LinkReceipt& receipt) {
+std::vector<Settlement> DeliveryLog::on_acknowledgement(
+    PeerIndex peer, const LinkAcknowledgement& acknowledgement) {
   std::vector<Settlement> settled;
-  for (const StreamReceipt& stream : receipt.streams) {
-    take_stream(peer, stream, receipt.made, settled);
+  for (const StreamAcknowledgement& stream : acknowledgement.streams) {
+    take_stream(peer, stream, acknowledgement.made, settled);
   }
   std::sort(settled.begin(), settled.end(),
             [](const Settlement& a, const Settlement& b) { return a.sent < b.sent; });

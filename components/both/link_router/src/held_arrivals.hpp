@@ -10,8 +10,8 @@
 namespace tocsin {
 
 /// What comes on a peer's stored flow before readers of the host have found its writer there. It
-/// waits for them, and no receipt tells of it until it is given: what this router does not live to
-/// give is filled in. Pure; `now` never decreases.
+/// waits for them, and no acknowledgement tells of it until it is given: what this router does not
+/// live to give is backfilled. Pure; `now` never decreases.
 class HeldArrivals {
  public:
   /// The flow's writer on the host is made now.
@@ -19,7 +19,7 @@ class HeldArrivals {
   void on_reader(FlowId flow, Time now);
   void forget(FlowId flow) { flows_.erase(flow); }
 
-  /// Whether it is held, or left to be filled in since too many are. Else it may be given.
+  /// Whether it is held, or left to be backfilled since too many are. Else it may be given.
   [[nodiscard]] bool hold(const link_event::LinkSample& sample);
   /// What may be given now, in the order of each flow; its flows hold nothing any more.
   [[nodiscard]] std::vector<link_event::LinkSample> take(Time now);

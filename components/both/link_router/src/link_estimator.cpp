@@ -58,7 +58,7 @@ Duration LinkEstimator::on_received(const Received& received, Time now) {
   unanswered_ = 0;
   blend(loss_, 0, loss_weight);
   const Duration crossing = received.arrived.time_since_epoch() - received.sent.time_since_epoch();
-  // Whatever a receipt says of times: it is here by now.
+  // Whatever an acknowledgement says of times: it is here by now.
   const Duration most = std::max(now - received.sent, Duration::zero());
   const auto over_least = [&] {
     return std::clamp(crossing - least_.value().value_or(crossing), Duration::zero(), most);

@@ -9,8 +9,8 @@ namespace {
 
 /// Sources of all streams of a peer that are remembered; then the one unheard for longest goes.
 constexpr std::size_t most_memories = 256;
-/// A stream is in the receipts of this time after something of it came, so that one of them comes
-/// through.
+/// A stream is in the acknowledgements of this time after something of it came, so that one of them
+/// comes through.
 constexpr Duration told_for = std::chrono::milliseconds(500);
 /// What is not older than this was sent a moment ago.
 constexpr Duration fresh = std::chrono::milliseconds(500);
@@ -26,8 +26,8 @@ void LinkReceiver::on_peer(const std::string& peer, Incarnation incarnation) {
   if (known.incarnation == incarnation) return;
   known.incarnation = incarnation;
   known.streams.clear();
-  known.receipts = 0;
-  known.receipt_due = Time::min();
+  known.acknowledgements = 0;
+  known.acknowledgement_due = Time::min();
 }
 
 void LinkReceiver::forget_peer(const std::string& peer) {
@@ -35,7 +35,7 @@ void LinkReceiver::forget_peer(const std::string& peer) {
   if (known == peers_.end()) return;
   known->second.incarnation.reset();
   known->second.streams.clear();
-  known->second.receipt_due = never;
+  known->second.acknowledgement_due = never;
 }
 
 void LinkReceiver::on_stream(const std::string& peer, StreamId stream, const StreamRule& rule) {
@@ -57,26 +57,26 @@ Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arr
   Peer& from = known->second;
   const auto found = from.streams.find(arrived.stream);
   if (found == from.streams.end()) return Disposition::unknown_stream;
-  ask_for_receipt(from, now);
+  ask_for_acknowledgement(from, now);
   const StreamRule& rule = found->second.rule;
   const Disposition disposition = judge(from, rule, arrived.origin, now);
   const bool came_in_vain =
       disposition == Disposition::superseded || disposition == Disposition::expired;
-  // Of a stored stream it follows in another way, unless a receipt tells of it.
+  // Of a stored stream it follows in another way, unless an acknowledgement tells of it.
   if (!rule.stored || !came_in_vain) note(found->second, arrived.number, now);
   return disposition;
 }
 
 void LinkReceiver::note(Stream& stream, TransmissionNumber number, Time now) {
-  if (number < stream.highest && stream.highest - number > StreamReceipt::window) {
+  if (number < stream.highest && stream.highest - number > StreamAcknowledgement::window) {
     if (!is_contrary(stream, number, now)) return;
     stream.highest = 0;
   }
   if (number > stream.highest) {
     const TransmissionNumber ahead = number - stream.highest;
     const bool had_one = stream.highest > 0;
-    stream.before = ahead < StreamReceipt::window ? stream.before << ahead : 0;
-    if (had_one && ahead <= StreamReceipt::window) stream.before |= 1ULL << (ahead - 1);
+    stream.before = ahead < StreamAcknowledgement::window ? stream.before << ahead : 0;
+    if (had_one && ahead <= StreamAcknowledgement::window) stream.before |= 1ULL << (ahead - 1);
     stream.highest = number;
     stream.last = now;
   } else if (number < stream.highest) {
@@ -128,41 +128,42 @@ SourceMemory& LinkReceiver::memory_of(Peer& peer, const std::string& stream, Sou
   return place->second;
 }
 
-void LinkReceiver::ask_for_receipt(Peer& peer, Time now) const {
-  Time due = now + seconds(params_.receipt_delay_s);
-  if (peer.receipt_sent)
-    due = std::max(due, *peer.receipt_sent + seconds(params_.receipt_period_s));
-  peer.receipt_due = std::min(peer.receipt_due, due);
+void LinkReceiver::ask_for_acknowledgement(Peer& peer, Time now) const {
+  Time due = now + seconds(params_.acknowledgement_delay_s);
+  if (peer.acknowledgement_sent)
+    due = std::max(due, *peer.acknowledgement_sent + seconds(params_.acknowledgement_period_s));
+  peer.acknowledgement_due = std::min(peer.acknowledgement_due, due);
 }
 
-void LinkReceiver::ask_for_receipt(const std::string& peer, Time now) {
+void LinkReceiver::ask_for_acknowledgement(const std::string& peer, Time now) {
   const auto known = peers_.find(peer);
-  if (known != peers_.end() && known->second.incarnation) ask_for_receipt(known->second, now);
+  if (known != peers_.end() && known->second.incarnation)
+    ask_for_acknowledgement(known->second, now);
 }
 
-std::optional<LinkReceiver::Addressed> LinkReceiver::take_receipt(Time now) {
+std::optional<LinkReceiver::Addressed> LinkReceiver::take_acknowledgement(Time now) {
   for (auto& [name, peer] : peers_) {
-    if (peer.receipt_due <= now) return Addressed{name, make_receipt(peer, now)};
+    if (peer.acknowledgement_due <= now) return Addressed{name, make_acknowledgement(peer, now)};
   }
   return std::nullopt;
 }
 
-LinkReceipt LinkReceiver::make_receipt(Peer& peer, Time now) const {
-  LinkReceipt receipt{++peer.receipts, now, {}};
+LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) const {
+  LinkAcknowledgement acknowledgement{++peer.acknowledgements, now, {}};
   // After a silence everything is told once more.
-  const bool idle = !peer.receipt_sent || now - *peer.receipt_sent >= told_for;
+  const bool idle = !peer.acknowledgement_sent || now - *peer.acknowledgement_sent >= told_for;
   for (const auto& [id, stream] : peer.streams) {
     if (stream.highest == 0 || (!idle && now - stream.noted > told_for)) continue;
-    receipt.streams.push_back({id, stream.highest, now - stream.last, stream.before});
+    acknowledgement.streams.push_back({id, stream.highest, now - stream.last, stream.before});
   }
-  peer.receipt_sent = now;
-  peer.receipt_due = now + seconds(params_.receipt_idle_s);
-  return receipt;
+  peer.acknowledgement_sent = now;
+  peer.acknowledgement_due = now + seconds(params_.acknowledgement_idle_s);
+  return acknowledgement;
 }
 
 Time LinkReceiver::deadline() const {
   Time next = never;
-  for (const auto& entry : peers_) next = std::min(next, entry.second.receipt_due);
+  for (const auto& entry : peers_) next = std::min(next, entry.second.acknowledgement_due);
   return next;
 }
 

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "arrival_log.hpp"
+#include "backfill_link.hpp"
+#include "backfill_messages.hpp"
 #include "call_link.hpp"
 #include "fetch_trigger.hpp"
-#include "fill_in_link.hpp"
-#include "fill_in_messages.hpp"
 #include "foundation/error.hpp"
 #include "held_arrivals.hpp"
 #include "router_messages.hpp"
@@ -22,12 +22,12 @@ namespace tocsin {
 namespace {
 
 /// What routers tell each other; on the link only.
-using Receipt = tocsin_msgs::msg::LinkReceipt;
+using Acknowledgement = tocsin_msgs::msg::LinkAcknowledgement;
 
-Flow receipt_flow() {
+Flow acknowledgement_flow() {
   Flow flow;
-  flow.topic = link_receipt_topic;
-  flow.type = type_info<Receipt>().name;
+  flow.topic = link_acknowledgement_topic;
+  flow.type = type_info<Acknowledgement>().name;
   return flow;
 }
 
@@ -56,15 +56,16 @@ LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
       receiver_(params.link),
       link_(open_link(bus(), schedule())),
       stop_(std::make_unique<RouterStop>(*this, context, *link_, log())),
-      receipts_(link_->open(receipt_flow(), TrafficClass::critical)),
+      acknowledgements_(link_->open(acknowledgement_flow(), TrafficClass::critical)),
       store_(std::make_unique<RouterStore>(context.devices, store_place(context, params),
                                            [this] { schedule().input_arrived(); })),
       history_(std::make_unique<RouterStore>(context.devices, history_place(context, params),
                                              [this] { schedule().input_arrived(); })),
       arrivals_(std::make_unique<ArrivalLog>(
           ArrivalLog::Parts{*link_, *history_, [this](Time now) { return bus().wall_ns(now); }})),
-      fill_ins_(std::make_unique<FillInLink>(
-          FillInLink::Parts{*link_, sender_, *store_, *history_, *arrivals_, log()}, params.link)),
+      backfills_(std::make_unique<BackfillLink>(
+          BackfillLink::Parts{*link_, sender_, *store_, *history_, *arrivals_, log()},
+          params.link)),
       calls_(std::make_unique<CallLink>(CallLink::Parts{
           *link_, sender_, log(), [this](Time now) { return bus().wall_ns(now); }})),
       held_(std::make_unique<HeldArrivals>()) {
@@ -73,7 +74,7 @@ LinkRouterComponent::LinkRouterComponent(Context& context, const Params& params)
     by_link_[flow] = &own_[flow];
   }
   triggers_ = make_triggers(*this, link_->rules().fetches(),
-                            fill_ins_->logs() ? params.fetch_around_stop_s : 0);
+                            backfills_->logs() ? params.fetch_around_stop_s : 0);
 }
 
 LinkRouterComponent::~LinkRouterComponent() = default;
@@ -86,14 +87,14 @@ void LinkRouterComponent::tick(Time now) {
   take_events(now);
   give_held(now);
   calls_->follow(now);
-  fill_ins_->follow(now, bus().wall_ns(now));
+  backfills_->follow(now, bus().wall_ns(now));
   send(now);
-  fill_ins_->follow(now, bus().wall_ns(now));
+  backfills_->follow(now, bus().wall_ns(now));
   answer(now);
   if (now >= next_budget_) tell_budgets(now);
   if (now >= next_report_) report(now);
   wake_at(std::min({sender_.deadline(now), receiver_.deadline(), keeper_.deadline(now),
-                    fill_ins_->deadline(now), calls_->deadline(now), held_->deadline(),
+                    backfills_->deadline(now), calls_->deadline(now), held_->deadline(),
                     stop_->deadline(), next_budget_, next_report_, next_keep_}));
 }
 
@@ -115,7 +116,7 @@ void LinkRouterComponent::take_events(Time now) {
 
 void LinkRouterComponent::on(const link_event::HostFlow& event, Time) {
   const TrafficRule& rule = link_->rules().of(event.what.topic);
-  if (!rule.live) return fill_ins_->add_logged(event.flow, std::nullopt, event.what);
+  if (!rule.live) return backfills_->add_logged(event.flow, std::nullopt, event.what);
   Outgoing& flow = outgoing_[event.flow];
   const Flow sent = on_link(event.what, rule);
   flow.on_link = link_->open(sent, rule.traffic_class);
@@ -124,17 +125,17 @@ void LinkRouterComponent::on(const link_event::HostFlow& event, Time) {
   if (rule.max_rate_hz > 0) flow.interval = seconds(1 / rule.max_rate_hz);
   by_link_[flow.on_link] = &flow;
   sender_.add_stream(flow.on_link, flow.rule);
-  if (rule.stored) fill_ins_->add(flow.on_link, event.what, flow.rule);
-  if (rule.logged) fill_ins_->add_logged(event.flow, flow.on_link, event.what);
+  if (rule.stored) backfills_->add(flow.on_link, event.what, flow.rule);
+  if (rule.logged) backfills_->add_logged(event.flow, flow.on_link, event.what);
 }
 
 void LinkRouterComponent::on(const link_event::HostFlowGone& event, Time now) {
-  fill_ins_->remove_logged(event.flow);
+  backfills_->remove_logged(event.flow);
   const auto found = outgoing_.find(event.flow);
   if (found == outgoing_.end()) return;
   send(now);  // the last words of who left
   sender_.remove_stream(found->second.on_link);
-  fill_ins_->remove(found->second.on_link);
+  backfills_->remove(found->second.on_link);
   link_->close(found->second.on_link);
   by_link_.erase(found->second.on_link);
   outgoing_.erase(found);
@@ -146,18 +147,18 @@ bool LinkRouterComponent::passes(Outgoing& flow, std::uint64_t writer, Time now)
 }
 
 void LinkRouterComponent::on(const link_event::HostSample& event, Time now) {
-  fill_ins_->log(event.flow, event.sample, now, bus().wall_ns(now));
+  backfills_->log(event.flow, event.sample, now, bus().wall_ns(now));
   const auto found = outgoing_.find(event.flow);
   if (found == outgoing_.end() || !passes(found->second, event.sample.source, now)) return;
   if (found->second.rule.stored) {
-    fill_ins_->offer(found->second.on_link, event.sample, now, bus().wall_ns(now));
+    backfills_->offer(found->second.on_link, event.sample, now, bus().wall_ns(now));
   }
   sender_.offer(found->second.on_link,
                 {origin_of(event.sample), event.sample.bytes, event.sample.content}, now);
 }
 
 void LinkRouterComponent::on(const link_event::HostListens& event, Time now) {
-  fill_ins_->on_host_listens(event.flow, now);
+  backfills_->on_host_listens(event.flow, now);
   held_->on_reader(event.flow, now);
 }
 
@@ -172,12 +173,13 @@ void LinkRouterComponent::on(const link_event::LinkSample& event, Time now) {
   const auto peer = peers_.find(from->second.peer);
   if (peer == peers_.end()) return;
   const Incoming& flow = from->second;
-  if (flow.kind == Incoming::Kind::receipts) return take_receipt(flow, event.sample, now);
+  if (flow.kind == Incoming::Kind::acknowledgements)
+    return take_acknowledgement(flow, event.sample, now);
   const router::Disposition disposition = receiver_.on_arrived(
       peer->second, {flow.wire_id, event.number, origin_of(event.sample)}, now);
-  if (flow.kind == Incoming::Kind::fill_ins) {
+  if (flow.kind == Incoming::Kind::backfills) {
     store_->open(now, bus().wall_ns(now));
-    return fill_ins_->on_batch({peer->second, flow.peer}, event.sample, now);
+    return backfills_->on_batch({peer->second, flow.peer}, event.sample, now);
   }
   if (disposition != router::Disposition::deliver) return;
   if (flow.kind == Incoming::Kind::services) {
@@ -185,26 +187,28 @@ void LinkRouterComponent::on(const link_event::LinkSample& event, Time now) {
   }
   if (flow.kind == Incoming::Kind::calls) return calls_->on_call(peer->second, event.sample, now);
   const bool was_given =
-      flow.rule.stored && !fill_ins_->on_live(peer->second, flow.rule, event.sample);
+      flow.rule.stored && !backfills_->on_live(peer->second, flow.rule, event.sample);
   if (!was_given) arrivals_->keep(flow.what, event.sample, now);
   // Late readers ask for the last sample of a state, whoever has it already.
   if (!was_given || flow.rule.durable) link_->give(event.flow, event.sample);
 }
 
-void LinkRouterComponent::take_receipt(const Incoming& from, const CarriedSample& sample,
-                                       Time now) {
-  const auto content = link_->unpack(type_info<Receipt>(), sample);
-  const auto* message = static_cast<const Receipt*>(content.get());
+void LinkRouterComponent::take_acknowledgement(const Incoming& from, const CarriedSample& sample,
+                                               Time now) {
+  const auto content = link_->unpack(type_info<Acknowledgement>(), sample);
+  const auto* message = static_cast<const Acknowledgement*>(content.get());
   if (message == nullptr || message->to_life() != link_->self()) return;
-  auto receipt = to_receipt(*message, [this](std::uint32_t id) { return stream_of(id); });
-  if (!receipt) return;
+  auto acknowledgement =
+      to_acknowledgement(*message, [this](std::uint32_t id) { return stream_of(id); });
+  if (!acknowledgement) return;
   const std::string& name = peers_.at(from.peer);
-  if (lives_[name] == from.peer) sender_.on_receipt(name, *receipt, now);
+  if (lives_[name] == from.peer) sender_.on_acknowledgement(name, *acknowledgement, now);
   for (const auto& request : message->requests()) {
     const auto range = to_range(request);
-    if (range && fill_ins_->fills(from.peer)) fill_ins_->request(*range, now);
+    if (range && backfills_->fills(from.peer)) backfills_->request(*range, now);
   }
-  fill_ins_->on_progress(from.peer, {message->fill_in_session(), message->fill_in_number()}, now);
+  backfills_->on_progress(from.peer, {message->backfill_session(), message->backfill_number()},
+                          now);
 }
 
 std::optional<router::StreamId> LinkRouterComponent::stream_of(std::uint32_t wire_id) const {
@@ -222,22 +226,24 @@ void LinkRouterComponent::send(Time now) {
     sender_.on_written(*number);
     flow.sent_bytes += transmission->sample.bytes;
   }
-  fill_ins_->send(now);
+  backfills_->send(now);
 }
 
 void LinkRouterComponent::answer(Time now) {
-  for (const std::string& peer : fill_ins_->take_progressed()) receiver_.ask_for_receipt(peer, now);
-  while (const auto due = receiver_.take_receipt(now)) {
-    auto message = std::make_shared<Receipt>(to_message(due->receipt));
+  for (const std::string& peer : backfills_->take_progressed())
+    receiver_.ask_for_acknowledgement(peer, now);
+  while (const auto due = receiver_.take_acknowledgement(now)) {
+    auto message = std::make_shared<Acknowledgement>(to_message(due->acknowledgement));
     message->from_life(link_->self());
     message->to_life(lives_[due->peer]);
-    const auto progress = fill_ins_->progress({due->peer, lives_[due->peer]});
-    message->fill_in_session(progress.session);
-    message->fill_in_number(progress.number);
+    const auto progress = backfills_->progress({due->peer, lives_[due->peer]});
+    message->backfill_session(progress.session);
+    message->backfill_number(progress.number);
     for (const auto& range : standing_.take_for(due->peer, now)) {
       message->requests().push_back(to_message(range));
     }
-    (void)link_->send(receipts_, link_->pack(type_info<Receipt>(), std::move(message)));
+    (void)link_->send(acknowledgements_,
+                      link_->pack(type_info<Acknowledgement>(), std::move(message)));
   }
 }
 

@@ -25,8 +25,8 @@ void check_order(const Named& upper, const Named& lower) {
 
 void check(const LinkRouterParams& params) {
   check_order({"repair_max_s", params.repair_max_s}, {"repair_first_s", params.repair_first_s});
-  check_order({"receipt_idle_s", params.receipt_idle_s},
-              {"receipt_period_s", params.receipt_period_s});
+  check_order({"acknowledgement_idle_s", params.acknowledgement_idle_s},
+              {"acknowledgement_period_s", params.acknowledgement_period_s});
   check_order({"hold_backlog_s", params.hold_backlog_s}, {"bulk_backlog_s", params.bulk_backlog_s});
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a LinkRouterComponent does when peers, and what they write and read, come and go.
+#include "backfill_link.hpp"
 #include "call_link.hpp"
-#include "fill_in_link.hpp"
 #include "held_arrivals.hpp"
 #include "link_router/link_router_component.hpp"
 #include "router_messages.hpp"
@@ -28,13 +28,13 @@ void LinkRouterComponent::on(const link_event::PeerLost& event, Time now) {
     log().warn("{} has left the link", found->second);
   }
   peers_.erase(found);
-  fill_ins_->on_lost(event.peer);
+  backfills_->on_lost(event.peer);
   calls_->on_lost(event.peer);
 }
 
 LinkRouterComponent::Incoming::Kind LinkRouterComponent::kind_of(const std::string& topic) {
-  if (topic == link_receipt_topic) return Incoming::Kind::receipts;
-  if (topic == fill_in_topic) return Incoming::Kind::fill_ins;
+  if (topic == link_acknowledgement_topic) return Incoming::Kind::acknowledgements;
+  if (topic == backfill_topic) return Incoming::Kind::backfills;
   if (topic == link_services_topic) return Incoming::Kind::services;
   return CallLink::carries(topic) ? Incoming::Kind::calls : Incoming::Kind::samples;
 }
@@ -45,7 +45,7 @@ void LinkRouterComponent::on(const link_event::PeerFlow& event, Time now) {
   Incoming& flow = incoming_[event.flow];
   flow = {event.peer, event.wire_id, kind_of(event.what.topic), stream_rule(event.what, {}),
           event.what};
-  if (flow.kind == Incoming::Kind::receipts) return;
+  if (flow.kind == Incoming::Kind::acknowledgements) return;
   receiver_.on_stream(peer->second, event.wire_id, flow.rule);
   if (flow.kind != Incoming::Kind::samples) return;
   if (event.what.stored) {
@@ -67,7 +67,7 @@ void LinkRouterComponent::on(const link_event::PeerFlowGone& event, Time) {
 void LinkRouterComponent::on(const link_event::PeerListens& event, Time now) {
   const auto peer = peers_.find(event.peer);
   if (peer == peers_.end()) return;
-  if (event.flow == fill_ins_->flow()) fill_ins_->on_listener({peer->second, event.peer}, now);
+  if (event.flow == backfills_->flow()) backfills_->on_listener({peer->second, event.peer}, now);
   const bool is_stream = by_link_.count(event.flow) != 0;
   if (is_stream) sender_.set_wanted(peer->second, event.flow, true, now);
 }

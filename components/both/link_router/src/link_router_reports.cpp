@@ -2,7 +2,7 @@
 // What a LinkRouterComponent tells its host.
 #include <utility>
 
-#include "fill_in_link.hpp"
+#include "backfill_link.hpp"
 #include "link_router/link_router_component.hpp"
 #include "router_messages.hpp"
 
@@ -30,7 +30,7 @@ void LinkRouterComponent::report(Time now) {
   tocsin_msgs::msg::LinkState message = to_message(sender_.state(now), link_->packets());
   message.stamp(wall(now));
   message.role(to_string(context().role));
-  fill_ins_->report(message);
+  backfills_->report(message);
   if (link_state_.write(std::move(message)) == Status::failed) {
     log().warn("the state of the link was not told");
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the host offers, the pause, the peers; what is put on the wire is in link_sender_wire.cpp,
-// what receipts tell in link_sender_receipts.cpp.
+// what acknowledgements tell in link_sender_acknowledgements.cpp.
 #include "link_router/link_sender.hpp"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ constexpr double peak_memory_s = 20;
 Time later(Time time, Duration by) { return by > never - time ? never : time + by; }
 
 Duration patience_of(const LinkRouterParams& params) {
-  return seconds(params.hold_backlog_s + params.receipt_delay_s + params.receipt_period_s);
+  return seconds(params.hold_backlog_s + params.acknowledgement_delay_s +
+                 params.acknowledgement_period_s);
 }
 
 }  // namespace

@@ -75,11 +75,12 @@ router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule) {
   return stream;
 }
 
-tocsin_msgs::msg::LinkReceipt to_message(const router::LinkReceipt& receipt) {
-  tocsin_msgs::msg::LinkReceipt message;
-  message.made_ns(receipt.made.time_since_epoch().count());
-  message.count(receipt.count);
-  for (const router::StreamReceipt& stream : receipt.streams) {
+tocsin_msgs::msg::LinkAcknowledgement to_message(
+    const router::LinkAcknowledgement& acknowledgement) {
+  tocsin_msgs::msg::LinkAcknowledgement message;
+  message.made_ns(acknowledgement.made.time_since_epoch().count());
+  message.count(acknowledgement.count);
+  for (const router::StreamAcknowledgement& stream : acknowledgement.streams) {
     message.streams().push_back(stream.stream);
     message.highest().push_back(static_cast<std::uint32_t>(stream.highest));
     message.age_100us().push_back(to_units(stream.age));
@@ -88,24 +89,24 @@ tocsin_msgs::msg::LinkReceipt to_message(const router::LinkReceipt& receipt) {
   return message;
 }
 
-std::optional<router::LinkReceipt> to_receipt(
-    const tocsin_msgs::msg::LinkReceipt& message,
+std::optional<router::LinkAcknowledgement> to_acknowledgement(
+    const tocsin_msgs::msg::LinkAcknowledgement& message,
     const std::function<std::optional<router::StreamId>(std::uint32_t)>& stream_of) {
   const std::size_t count = message.streams().size();
   if (message.highest().size() != count || message.age_100us().size() != count ||
       message.before().size() != count) {
     return std::nullopt;
   }
-  router::LinkReceipt receipt;
-  receipt.made = Time(Duration(message.made_ns()));
-  receipt.count = message.count();
+  router::LinkAcknowledgement acknowledgement;
+  acknowledgement.made = Time(Duration(message.made_ns()));
+  acknowledgement.count = message.count();
   for (std::size_t i = 0; i < count; ++i) {
     const auto stream = stream_of(message.streams()[i]);
     if (!stream) continue;
-    receipt.streams.push_back(
+    acknowledgement.streams.push_back(
         {*stream, message.highest()[i], message.age_100us()[i] * age_unit, message.before()[i]});
   }
-  return receipt;
+  return acknowledgement;
 }
 
 tocsin_msgs::msg::LinkState to_message(const router::LinkStateValues& values,

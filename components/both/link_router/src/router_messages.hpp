@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "link_router/link_receipt.hpp"
+#include "link_router/link_acknowledgement.hpp"
 #include "link_router/link_state_values.hpp"
 #include "link_router/transmission.hpp"
 #include "runtime/middleware/link_bus.hpp"
@@ -18,12 +18,13 @@ namespace tocsin {
 /// What the configuration and its writers say of a flow. `rule` of the host that sends it.
 [[nodiscard]] router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule);
 
-/// The lives are filled in by the caller.
-[[nodiscard]] tocsin_msgs::msg::LinkReceipt to_message(const router::LinkReceipt& receipt);
+/// The lives are backfilled by the caller.
+[[nodiscard]] tocsin_msgs::msg::LinkAcknowledgement to_message(
+    const router::LinkAcknowledgement& acknowledgement);
 /// Nothing when its lists are not of one length. `stream_of` tells the stream of a wire id; what it
 /// does not know is left out.
-[[nodiscard]] std::optional<router::LinkReceipt> to_receipt(
-    const tocsin_msgs::msg::LinkReceipt& message,
+[[nodiscard]] std::optional<router::LinkAcknowledgement> to_acknowledgement(
+    const tocsin_msgs::msg::LinkAcknowledgement& message,
     const std::function<std::optional<router::StreamId>(std::uint32_t)>& stream_of);
 
 /// Without stamp and role.

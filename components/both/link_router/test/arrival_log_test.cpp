@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fill_in_fixture.hpp"
+#include "backfill_fixture.hpp"
 #include "sample_log/consumer.hpp"
 
 namespace tocsin {
@@ -18,7 +18,7 @@ using ::testing::IsEmpty;
 
 constexpr FlowId other_flow = 800;
 
-class ArrivalLogTest : public FillInLinkTest {
+class ArrivalLogTest : public BackfillLinkTest {
  protected:
   ArrivalLogTest() {
     (void)folder_.write("traffic.yaml",
@@ -30,7 +30,7 @@ class ArrivalLogTest : public FillInLinkTest {
   void next_life() {
     start(folder_.path("store"));
     meet();
-    script_.happen(link_event::PeerFlow{peer_fill_ins, station, 9, flow(fill_in_topic)});
+    script_.happen(link_event::PeerFlow{peer_backfills, station, 9, flow(backfill_topic)});
     Flow stored = flow("goal");
     stored.stored = true;
     script_.happen(link_event::PeerFlow{peer_flow, station, 10, stored});
@@ -50,7 +50,7 @@ class ArrivalLogTest : public FillInLinkTest {
 TEST_F(ArrivalLogTest, KeepsWhatCameLiveAndWhatWasFilledIn) {
   hear(1, 1);
   hear(2, 4);
-  fill_in(1, {2, 3});
+  backfill(1, {2, 3});
   EXPECT_THAT(kept(), ElementsAre(1, 4, 2, 3)) << "as they arrived";
 }
 

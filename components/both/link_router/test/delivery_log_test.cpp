@@ -25,9 +25,9 @@ class DeliveryLogTest : public ::testing::Test {
     sut.add(record);
     return sent;
   }
-  static LinkReceipt receipt(StreamId stream, TransmissionNumber highest, std::uint64_t before,
-                             Time made = t0) {
-    LinkReceipt one;
+  static LinkAcknowledgement acknowledgement(StreamId stream, TransmissionNumber highest,
+                                             std::uint64_t before, Time made = t0) {
+    LinkAcknowledgement one;
     one.made = made;
     one.streams.push_back({stream, highest, 5 * ms, before});
     return one;
@@ -38,7 +38,7 @@ class DeliveryLogTest : public ::testing::Test {
 TEST_F(DeliveryLogTest, TellsWhatCameAndWhenTheNewestDid) {
   const auto first = send(1, 1, t0);
   const auto second = send(1, 2, t0 + ms);
-  const auto settled = sut.on_receipt(station, receipt(1, 2, 0b1, t0 + 20 * ms));
+  const auto settled = sut.on_acknowledgement(station, acknowledgement(1, 2, 0b1, t0 + 20 * ms));
   ASSERT_EQ(settled.size(), 2U);
   EXPECT_EQ(settled[0].sample, first);
   EXPECT_TRUE(settled[0].came);
@@ -52,28 +52,28 @@ TEST_F(DeliveryLogTest, TellsWhatCameAndWhenTheNewestDid) {
 
 TEST_F(DeliveryLogTest, TellsOfEachTransmissionOnce) {
   (void)send(1, 1, t0);
-  EXPECT_EQ(sut.on_receipt(station, receipt(1, 1, 0)).size(), 1U);
-  EXPECT_TRUE(sut.on_receipt(station, receipt(1, 1, 0)).empty());
+  EXPECT_EQ(sut.on_acknowledgement(station, acknowledgement(1, 1, 0)).size(), 1U);
+  EXPECT_TRUE(sut.on_acknowledgement(station, acknowledgement(1, 1, 0)).empty());
 }
 
 TEST_F(DeliveryLogTest, GivesUpWhatALaterOneOfItsClassHasOvertaken) {
   const auto lost = send(1, 1, t0);
   const auto of_another_class = send(2, 1, t0, TrafficClass::critical);
   (void)send(3, 1, t0 + ms);
-  const auto settled = sut.on_receipt(station, receipt(3, 1, 0));
+  const auto settled = sut.on_acknowledgement(station, acknowledgement(3, 1, 0));
   ASSERT_EQ(settled.size(), 2U);
   EXPECT_EQ(settled[1].sample, lost);
   EXPECT_FALSE(settled[1].came);
   EXPECT_EQ(of_another_class->under_way, 1U);
 }
 
-TEST_F(DeliveryLogTest, GivesUpAfterThePatienceAndTakesALateReceiptAllTheSame) {
+TEST_F(DeliveryLogTest, GivesUpAfterThePatienceAndTakesALateAcknowledgementAllTheSame) {
   const auto sent = send(1, 1, t0);
   EXPECT_EQ(sut.next_overdue(), t0 + 302 * ms);
   EXPECT_TRUE(sut.give_up_overdue(t0 + 302 * ms - Duration{1}).empty());
   ASSERT_EQ(sut.give_up_overdue(t0 + 302 * ms).size(), 1U);
   EXPECT_EQ(sent->under_way, 0U);
-  const auto settled = sut.on_receipt(station, receipt(1, 1, 0));
+  const auto settled = sut.on_acknowledgement(station, acknowledgement(1, 1, 0));
   ASSERT_EQ(settled.size(), 1U);
   EXPECT_TRUE(settled[0].came);
   EXPECT_TRUE(settled[0].was_settled);
@@ -83,7 +83,7 @@ TEST_F(DeliveryLogTest, GivesUpAfterThePatienceAndTakesALateReceiptAllTheSame) {
 TEST_F(DeliveryLogTest, KeepsPeersApart) {
   const auto sent = send(1, 1, t0, TrafficClass::low, {station, other});
   EXPECT_EQ(sent->under_way, 2U);
-  EXPECT_EQ(sut.on_receipt(station, receipt(1, 1, 0)).size(), 1U);
+  EXPECT_EQ(sut.on_acknowledgement(station, acknowledgement(1, 1, 0)).size(), 1U);
   EXPECT_EQ(sent->under_way, 1U);
   EXPECT_EQ(sut.count_under_way(other, 0), 1U);
   EXPECT_EQ(sut.forget_peer(other).size(), 1U);
@@ -91,22 +91,22 @@ TEST_F(DeliveryLogTest, KeepsPeersApart) {
   EXPECT_EQ(sut.next_overdue(), never);
 }
 
-TEST_F(DeliveryLogTest, ReadsTheWholeWindowOfAReceiptAndNoMore) {
+TEST_F(DeliveryLogTest, ReadsTheWholeWindowOfAAcknowledgementAndNoMore) {
   std::vector<SentSamplePtr> sent;
   for (TransmissionNumber number = 1; number <= 66; ++number) {
     sent.push_back(send(1, number, t0 + static_cast<int>(number) * ms, TrafficClass::high));
   }
   (void)sut.give_up_overdue(t0 + std::chrono::seconds(9));
-  const auto settled = sut.on_receipt(station, receipt(1, 66, 1ULL << 63U));
+  const auto settled = sut.on_acknowledgement(station, acknowledgement(1, 66, 1ULL << 63U));
   ASSERT_EQ(settled.size(), 2U);
   EXPECT_EQ(settled[0].sample, sent[1]) << "number 2 is 64 before 66";
 }
 
 TEST_F(DeliveryLogTest, AnOldArrivalSaysNothingOfTheDelay) {
   (void)send(1, 1, t0);
-  LinkReceipt one = receipt(1, 1, 0, t0 + std::chrono::seconds(6));
+  LinkAcknowledgement one = acknowledgement(1, 1, 0, t0 + std::chrono::seconds(6));
   one.streams[0].age = std::chrono::seconds(5);
-  EXPECT_FALSE(sut.on_receipt(station, one).at(0).is_exact);
+  EXPECT_FALSE(sut.on_acknowledgement(station, one).at(0).is_exact);
 }
 
 }  // namespace

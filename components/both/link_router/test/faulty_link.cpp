@@ -122,12 +122,12 @@ void FaultyLink::forge_sample() {
 
 void FaultyLink::forge_acknowledgement() {
   ++forged_;
-  LinkReceipt receipt{~0U, now_, {}};
-  receipt.made += (below(2'000'000) - 1'000'000) * ms;
-  if (chance(0.3)) receipt.count = static_cast<std::uint32_t>(random_());
+  LinkAcknowledgement acknowledgement{~0U, now_, {}};
+  acknowledgement.made += (below(2'000'000) - 1'000'000) * ms;
+  if (chance(0.3)) acknowledgement.count = static_cast<std::uint32_t>(random_());
   const auto id = static_cast<StreamId>(1 + below(3));
-  receipt.streams.push_back({id, random_(), below(6000) * ms, chance(0.5) ? ~0ULL : 0});
-  if (sender_runs()) sender_->on_receipt(station, receipt, now_);
+  acknowledgement.streams.push_back({id, random_(), below(6000) * ms, chance(0.5) ? ~0ULL : 0});
+  if (sender_runs()) sender_->on_acknowledgement(station, acknowledgement, now_);
 }
 
 void FaultyLink::replay() {
@@ -195,9 +195,9 @@ void FaultyLink::take(StreamId id, const OnAir& one) {
 }
 
 void FaultyLink::acknowledge() {
-  while (const auto receipt = receiver_->take_receipt(now_)) {
+  while (const auto acknowledgement = receiver_->take_acknowledgement(now_)) {
     if (chance(loss_) || !sender_runs()) continue;
-    sender_->on_receipt(station, receipt->receipt, now_);
+    sender_->on_acknowledgement(station, acknowledgement->acknowledgement, now_);
   }
 }
 

@@ -66,7 +66,7 @@ TEST_F(FetchAroundTest, WhatIsWantedOutlivesTheRouterAndCrossesOnce) {
   run(20);
   ASSERT_FALSE(sent().empty());
   EXPECT_EQ(sent().front(), confirmed + 1) << "what was confirmed does not cross again";
-  receipts_ = 0;
+  acknowledgements_ = 0;
   for (std::uint32_t number = 1; number <= 20; ++number) {
     ask({}, 1, number);
     run(1);

@@ -34,17 +34,17 @@ class HistoryLinkTest : public LinkRouterTest {
     params.fetch_around_stop_s = fetch_around_stop_s;
     LinkRouterTest::start(params, computer_);
   }
-  [[nodiscard]] FlowId fill_ins() const { return script_.opened_for(fill_in_topic); }
+  [[nodiscard]] FlowId backfills() const { return script_.opened_for(backfill_topic); }
   void meet_station() {
     meet();
-    begin_peer_flow("link_receipt", receipt_flow);
-    listen(fill_ins());
+    begin_peer_flow("link_acknowledgement", acknowledgement_flow);
+    listen(backfills());
   }
-  [[nodiscard]] std::vector<const tocsin_msgs::msg::FillIn*> batches() const {
-    std::vector<const tocsin_msgs::msg::FillIn*> all;
+  [[nodiscard]] std::vector<const tocsin_msgs::msg::Backfill*> batches() const {
+    std::vector<const tocsin_msgs::msg::Backfill*> all;
     for (const ScriptedLink::Sent& one : script_.sent) {
-      if (one.flow != fill_ins()) continue;
-      all.push_back(static_cast<const tocsin_msgs::msg::FillIn*>(one.sample.content.get()));
+      if (one.flow != backfills()) continue;
+      all.push_back(static_cast<const tocsin_msgs::msg::Backfill*>(one.sample.content.get()));
     }
     return all;
   }
@@ -52,7 +52,7 @@ class HistoryLinkTest : public LinkRouterTest {
   [[nodiscard]] std::vector<std::uint64_t> sent() const {
     std::vector<std::uint64_t> sequences;
     std::set<std::uint32_t> numbers;
-    for (const tocsin_msgs::msg::FillIn* const one : batches()) {
+    for (const tocsin_msgs::msg::Backfill* const one : batches()) {
       if (!numbers.insert(one->number()).second) continue;
       for (const auto& sample : one->samples()) sequences.push_back(sample.sequence_number());
     }
@@ -69,18 +69,18 @@ class HistoryLinkTest : public LinkRouterTest {
     request.to_ns(wall_ns());
     return request;
   }
-  /// The station tells it with a receipt, and what of fill-ins it has given.
+  /// The station tells it with an acknowledgement, and what of backfills it has given.
   void ask(const std::vector<tocsin_msgs::msg::LogRequest>& requests, std::uint32_t session = 0,
            std::uint32_t number = 0) {
-    auto receipt = std::make_shared<Receipt>();
-    receipt->from_life(station);
-    receipt->to_life(ScriptedLink::own_life);
-    receipt->count(++receipts_);
-    receipt->made_ns(host_->bus.now().time_since_epoch().count());
-    receipt->fill_in_session(session);
-    receipt->fill_in_number(number);
-    receipt->requests(requests);
-    tell(receipt);
+    auto acknowledgement = std::make_shared<Acknowledgement>();
+    acknowledgement->from_life(station);
+    acknowledgement->to_life(ScriptedLink::own_life);
+    acknowledgement->count(++acknowledgements_);
+    acknowledgement->made_ns(host_->bus.now().time_since_epoch().count());
+    acknowledgement->backfill_session(session);
+    acknowledgement->backfill_number(number);
+    acknowledgement->requests(requests);
+    tell(acknowledgement);
   }
   [[nodiscard]] tocsin_msgs::msg::LinkState state() {
     run(1.5);
@@ -90,7 +90,7 @@ class HistoryLinkTest : public LinkRouterTest {
 
   TemporaryFolder folder_;
   AbsentDevices computer_;
-  std::uint32_t receipts_ = 0;
+  std::uint32_t acknowledgements_ = 0;
 };
 
 }  // namespace tocsin

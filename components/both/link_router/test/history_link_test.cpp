@@ -97,8 +97,8 @@ TEST_F(HistoryLinkTest, WhatCrossedLiveIsNotSentAgain) {
   write(3, camera_flow);
   acknowledge(on_link, 2, 2);
   run(5);
-  EXPECT_THAT(sent(), IsEmpty()) << "a logged topic is not filled in by itself";
-  receipts_ = 2;
+  EXPECT_THAT(sent(), IsEmpty()) << "a logged topic is not backfilled by itself";
+  acknowledgements_ = 2;
   ask({request("camera")});
   run(3);
   EXPECT_THAT(sent(), ElementsAre(2)) << "the one that the pause took";
@@ -152,13 +152,15 @@ TEST_F(HistoryLinkTest, TellsWhatItHasLogged) {
   EXPECT_EQ(told.logged()[0].last_ns(), before + seconds(2).count());
 }
 
-TEST_F(HistoryLinkTest, WhatThisHostWantsIsToldWithReceiptsOnceASecondAsLongAsItIsRepeated) {
+TEST_F(HistoryLinkTest,
+       WhatThisHostWantsIsToldWithAcknowledgementsOnceASecondAsLongAsItIsRepeated) {
   meet_station();
   const auto told = [this] {
     std::size_t count = 0;
     for (const ScriptedLink::Sent& one : script_.sent) {
-      if (one.flow != script_.opened_for("link_receipt")) continue;
-      const auto& requests = static_cast<const Receipt*>(one.sample.content.get())->requests();
+      if (one.flow != script_.opened_for("link_acknowledgement")) continue;
+      const auto& requests =
+          static_cast<const Acknowledgement*>(one.sample.content.get())->requests();
       count += requests.size();
       for (const auto& request : requests) EXPECT_EQ(request.topic(), "picture");
     }

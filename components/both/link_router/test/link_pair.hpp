@@ -56,9 +56,10 @@ class LinkPair {
       each();
       send();
       arrive();
-      while (const auto receipt = receiver.take_receipt(now + clock_difference)) {
-        ++receipts;
-        if (!receipts_lost && !dead) sender.on_receipt("station", receipt->receipt, now);
+      while (const auto acknowledgement = receiver.take_acknowledgement(now + clock_difference)) {
+        ++acknowledgements;
+        if (!acknowledgements_lost && !dead)
+          sender.on_acknowledgement("station", acknowledgement->acknowledgement, now);
       }
     }
   }
@@ -75,11 +76,11 @@ class LinkPair {
   Time now = t0;
   LinkSender sender;
   LinkReceiver receiver;
-  bool dead = false;           ///< nothing crosses
-  bool receipts_lost = false;  ///< of the way back only
+  bool dead = false;                   ///< nothing crosses
+  bool acknowledgements_lost = false;  ///< of the way back only
   std::vector<Transmission> sent;
   std::map<StreamId, std::vector<std::uint64_t>> delivered;  ///< sequences
-  int receipts = 0;
+  int acknowledgements = 0;
 
  private:
   struct OnAir {

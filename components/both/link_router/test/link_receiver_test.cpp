@@ -15,7 +15,7 @@ class LinkReceiverTest : public ::testing::Test {
   LinkReceiverTest() {
     sut.on_peer("vehicle", 11);
     sut.on_stream("vehicle", location, rule());
-    (void)sut.take_receipt(now);  // the first one only tells that this router is there
+    (void)sut.take_acknowledgement(now);  // the first one only tells that this router is there
   }
   static StreamRule rule(std::size_t depth = 1, Duration lifespan = Duration::max()) {
     StreamRule one;
@@ -29,11 +29,11 @@ class LinkReceiverTest : public ::testing::Test {
                      SourceId source = 7) {
     return sut.on_arrived("vehicle", {location, number, {source, sequence, now - age}}, now);
   }
-  /// The receipt that is due next.
-  LinkReceipt next_receipt() {
+  /// The acknowledgement that is due next.
+  LinkAcknowledgement next_acknowledgement() {
     now = std::max(now, sut.deadline());
-    const auto receipt = sut.take_receipt(now);
-    return receipt ? receipt->receipt : LinkReceipt{};
+    const auto acknowledgement = sut.take_acknowledgement(now);
+    return acknowledgement ? acknowledgement->acknowledgement : LinkAcknowledgement{};
   }
   LinkRouterParams params;
   LinkReceiver sut{params};
@@ -98,27 +98,27 @@ TEST_F(LinkReceiverTest, KnowsNothingOfOthers) {
   EXPECT_EQ(arrive(1, 1), Disposition::unknown_stream);
 }
 
-TEST_F(LinkReceiverTest, ReceiptTellsWhatCame) {
+TEST_F(LinkReceiverTest, AcknowledgementTellsWhatCame) {
   (void)arrive(3, 1);
   (void)arrive(4, 2);
   (void)arrive(7, 3);
   (void)arrive(5, 9);  // a repair that was overtaken
   const Time last = now;
-  const LinkReceipt receipt = next_receipt();
-  ASSERT_EQ(receipt.streams.size(), 1U);
-  EXPECT_EQ(receipt.streams[0].highest, 7U);
-  EXPECT_EQ(receipt.streams[0].before, 0b1110U) << "6 did not come; 5, 4, 3 did";
-  EXPECT_EQ(receipt.streams[0].age, now - last);
+  const LinkAcknowledgement acknowledgement = next_acknowledgement();
+  ASSERT_EQ(acknowledgement.streams.size(), 1U);
+  EXPECT_EQ(acknowledgement.streams[0].highest, 7U);
+  EXPECT_EQ(acknowledgement.streams[0].before, 0b1110U) << "6 did not come; 5, 4, 3 did";
+  EXPECT_EQ(acknowledgement.streams[0].age, now - last);
 }
 
-TEST_F(LinkReceiverTest, ReceiptKeepsTheWholeWindow) {
+TEST_F(LinkReceiverTest, AcknowledgementKeepsTheWholeWindow) {
   (void)arrive(1, 1);
   (void)arrive(65, 2);
-  EXPECT_EQ(next_receipt().streams.at(0).before, 1ULL << 63U);
+  EXPECT_EQ(next_acknowledgement().streams.at(0).before, 1ULL << 63U);
   (void)arrive(66, 3);
-  EXPECT_EQ(next_receipt().streams.at(0).before, 1U);
+  EXPECT_EQ(next_acknowledgement().streams.at(0).before, 1U);
   (void)arrive(200, 4);
-  EXPECT_EQ(next_receipt().streams.at(0).before, 0U);
+  EXPECT_EQ(next_acknowledgement().streams.at(0).before, 0U);
 }
 
 TEST_F(LinkReceiverTest, AForgedTransmissionNumberIsForgotten) {
@@ -126,7 +126,7 @@ TEST_F(LinkReceiverTest, AForgedTransmissionNumberIsForgotten) {
   (void)arrive(1U << 30U, 2);
   std::uint64_t i = 3;
   for (const Time begin = now; now - begin <= 600 * ms; now += 100 * ms, ++i) (void)arrive(i, i);
-  EXPECT_EQ(next_receipt().streams.at(0).highest, i - 1);
+  EXPECT_EQ(next_acknowledgement().streams.at(0).highest, i - 1);
 }
 
 TEST_F(LinkReceiverTest, AForgedSequenceSilencesItsSourceForLessThanTwoSeconds) {
@@ -138,22 +138,22 @@ TEST_F(LinkReceiverTest, AForgedSequenceSilencesItsSourceForLessThanTwoSeconds) 
   EXPECT_LT(now - begin, 2000 * ms);
 }
 
-TEST_F(LinkReceiverTest, ReceiptComesSoonButNotTooOften) {
+TEST_F(LinkReceiverTest, AcknowledgementComesSoonButNotTooOften) {
   now += 500 * ms;
   (void)arrive(1, 1);
-  EXPECT_EQ(sut.deadline(), now + seconds(params.receipt_delay_s));
-  (void)next_receipt();
+  EXPECT_EQ(sut.deadline(), now + seconds(params.acknowledgement_delay_s));
+  (void)next_acknowledgement();
   const Time first = now;
   now += ms;
   (void)arrive(2, 2);
-  EXPECT_EQ(sut.deadline(), first + seconds(params.receipt_period_s));
+  EXPECT_EQ(sut.deadline(), first + seconds(params.acknowledgement_period_s));
 }
 
-TEST_F(LinkReceiverTest, RepeatsAReceiptAndThenFallsSilentButForASignOfLife) {
+TEST_F(LinkReceiverTest, RepeatsAAcknowledgementAndThenFallsSilentButForASignOfLife) {
   (void)arrive(1, 1);
-  EXPECT_EQ(next_receipt().streams.size(), 1U);
-  EXPECT_EQ(sut.deadline(), now + seconds(params.receipt_idle_s));
-  const LinkReceipt idle = next_receipt();
+  EXPECT_EQ(next_acknowledgement().streams.size(), 1U);
+  EXPECT_EQ(sut.deadline(), now + seconds(params.acknowledgement_idle_s));
+  const LinkAcknowledgement idle = next_acknowledgement();
   EXPECT_EQ(idle.streams.size(), 1U) << "after a silence everything is told once more";
   EXPECT_EQ(idle.count, 3U);
 }
@@ -165,10 +165,10 @@ TEST_F(LinkReceiverTest, APeersNextLifeStartsAfreshButRepeatsNothing) {
   sut.on_stream("vehicle", location, rule());
   EXPECT_EQ(arrive(1, 5), Disposition::duplicate);
   EXPECT_EQ(arrive(2, 6), Disposition::deliver);
-  EXPECT_EQ(next_receipt().count, 1U);
+  EXPECT_EQ(next_acknowledgement().count, 1U);
 }
 
-TEST_F(LinkReceiverTest, APeerThatIsGoneGetsNoReceipts) {
+TEST_F(LinkReceiverTest, APeerThatIsGoneGetsNoAcknowledgements) {
   (void)arrive(1, 5);
   sut.forget_peer("vehicle");
   EXPECT_EQ(sut.deadline(), never);

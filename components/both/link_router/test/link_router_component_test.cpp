@@ -69,15 +69,16 @@ TEST_F(LinkRouterTest, TellsThePeerWhatCame) {
   begin_peer_flow("goal");
   hear(1, 10);
   run(0.2);
-  const FlowId receipts = script_.opened_for("link_receipt");
-  ASSERT_GE(script_.sent_on(receipts), 1U);
-  EXPECT_EQ(script_.opened.at(receipts).traffic_class, TrafficClass::critical);
-  const auto& receipt = *static_cast<const Receipt*>(script_.sent.back().sample.content.get());
-  EXPECT_EQ(receipt.from_life(), ScriptedLink::own_life);
-  EXPECT_EQ(receipt.to_life(), station);
-  ASSERT_EQ(receipt.streams().size(), 1U);
-  EXPECT_EQ(receipt.streams()[0], peer_flow + 1);
-  EXPECT_EQ(receipt.highest()[0], 1U);
+  const FlowId acknowledgements = script_.opened_for("link_acknowledgement");
+  ASSERT_GE(script_.sent_on(acknowledgements), 1U);
+  EXPECT_EQ(script_.opened.at(acknowledgements).traffic_class, TrafficClass::critical);
+  const auto& acknowledgement =
+      *static_cast<const Acknowledgement*>(script_.sent.back().sample.content.get());
+  EXPECT_EQ(acknowledgement.from_life(), ScriptedLink::own_life);
+  EXPECT_EQ(acknowledgement.to_life(), station);
+  ASSERT_EQ(acknowledgement.streams().size(), 1U);
+  EXPECT_EQ(acknowledgement.streams()[0], peer_flow + 1);
+  EXPECT_EQ(acknowledgement.highest()[0], 1U);
 }
 
 TEST_F(LinkRouterTest, WhatIsNotAcknowledgedIsSentAgain) {
@@ -91,7 +92,7 @@ TEST_F(LinkRouterTest, WhatIsNotAcknowledgedIsSentAgain) {
 
 TEST_F(LinkRouterTest, WhatIsAcknowledgedIsNot) {
   meet();
-  begin_peer_flow("link_receipt", receipt_flow);
+  begin_peer_flow("link_acknowledgement", acknowledgement_flow);
   const FlowId on_link = begin("heartbeat");
   listen(on_link);
   write(1);
@@ -101,20 +102,20 @@ TEST_F(LinkRouterTest, WhatIsAcknowledgedIsNot) {
   EXPECT_EQ(script_.sent_on(on_link), 1U);
 }
 
-TEST_F(LinkRouterTest, AReceiptForAnotherLifeOrWithoutSenseIsIgnored) {
+TEST_F(LinkRouterTest, AAcknowledgementForAnotherLifeOrWithoutSenseIsIgnored) {
   meet();
-  begin_peer_flow("link_receipt", receipt_flow);
+  begin_peer_flow("link_acknowledgement", acknowledgement_flow);
   const FlowId on_link = begin("heartbeat");
   listen(on_link);
   write(1);
-  auto other = std::make_shared<Receipt>();
+  auto other = std::make_shared<Acknowledgement>();
   other->to_life(12);
   other->streams({1000 + on_link});
   other->highest({1});
   other->age_100us({0});
   other->before({0});
   tell(other);
-  auto odd = std::make_shared<Receipt>(*other);
+  auto odd = std::make_shared<Acknowledgement>(*other);
   odd->to_life(ScriptedLink::own_life);
   odd->highest({});
   tell(odd);
@@ -122,9 +123,9 @@ TEST_F(LinkRouterTest, AReceiptForAnotherLifeOrWithoutSenseIsIgnored) {
   EXPECT_GE(script_.sent_on(on_link), 2U) << "it was taken for an acknowledgement";
 }
 
-TEST_F(LinkRouterTest, AReceiptOfAPeersFormerLifeIsIgnored) {
+TEST_F(LinkRouterTest, AAcknowledgementOfAPeersFormerLifeIsIgnored) {
   meet();
-  begin_peer_flow("link_receipt", receipt_flow);
+  begin_peer_flow("link_acknowledgement", acknowledgement_flow);
   const FlowId on_link = begin("heartbeat");
   meet(station + 1);
   script_.happen(link_event::PeerListens{on_link, station + 1});
@@ -227,11 +228,12 @@ TEST_F(LinkRouterTest, ARestartedPeerIsAnsweredInItsNewLife) {
   hear(2, 11);
   EXPECT_EQ(script_.given.size(), 2U);
   run(0.2);
-  const auto& receipt = *static_cast<const Receipt*>(script_.sent.back().sample.content.get());
-  EXPECT_EQ(receipt.to_life(), station + 1);
+  const auto& acknowledgement =
+      *static_cast<const Acknowledgement*>(script_.sent.back().sample.content.get());
+  EXPECT_EQ(acknowledgement.to_life(), station + 1);
 }
 
-TEST_F(LinkRouterTest, APeerThatHasLeftGetsNoReceipts) {
+TEST_F(LinkRouterTest, APeerThatHasLeftGetsNoAcknowledgements) {
   meet();
   begin_peer_flow("goal");
   hear(1, 10);

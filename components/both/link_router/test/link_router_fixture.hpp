@@ -13,10 +13,10 @@
 
 namespace tocsin {
 
-using Receipt = tocsin_msgs::msg::LinkReceipt;
+using Acknowledgement = tocsin_msgs::msg::LinkAcknowledgement;
 inline constexpr FlowId host_flow = 500;
 inline constexpr FlowId peer_flow = 600;
-inline constexpr FlowId receipt_flow = 601;
+inline constexpr FlowId acknowledgement_flow = 601;
 inline constexpr PeerId station = 77;
 
 /// A router of the vehicle on a scripted link, in virtual time.
@@ -79,21 +79,21 @@ class LinkRouterTest : public ::testing::Test {
     run(0);
   }
   void acknowledge(FlowId on_link, std::uint64_t highest, std::uint32_t count = 1) {
-    auto receipt = std::make_shared<Receipt>();
-    receipt->from_life(station);
-    receipt->to_life(ScriptedLink::own_life);
-    receipt->count(count);
-    receipt->made_ns(host_->bus.now().time_since_epoch().count());
-    receipt->streams({1000 + on_link});
-    receipt->highest({static_cast<std::uint32_t>(highest)});
-    receipt->age_100us({10});
-    receipt->before({0});
-    tell(receipt);
+    auto acknowledgement = std::make_shared<Acknowledgement>();
+    acknowledgement->from_life(station);
+    acknowledgement->to_life(ScriptedLink::own_life);
+    acknowledgement->count(count);
+    acknowledgement->made_ns(host_->bus.now().time_since_epoch().count());
+    acknowledgement->streams({1000 + on_link});
+    acknowledgement->highest({static_cast<std::uint32_t>(highest)});
+    acknowledgement->age_100us({10});
+    acknowledgement->before({0});
+    tell(acknowledgement);
   }
-  void tell(const std::shared_ptr<Receipt>& receipt) {
+  void tell(const std::shared_ptr<Acknowledgement>& acknowledgement) {
     CarriedSample sample;
-    sample.content = receipt;
-    script_.happen(link_event::LinkSample{receipt_flow, 1, sample, host_->bus.now()});
+    sample.content = acknowledgement;
+    script_.happen(link_event::LinkSample{acknowledgement_flow, 1, sample, host_->bus.now()});
     run(0);
   }
   void set_active(bool active, const std::string& role = "uxv") {

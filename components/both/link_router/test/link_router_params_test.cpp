@@ -23,7 +23,7 @@ TEST(LinkRouterParams, RefusesWhatIsOutOfOrderAndNamesIt) {
   params.repair_max_s = 0.05;
   EXPECT_THROW(LinkSender{params}, ConfigError);
   params = {};
-  params.receipt_idle_s = 0.01;
+  params.acknowledgement_idle_s = 0.01;
   EXPECT_THROW(LinkReceiver{params}, ConfigError);
   params = {};
   params.hold_backlog_s = 0;

@@ -70,24 +70,24 @@ TEST(Peers, ARestartedPeerGetsTheStateAgain) {
   EXPECT_EQ(link.delivered[1], (Sequences{1}));
 }
 
-TEST(Peers, ReceiptsOfOthersAreIgnored) {
+TEST(Peers, AcknowledgementsOfOthersAreIgnored) {
   LinkPair link;
   link.add(1, rule_of(TrafficClass::critical));
-  link.receipts_lost = true;
+  link.acknowledgements_lost = true;
   link.offer(1, 1);
   link.run(60 * ms);
-  const LinkReceipt receipt{50, link.now, {{1, 1, 50 * ms, 0}}};
-  link.sender.on_receipt("nobody", receipt, link.now);
+  const LinkAcknowledgement acknowledgement{50, link.now, {{1, 1, 50 * ms, 0}}};
+  link.sender.on_acknowledgement("nobody", acknowledgement, link.now);
   EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 0U);
-  link.sender.on_receipt("station", receipt, link.now);
+  link.sender.on_acknowledgement("station", acknowledgement, link.now);
   EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 1U);
 }
 
-TEST(Peers, AForgedCountSilencesNoReceipt) {
+TEST(Peers, AForgedCountSilencesNoAcknowledgement) {
   LinkPair link;
   link.add(1, rule_of(TrafficClass::critical));
   link.run(200 * ms);
-  link.sender.on_receipt("station", {~0U, link.now, {}}, link.now);
+  link.sender.on_acknowledgement("station", {~0U, link.now, {}}, link.now);
   link.offer(1, 1);
   link.run(200 * ms);
   EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 1U);
@@ -104,8 +104,8 @@ TEST(Peers, RepairsUntilEachPeerThatWantsItHasIt) {
   EXPECT_GE(link.sent.size(), 2U) << "the second has acknowledged nothing";
   EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 0U);
   EXPECT_EQ(link.delivered[1], (Sequences{1}));
-  const LinkReceipt receipt{1, link.now, {{1, 2, 5 * ms, 0}}};
-  link.sender.on_receipt("second", receipt, link.now);
+  const LinkAcknowledgement acknowledgement{1, link.now, {{1, 2, 5 * ms, 0}}};
+  link.sender.on_acknowledgement("second", acknowledgement, link.now);
   const std::size_t before = link.sent.size();
   EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 1U);
   link.run(2000 * ms);
@@ -171,7 +171,7 @@ TEST(Peers, ARemovedStreamLeavesNothingBehind) {
   EXPECT_EQ(counts.dropped[static_cast<std::size_t>(DropReason::removed)], 1U);
 }
 
-TEST(Peers, ReceiptsAreFewAndStopWithTheTraffic) {
+TEST(Peers, AcknowledgementsAreFewAndStopWithTheTraffic) {
   LinkPair link;
   link.add(1, rule_of(TrafficClass::high));
   std::uint64_t sequence = 0;
@@ -179,11 +179,11 @@ TEST(Peers, ReceiptsAreFewAndStopWithTheTraffic) {
   link.run(10000 * ms, [&] {
     if (step++ % 20 == 0) link.offer(1, ++sequence);
   });
-  EXPECT_LE(link.receipts, 201) << "20 a second for 50 samples a second";
-  link.receipts = 0;
+  EXPECT_LE(link.acknowledgements, 201) << "20 a second for 50 samples a second";
+  link.acknowledgements = 0;
   link.run(10000 * ms);
-  EXPECT_LE(link.receipts, 11);
-  EXPECT_GE(link.receipts, 9);
+  EXPECT_LE(link.acknowledgements, 11);
+  EXPECT_GE(link.acknowledgements, 9);
 }
 
 }  // namespace

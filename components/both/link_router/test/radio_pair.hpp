@@ -44,7 +44,8 @@ class RadioPair {
     for (const Time end = now + length; now < end;) {
       offer();
       while (const auto one = sender.next(now)) put(*one);
-      while (const auto receipt = receiver.take_receipt(now)) put(receipt->receipt);
+      while (const auto acknowledgement = receiver.take_acknowledgement(now))
+        put(acknowledgement->acknowledgement);
       Time next = std::min({end, sender.deadline(now), receiver.deadline(), radio.next_event()});
       for (const Stream& stream : streams_) next = std::min(next, stream.next);
       ASSERT_GT(sender.deadline(now), now) << "called without end";
@@ -114,9 +115,11 @@ class RadioPair {
       }
     });
   }
-  void put(const LinkReceipt& receipt) {
-    push(radio::Direction::downlink, wire_cost(28 + 18 * receipt.streams.size()),
-         [this, receipt](Time at) { sender.on_receipt("station", receipt, at); });
+  void put(const LinkAcknowledgement& acknowledgement) {
+    push(radio::Direction::downlink, wire_cost(28 + 18 * acknowledgement.streams.size()),
+         [this, acknowledgement](Time at) {
+           sender.on_acknowledgement("station", acknowledgement, at);
+         });
   }
   void push(radio::Direction direction, const WireCost& cost, std::function<void(Time)> arrive) {
     const auto cargo = std::make_shared<Cargo>(Cargo{std::move(arrive), cost.packets});

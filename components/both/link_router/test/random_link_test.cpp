@@ -166,8 +166,9 @@ class RandomLink {
   }
 
   void answer() {
-    while (const auto receipt = receiver_->take_receipt(now_)) {
-      if (!chance(loss_)) sender_->on_receipt("station", receipt->receipt, now_);
+    while (const auto acknowledgement = receiver_->take_acknowledgement(now_)) {
+      if (!chance(loss_))
+        sender_->on_acknowledgement("station", acknowledgement->acknowledgement, now_);
     }
     EXPECT_GT(receiver_->deadline(), now_);
   }

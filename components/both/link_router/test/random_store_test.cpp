@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "link_router/fill_in_receiver.hpp"
-#include "link_router/fill_in_sender.hpp"
+#include "link_router/backfill_receiver.hpp"
+#include "link_router/backfill_sender.hpp"
 #include "link_router/link_receiver.hpp"
 #include "link_router/link_sender.hpp"
 #include "sample_log/ledger.hpp"
@@ -23,7 +23,7 @@ namespace {
 using sample_log::SampleId;
 
 constexpr Duration ms = std::chrono::milliseconds(1);
-constexpr StreamId fill_in_stream = 100;
+constexpr StreamId backfill_stream = 100;
 constexpr StreamId streams = 4;
 constexpr SourceId sources = 2;
 
@@ -58,14 +58,14 @@ class RandomStore {
       ADD_FAILURE() << "never came: sequence " << id.sequence << " of " << id.source;
     }
   }
-  [[nodiscard]] std::size_t filled_in() const { return filled_in_; }
+  [[nodiscard]] std::size_t backfilled() const { return backfilled_; }
   [[nodiscard]] std::size_t retired() const { return retired_.size(); }
 
  private:
   struct OnAir {
     Transmission what;
     TransmissionNumber number;
-    FillInBatch batch;
+    BackfillBatch batch;
   };
   int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
   bool chance(double p) { return below(100000) < static_cast<int>(p * 100000); }
@@ -91,7 +91,7 @@ class RandomStore {
     sender_ = std::make_unique<LinkSender>(LinkRouterParams{});
     ++vehicle_life_;
     numbers_.clear();
-    fill_in_ = std::make_unique<FillInSender>(LinkRouterParams{});
+    backfill_ = std::make_unique<BackfillSender>(LinkRouterParams{});
     log_.reset();
     log_ = std::make_unique<sample_log::SampleLog>(vehicle_files_, limits_, now_, wall_ns());
     air_.clear();
@@ -101,15 +101,15 @@ class RandomStore {
       sender_->add_stream(stream, rule);
       log_->add({rule.name, "/" + rule.name, {}, {}});
     }
-    sender_->add_fill_in_stream(fill_in_stream);
-    for (const SampleId& id : log_->waiting()) fill_in_->recover(id);
+    sender_->add_backfill_stream(backfill_stream);
+    for (const SampleId& id : log_->waiting()) backfill_->recover(id);
     if (receiver_) receiver_->on_peer("vehicle", vehicle_life_);
     meet();
   }
   void start_station() {
     receiver_ = std::make_unique<LinkReceiver>(LinkRouterParams{});
     ++station_life_;
-    filled_ = std::make_unique<FillInReceiver>();
+    filled_ = std::make_unique<BackfillReceiver>();
     ledger_.reset();
     ledger_ = std::make_unique<sample_log::Ledger>(station_files_, "given");
     filled_->recover(ledger_->done());
@@ -125,11 +125,11 @@ class RandomStore {
       sender_->set_wanted("station", stream, true, now_);
     }
     StreamRule any;
-    any.name = "fill-in";
+    any.name = "backfill";
     any.depth = 1000;
-    receiver_->on_stream("vehicle", fill_in_stream, any);
-    sender_->set_wanted("station", fill_in_stream, true, now_);
-    fill_in_->begin_session();
+    receiver_->on_stream("vehicle", backfill_stream, any);
+    sender_->set_wanted("station", backfill_stream, true, now_);
+    backfill_->begin_session();
   }
 
   void disturb() {
@@ -152,11 +152,11 @@ class RandomStore {
     follow_fates();
     answer();
     for (const SampleId& id : log_->retire(now_)) {
-      fill_in_->on_retired(id);
+      backfill_->on_retired(id);
       retired_.insert(id);
     }
-    const auto wanted = fill_in_->take_wanted();
-    if (!wanted.empty()) fill_in_->on_read(wanted, log_->read(wanted));
+    const auto wanted = backfill_->take_wanted();
+    if (!wanted.empty()) backfill_->on_read(wanted, log_->read(wanted));
   }
 
   void offer() {
@@ -166,10 +166,10 @@ class RandomStore {
       const Origin origin{source, ++sequences_[{stream, source}], now_};
       const auto bytes = static_cast<std::size_t>(1 + below(600));
       const SampleId id = id_of(stream, origin);
-      fill_in_->offer(id);
+      backfill_->offer(id);
       const auto logged =
           log_->append({{id, wall_ns(), std::vector<std::uint8_t>(bytes)}}, now_, wall_ns());
-      fill_in_->on_logged(id, logged.at(0));
+      backfill_->on_logged(id, logged.at(0));
       offered_.insert(id);
       sender_->offer(stream, {origin, bytes, nullptr}, now_);
     }
@@ -177,20 +177,20 @@ class RandomStore {
 
   void send() {
     while (const auto one = sender_->next(now_)) put(*one, {});
-    while (sender_->may_fill_in(now_)) {
-      const auto batch = fill_in_->next(now_, sender_->capacity_bytes_per_s(now_));
+    while (sender_->may_backfill(now_)) {
+      const auto batch = backfill_->next(now_, sender_->capacity_bytes_per_s(now_));
       if (!batch) break;
       EXPECT_FALSE(paused_) << "silent while paused";
       std::size_t bytes = 160;
       for (const auto& entry : batch->samples) bytes += entry.bytes.size() + 28;
       const Origin origin{0, ++batches_, now_};
       const Sample sample{origin, bytes, nullptr};
-      sender_->fill_in(fill_in_stream, sample, now_);
-      put({fill_in_stream, sample}, *batch);
+      sender_->backfill(backfill_stream, sample, now_);
+      put({backfill_stream, sample}, *batch);
     }
     EXPECT_GT(sender_->deadline(now_), now_);
   }
-  void put(const Transmission& one, const FillInBatch& batch) {
+  void put(const Transmission& one, const BackfillBatch& batch) {
     const TransmissionNumber number = ++numbers_[one.stream];
     sender_->on_written(number);
     if (chance(loss_)) return;
@@ -204,7 +204,7 @@ class RandomStore {
     std::vector<SampleId> done;
     for (const StoredFate& one : sender_->take_fates()) {
       const SampleId id = id_of(one.stream, one.origin);
-      if (fill_in_->on_fate(id, one.fate)) done.push_back(id);
+      if (backfill_->on_fate(id, one.fate)) done.push_back(id);
     }
     log_->confirm(done);
   }
@@ -214,7 +214,7 @@ class RandomStore {
       const auto& [one, number, batch] = air_.begin()->second;
       const Origin& origin = one.sample.origin;
       const auto disposition = receiver_->on_arrived("vehicle", {one.stream, number, origin}, now_);
-      if (one.stream == fill_in_stream) {
+      if (one.stream == backfill_stream) {
         take(batch);
       } else if (disposition == Disposition::deliver) {
         give_live(id_of(one.stream, origin));
@@ -228,10 +228,10 @@ class RandomStore {
     (void)ledger_->add(id);
     EXPECT_EQ(ledger_->save(), mcap::Kept::all);
   }
-  void take(const FillInBatch& batch) {
-    for (const FillInBatch& one : filled_->on_batch("vehicle", vehicle_life_, batch)) {
+  void take(const BackfillBatch& batch) {
+    for (const BackfillBatch& one : filled_->on_batch("vehicle", vehicle_life_, batch)) {
       for (const auto& entry : one.samples) {
-        ++filled_in_;
+        ++backfilled_;
         EXPECT_TRUE(given_.insert(entry.id).second) << "given twice";
         auto& last = last_filled_[{entry.id.stream, entry.id.source}];
         EXPECT_GT(entry.id.sequence, last) << "out of the order of its writer";
@@ -243,16 +243,16 @@ class RandomStore {
   }
 
   void answer() {
-    while (const auto receipt = receiver_->take_receipt(now_)) {
+    while (const auto acknowledgement = receiver_->take_acknowledgement(now_)) {
       if (chance(loss_)) continue;
-      confirmations_.emplace(
-          now_ + (1 + below(delay_ms_)) * ms,
-          std::make_pair(receipt->receipt, filled_->progress("vehicle", vehicle_life_)));
+      confirmations_.emplace(now_ + (1 + below(delay_ms_)) * ms,
+                             std::make_pair(acknowledgement->acknowledgement,
+                                            filled_->progress("vehicle", vehicle_life_)));
     }
     for (; !confirmations_.empty() && confirmations_.begin()->first <= now_;
          confirmations_.erase(confirmations_.begin())) {
-      sender_->on_receipt("station", confirmations_.begin()->second.first, now_);
-      log_->confirm(fill_in_->on_progress(confirmations_.begin()->second.second, now_));
+      sender_->on_acknowledgement("station", confirmations_.begin()->second.first, now_);
+      log_->confirm(backfill_->on_progress(confirmations_.begin()->second.second, now_));
     }
   }
 
@@ -272,10 +272,10 @@ class RandomStore {
   Incarnation vehicle_life_ = 0;
   Incarnation station_life_ = 1000;
   std::unique_ptr<LinkSender> sender_;
-  std::unique_ptr<FillInSender> fill_in_;
+  std::unique_ptr<BackfillSender> backfill_;
   std::unique_ptr<sample_log::SampleLog> log_;
   std::unique_ptr<LinkReceiver> receiver_;
-  std::unique_ptr<FillInReceiver> filled_;
+  std::unique_ptr<BackfillReceiver> filled_;
   std::unique_ptr<sample_log::Ledger> ledger_;
   bool paused_ = false;
   double loss_ = 0;
@@ -283,27 +283,27 @@ class RandomStore {
   std::uint64_t batches_ = 0;
   std::map<StreamId, TransmissionNumber> numbers_;
   std::multimap<Time, OnAir> air_;
-  std::multimap<Time, std::pair<LinkReceipt, FillInProgress>> confirmations_;
+  std::multimap<Time, std::pair<LinkAcknowledgement, BackfillProgress>> confirmations_;
   std::map<std::pair<StreamId, SourceId>, std::uint64_t> sequences_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> last_filled_;
   std::set<SampleId> offered_;
   std::set<SampleId> given_;
   std::set<SampleId> retired_;
-  std::size_t filled_in_ = 0;
+  std::size_t backfilled_ = 0;
 };
 
 TEST(RandomStore, LosesNothingButByTheLogsBoundsAndGivesEachSampleOnceAndInOrder) {
-  std::size_t filled_in = 0;
+  std::size_t backfilled = 0;
   std::size_t retired = 0;
   for (unsigned seed = 1; seed <= 16 && !HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomStore store(seed);
     store.run(1500);
     store.settle();
-    filled_in += store.filled_in();
+    backfilled += store.backfilled();
     retired += store.retired();
   }
-  EXPECT_GT(filled_in, 1500U);
+  EXPECT_GT(backfilled, 1500U);
   EXPECT_GT(retired, 0U);
 }
 

@@ -102,13 +102,13 @@ TEST(Repair, GivesUpASampleWithoutALifespanAfterABoundUnlessItIsDurable) {
   EXPECT_EQ(link.delivered[2], (Sequences{1}));
 }
 
-TEST(Repair, LostReceiptsCostARepairAndNoSecondDelivery) {
+TEST(Repair, LostAcknowledgementsCostARepairAndNoSecondDelivery) {
   LinkPair link;
   link.add(1, rule_of(TrafficClass::critical));
-  link.receipts_lost = true;
+  link.acknowledgements_lost = true;
   link.offer(1, 1);
   link.run(60 * ms);
-  link.receipts_lost = false;
+  link.acknowledgements_lost = false;
   link.run(300 * ms);
   EXPECT_EQ(link.sent.size(), 2U);
   EXPECT_EQ(link.delivered[1], (Sequences{1}));

@@ -11,17 +11,17 @@ namespace {
 
 std::optional<router::StreamId> same(std::uint32_t id) { return id; }
 
-router::LinkReceipt receipt() {
-  router::LinkReceipt receipt;
-  receipt.count = 3;
-  receipt.made = Time(std::chrono::seconds(5));
-  receipt.streams = {{7, 100, std::chrono::microseconds(2500), 0b101},
-                     {9, 4, std::chrono::seconds(60), 0}};
-  return receipt;
+router::LinkAcknowledgement acknowledgement() {
+  router::LinkAcknowledgement acknowledgement;
+  acknowledgement.count = 3;
+  acknowledgement.made = Time(std::chrono::seconds(5));
+  acknowledgement.streams = {{7, 100, std::chrono::microseconds(2500), 0b101},
+                             {9, 4, std::chrono::seconds(60), 0}};
+  return acknowledgement;
 }
 
-TEST(RouterMessages, AReceiptComesBackAsItWas) {
-  const auto back = to_receipt(to_message(receipt()), same);
+TEST(RouterMessages, AAcknowledgementComesBackAsItWas) {
+  const auto back = to_acknowledgement(to_message(acknowledgement()), same);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->count, 3U);
   EXPECT_EQ(back->made, Time(std::chrono::seconds(5)));
@@ -33,25 +33,25 @@ TEST(RouterMessages, AReceiptComesBackAsItWas) {
 }
 
 TEST(RouterMessages, AnAgeBeyondItsFieldIsTheOldestThatFits) {
-  const auto back = to_receipt(to_message(receipt()), same);
+  const auto back = to_acknowledgement(to_message(acknowledgement()), same);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->streams[1].age, 65535 * std::chrono::microseconds(100));
 }
 
-TEST(RouterMessages, AReceiptOfFifteenStreamsIsSmall) {
-  router::LinkReceipt many;
+TEST(RouterMessages, AAcknowledgementOfFifteenStreamsIsSmall) {
+  router::LinkAcknowledgement many;
   for (std::uint32_t i = 0; i < 15; ++i) many.streams.push_back({i, i, {}, i});
   const auto message = to_message(many);
-  EXPECT_LE(type_info<tocsin_msgs::msg::LinkReceipt>().serialized_size(&message), 350U);
+  EXPECT_LE(type_info<tocsin_msgs::msg::LinkAcknowledgement>().serialized_size(&message), 350U);
 }
 
-TEST(RouterMessages, ListsOfUnequalLengthAreNoReceipt) {
+TEST(RouterMessages, ListsOfUnequalLengthAreNoAcknowledgement) {
   for (int list = 0; list < 3; ++list) {
-    auto message = to_message(receipt());
+    auto message = to_message(acknowledgement());
     if (list == 0) message.highest().pop_back();
     if (list == 1) message.age_100us().push_back(1);
     if (list == 2) message.before().clear();
-    EXPECT_FALSE(to_receipt(message, same)) << list;
+    EXPECT_FALSE(to_acknowledgement(message, same)) << list;
   }
 }
 
@@ -59,7 +59,7 @@ TEST(RouterMessages, StreamsThatNobodyKnowsAreLeftOut) {
   const auto only_nine = [](std::uint32_t id) {
     return id == 9 ? std::optional<router::StreamId>(90) : std::nullopt;
   };
-  const auto back = to_receipt(to_message(receipt()), only_nine);
+  const auto back = to_acknowledgement(to_message(acknowledgement()), only_nine);
   ASSERT_TRUE(back);
   ASSERT_EQ(back->streams.size(), 1U);
   EXPECT_EQ(back->streams[0].stream, 90U);

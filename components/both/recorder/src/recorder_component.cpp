@@ -18,14 +18,14 @@ constexpr Duration try_again_period = std::chrono::seconds(2);
 constexpr const char* log_topic = "rosout";
 
 /// Of each topic of the link, where a router gives what did not cross at first.
-void add_filled_in(std::vector<ChosenTopic>& chosen) {
-  std::vector<ChosenTopic> filled_in;
+void add_backfilled(std::vector<ChosenTopic>& chosen) {
+  std::vector<ChosenTopic> backfilled;
   for (const ChosenTopic& topic : chosen) {
     if (topic.info.scope != Scope::link) continue;
-    const std::string name = std::string(topic.info.name) + "/filled_in";
-    filled_in.push_back({make_topic_info(name, "event", Scope::host), topic.type});
+    const std::string name = std::string(topic.info.name) + "/backfilled";
+    backfilled.push_back({make_topic_info(name, "event", Scope::host), topic.type});
   }
-  chosen.insert(chosen.end(), filled_in.begin(), filled_in.end());
+  chosen.insert(chosen.end(), backfilled.begin(), backfilled.end());
 }
 
 /// Those that libraries of this process state; with wishes beyond them, those of all that are
@@ -34,7 +34,7 @@ std::vector<ChosenTopic> chosen_topics(const std::string& name,
                                        const RecorderComponent::Params& params) {
   if (!are_stated(params.topics, known_topics())) load_idl_libraries();
   auto chosen = choose_topics(name, {params.link_topics, params.topics}, known_topics());
-  if (params.filled_in) add_filled_in(chosen);
+  if (params.backfilled) add_backfilled(chosen);
   return chosen;
 }
 

@@ -23,7 +23,7 @@ using ::testing::StartsWith;
 
 struct FilledInGoal {
   using Message = topic::Goal::Message;
-  static constexpr TopicInfo info{"goal/filled_in", "event", Scope::host};
+  static constexpr TopicInfo info{"goal/backfilled", "event", Scope::host};
 };
 
 class RecorderTest : public ::testing::Test {
@@ -89,7 +89,7 @@ struct Remark {
 
 TEST_F(RecorderTest, TellsWhatWasFilledInFromWhatCrossedLive) {
   RecorderComponent::Params params;
-  params.filled_in = true;
+  params.backfilled = true;
   SimBus bus;
   Context context = Context(bus, "recorder", Role::gcs).with_run_dir(directory_);
   RecorderComponent sut(context, params);
@@ -102,8 +102,8 @@ TEST_F(RecorderTest, TellsWhatWasFilledInFromWhatCrossedLive) {
   bus.run_for(seconds(1));
   EXPECT_THAT(read("goal.csv"), HasSubstr(",0,0,7,"));
   EXPECT_THAT(read("goal.csv"), Not(HasSubstr(",0,0,6,")));
-  EXPECT_THAT(read("goal.filled_in.csv"), HasSubstr(",0,0,6,"));
-  EXPECT_THAT(read("messages.csv"), HasSubstr(",goal/filled_in,"));
+  EXPECT_THAT(read("goal.backfilled.csv"), HasSubstr(",0,0,6,"));
+  EXPECT_THAT(read("messages.csv"), HasSubstr(",goal/backfilled,"));
 }
 
 TEST_F(RecorderTest, RecordsATopicThatNobodyKnowsByItsType) {

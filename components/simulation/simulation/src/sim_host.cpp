@@ -97,7 +97,7 @@ void SimHost::give(const Flow& flow, const CarriedSample& carried, const Freight
   sample.bytes = carried.bytes;
   all.carried[carried.source] = {freight.from->host, flow.user_data};
   if (network_.core.observer != nullptr) {
-    const GivenAs as = flow.topic == freight.from->topic ? GivenAs::live : GivenAs::filled_in;
+    const GivenAs as = flow.topic == freight.from->topic ? GivenAs::live : GivenAs::backfilled;
     network_.core.observer->on_given(
         {*freight.from, name_, network_.core.now, freight.written, as});
   }

@@ -49,8 +49,8 @@ void Invariants::on_given(const GivenSample& given) {
                   what);
   }
   expect(is_new, given.time, "a stored sample was given twice", what);
-  expect(given.written > end.last_filled_in, given.time, "filled in out of order", what);
-  end.last_filled_in = given.written;
+  expect(given.written > end.last_backfilled, given.time, "backfilled out of order", what);
+  end.last_backfilled = given.written;
 }
 
 void Invariants::on_logs(const std::string& run_dir, const Outcome& outcome) {

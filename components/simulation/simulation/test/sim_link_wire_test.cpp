@@ -164,7 +164,7 @@ TEST_F(LinkWireTest, AMessageBetweenRoutersIsUnpackedAsItWasPacked) {
   const CarriedSample sample = up().bus.pack(type, packed);
   EXPECT_EQ(sample.bytes, type.serialized_size(packed.get()));
   Flow between;
-  between.topic = link_receipt_topic;
+  between.topic = link_acknowledgement_topic;
   const FlowId flow = up().bus.open(between, TrafficClass::critical);
   run_for(0.2);
   EXPECT_EQ(up().bus.send(flow, sample), 1U);

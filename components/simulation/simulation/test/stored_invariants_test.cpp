@@ -36,7 +36,7 @@ TEST_F(StoredInvariantsTest, WhatWasLoggedIsGivenLiveOrFilledIn) {
   for (const std::uint64_t written : {1, 2, 3}) log(written);
   give(1, GivenAs::live);
   give(3, GivenAs::live);
-  give(2, GivenAs::filled_in);
+  give(2, GivenAs::backfilled);
   end();
   EXPECT_EQ(broken(), 0U);
 }
@@ -64,8 +64,8 @@ TEST_F(StoredInvariantsTest, OneThatStillWaitsInTheLogIsNotLost) {
 }
 
 TEST_F(StoredInvariantsTest, NoneIsGivenTwice) {
-  give(1, GivenAs::filled_in);
-  give(1, GivenAs::filled_in);
+  give(1, GivenAs::backfilled);
+  give(1, GivenAs::backfilled);
   EXPECT_EQ(broken(), 2U) << "and not in order";
   give(1, GivenAs::live);
   EXPECT_EQ(broken(), 3U);
@@ -73,17 +73,17 @@ TEST_F(StoredInvariantsTest, NoneIsGivenTwice) {
 
 TEST_F(StoredInvariantsTest, ButLateReadersGetAStateAgain) {
   end_.durable = true;
-  give(1, GivenAs::filled_in);
+  give(1, GivenAs::backfilled);
   give(1, GivenAs::live);
   EXPECT_EQ(broken(), 0U);
 }
 
 TEST_F(StoredInvariantsTest, WhatIsFilledInIsInOrder) {
-  give(2, GivenAs::filled_in);
+  give(2, GivenAs::backfilled);
   give(5, GivenAs::live);
-  give(3, GivenAs::filled_in);
+  give(3, GivenAs::backfilled);
   EXPECT_EQ(broken(), 0U);
-  give(1, GivenAs::filled_in);
+  give(1, GivenAs::backfilled);
   EXPECT_EQ(broken(), 1U);
 }
 

@@ -62,7 +62,7 @@ void Fetching::ask() {
 }
 
 void Fetching::look_for_writer() {
-  const std::string name = wire_topic(fetch_.request().topic() + "/filled_in");
+  const std::string name = wire_topic(fetch_.request().topic() + "/backfilled");
   const std::vector<GraphEnd> ends = graph_.ends();
   std::vector<const GraphEnd*> writers;
   for (const GraphEnd& end : ends) {

@@ -40,7 +40,7 @@ class Fetching {
 
  private:
   void ask();
-  /// Reads what is filled in as soon as somebody writes it.
+  /// Reads what is backfilled as soon as somebody writes it.
   void look_for_writer();
   void write_what_came();
   [[nodiscard]] bool is_in_range(const RawSample& sample) const;

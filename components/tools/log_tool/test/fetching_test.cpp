@@ -73,12 +73,12 @@ TEST(Fetching, AsksAndWritesWhatIsFilledInUntilItIsDone) {
   FakeGraph graph;
   StateListener states(graph);
   Fetching sut(graph, states, request(), folder.path("fetched"), time.waiting());
-  graph.add_writer("rt/notes/filled_in", type_info<String>().name);
+  graph.add_writer("rt/notes/backfilled", type_info<String>().name);
   graph.on_write = [&graph](const std::string& topic) {
     if (topic != requests_topic || graph.written[topic].size() != 2) return;
     // It has been reading since it asked first.
     for (const auto& [sequence, sent_s] : {std::pair{1, 50}, {2, 100}, {3, 150}, {4, 250}}) {
-      graph.give("rt/notes/filled_in", note(static_cast<std::uint64_t>(sequence), sent_s));
+      graph.give("rt/notes/backfilled", note(static_cast<std::uint64_t>(sequence), sent_s));
     }
     graph.give(states_topic, state("done", 2));
   };

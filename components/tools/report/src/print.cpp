@@ -41,7 +41,7 @@ std::string table_text(const char* title, const std::vector<Traffic>& rows) {
   text += fmt::format("{:<32}{:>9}{:>7}{:>7}{:>7}{:>14}{:>14}{:>9}\n", "", "live", "in", "", "%",
                       "median    p99", "median    p99", "");
   for (const Traffic& row : rows) {
-    text += fmt::format("{:<32}{:>9}{:>7}{:>7}", name_text(row.name), row.received, row.filled_in,
+    text += fmt::format("{:<32}{:>9}{:>7}{:>7}", name_text(row.name), row.received, row.backfilled,
                         row.lost);
     text += cell(row.lost_percent()) + spread_cells(row.latency_s, 1000) +
             spread_cells(row.age_s, 1000) + "  " + cell(row.bytes_per_s / 1000) + "\n";

@@ -23,11 +23,11 @@ namespace tocsin::report {
 namespace {
 
 /// What a router gives later of a topic, it gives on this one.
-constexpr const char* filled_in_suffix = "/filled_in";
+constexpr const char* backfilled_suffix = "/backfilled";
 
 /// The topic that this one fills in; empty when it is none.
-std::optional<std::string> topic_filled_in(const std::string& topic) {
-  const std::string suffix = filled_in_suffix;
+std::optional<std::string> topic_backfilled(const std::string& topic) {
+  const std::string suffix = backfilled_suffix;
   const bool is_one = topic.size() > suffix.size() &&
                       topic.compare(topic.size() - suffix.size(), suffix.size(), suffix) == 0;
   return is_one ? std::optional(topic.substr(0, topic.size() - suffix.size())) : std::nullopt;
@@ -72,12 +72,12 @@ void add_arrivals(const Classes& classes, Role receiver, RunTables& run, Recordi
   for (const auto& [topic, link_class] : classes) own[topic] = own_samples(run, topic, receiver);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     Arrival arrival = arrival_of(table, row);
-    const auto filled_in = topic_filled_in(arrival.topic);
-    if (filled_in) arrival.topic = *filled_in;
+    const auto backfilled = topic_backfilled(arrival.topic);
+    if (backfilled) arrival.topic = *backfilled;
     const auto found = classes.find(arrival.topic);
     if (found == classes.end() || !std::isfinite(arrival.sent_s + arrival.received_s)) continue;
     if (own[arrival.topic].count(table.text(row, "send_s")) != 0) continue;
-    auto& came = filled_in ? recording.filled_in : recording.arrivals;
+    auto& came = backfilled ? recording.backfilled : recording.arrivals;
     came[found->second].push_back(std::move(arrival));
   }
 }
@@ -155,7 +155,7 @@ void find_limits(Recording& recording) {
     begin_s = std::min(begin_s, time_s);
     end_s = std::max(end_s, time_s);
   };
-  for (const auto* came : {&recording.arrivals, &recording.filled_in}) {
+  for (const auto* came : {&recording.arrivals, &recording.backfilled}) {
     for (const auto& [link_class, arrivals] : *came) {
       for (const Arrival& arrival : arrivals) widen(arrival.received_s);
     }

@@ -41,7 +41,7 @@ Spread spread_of(const std::vector<double>& values) {
   return {percentile(values, 0.5), percentile(values, 0.99)};
 }
 
-Fates fates_of(const std::vector<Arrival>& live, const std::vector<Arrival>& filled_in) {
+Fates fates_of(const std::vector<Arrival>& live, const std::vector<Arrival>& backfilled) {
   const auto numbers_of = [](const std::vector<Arrival>& arrivals, Numbers& numbers) {
     for (const Arrival& one : arrivals) {
       numbers[{one.topic, one.writer}].push_back(one.sequence);
@@ -50,9 +50,9 @@ Fates fates_of(const std::vector<Arrival>& live, const std::vector<Arrival>& fil
   Numbers all;
   numbers_of(live, all);
   const std::uint64_t came_live = distinct(all);
-  numbers_of(filled_in, all);
+  numbers_of(backfilled, all);
   Fates fates;
-  fates.filled_in = distinct(all) - came_live;
+  fates.backfilled = distinct(all) - came_live;
   for (const auto& [writer, numbers] : all) {
     fates.lost += numbers.back() - numbers.front() + 1 - numbers.size();
   }

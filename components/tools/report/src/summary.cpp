@@ -50,7 +50,7 @@ void collect(const std::vector<Arrival>& arrivals, const Interval& interval, Col
 /// What came of a class, or of a topic.
 struct Came {
   std::vector<Arrival> live;
-  std::vector<Arrival> filled_in;
+  std::vector<Arrival> backfilled;
 };
 
 Traffic traffic_of(const std::string& name, const Came& came,
@@ -60,9 +60,9 @@ Traffic traffic_of(const std::string& name, const Came& came,
   Collected all;
   for (const Interval& interval : intervals) {
     const std::vector<Arrival> live = sent_in(came.live, interval);
-    const Fates fates = fates_of(live, sent_in(came.filled_in, interval));
+    const Fates fates = fates_of(live, sent_in(came.backfilled, interval));
     traffic.received += live.size();
-    traffic.filled_in += fates.filled_in;
+    traffic.backfilled += fates.backfilled;
     traffic.lost += fates.lost;
     collect(live, interval, all);
   }
@@ -75,8 +75,8 @@ Traffic traffic_of(const std::string& name, const Came& came,
 std::map<LinkClass, Came> came_of(const Recording& recording) {
   std::map<LinkClass, Came> all;
   for (const auto& [link_class, arrivals] : recording.arrivals) all[link_class].live = arrivals;
-  for (const auto& [link_class, arrivals] : recording.filled_in) {
-    all[link_class].filled_in = arrivals;
+  for (const auto& [link_class, arrivals] : recording.backfilled) {
+    all[link_class].backfilled = arrivals;
   }
   return all;
 }
@@ -84,7 +84,7 @@ std::map<LinkClass, Came> came_of(const Recording& recording) {
 std::map<std::string, Came> by_topic(const Came& came) {
   std::map<std::string, Came> topics;
   for (const Arrival& one : came.live) topics[one.topic].live.push_back(one);
-  for (const Arrival& one : came.filled_in) topics[one.topic].filled_in.push_back(one);
+  for (const Arrival& one : came.backfilled) topics[one.topic].backfilled.push_back(one);
   return topics;
 }
 
@@ -139,7 +139,7 @@ void add_quality(const Recording& recording, Summary& summary) {
 }  // namespace
 
 double Traffic::lost_percent() const {
-  const auto sent = static_cast<double>(received + filled_in + lost);
+  const auto sent = static_cast<double>(received + backfilled + lost);
   return sent > 0 ? 100 * static_cast<double>(lost) / sent : std::nan("");
 }
 

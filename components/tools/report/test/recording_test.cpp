@@ -130,15 +130,15 @@ TEST(Recording, KnowsWhereTheVehicleWas) {
 TEST(Recording, KeepsWhatWasFilledInApart) {
   const ToyRun run;
   std::ofstream(run.path("gcs/messages.csv"), std::ios::app)
-      << "1150.0,1002.0,camera/image/filled_in,1,3,1000\n1150,1002,other/filled_in,1,3,1000\n"
-         "1150,1002,/filled_in,1,3,1000\n";
+      << "1150.0,1002.0,camera/image/backfilled,1,3,1000\n1150,1002,other/backfilled,1,3,1000\n"
+         "1150,1002,/backfilled,1,3,1000\n";
   const Recording sut = load_recording(run.path());
   const LinkClass low{Role::uxv, TrafficClass::low};
   EXPECT_THAT(sut.arrivals.at(low), SizeIs(3));
-  ASSERT_THAT(sut.filled_in, SizeIs(1));
-  ASSERT_THAT(sut.filled_in.at(low), SizeIs(1));
-  EXPECT_EQ(sut.filled_in.at(low)[0].topic, "camera/image");
-  EXPECT_EQ(sut.filled_in.at(low)[0].sequence, 3U);
+  ASSERT_THAT(sut.backfilled, SizeIs(1));
+  ASSERT_THAT(sut.backfilled.at(low), SizeIs(1));
+  EXPECT_EQ(sut.backfilled.at(low)[0].topic, "camera/image");
+  EXPECT_EQ(sut.backfilled.at(low)[0].sequence, 3U);
   EXPECT_EQ(sut.end_s, 1150);
 }
 

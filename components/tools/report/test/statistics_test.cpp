@@ -63,19 +63,19 @@ TEST(Lost, KeepsTopicsApart) {
 TEST(Lost, IsNotWhatWasFilledIn) {
   const std::vector<Arrival> live{arrival(0, 0, 1), arrival(0, 0, 5)};
   const Fates sut = fates_of(live, {arrival(0, 9, 2), arrival(0, 9, 3)});
-  EXPECT_EQ(sut.filled_in, 2U);
+  EXPECT_EQ(sut.backfilled, 2U);
   EXPECT_EQ(sut.lost, 1U) << "number 4";
 }
 
 TEST(Lost, CountsWhatCameLiveAndWasFilledInOnce) {
   const Fates sut = fates_of({arrival(0, 0, 1), arrival(0, 0, 2)}, {arrival(0, 9, 2)});
-  EXPECT_EQ(sut.filled_in, 0U);
+  EXPECT_EQ(sut.backfilled, 0U);
   EXPECT_EQ(sut.lost, 0U);
 }
 
 TEST(Lost, ReachesToTheFirstAndLastThatWereFilledIn) {
   const Fates sut = fates_of({arrival(0, 0, 5)}, {arrival(0, 9, 3), arrival(0, 9, 8)});
-  EXPECT_EQ(sut.filled_in, 2U);
+  EXPECT_EQ(sut.backfilled, 2U);
   EXPECT_EQ(sut.lost, 3U) << "4, 6 and 7";
 }
 

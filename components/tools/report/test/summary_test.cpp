@@ -106,13 +106,13 @@ TEST(Summary, CountsInPoorIntervalsOnlyWhatWasSentThere) {
 TEST(Summary, WhatWasFilledInIsNotLostAndShownApart) {
   const ToyRun run;
   std::ofstream(run.path("gcs/messages.csv"), std::ios::app)
-      << "1050.0,1002.0,camera/image/filled_in,1,3,1000\n"
-         "1050.0,1003.0,camera/image/filled_in,1,4,1000\n";
+      << "1050.0,1002.0,camera/image/backfilled,1,3,1000\n"
+         "1050.0,1003.0,camera/image/backfilled,1,4,1000\n";
   const Summary summary = summarise(load_recording(run.path()));
   for (const Traffic& sut :
        {row(summary.classes, "uxv low"), row(summary.topics, "uxv camera/image")}) {
     EXPECT_EQ(sut.received, 3U) << "live";
-    EXPECT_EQ(sut.filled_in, 2U);
+    EXPECT_EQ(sut.backfilled, 2U);
     EXPECT_EQ(sut.lost, 0U);
     EXPECT_DOUBLE_EQ(sut.latency_s.median, 0.5) << "of what came live";
     EXPECT_NEAR(sut.bytes_per_s, 30, 1e-9);
@@ -125,12 +125,12 @@ TEST(Summary, WhatWasFilledInIsOfTheIntervalInWhichItWasSent) {
   const ToyRun run;
   std::ofstream(run.path("gcs/messages.csv"), std::ios::app)
       << "1021.25,1021.0,camera/image,1,20,1000\n1023.25,1023.0,camera/image,1,22,1000\n"
-         "1090,1022,camera/image/filled_in,1,21,1000\n"
-         "1090,1050,camera/image/filled_in,1,40,1000\n";
+         "1090,1022,camera/image/backfilled,1,21,1000\n"
+         "1090,1050,camera/image/backfilled,1,40,1000\n";
   const Summary summary = summarise(load_recording(run.path()));
   const Traffic& sut = row(summary.classes, "uxv low, poor");
   EXPECT_EQ(sut.received, 2U);
-  EXPECT_EQ(sut.filled_in, 1U);
+  EXPECT_EQ(sut.backfilled, 1U);
   EXPECT_EQ(sut.lost, 0U);
 }
 

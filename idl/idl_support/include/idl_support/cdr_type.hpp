@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "idl_support/lone_key.hpp"
+#include "idl_support/key_only.hpp"
 #include "idl_support/type_info.hpp"
 #include "idl_support/wire_cursor.hpp"
 
@@ -128,7 +128,7 @@ void read_value(eprosima::fastcdr::Cdr& decoder, T& value) {
 template <class T>
 bool deserialize(const std::uint8_t* buffer, std::size_t size, void* message) {
   WireCursor cursor(buffer, size);
-  const bool key_alone = is_lone_key(buffer, size);
+  const bool key_alone = is_key_only(buffer, size);
   const auto skip = key_alone ? Key<T>::skip : type_info<T>().skip;
   if (!cursor.has_header() || !skip(cursor)) return false;
   auto* bytes = reinterpret_cast<char*>(const_cast<std::uint8_t*>(buffer));  // Fast CDR only reads

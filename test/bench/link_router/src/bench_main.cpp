@@ -27,14 +27,22 @@ struct Column {
   double Figures::*value;
 };
 constexpr Column columns[] = {
-    {"crit p50", &Figures::critical_p50_ms}, {"crit p99", &Figures::critical_p99_ms},
-    {"high p50", &Figures::high_p50_ms},     {"high p99", &Figures::high_p99_ms},
-    {"crit late%", &Figures::critical_late}, {"high late%", &Figures::high_late},
-    {"crit lost%", &Figures::critical_lost}, {"high lost%", &Figures::high_lost},
-    {"low dlv%", &Figures::low_delivered},   {"loc p99 s", &Figures::location_age_p99_s},
-    {"pic p99", &Figures::picture_p99_ms},   {"pic/s", &Figures::pictures_per_s},
-    {"pic kB", &Figures::picture_kb},        {"air%", &Figures::airtime},
-    {"rcpt/s", &Figures::receipts_per_s},    {"rep/s", &Figures::repairs_per_s},
+    {"crit p50", &Figures::critical_p50_ms},
+    {"crit p99", &Figures::critical_p99_ms},
+    {"high p50", &Figures::high_p50_ms},
+    {"high p99", &Figures::high_p99_ms},
+    {"crit late%", &Figures::critical_late},
+    {"high late%", &Figures::high_late},
+    {"crit lost%", &Figures::critical_lost},
+    {"high lost%", &Figures::high_lost},
+    {"low dlv%", &Figures::low_delivered},
+    {"loc p99 s", &Figures::location_age_p99_s},
+    {"pic p99", &Figures::picture_p99_ms},
+    {"pic/s", &Figures::pictures_per_s},
+    {"pic kB", &Figures::picture_kb},
+    {"air%", &Figures::airtime},
+    {"rcpt/s", &Figures::acknowledgements_per_s},
+    {"rep/s", &Figures::repairs_per_s},
     {"unreach%", &Figures::unreachable},
 };
 

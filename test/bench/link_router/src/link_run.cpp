@@ -201,7 +201,7 @@ class LinkRun {
     const auto report = channel_.report(traffic_.end);
     f.airtime =
         100 * to_seconds(report.uplink.air.airtime + report.downlink.air.airtime) / length_s;
-    f.receipts_per_s = routers_.receipts() / length_s;
+    f.acknowledgements_per_s = routers_.acknowledgements() / length_s;
     f.repairs_per_s = routers_.repairs() / length_s;
     return f;
   }

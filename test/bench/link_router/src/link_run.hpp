@@ -40,7 +40,7 @@ struct Figures {
   double pictures_per_s = 0;
   double picture_kb = 0;  ///< mean size of those delivered
   double airtime = 0;     ///< [%]
-  double receipts_per_s = 0;
+  double acknowledgements_per_s = 0;
   double repairs_per_s = 0;
   double unreachable = 0;  ///< [%] of the time: nothing written then can be there in 250 ms
 };

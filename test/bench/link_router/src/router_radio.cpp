@@ -12,9 +12,9 @@ namespace {
 constexpr const char* peer = "peer";
 constexpr std::size_t origin_bytes = 32;  // as in wire_cost()
 constexpr std::size_t echo_bytes = 92;
-/// A receipt as CDR with 32 bits for numbers and 16 for ages.
-constexpr std::size_t receipt_bytes = 28;
-constexpr std::size_t stream_receipt_bytes = 18;
+/// An acknowledgement as CDR with 32 bits for numbers and 16 for ages.
+constexpr std::size_t acknowledgement_bytes = 28;
+constexpr std::size_t stream_acknowledgement_bytes = 18;
 
 }  // namespace
 
@@ -57,17 +57,19 @@ void RouterRadio::send(std::size_t side, const router::Transmission& one, Time n
   send({one, 1 - side, classes_.at(one.stream), packets.size(), number}, packets, now);
 }
 
-void RouterRadio::send(std::size_t side, const router::LinkReceipt& receipt, Time now) {
-  const std::size_t bytes = receipt_bytes + stream_receipt_bytes * receipt.streams.size();
-  ++receipts_;
-  send({receipt, 1 - side, TrafficClass::critical, 1}, router::packets_of(bytes), now);
+void RouterRadio::send(std::size_t side, const router::LinkAcknowledgement& acknowledgement,
+                       Time now) {
+  const std::size_t bytes =
+      acknowledgement_bytes + stream_acknowledgement_bytes * acknowledgement.streams.size();
+  ++acknowledgements_;
+  send({acknowledgement, 1 - side, TrafficClass::critical, 1}, router::packets_of(bytes), now);
 }
 
 void RouterRadio::serve(Time now) {
   for (std::size_t side = 0; side < 2; ++side) {
     while (const auto one = senders_[side]->next(now)) send(side, *one, now);
-    while (const auto receipt = receivers_[side]->take_receipt(now)) {
-      send(side, receipt->receipt, now);
+    while (const auto acknowledgement = receivers_[side]->take_acknowledgement(now)) {
+      send(side, acknowledgement->acknowledgement, now);
     }
   }
 }
@@ -92,8 +94,8 @@ void RouterRadio::advance(Time now, const Deliver& deliver) {
 }
 
 void RouterRadio::arrive(const Cargo& cargo, Time now, const Deliver& deliver) {
-  if (const auto* receipt = std::get_if<router::LinkReceipt>(&cargo.what)) {
-    return senders_[cargo.to]->on_receipt(peer, *receipt, now);
+  if (const auto* acknowledgement = std::get_if<router::LinkAcknowledgement>(&cargo.what)) {
+    return senders_[cargo.to]->on_acknowledgement(peer, *acknowledgement, now);
   }
   if (const auto* echo = std::get_if<Echo>(&cargo.what)) {
     if (echo->is_request) send({Echo{false}, 0, TrafficClass::low, 1}, {echo_bytes}, now);

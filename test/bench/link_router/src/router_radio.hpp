@@ -38,7 +38,7 @@ class RouterRadio {
   [[nodiscard]] Time next_event(Time now) const;
 
   [[nodiscard]] router::LinkSender& sender(std::size_t side) { return *senders_[side]; }
-  [[nodiscard]] double receipts() const { return receipts_; }
+  [[nodiscard]] double acknowledgements() const { return acknowledgements_; }
   [[nodiscard]] double repairs() const { return repairs_; }
 
  private:
@@ -47,7 +47,7 @@ class RouterRadio {
   };
   /// What crosses the radio as one or more packets.
   struct Cargo {
-    std::variant<router::Transmission, router::LinkReceipt, Echo> what;
+    std::variant<router::Transmission, router::LinkAcknowledgement, Echo> what;
     std::size_t to = 0;  ///< side
     TrafficClass traffic_class = TrafficClass::critical;
     std::size_t missing = 0;  ///< packets
@@ -55,7 +55,7 @@ class RouterRadio {
   };
   void send(Cargo cargo, const std::vector<std::size_t>& packets, Time now);
   void send(std::size_t side, const router::Transmission& one, Time now);
-  void send(std::size_t side, const router::LinkReceipt& receipt, Time now);
+  void send(std::size_t side, const router::LinkAcknowledgement& acknowledgement, Time now);
   void arrive(const Cargo& cargo, Time now, const Deliver& deliver);
 
   radio::RadioChannel& channel_;
@@ -65,7 +65,7 @@ class RouterRadio {
   std::unordered_map<router::StreamId, TrafficClass> classes_;
   std::array<std::unordered_map<router::StreamId, router::TransmissionNumber>, 2> numbers_;
   std::unordered_map<radio::FrameId, std::shared_ptr<Cargo>> under_way_;
-  double receipts_ = 0;
+  double acknowledgements_ = 0;
   double repairs_ = 0;
 };
 

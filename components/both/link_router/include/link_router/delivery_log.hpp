@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "link_router/link_receipt.hpp"
+#include "link_router/link_acknowledgement.hpp"
 #include "link_router/transmission.hpp"
 
 namespace tocsin::router {
@@ -56,8 +56,8 @@ struct Settlement {
 /// The transmissions of all streams, and which peers have them.
 ///
 /// A transmission is given up for a peer when a later one of its class has come to it (the radio's
-/// queues are first in, first out) or when no receipt has told of it for long. A receipt that tells
-/// of it later still counts. Pure; `now` never decreases.
+/// queues are first in, first out) or when no acknowledgement has told of it for long. An
+/// acknowledgement that tells of it later still counts. Pure; `now` never decreases.
 class DeliveryLog {
  public:
   /// `patience` beyond the expected arrival a transmission is given up.
@@ -82,7 +82,8 @@ class DeliveryLog {
   /// Nothing is expected of it any more.
   [[nodiscard]] std::vector<Settlement> forget_peer(PeerIndex peer);
 
-  [[nodiscard]] std::vector<Settlement> on_receipt(PeerIndex peer, const LinkReceipt& receipt);
+  [[nodiscard]] std::vector<Settlement> on_acknowledgement(
+      PeerIndex peer, const LinkAcknowledgement& acknowledgement);
   [[nodiscard]] std::vector<Settlement> give_up_overdue(Time now);
   /// When give_up_overdue() has something; `never` when nothing is under way.
   [[nodiscard]] Time next_overdue() const;
@@ -92,7 +93,7 @@ class DeliveryLog {
  private:
   using RecordPtr = std::shared_ptr<Record>;
   using Records = std::deque<RecordPtr>;
-  void take_stream(PeerIndex peer, const StreamReceipt& receipt, Time made,
+  void take_stream(PeerIndex peer, const StreamAcknowledgement& acknowledgement, Time made,
                    std::vector<Settlement>& settled);
   void give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& came,
                          std::vector<Settlement>& settled);

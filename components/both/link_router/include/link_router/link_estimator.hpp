@@ -26,7 +26,7 @@ class WindowedMinimum {
   std::optional<Duration> previous_;
 };
 
-/// What one peer's receipts say of the way to it: capacity, queueing delay, loss, silence.
+/// What one peer's acknowledgements say of the way to it: capacity, queueing delay, loss, silence.
 ///
 /// Model: the radio's queue is a line that drains at the capacity. What is sent adds to it; what
 /// comes corrects it. Capacity is learned from bulk alone (a sample of many packets, which the
@@ -61,14 +61,14 @@ class LinkEstimator {
   [[nodiscard]] bool is_capacity_measured() const { return is_capacity_measured_; }
   /// How long what is sent at `now` would wait in the radio.
   [[nodiscard]] Duration backlog(Time now) const;
-  /// The wait that a small sample must reckon with before a receipt can tell of it: recent delays
-  /// with their spread.
+  /// The wait that a small sample must reckon with before an acknowledgement can tell of it: recent
+  /// delays with their spread.
   [[nodiscard]] Duration expected_delay() const;
   /// [0, 1] recent share that did not come.
   [[nodiscard]] double loss() const { return loss_; }
   /// Nothing has been acknowledged for so long that the link counts as dead.
   [[nodiscard]] bool is_silent(Time now) const;
-  /// Nothing that was sent waits for a receipt.
+  /// Nothing that was sent waits for an acknowledgement.
   void on_all_settled() { waiting_since_.reset(); }
   /// The link is back: what was learned of its queue is void, what was measured of its capacity
   /// since the last time halved.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "link_router/least_age.hpp"
-#include "link_router/link_receipt.hpp"
+#include "link_router/link_acknowledgement.hpp"
 #include "link_router/link_router_params.hpp"
 #include "link_router/source_memory.hpp"
 #include "link_router/transmission.hpp"
@@ -32,7 +32,7 @@ enum class Disposition : std::uint8_t {
   unknown_stream,  ///< of a peer or stream that was not told of
 };
 
-/// Which transmissions are given to the host, and the receipts for them.
+/// Which transmissions are given to the host, and the acknowledgements for them.
 ///
 /// Each sample is given once; of a stream of depth 1, in the order of its source. A stream of
 /// another depth gives a repaired sample when it comes, behind newer ones. What was given is
@@ -55,21 +55,21 @@ class LinkReceiver {
   [[nodiscard]] Disposition on_arrived(const std::string& peer, const Arrived& arrived, Time now);
 
   /// There is something to tell the peer besides.
-  void ask_for_receipt(const std::string& peer, Time now);
-  /// A receipt that is due at `now`, and the peer that it is for.
+  void ask_for_acknowledgement(const std::string& peer, Time now);
+  /// An acknowledgement that is due at `now`, and the peer that it is for.
   struct Addressed {
     std::string peer;
-    LinkReceipt receipt;
+    LinkAcknowledgement acknowledgement;
   };
-  [[nodiscard]] std::optional<Addressed> take_receipt(Time now);
-  /// When to call take_receipt(); `never` without a peer.
+  [[nodiscard]] std::optional<Addressed> take_acknowledgement(Time now);
+  /// When to call take_acknowledgement(); `never` without a peer.
   [[nodiscard]] Time deadline() const;
 
  private:
   struct Stream {
     StreamRule rule;
     TransmissionNumber highest = 0;  ///< 0: nothing came yet
-    std::uint64_t before = 0;        ///< as in StreamReceipt
+    std::uint64_t before = 0;        ///< as in StreamAcknowledgement
     Time last{};                     ///< arrival of the highest
     Time noted{};                    ///< arrival of any
     /// Highest of the numbers far below that were received since then, and no other.
@@ -81,9 +81,9 @@ class LinkReceiver {
     std::map<StreamId, Stream> streams;
     std::map<std::pair<std::string, SourceId>, SourceMemory> delivered;  ///< by name of the stream
     LeastAge age;
-    std::uint32_t receipts = 0;
-    std::optional<Time> receipt_sent;
-    Time receipt_due = Time::min();
+    std::uint32_t acknowledgements = 0;
+    std::optional<Time> acknowledgement_sent;
+    Time acknowledgement_due = Time::min();
   };
   static void note(Stream& stream, TransmissionNumber number, Time now);
   /// Whether a number far below the highest ends what is remembered of the stream's numbers.
@@ -92,8 +92,8 @@ class LinkReceiver {
                                          Time now);
   [[nodiscard]] static SourceMemory& memory_of(Peer& peer, const std::string& stream,
                                                SourceId source);
-  void ask_for_receipt(Peer& peer, Time now) const;
-  [[nodiscard]] LinkReceipt make_receipt(Peer& peer, Time now) const;
+  void ask_for_acknowledgement(Peer& peer, Time now) const;
+  [[nodiscard]] LinkAcknowledgement make_acknowledgement(Peer& peer, Time now) const;
 
   LinkRouterParams params_;
   std::map<std::string, Peer> peers_;

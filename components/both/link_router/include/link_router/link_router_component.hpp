@@ -23,7 +23,7 @@ namespace tocsin {
 class ArrivalLog;
 class CallLink;
 class FetchTrigger;
-class FillInLink;
+class BackfillLink;
 class HeldArrivals;
 class RouterStop;
 class RouterStore;
@@ -85,7 +85,7 @@ class LinkRouterComponent final : public Component {
   struct Incoming {
     PeerId peer = 0;
     std::uint32_t wire_id = 0;
-    enum class Kind : std::uint8_t { samples, receipts, fill_ins, services, calls };
+    enum class Kind : std::uint8_t { samples, acknowledgements, backfills, services, calls };
     Kind kind = Kind::samples;
     router::StreamRule rule;
     Flow what;
@@ -113,7 +113,7 @@ class LinkRouterComponent final : public Component {
   void keep_store(Time now);
   void take_requests(Time now);
   void fetch_around(const FetchTrigger& trigger, Time event, Time now);
-  void take_receipt(const Incoming& from, const CarriedSample& sample, Time now);
+  void take_acknowledgement(const Incoming& from, const CarriedSample& sample, Time now);
   void tell_budgets(Time now);
   void report(Time now);
   void report_traffic(Time now);
@@ -131,11 +131,11 @@ class LinkRouterComponent final : public Component {
   router::LinkReceiver receiver_;
   std::unique_ptr<LinkBus> link_;
   std::unique_ptr<RouterStop> stop_;
-  FlowId receipts_;
+  FlowId acknowledgements_;
   std::unique_ptr<RouterStore> store_;
   std::unique_ptr<RouterStore> history_;
   std::unique_ptr<ArrivalLog> arrivals_;
-  std::unique_ptr<FillInLink> fill_ins_;
+  std::unique_ptr<BackfillLink> backfills_;
   std::unique_ptr<CallLink> calls_;
   std::unique_ptr<HeldArrivals> held_;
   std::map<FlowId, Outgoing> outgoing_;  ///< by the flow on the host

@@ -12,9 +12,9 @@ struct LinkRouterParams {
   int bulk_under_way = 2;
   double hold_backlog_s = 0.25;
   double late_after_s = 0.25;
-  double receipt_delay_s = 0.02;
-  double receipt_period_s = 0.05;
-  double receipt_idle_s = 1.0;
+  double acknowledgement_delay_s = 0.02;
+  double acknowledgement_period_s = 0.05;
+  double acknowledgement_idle_s = 1.0;
   double repair_first_s = 0.07;
   double repair_backoff = 1.5;
   double repair_max_s = 0.5;
@@ -28,24 +28,24 @@ struct LinkRouterParams {
   double scale_fall_s = 0.5;
   double scale_rise_s = 4;
   double scale_step = 0.05;
-  double fill_in_share = 0.2;
-  int fill_in_bytes = 1100;
+  double backfill_share = 0.2;
+  int backfill_bytes = 1100;
 
   template <class Visitor>
   void visit(Visitor& v) {
     visit_queue(v);
-    visit_receipts(v);
+    visit_acknowledgements(v);
     visit_repair(v);
     visit_adaptation(v);
-    visit_fill_in(v);
+    visit_backfill(v);
   }
 
  private:
   template <class Visitor>
-  void visit_fill_in(Visitor& v) {
-    v("fill_in_share", fill_in_share, {0.01, 1},
+  void visit_backfill(Visitor& v) {
+    v("backfill_share", backfill_share, {0.01, 1},
       "[1] of the capacity, for stored samples that did not cross at first, at most");
-    v("fill_in_bytes", fill_in_bytes, {200, 65000},
+    v("backfill_bytes", backfill_bytes, {200, 65000},
       "[B] stored samples that go together; a larger one goes alone");
   }
   template <class Visitor>
@@ -56,23 +56,26 @@ struct LinkRouterParams {
       "[s] a sample of many packets waits while the radio's queue is longer");
     v("bulk_packets", bulk_packets, {1, 1000}, "[1] a sample of at least as many is bulk");
     v("bulk_under_way", bulk_under_way, {1, 10000},
-      "[1] bulk samples of which no receipt has told, at most");
+      "[1] bulk samples of which no acknowledgement has told, at most");
     v("hold_backlog_s", hold_backlog_s, {0.01, 10},
       "[s] sources that follow the budget pause, and small samples of normal and low wait, while "
       "more than this is outstanding");
     v("late_after_s", late_after_s, {0.01, 10}, "[s] what takes longer is counted as late");
   }
   template <class Visitor>
-  void visit_receipts(Visitor& v) {
-    v("receipt_delay_s", receipt_delay_s, {0, 1},
-      "[s] from the first thing to tell to the receipt that tells it");
-    v("receipt_period_s", receipt_period_s, {0.01, 1}, "[s] at least, between two receipts");
-    v("receipt_idle_s", receipt_idle_s, {0.1, 60}, "[s] at most, also when nothing came");
+  void visit_acknowledgements(Visitor& v) {
+    v("acknowledgement_delay_s", acknowledgement_delay_s, {0, 1},
+      "[s] from the first thing to tell to the acknowledgement that tells it");
+    v("acknowledgement_period_s", acknowledgement_period_s, {0.01, 1},
+      "[s] at least, between two acknowledgements");
+    v("acknowledgement_idle_s", acknowledgement_idle_s, {0.1, 60},
+      "[s] at most, also when nothing came");
   }
   template <class Visitor>
   void visit_repair(Visitor& v) {
     v("repair_first_s", repair_first_s, {0.005, 10},
-      "[s] without a receipt until the first repair; the expected wait in queues comes on top");
+      "[s] without an acknowledgement until the first repair; the expected wait in queues comes on "
+      "top");
     v("repair_backoff", repair_backoff, {1, 10}, "[1] each further repair waits so much longer");
     v("repair_max_s", repair_max_s, {0.005, 60}, "[s] longest wait between two repairs");
     v("repair_share", repair_share, {0, 1}, "[1] of the capacity, for repairs at most");

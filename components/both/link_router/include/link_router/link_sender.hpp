@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "link_router/delivery_log.hpp"
+#include "link_router/link_acknowledgement.hpp"
 #include "link_router/link_budget.hpp"
 #include "link_router/link_estimator.hpp"
 #include "link_router/link_queue.hpp"
-#include "link_router/link_receipt.hpp"
 #include "link_router/link_router_params.hpp"
 #include "link_router/link_state_values.hpp"
 #include "link_router/transmission.hpp"
@@ -33,7 +33,7 @@ namespace tocsin::router {
 ///     sender.offer(stream, sample, now);                         // for each sample of the host
 ///     while (auto one = sender.next(now)) sender.on_written(write(*one));  // after each call, and
 ///                                                                          // at deadline()
-///     sender.on_receipt("station", receipt, now);
+///     sender.on_acknowledgement("station", acknowledgement, now);
 ///
 /// Pure; `now` never decreases.
 class LinkSender {
@@ -65,20 +65,21 @@ class LinkSender {
   /// When to call next() though nothing happens; `never` when there is nothing to do.
   [[nodiscard]] Time deadline(Time now) const;
 
-  /// Of the peer's present life; receipts of an unknown peer are ignored.
-  void on_receipt(const std::string& peer, const LinkReceipt& receipt, Time now);
+  /// Of the peer's present life; acknowledgements of an unknown peer are ignored.
+  void on_acknowledgement(const std::string& peer, const LinkAcknowledgement& acknowledgement,
+                          Time now);
   /// What became of samples of stored streams since the last call.
   [[nodiscard]] std::vector<StoredFate> take_fates() { return std::exchange(fates_, {}); }
 
-  /// The stream on which stored samples are filled in: no class, no repair, nothing is counted.
-  void add_fill_in_stream(StreamId stream);
+  /// The stream on which stored samples are backfilled: no class, no repair, nothing is counted.
+  void add_backfill_stream(StreamId stream);
   /// Whether one may go at `now`: nothing else waits, the radio's queue is short, and the gate is
   /// open. While no peer answers, one each `repair_max_s` may find it alive.
-  [[nodiscard]] bool may_fill_in(Time now) const;
-  /// When may_fill_in() can become true though nothing happens; `never` when it cannot.
-  [[nodiscard]] Time fill_in_opens(Time now) const;
+  [[nodiscard]] bool may_backfill(Time now) const;
+  /// When may_backfill() can become true though nothing happens; `never` when it cannot.
+  [[nodiscard]] Time backfill_opens(Time now) const;
   /// A sample of that stream goes on the wire at once; on_written() as after next().
-  void fill_in(StreamId stream, const Sample& sample, Time now);
+  void backfill(StreamId stream, const Sample& sample, Time now);
 
   /// The gate: streams that are not `send` are silent while it is closed.
   void set_paused(bool paused, Time now);
@@ -136,7 +137,8 @@ class LinkSender {
   [[nodiscard]] bool can_repair(const SentSample& sample, Time now) const;
   [[nodiscard]] bool may_repair(const SentSample& sample, Time now) const;
   [[nodiscard]] Time repair_ready(Time now) const;
-  /// When more may be sent of what waits, unless a receipt comes; `now` or before: not by time.
+  /// When more may be sent of what waits, unless an acknowledgement comes; `now` or before: not by
+  /// time.
   [[nodiscard]] Time gate_opens(Time now) const;
   [[nodiscard]] SentSamplePtr make_sent(const Waiting& waiting);
   void supersede(const SentSample& newer, std::size_t depth);

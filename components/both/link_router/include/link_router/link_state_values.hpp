@@ -15,7 +15,7 @@ namespace tocsin::router {
 struct ClassCounts {
   std::uint64_t offered = 0;
   std::uint64_t sent = 0;       ///< put on the wire at least once
-  std::uint64_t delivered = 0;  ///< every peer that wanted it has it, as the receipts say
+  std::uint64_t delivered = 0;  ///< every peer that wanted it has it, as the acknowledgements say
   std::uint64_t late = 0;       ///< of delivered: more than 250 ms after it was offered
   std::uint64_t lost = 0;       ///< sent, not delivered to every peer, and given up
   std::uint64_t unwanted = 0;   ///< sent, and no peer wanted it

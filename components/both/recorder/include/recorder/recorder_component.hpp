@@ -23,7 +23,7 @@ class RecorderComponent final : public Component {
     std::string directory;
     double flush_period_s = 0.5;
     bool link_topics = true;
-    bool filled_in = false;
+    bool backfilled = false;
     std::vector<std::string> topics;
     bool csv = true;
     bool bag = true;
@@ -35,8 +35,8 @@ class RecorderComponent final : public Component {
       v("directory", directory, "folder of the files; made when absent; empty: run folder/role");
       v("flush_period_s", flush_period_s, {0.05, 60}, "[s] between writes to the disk");
       v("link_topics", link_topics, "whether every topic that crosses the link is recorded");
-      v("filled_in", filled_in,
-        "whether of each of these also <topic>/filled_in is, where a router gives stored samples");
+      v("backfilled", backfilled,
+        "whether of each of these also <topic>/backfilled is, where a router gives stored samples");
       v("topics", topics, "others: names, patterns, or NAME TYPE [QOS [host|link]]");
       v("csv", csv, "whether CSV files are written, which other programs read");
       v("bag", bag, "whether a bag is written, which tocsin bag, ros2 bag and Foxglove open");

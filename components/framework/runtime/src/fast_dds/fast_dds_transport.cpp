@@ -67,7 +67,7 @@ std::shared_ptr<UDPv4TransportDescriptor> udp_of(const ParticipantOptions& optio
 
 /// Null on a link without marks.
 std::shared_ptr<TransportSide> side_of(const ParticipantOptions& options,
-                                       const std::shared_ptr<OtherMakers>& others) {
+                                       const std::shared_ptr<OtherVendors>& others) {
   if (!is_on_link(options)) return host_side(options.domain, host_socket_bytes);
   if (!options.marks) return nullptr;
   auto repeats = others ? std::make_shared<AuthenticationRepeats>() : nullptr;
@@ -162,7 +162,7 @@ std::shared_ptr<PacketFilter> packet_filter(const ParticipantOptions& options) {
   const Surroundings surroundings{options.address, options.peers, is_on_link(options)};
   rtps_filter::Limits limits = limits_in(surroundings);
   limits.secured = !options.enclave.empty();
-  auto others = limits.secured ? std::make_shared<OtherMakers>() : nullptr;
+  auto others = limits.secured ? std::make_shared<OtherVendors>() : nullptr;
   return std::make_shared<PacketFilter>(std::move(limits), local_in(surroundings),
                                         std::move(others), options.numbers);
 }

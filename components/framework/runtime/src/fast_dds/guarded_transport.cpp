@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "fast_dds/host_multicast.hpp"
-#include "fast_dds/lone_keys.hpp"
+#include "fast_dds/key_onlys.hpp"
 #include "fast_dds/packet_filter.hpp"
 #include "fast_dds/receptions.hpp"
 
@@ -146,7 +146,7 @@ void GuardedTransport::show(TransportReceiverInterface* next, const TransportSid
   descriptor_.parts.filter->pass(
       packet.first, packet.second, remote, PacketFilter::kind_of(local.port),
       [&](const rtps::octet* shown, std::size_t length) {
-        const auto [message, size] = with_lone_keys(shown, length, changed);
+        const auto [message, size] = with_key_onlys(shown, length, changed);
         next->OnDataReceived(message, static_cast<std::uint32_t>(size), local, remote);
       });
 }

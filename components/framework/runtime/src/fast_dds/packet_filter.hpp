@@ -15,7 +15,7 @@
 #include "fast_dds/sender_users.hpp"
 #include "foundation/thread_cpu.hpp"
 #include "link/message_pieces.hpp"
-#include "link/other_makers.hpp"
+#include "link/other_vendors.hpp"
 #include "link/writer_numbers.hpp"
 #include "rtps_filter/rtps_filter.hpp"
 
@@ -43,7 +43,7 @@ class PacketFilter {
   /// `is_local`: whether an address is of this computer, so that it has users. `others`: is told of
   /// those whose packets pass, `numbers` of these packets; null: nobody is.
   explicit PacketFilter(rtps_filter::Limits limits, IsLocal is_local = {},
-                        std::shared_ptr<OtherMakers> others = {},
+                        std::shared_ptr<OtherVendors> others = {},
                         std::shared_ptr<WriterNumbers> numbers = {})
       : secured_(limits.secured),
         is_local_(std::move(is_local)),
@@ -83,7 +83,7 @@ class PacketFilter {
   void forget(const eprosima::fastrtps::rtps::GuidPrefix_t& participant);
   void supersede(const eprosima::fastrtps::rtps::GuidPrefix_t& participant);
   /// Null where nobody is told.
-  [[nodiscard]] const std::shared_ptr<OtherMakers>& others() const { return others_; }
+  [[nodiscard]] const std::shared_ptr<OtherVendors>& others() const { return others_; }
 
  private:
   /// Tells the filter what a packet has cost, where it wants to know.
@@ -110,7 +110,7 @@ class PacketFilter {
 
   const bool secured_;
   const IsLocal is_local_;
-  const std::shared_ptr<OtherMakers> others_;
+  const std::shared_ptr<OtherVendors> others_;
   const std::shared_ptr<WriterNumbers> numbers_;
   SenderUsers users_;
   std::mutex mutex_;

@@ -26,8 +26,8 @@ std::vector<std::string> topics_of(Role role, const LinkSide& side) {
     topics.push_back(names.on_wire(link_calls_topic(one)));
     topics.push_back(names.on_wire(link_results_topic(one)));
   }
-  topics.push_back(names.on_wire(link_receipt_topic));
-  topics.push_back(names.on_wire(fill_in_topic));
+  topics.push_back(names.on_wire(link_acknowledgement_topic));
+  topics.push_back(names.on_wire(backfill_topic));
   return topics;
 }
 
@@ -38,7 +38,7 @@ std::string link_calls_topic(const CallClass& calls) { return topic_of("link_cal
 std::string link_results_topic(const CallClass& calls) { return topic_of("link_results_", calls); }
 
 bool is_of_routers(const TrafficRules& rules, const std::string& topic) {
-  if (topic == link_receipt_topic || topic == fill_in_topic) return true;
+  if (topic == link_acknowledgement_topic || topic == backfill_topic) return true;
   const auto& calls = rules.call_classes();
   if (topic == link_services_topic) return !calls.empty();
   return std::any_of(calls.begin(), calls.end(), [&](const CallClass& one) {

@@ -9,7 +9,7 @@
 
 #include "fast_dds/guarded_transport.hpp"
 #include "link/authentication_repeats.hpp"
-#include "link/other_makers.hpp"
+#include "link/other_vendors.hpp"
 #include "link/radio_marks.hpp"
 #include "link/stop_channel.hpp"
 
@@ -18,7 +18,7 @@ namespace tocsin {
 /// What the packets of a router's participant have to do with.
 struct RadioParts {
   std::shared_ptr<RadioMarks> marks;
-  std::shared_ptr<OtherMakers> others;                          ///< null: without DDS Security
+  std::shared_ptr<OtherVendors> others;                         ///< null: without DDS Security
   std::shared_ptr<AuthenticationRepeats> repeats;               ///< null: without DDS Security
   std::shared_ptr<StopChannel> stop;                            ///< null: no emergency stop
   std::vector<eprosima::fastrtps::rtps::Locator_t> stop_peers;  ///< where packets of its own go

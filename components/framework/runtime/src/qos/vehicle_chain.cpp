@@ -18,7 +18,7 @@ bool ends_with(std::string_view text, std::string_view end) {
 }  // namespace
 
 bool is_of_chain(const std::string& topic) {
-  if (ends_with(topic, "/filled_in")) return false;
+  if (ends_with(topic, "/backfilled")) return false;
   return begins_with(topic, "cmd_vel/") || begins_with(topic, "commands/") ||
          std::find(chain_topics.begin(), chain_topics.end(), topic) != chain_topics.end();
 }

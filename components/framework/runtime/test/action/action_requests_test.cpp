@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests that a client of other makers may send to an action's server.
+// Requests that a client of other vendors may send to an action's server.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using What = ActionClient<Fibonacci>::What;
 
-/// A client that has the services only, as those of other makers, and sends what it likes.
+/// A client that has the services only, as those of other vendors, and sends what it likes.
 template <class Service>
 class RawClient : private ClientReceiver {
  public:

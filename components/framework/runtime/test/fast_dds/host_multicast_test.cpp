@@ -58,7 +58,7 @@ void send(const FileDescriptor& from, const std::string& text, const sockaddr_in
                sizeof to);
 }
 
-/// What a program of another maker does: joins the group on the interface of its choice.
+/// What a program of another vendor does: joins the group on the interface of its choice.
 FileDescriptor member_on(const char* address) {
   FileDescriptor member(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const int one = 1;

@@ -61,10 +61,11 @@ TEST_F(FlowBoundsTest, OfAPeerOnlyWhatTheRulesNameOfItIsTaken) {
   int entity = 0;
   for (const char* const topic :
        {"goal", "cmd_vel", "cmd_vel/navigation", "odom", "location", "emergency_stop/request",
-        "link_stop", "link_receipt", "link_fill_in", "link_services", "rosout"}) {
+        "link_stop", "link_acknowledgement", "link_backfill", "link_services", "rosout"}) {
     sut_.on_link_end(guid(9, ++entity), writer(topic), true);
   }
-  const std::set<std::string> expected{"goal", "link_receipt", "link_fill_in", "link_services"};
+  const std::set<std::string> expected{"goal", "link_acknowledgement", "link_backfill",
+                                       "link_services"};
   EXPECT_EQ(taken(), expected);
   EXPECT_EQ(refused_names().total() - before, 7U);
   EXPECT_FALSE(sut_.flow_of(guid(9, 2)));

@@ -173,7 +173,7 @@ TEST_F(LinkBusTest, AFlowThatIsNoPeersIsGivenFromTheBytesOfALog) {
   const auto link = routed->open_link([] {});
   const auto station = process(Role::gcs);
   Flow flow;
-  flow.topic = topic::Location::info.name + std::string("/filled_in");
+  flow.topic = topic::Location::info.name + std::string("/backfilled");
   flow.type = type_info<topic::Location::Message>().name;
   flow.reliable = true;
   flow.transient_local = true;

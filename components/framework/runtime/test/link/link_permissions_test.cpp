@@ -49,8 +49,8 @@ TEST(LinkPermissions, WhatOneSendsTheOtherHears) {
   const auto station = link_permissions({Role::gcs, shipped, ""});
   EXPECT_THAT(vehicle.subscribe, UnorderedElementsAreArray(station.publish));
   EXPECT_THAT(station.subscribe, UnorderedElementsAreArray(vehicle.publish));
-  EXPECT_THAT(vehicle.publish, Contains("rt/link_receipt"));
-  EXPECT_THAT(vehicle.publish, Contains("rt/link_fill_in"));
+  EXPECT_THAT(vehicle.publish, Contains("rt/link_acknowledgement"));
+  EXPECT_THAT(vehicle.publish, Contains("rt/link_backfill"));
 }
 
 TEST(LinkPermissions, CallsGoBothWaysWhereTheFileNamesServices) {

@@ -72,7 +72,7 @@ TEST(LinkTakes, TheChainIsEveryTopicThatMovesOrStopsTheVehicle) {
   EXPECT_TRUE(is_of_chain("link_stop"));
   EXPECT_TRUE(is_of_chain("emergency_stop"));
   for (const char* const other :
-       {"goal", "teleop/cmd_vel", "docking/command", "odom", "cmd_vel_x", "cmd_vel/filled_in"}) {
+       {"goal", "teleop/cmd_vel", "docking/command", "odom", "cmd_vel_x", "cmd_vel/backfilled"}) {
     EXPECT_FALSE(is_of_chain(other)) << other;
   }
 }

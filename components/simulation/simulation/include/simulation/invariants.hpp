@@ -103,7 +103,7 @@ class Invariants : public Observer {
     std::string name;                                ///< outlives the world, as its end does not
     std::map<std::uint64_t, std::uint64_t> missing;  ///< writers' sources by Written::sequence
     sample_log::SequenceSet given;
-    std::uint64_t last_filled_in = 0;
+    std::uint64_t last_backfilled = 0;
   };
   [[nodiscard]] StoredEnd& stored(const TopicEnd& end);
   std::map<const TopicEnd*, StoredEnd> stored_;

@@ -29,7 +29,7 @@ struct TopicEnd {
   bool reliable = false;
   bool pausable = false;  ///< its router's gate can close for it
   bool drops = false;     ///< and then its samples are dropped
-  bool stored = false;    ///< what of it does not cross at first is filled in
+  bool stored = false;    ///< what of it does not cross at first is backfilled
   bool durable = false;   ///< late readers get its last sample again
   std::string user_data;  ///< that its writers announce
 };
@@ -62,7 +62,7 @@ struct LoggedSample {
 };
 
 /// On which topic a router has given a sample to its host.
-enum class GivenAs : std::uint8_t { live, filled_in };
+enum class GivenAs : std::uint8_t { live, backfilled };
 
 /// A sample that a router has given to its host, whoever reads it there.
 struct GivenSample {

@@ -63,7 +63,7 @@ function ClassLine({ row }: { row: ClassRow }) {
   );
 }
 
-/** Topics of which nothing is to be lost: what did not cross is kept, and filled in when the link has room. */
+/** Topics of which nothing is to be lost: what did not cross is kept, and backfilled when the link has room. */
 function StoredTable({ name, side, now }: { name: string; side: Side; now: number }) {
   const stored = side.link?.value.stored ?? [];
   if (stored.length === 0) return null;
@@ -73,7 +73,7 @@ function StoredTable({ name, side, now }: { name: string; side: Side; now: numbe
         <tr>
           <th scope="col">{name}<Age at={side.link?.at} now={now} /></th>
           <th scope="col">stored</th>
-          <th scope="col">filled in</th>
+          <th scope="col">backfilled</th>
           <th scope="col">waiting</th>
           <th scope="col" title="the log had no room for it, or not for long enough">lost</th>
         </tr>
@@ -89,7 +89,7 @@ function StoredLine({ topic }: { topic: StoredTopic }) {
     <tr>
       <th scope="row" title={topic.topic}>{topic.topic}</th>
       <td>{count(Number(topic.stored))}</td>
-      <td>{count(Number(topic.filled_in))}</td>
+      <td>{count(Number(topic.backfilled))}</td>
       <td class={topic.waiting > 0 ? "notable" : ""}>{count(topic.waiting)}</td>
       <td class={lost > 0 ? "notable" : ""}>{count(lost)}</td>
     </tr>

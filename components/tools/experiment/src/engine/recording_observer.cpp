@@ -44,8 +44,8 @@ report::LinkClass class_of(const simulation::TopicEnd& end) {
   return {end.role, end.traffic_class.value()};
 }
 
-/// It came on `<topic>/filled_in`.
-bool is_filled_in(const simulation::Delivered& delivered) {
+/// It came on `<topic>/backfilled`.
+bool is_backfilled(const simulation::Delivered& delivered) {
   const std::string& topic = delivered.from.topic;
   const std::string& given_on = delivered.to.topic;
   return given_on.size() > topic.size() && given_on.compare(0, topic.size(), topic) == 0;
@@ -114,7 +114,7 @@ void RecordingObserver::on_delivered(const simulation::Delivered& delivered) {
   if (!from.classified) return;
   if (from.arrivals == nullptr) from.arrivals = &recording_.arrivals[class_of(delivered.from)];
   auto& arrivals =
-      is_filled_in(delivered) ? recording_.filled_in[class_of(delivered.from)] : *from.arrivals;
+      is_backfilled(delivered) ? recording_.backfilled[class_of(delivered.from)] : *from.arrivals;
   arrivals.push_back({to_seconds(delivered.sent_at), to_seconds(delivered.received),
                       delivered.from.topic, delivered.from.process, delivered.sequence,
                       static_cast<double>(delivered.bytes)});

@@ -65,16 +65,16 @@ TEST(RecordingObserver, TakesArrivalsAtTheRecorderOnly) {
 TEST(RecordingObserver, KeepsWhatWasFilledInApartFromWhatCameLive) {
   const auto from = end_of("uxv", "drive", "location", TrafficClass::high);
   const auto live = end_of("gcs", "recorder", "location", std::nullopt);
-  const auto later = end_of("gcs", "recorder", "location/filled_in", std::nullopt);
+  const auto later = end_of("gcs", "recorder", "location/backfilled", std::nullopt);
   RecordingObserver sut;
   sut.on_delivered({from, live, 7, 7, t0, t0, t0 + seconds(0.5), 300, nullptr});
   sut.on_delivered({from, later, 6, 6, t0, t0, t0 + seconds(60), 300, nullptr});
   const report::LinkClass high{Role::uxv, TrafficClass::high};
   ASSERT_EQ(sut.recording().arrivals.at(high).size(), 1U);
   EXPECT_EQ(sut.recording().arrivals.at(high)[0].sequence, 7U);
-  ASSERT_EQ(sut.recording().filled_in.at(high).size(), 1U);
-  EXPECT_EQ(sut.recording().filled_in.at(high)[0].sequence, 6U);
-  EXPECT_EQ(sut.recording().filled_in.at(high)[0].topic, "location");
+  ASSERT_EQ(sut.recording().backfilled.at(high).size(), 1U);
+  EXPECT_EQ(sut.recording().backfilled.at(high)[0].sequence, 6U);
+  EXPECT_EQ(sut.recording().backfilled.at(high)[0].topic, "location");
 }
 
 TEST(RecordingObserver, IgnoresTopicsThatStayOnTheirHost) {

@@ -81,8 +81,8 @@ struct LinkClass {
 struct Recording {
   std::string folder;
   std::map<LinkClass, std::vector<Arrival>> arrivals;  ///< on the other side, live
-  /// What came there later, on `<topic>/filled_in`; `topic` is the one that was filled in.
-  std::map<LinkClass, std::vector<Arrival>> filled_in;
+  /// What came there later, on `<topic>/backfilled`; `topic` is the one that was backfilled.
+  std::map<LinkClass, std::vector<Arrival>> backfilled;
   std::vector<Decision> decisions;
   std::vector<Quality> qualities;
   /// Samples that its components wrote, sent or held back by the gate.

@@ -30,11 +30,11 @@ struct Spread {
 
 /// What became of the samples of some topics.
 struct Fates {
-  std::uint64_t filled_in = 0;  ///< that came later, and not live
+  std::uint64_t backfilled = 0;  ///< that came later, and not live
   std::uint64_t lost = 0;  ///< that never came: gaps in the sequence of each writer of each topic
 };
 [[nodiscard]] Fates fates_of(const std::vector<Arrival>& live,
-                             const std::vector<Arrival>& filled_in = {});
+                             const std::vector<Arrival>& backfilled = {});
 
 /// How old [s] the newest sample of one topic was at the receiver, looked at every `step_s` from
 /// the first arrival to `end_s`; less often where that were more than a million times, as when the

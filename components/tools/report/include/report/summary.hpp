@@ -12,12 +12,12 @@ namespace tocsin::report {
 /// How a class, or one topic, came through.
 struct Traffic {
   std::string name;
-  std::uint64_t received = 0;   ///< live
-  std::uint64_t filled_in = 0;  ///< later, and not live
-  std::uint64_t lost = 0;       ///< sent, but neither came live nor was filled in
-  Spread latency_s{};           ///< from write to receipt, live
-  Spread age_s{};               ///< of the newest sample at the receiver, over time, live
-  double bytes_per_s = 0;       ///< received live
+  std::uint64_t received = 0;    ///< live
+  std::uint64_t backfilled = 0;  ///< later, and not live
+  std::uint64_t lost = 0;        ///< sent, but neither came live nor was backfilled
+  Spread latency_s{};            ///< from write to acknowledgement, live
+  Spread age_s{};                ///< of the newest sample at the receiver, over time, live
+  double bytes_per_s = 0;        ///< received live
   /// [%] of those sent; NaN when nothing was.
   [[nodiscard]] double lost_percent() const;
 };

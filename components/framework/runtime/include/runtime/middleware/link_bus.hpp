@@ -29,7 +29,7 @@ struct Flow {
   int depth = 1;                 ///< [1, 10000] samples that count; 1: only the newest
   double lifespan_s = std::numeric_limits<double>::infinity();  ///< older ones are not delivered
   std::string user_data;  ///< announced with them, such as the layout of the type
-  bool stored = false;    ///< on the link: what does not cross at first is filled in later
+  bool stored = false;    ///< on the link: what does not cross at first is backfilled later
 };
 [[nodiscard]] bool operator==(const Flow& one, const Flow& other);
 [[nodiscard]] inline bool operator!=(const Flow& one, const Flow& other) { return !(one == other); }

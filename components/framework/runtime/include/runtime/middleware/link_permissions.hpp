@@ -10,9 +10,9 @@
 namespace tocsin {
 
 /// On which routers tell each other what came.
-inline constexpr const char* link_receipt_topic = "link_receipt";
+inline constexpr const char* link_acknowledgement_topic = "link_acknowledgement";
 /// On which they send each other what did not cross at first.
-inline constexpr const char* fill_in_topic = "link_fill_in";
+inline constexpr const char* backfill_topic = "link_backfill";
 /// On which they tell each other what services their hosts have and want.
 inline constexpr const char* link_services_topic = "link_services";
 /// On which calls of a class cross, and those that end with an action.
@@ -30,7 +30,7 @@ struct LinkSide {
 };
 
 /// What a router of this side needs: it publishes what its role sends, hears what the other sends,
-/// receipts, fill-ins and calls go both ways. Throws ConfigError for the traffic file.
+/// acknowledgements, backfills and calls go both ways. Throws ConfigError for the traffic file.
 [[nodiscard]] keystore::Permissions link_permissions(const LinkSide& side);
 
 }  // namespace tocsin

@@ -25,7 +25,7 @@ struct TrafficRule {
   TrafficClass traffic_class = TrafficClass::normal;
   WhilePoor while_poor = WhilePoor::send;
   bool adaptive = false;   ///< its writer follows the link's budget
-  bool stored = false;     ///< what does not cross at first is kept in a log and filled in later
+  bool stored = false;     ///< what does not cross at first is kept in a log and backfilled later
   bool logged = false;     ///< a log keeps it, and what did not cross does so when it is asked for
   bool live = true;        ///< crosses as it is written; false: it is logged only
   double max_rate_hz = 0;  ///< [1/s] of each writer cross at most so many; 0: all

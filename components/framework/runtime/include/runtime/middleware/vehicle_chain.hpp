@@ -35,7 +35,7 @@ inline constexpr std::array chain_topics{
 };
 
 /// Whether a topic is one of them, or another below `cmd_vel/` or `commands/`. What was logged of
-/// one and crosses later, on `<topic>/filled_in` is none: nothing drives by it.
+/// one and crosses later, on `<topic>/backfilled` is none: nothing drives by it.
 [[nodiscard]] bool is_of_chain(const std::string& topic);
 
 }  // namespace tocsin

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sessions, batches and confirmations of a FillInSender.
+// The sessions, batches and confirmations of a BackfillSender.
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "link_router/fill_in_sender.hpp"
+#include "link_router/backfill_sender.hpp"
 #include "link_router/wire_cost.hpp"
 
 namespace tocsin::router {
@@ -26,7 +26,7 @@ std::size_t bytes_of(const sample_log::LogEntry& entry) {
 
 }  // namespace
 
-void FillInSender::begin_session() {
+void BackfillSender::begin_session() {
   end_session();
   in_session_ = true;
   ++session_;
@@ -35,7 +35,7 @@ void FillInSender::begin_session() {
   repeats_ = 0;
 }
 
-void FillInSender::end_session() {
+void BackfillSender::end_session() {
   in_session_ = false;
   for (const Sent& sent : window_) {
     for (const Order order : sent.orders) {
@@ -46,7 +46,7 @@ void FillInSender::end_session() {
   window_.clear();
 }
 
-FillInSender::Sent FillInSender::make_batch() {
+BackfillSender::Sent BackfillSender::make_batch() {
   Sent sent;
   sent.batch.session = session_;
   sent.batch.number = ++last_number_;
@@ -56,7 +56,7 @@ FillInSender::Sent FillInSender::make_batch() {
     const Item& item = items_.at(order);
     if (item.id.stream != sent.batch.stream) continue;
     bytes += bytes_of(item.content);
-    const bool fits = bytes <= static_cast<std::size_t>(params_.fill_in_bytes);
+    const bool fits = bytes <= static_cast<std::size_t>(params_.backfill_bytes);
     if (!fits && !sent.orders.empty()) {
       bytes -= bytes_of(item.content);
       break;
@@ -69,24 +69,24 @@ FillInSender::Sent FillInSender::make_batch() {
   return sent;
 }
 
-double FillInSender::allowance(Time now, double capacity_bytes_per_s) const {
+double BackfillSender::allowance(Time now, double capacity_bytes_per_s) const {
   const double since_s = to_seconds(now - filled_);
-  return std::min(bytes_ + params_.fill_in_share * capacity_bytes_per_s * since_s, burst_bytes);
+  return std::min(bytes_ + params_.backfill_share * capacity_bytes_per_s * since_s, burst_bytes);
 }
 
-void FillInSender::spend(std::size_t bytes, Time now, double capacity_bytes_per_s) {
+void BackfillSender::spend(std::size_t bytes, Time now, double capacity_bytes_per_s) {
   bytes_ = allowance(now, capacity_bytes_per_s) - static_cast<double>(bytes);
   filled_ = now;
 }
 
 /// Each repetition waits twice as long.
-Time FillInSender::repeat_at() const {
+Time BackfillSender::repeat_at() const {
   const auto factor = std::int64_t{1} << std::min(repeats_, 8U);
   const Duration patience = std::min((first_patience + 2 * trip_) * factor, longest_patience);
   return std::max(window_.front().at, progress_) + patience;
 }
 
-std::optional<FillInBatch> FillInSender::next(Time now, double capacity_bytes_per_s) {
+std::optional<BackfillBatch> BackfillSender::next(Time now, double capacity_bytes_per_s) {
   if (!in_session_ || allowance(now, capacity_bytes_per_s) <= 0) return std::nullopt;
   if (!window_.empty() && now >= repeat_at()) {
     Sent& first = window_.front();
@@ -102,7 +102,7 @@ std::optional<FillInBatch> FillInSender::next(Time now, double capacity_bytes_pe
   return window_.back().batch;
 }
 
-Time FillInSender::deadline(Time now, double capacity_bytes_per_s) const {
+Time BackfillSender::deadline(Time now, double capacity_bytes_per_s) const {
   if (!in_session_) return never;
   const bool can_go = window_.size() < window && !ready_.empty();
   if (!can_go && window_.empty()) return never;
@@ -110,12 +110,12 @@ Time FillInSender::deadline(Time now, double capacity_bytes_per_s) const {
   if (!window_.empty()) next = std::min(next, repeat_at());
   const double lacking = -allowance(now, capacity_bytes_per_s);
   if (lacking < 0) return next;
-  const double rate = std::max(params_.fill_in_share * capacity_bytes_per_s, 1.0);
+  const double rate = std::max(params_.backfill_share * capacity_bytes_per_s, 1.0);
   return std::max(next, now + seconds((lacking + 1) / rate));
 }
 
-std::vector<FillInSender::SampleId> FillInSender::on_progress(const FillInProgress& progress,
-                                                              Time now) {
+std::vector<BackfillSender::SampleId> BackfillSender::on_progress(const BackfillProgress& progress,
+                                                                  Time now) {
   std::vector<SampleId> done;
   if (!in_session_ || progress.session != session_) return done;
   while (!window_.empty() && window_.front().batch.number <= progress.number) {
@@ -126,7 +126,7 @@ std::vector<FillInSender::SampleId> FillInSender::on_progress(const FillInProgre
     for (const Order order : sent.orders) {
       const auto item = items_.find(order);
       if (item == items_.end()) continue;  // it crossed live meanwhile
-      ++counts_[item->second.id.stream].filled_in;
+      ++counts_[item->second.id.stream].backfilled;
       done.push_back(item->second.id);
       erase(order);
     }

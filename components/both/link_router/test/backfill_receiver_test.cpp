@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link_router/fill_in_receiver.hpp"
+#include "link_router/backfill_receiver.hpp"
 
 #include <gmock/gmock.h>
 
@@ -15,43 +15,43 @@ using ::testing::IsEmpty;
 
 constexpr Incarnation life = 7;
 
-FillInBatch batch_of(std::uint32_t session, std::uint32_t number,
-                     const std::vector<std::uint64_t>& sequences) {
-  FillInBatch batch{session, number, 1, {}};
+BackfillBatch batch_of(std::uint32_t session, std::uint32_t number,
+                       const std::vector<std::uint64_t>& sequences) {
+  BackfillBatch batch{session, number, 1, {}};
   for (const std::uint64_t sequence : sequences) {
     batch.samples.push_back({{1, 2, sequence}, 0, {}});
   }
   return batch;
 }
 
-class FillInReceiverTest : public ::testing::Test {
+class BackfillReceiverTest : public ::testing::Test {
  protected:
-  FillInReceiverTest() { sut_.recover({}); }
+  BackfillReceiverTest() { sut_.recover({}); }
   /// The sequences that the host is given.
-  std::vector<std::uint64_t> take(FillInBatch batch, Incarnation of = life) {
+  std::vector<std::uint64_t> take(BackfillBatch batch, Incarnation of = life) {
     std::vector<std::uint64_t> given;
-    for (const FillInBatch& one : sut_.on_batch("uxv", of, std::move(batch))) {
+    for (const BackfillBatch& one : sut_.on_batch("uxv", of, std::move(batch))) {
       for (const auto& entry : one.samples) given.push_back(entry.id.sequence);
     }
     return given;
   }
-  FillInReceiver sut_;
+  BackfillReceiver sut_;
 };
 
-TEST_F(FillInReceiverTest, GivesEachSampleOnce) {
+TEST_F(BackfillReceiverTest, GivesEachSampleOnce) {
   EXPECT_THAT(take(batch_of(1, 1, {10, 11})), ElementsAre(10, 11));
   EXPECT_THAT(take(batch_of(1, 1, {10, 11})), IsEmpty()) << "repeated";
   EXPECT_THAT(take(batch_of(1, 2, {11, 12})), ElementsAre(12)) << "in another batch";
   EXPECT_EQ(sut_.progress("uxv", life).number, 2U);
 }
 
-TEST_F(FillInReceiverTest, LeavesOutWhatCrossedLive) {
+TEST_F(BackfillReceiverTest, LeavesOutWhatCrossedLive) {
   EXPECT_TRUE(sut_.on_live({1, 2, 11}));
   EXPECT_FALSE(sut_.on_live({1, 2, 11}));
   EXPECT_THAT(take(batch_of(1, 1, {10, 11, 12})), ElementsAre(10, 12));
 }
 
-TEST_F(FillInReceiverTest, KeepsWhatComesTooEarly) {
+TEST_F(BackfillReceiverTest, KeepsWhatComesTooEarly) {
   EXPECT_THAT(take(batch_of(1, 3, {30})), IsEmpty());
   EXPECT_THAT(take(batch_of(1, 2, {20})), IsEmpty());
   EXPECT_EQ(sut_.progress("uxv", life).number, 0U);
@@ -59,14 +59,14 @@ TEST_F(FillInReceiverTest, KeepsWhatComesTooEarly) {
   EXPECT_EQ(sut_.progress("uxv", life).number, 3U);
 }
 
-TEST_F(FillInReceiverTest, KeepsAtMostSixteen) {
+TEST_F(BackfillReceiverTest, KeepsAtMostSixteen) {
   EXPECT_THAT(take(batch_of(1, 18, {18})), IsEmpty());
   EXPECT_THAT(take(batch_of(1, 17, {17})), IsEmpty());
   for (std::uint32_t i = 1; i <= 16; ++i) take(batch_of(1, i, {i}));
   EXPECT_EQ(sut_.progress("uxv", life).number, 16U) << "17 came beyond them";
 }
 
-TEST_F(FillInReceiverTest, ANewSessionStartsAfreshAndRepeatsNothing) {
+TEST_F(BackfillReceiverTest, ANewSessionStartsAfreshAndRepeatsNothing) {
   take(batch_of(1, 1, {10}));
   take(batch_of(1, 2, {11}));
   EXPECT_THAT(take(batch_of(2, 1, {11, 12})), ElementsAre(12));
@@ -75,7 +75,7 @@ TEST_F(FillInReceiverTest, ANewSessionStartsAfreshAndRepeatsNothing) {
   EXPECT_EQ(sut_.progress("uxv", life).number, 1U);
 }
 
-TEST_F(FillInReceiverTest, ANewLifeOfThePeerStartsAfresh) {
+TEST_F(BackfillReceiverTest, ANewLifeOfThePeerStartsAfresh) {
   take(batch_of(5, 1, {10}));
   EXPECT_EQ(sut_.progress("uxv", life + 1).number, 0U) << "that it would take for its own";
   EXPECT_THAT(take(batch_of(1, 1, {10, 11}), life + 1), ElementsAre(11));
@@ -83,10 +83,10 @@ TEST_F(FillInReceiverTest, ANewLifeOfThePeerStartsAfresh) {
   EXPECT_EQ(sut_.progress("uxv", life).session, 0U);
 }
 
-TEST_F(FillInReceiverTest, KnowsWhatEarlierLivesHaveGiven) {
+TEST_F(BackfillReceiverTest, KnowsWhatEarlierLivesHaveGiven) {
   sample_log::SampleSet given;
   given.add({1, 2}, 1, 10);
-  FillInReceiver sut;
+  BackfillReceiver sut;
   EXPECT_THAT(sut.on_batch("uxv", life, batch_of(1, 1, {10, 11})), IsEmpty())
       << "before that is known nothing is taken";
   EXPECT_EQ(sut.progress("uxv", life).number, 0U);
@@ -97,11 +97,11 @@ TEST_F(FillInReceiverTest, KnowsWhatEarlierLivesHaveGiven) {
   EXPECT_EQ(batches[0].samples[0].id.sequence, 11U);
 }
 
-TEST_F(FillInReceiverTest, TellsPeersApart) {
+TEST_F(BackfillReceiverTest, TellsPeersApart) {
   take(batch_of(1, 1, {10}));
   EXPECT_EQ(sut_.progress("other", life).number, 0U);
-  EXPECT_NE(FillInReceiver::stream_key("uxv", "odom|"),
-            FillInReceiver::stream_key("uxv2", "odom|"));
+  EXPECT_NE(BackfillReceiver::stream_key("uxv", "odom|"),
+            BackfillReceiver::stream_key("uxv2", "odom|"));
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fast_dds/lone_keys.hpp"
+#include "fast_dds/key_onlys.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <optional>
 
-#include "idl_support/lone_key.hpp"
+#include "idl_support/key_only.hpp"
 #include "link/rtps_message.hpp"
 
 namespace tocsin {
@@ -44,7 +44,7 @@ bool is_of_discovery(const std::uint8_t* writer) {
 bool is_of_topic(const std::uint8_t* writer) { return writer[3] == 0x02; }
 
 /// A DATA that names something by its key and says that it has ended.
-struct LoneKey {
+struct KeyOnly {
   std::size_t content;         ///< where the submessage begins in the message, behind its header
   std::size_t inline_qos_end;  ///< before its sentinel
   bool hashed;                 ///< a key hash is among the inline QoS
@@ -63,7 +63,7 @@ bool says_end(const Submessage& data, std::size_t parameter_at) {
 }
 
 /// Fills in what the inline QoS says. False when it is cut off, or tells no end.
-bool read_inline_qos(const Submessage& data, LoneKey& found) {
+bool read_inline_qos(const Submessage& data, KeyOnly& found) {
   std::size_t at = octets_to_inline_qos_at + sizeof(std::uint16_t) +
                    number_at<std::uint16_t>(data.content + octets_to_inline_qos_at, found.little);
   bool ends = false;
@@ -83,14 +83,14 @@ bool read_inline_qos(const Submessage& data, LoneKey& found) {
   return false;
 }
 
-std::optional<LoneKey> lone_key_in(const std::uint8_t* message, const Submessage& one) {
+std::optional<KeyOnly> key_only_in(const std::uint8_t* message, const Submessage& one) {
   constexpr std::uint8_t flags = inline_qos_flag | data_flag | key_flag;
   constexpr std::size_t least = data_writer_at + 12;  // entity id and sequence number
   if (one.kind != data_kind || (one.flags & flags) != (inline_qos_flag | key_flag) ||
       one.bytes < least) {
     return std::nullopt;
   }
-  LoneKey found{};
+  KeyOnly found{};
   found.content = static_cast<std::size_t>(one.content - message);
   found.little = (one.flags & little_flag) != 0;
   found.writer = one.content + data_writer_at;
@@ -116,7 +116,7 @@ class Copy {
       : message_(message), copy_(copy) {
     copy_.clear();
   }
-  void add_hash(const LoneKey& one, const std::uint8_t* guid) {
+  void add_hash(const KeyOnly& one, const std::uint8_t* guid) {
     constexpr std::size_t length_before_content = 2;
     copy_up_to(one.inline_qos_end);
     std::uint8_t* const length = copied(one.content) - length_before_content;
@@ -132,13 +132,13 @@ class Copy {
     copy_.insert(copy_.end(), guid, guid + guid_bytes);
     added_ += added_bytes;
   }
-  void make_data(const LoneKey& one) {
+  void make_data(const KeyOnly& one) {
     constexpr std::size_t flags_before_content = 3;
     constexpr std::size_t options_at = 2;
     copy_up_to(static_cast<std::size_t>(one.key - message_) + key_header_bytes);
     std::uint8_t& flags = *(copied(one.content) - flags_before_content);
     flags = static_cast<std::uint8_t>((flags & ~key_flag) | data_flag);
-    std::copy_n(lone_key_options, sizeof lone_key_options,
+    std::copy_n(key_only_options, sizeof key_only_options,
                 copy_.data() + copy_.size() - options_at);
   }
   [[nodiscard]] bool is_changed() const { return from_ > 0; }
@@ -157,7 +157,7 @@ class Copy {
   std::size_t added_ = 0;  ///< bytes
 };
 
-void change(const LoneKey& one, Copy& copy) {
+void change(const KeyOnly& one, Copy& copy) {
   if (is_of_topic(one.writer)) {
     if (one.key_bytes >= key_header_bytes) copy.make_data(one);
   } else if (!one.hashed && is_of_discovery(one.writer)) {
@@ -167,13 +167,13 @@ void change(const LoneKey& one, Copy& copy) {
 
 }  // namespace
 
-std::pair<const std::uint8_t*, std::size_t> with_lone_keys(const std::uint8_t* message,
+std::pair<const std::uint8_t*, std::size_t> with_key_onlys(const std::uint8_t* message,
                                                            std::size_t size,
                                                            std::vector<std::uint8_t>& changed) {
   Copy copy(message, changed);
   Submessages all(message, size);
   while (const auto one = all.next()) {
-    if (const auto key = lone_key_in(message, *one)) change(*key, copy);
+    if (const auto key = key_only_in(message, *one)) change(*key, copy);
   }
   if (!copy.is_changed()) return {message, size};
   copy.copy_up_to(size);

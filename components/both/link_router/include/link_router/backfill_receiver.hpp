@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "link_router/fill_in_batch.hpp"
+#include "link_router/backfill_batch.hpp"
 #include "link_router/transmission.hpp"
 #include "sample_log/sample_set.hpp"
 
@@ -16,7 +16,7 @@ namespace tocsin::router {
 /// in a batch. Of samples, `stream` is the stream_key of the peer's name and the stream's name.
 /// What the host was given is remembered by whoever calls it, over the lives of this router; a
 /// batch is confirmed only when that is safe. Pure.
-class FillInReceiver {
+class BackfillReceiver {
  public:
   using SampleId = sample_log::SampleId;
 
@@ -30,16 +30,16 @@ class FillInReceiver {
 
   /// What the host is to be given, in this order; empty when the batch came before or too early.
   /// One that comes too early is kept until its turn.
-  [[nodiscard]] std::vector<FillInBatch> on_batch(const std::string& peer, Incarnation life,
-                                                  FillInBatch batch);
+  [[nodiscard]] std::vector<BackfillBatch> on_batch(const std::string& peer, Incarnation life,
+                                                    BackfillBatch batch);
   /// All batches of this life of the peer up to this one were taken; zeroes before the first.
-  [[nodiscard]] FillInProgress progress(const std::string& peer, Incarnation life) const;
+  [[nodiscard]] BackfillProgress progress(const std::string& peer, Incarnation life) const;
 
  private:
   struct Session {
     Incarnation life = 0;
-    FillInProgress progress;
-    std::map<std::uint32_t, FillInBatch> early;
+    BackfillProgress progress;
+    std::map<std::uint32_t, BackfillBatch> early;
   };
   bool recovered_ = false;
   sample_log::SampleSet given_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link/other_makers.hpp"
+#include "link/other_vendors.hpp"
 
 namespace tocsin {
 
-void OtherMakers::hear(const std::uint8_t* packet, std::size_t size, std::uint32_t address) {
+void OtherVendors::hear(const std::uint8_t* packet, std::size_t size, std::uint32_t address) {
   constexpr std::size_t header_bytes = 20;  // RTPS 2.5, 9.4.4
   constexpr std::size_t vendor_at = 6;
   constexpr std::uint8_t eprosima = 0x0f;
@@ -13,7 +13,7 @@ void OtherMakers::hear(const std::uint8_t* packet, std::size_t size, std::uint32
   addresses_.insert(address);
 }
 
-bool OtherMakers::are_at(std::uint32_t address) const {
+bool OtherVendors::are_at(std::uint32_t address) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return addresses_.count(address) != 0;
 }

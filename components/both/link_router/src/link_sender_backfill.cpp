@@ -6,14 +6,14 @@
 
 namespace tocsin::router {
 
-void LinkSender::add_fill_in_stream(StreamId stream) {
+void LinkSender::add_backfill_stream(StreamId stream) {
   StreamRule rule;
-  rule.name = "fill-in";
+  rule.name = "backfill";
   add_stream(stream, rule);
   streams_.at(stream).fills_in = true;
 }
 
-bool LinkSender::may_fill_in(Time now) const {
+bool LinkSender::may_backfill(Time now) const {
   const bool waits = std::any_of(traffic_classes.begin(), traffic_classes.end(),
                                  [this](TrafficClass one) { return queue_.samples(one) > 0; });
   if (peers_.empty() || paused_ || waits) return false;
@@ -22,15 +22,15 @@ bool LinkSender::may_fill_in(Time now) const {
   return bulk_may_go(now) && backlog(now) == Duration::zero();
 }
 
-Time LinkSender::fill_in_opens(Time now) const {
-  if (may_fill_in(now)) return now;
+Time LinkSender::backfill_opens(Time now) const {
+  if (may_backfill(now)) return now;
   if (peers_.empty() || paused_) return never;
   if (is_silent(now)) return sent_at_ + seconds(params_.repair_max_s);
   const Time drained = now + backlog(now);
   return drained > now ? drained : never;
 }
 
-void LinkSender::fill_in(StreamId stream, const Sample& sample, Time now) {
+void LinkSender::backfill(StreamId stream, const Sample& sample, Time now) {
   const auto sent = std::make_shared<SentSample>();
   sent->stream = stream;
   sent->traffic_class = streams_.at(stream).rule.traffic_class;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "link_router/fill_in_sender.hpp"
+#include "link_router/backfill_sender.hpp"
 
 namespace tocsin::router {
 
@@ -20,7 +20,7 @@ inline constexpr Time t0{std::chrono::hours(1)};
 inline constexpr Duration ms = std::chrono::milliseconds(1);
 inline constexpr double capacity_bytes_per_s = 1e6;
 
-class FillInSenderTest : public ::testing::Test {
+class BackfillSenderTest : public ::testing::Test {
  protected:
   [[nodiscard]] static SampleId id(std::uint64_t sequence, std::uint64_t source = 2,
                                    std::uint64_t stream = 1) {
@@ -41,8 +41,8 @@ class FillInSenderTest : public ::testing::Test {
       sut_.on_read(wanted, read);
     }
   }
-  std::optional<FillInBatch> next() { return sut_.next(now_, capacity_bytes_per_s); }
-  [[nodiscard]] static std::vector<std::uint64_t> sequences(const FillInBatch& batch) {
+  std::optional<BackfillBatch> next() { return sut_.next(now_, capacity_bytes_per_s); }
+  [[nodiscard]] static std::vector<std::uint64_t> sequences(const BackfillBatch& batch) {
     std::vector<std::uint64_t> all;
     for (const LogEntry& entry : batch.samples) all.push_back(entry.id.sequence);
     return all;
@@ -50,7 +50,7 @@ class FillInSenderTest : public ::testing::Test {
   [[nodiscard]] const StoredCounts& counts() const { return sut_.counts().at(1); }
 
   LinkRouterParams params_;
-  FillInSender sut_{params_};
+  BackfillSender sut_{params_};
   Time now_ = t0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is stored and what became of it; what is sent is in fill_in_window.cpp.
-#include "link_router/fill_in_sender.hpp"
+// What is stored and what became of it; what is sent is in backfill_window.cpp.
+#include "link_router/backfill_sender.hpp"
 
 #include <iterator>
 
@@ -14,7 +14,7 @@ constexpr std::size_t most_looked_at = 256;
 
 }  // namespace
 
-void FillInSender::add(Order order, const SampleId& id, State state) {
+void BackfillSender::add(Order order, const SampleId& id, State state) {
   orders_[id] = order;
   Item& item = items_[order];
   item.id = id;
@@ -26,7 +26,7 @@ void FillInSender::add(Order order, const SampleId& id, State state) {
   }
 }
 
-void FillInSender::set(Order order, Item& item, State state) {
+void BackfillSender::set(Order order, Item& item, State state) {
   if (item.state == State::live) {
     auto& of_writer = live_[writer_of(item.id)];
     of_writer.erase(order);
@@ -42,7 +42,7 @@ void FillInSender::set(Order order, Item& item, State state) {
   if (state == State::asked) ++asked_;
 }
 
-void FillInSender::erase(Order order) {
+void BackfillSender::erase(Order order) {
   const auto found = items_.find(order);
   Item& item = found->second;
   set(order, item, State::under_way);
@@ -51,17 +51,17 @@ void FillInSender::erase(Order order) {
   items_.erase(found);
 }
 
-void FillInSender::offer(const SampleId& id) {
+void BackfillSender::offer(const SampleId& id) {
   (void)counts_[id.stream];
   if (orders_.count(id) == 0) add(++last_offered_, id, State::live);
 }
 
-void FillInSender::recover(const SampleId& id) {
+void BackfillSender::recover(const SampleId& id) {
   (void)counts_[id.stream];
   if (orders_.count(id) == 0) add(++last_recovered_, id, State::waiting);
 }
 
-void FillInSender::on_logged(const SampleId& id, sample_log::Logged logged) {
+void BackfillSender::on_logged(const SampleId& id, sample_log::Logged logged) {
   StoredCounts& count = counts_[id.stream];
   if (logged == sample_log::Logged::kept) ++count.stored;
   const auto known = orders_.find(id);
@@ -75,7 +75,7 @@ void FillInSender::on_logged(const SampleId& id, sample_log::Logged logged) {
   erase(known->second);
 }
 
-bool FillInSender::on_fate(const SampleId& id, LiveFate fate) {
+bool BackfillSender::on_fate(const SampleId& id, LiveFate fate) {
   const auto known = orders_.find(id);
   if (known == orders_.end()) return false;
   const Order order = known->second;
@@ -95,7 +95,7 @@ bool FillInSender::on_fate(const SampleId& id, LiveFate fate) {
   return false;
 }
 
-bool FillInSender::on_retired(const SampleId& id) {
+bool BackfillSender::on_retired(const SampleId& id) {
   const auto known = orders_.find(id);
   if (known == orders_.end()) return false;
   Item& item = items_.at(known->second);
@@ -110,23 +110,23 @@ bool FillInSender::on_retired(const SampleId& id) {
   return true;
 }
 
-void FillInSender::request(const SampleId& id) {
+void BackfillSender::request(const SampleId& id) {
   (void)counts_[id.stream];
   if (orders_.count(id) == 0) add(++last_requested_, id, State::waiting);
 }
 
-void FillInSender::withdraw(const SampleId& id) {
+void BackfillSender::withdraw(const SampleId& id) {
   const auto known = orders_.find(id);
   if (known == orders_.end() || known->second <= first_requested) return;
   if (items_.at(known->second).state != State::under_way) erase(known->second);
 }
 
-bool FillInSender::is_blocked(Order order, const SampleId& id) const {
+bool BackfillSender::is_blocked(Order order, const SampleId& id) const {
   const auto live = live_.find(writer_of(id));
   return live != live_.end() && *live->second.begin() < order;
 }
 
-std::vector<FillInSender::SampleId> FillInSender::take_wanted() {
+std::vector<BackfillSender::SampleId> BackfillSender::take_wanted() {
   std::vector<SampleId> wanted;
   if (!in_session_ || asked_ > 0 || waiting_.empty()) return wanted;
   const auto first = ready_.begin();
@@ -146,8 +146,8 @@ std::vector<FillInSender::SampleId> FillInSender::take_wanted() {
   return wanted;
 }
 
-void FillInSender::on_read(const std::vector<SampleId>& asked,
-                           std::vector<sample_log::LogEntry> read) {
+void BackfillSender::on_read(const std::vector<SampleId>& asked,
+                             std::vector<sample_log::LogEntry> read) {
   for (sample_log::LogEntry& entry : read) {
     const auto known = orders_.find(entry.id);
     if (known == orders_.end()) continue;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fill_in_sender_fixture.hpp"
+#include "backfill_sender_fixture.hpp"
 
 namespace tocsin::router {
 namespace {
 
-TEST_F(FillInSenderTest, WhatCrossesLiveIsToldTheLogOnceAndNotSent) {
+TEST_F(BackfillSenderTest, WhatCrossesLiveIsToldTheLogOnceAndNotSent) {
   sut_.offer(id(1));
   sut_.on_logged(id(1), Logged::kept);
   sut_.begin_session();
@@ -13,10 +13,10 @@ TEST_F(FillInSenderTest, WhatCrossesLiveIsToldTheLogOnceAndNotSent) {
   EXPECT_THAT(sut_.take_wanted(), IsEmpty());
   EXPECT_EQ(counts().stored, 1U);
   EXPECT_EQ(counts().waiting, 0U);
-  EXPECT_EQ(counts().filled_in, 0U);
+  EXPECT_EQ(counts().backfilled, 0U);
 }
 
-TEST_F(FillInSenderTest, SendsWhatDidNotCrossOldestFirst) {
+TEST_F(BackfillSenderTest, SendsWhatDidNotCrossOldestFirst) {
   sut_.begin_session();
   miss(id(1));
   miss(id(2));
@@ -27,19 +27,19 @@ TEST_F(FillInSenderTest, SendsWhatDidNotCrossOldestFirst) {
   EXPECT_THAT(sequences(*batch), ElementsAre(1, 2));
   EXPECT_EQ(batch->number, 1U);
   EXPECT_THAT(sut_.on_progress({batch->session, 1}, now_), ElementsAre(id(1), id(2)));
-  EXPECT_EQ(counts().filled_in, 2U);
+  EXPECT_EQ(counts().backfilled, 2U);
   EXPECT_EQ(counts().waiting, 0U);
   EXPECT_EQ(sut_.deadline(now_, capacity_bytes_per_s), never);
 }
 
-TEST_F(FillInSenderTest, DoesNothingWithoutAPeer) {
+TEST_F(BackfillSenderTest, DoesNothingWithoutAPeer) {
   miss(id(1));
   EXPECT_THAT(sut_.take_wanted(), IsEmpty());
   EXPECT_FALSE(next());
   EXPECT_EQ(sut_.deadline(now_, capacity_bytes_per_s), never);
 }
 
-TEST_F(FillInSenderTest, WhatEarlierLivesLeftGoesFirst) {
+TEST_F(BackfillSenderTest, WhatEarlierLivesLeftGoesFirst) {
   miss(id(5));
   sut_.recover(id(3));
   sut_.recover(id(4));
@@ -48,7 +48,7 @@ TEST_F(FillInSenderTest, WhatEarlierLivesLeftGoesFirst) {
   EXPECT_THAT(sut_.take_wanted(), ElementsAre(id(3), id(4), id(5)));
 }
 
-TEST_F(FillInSenderTest, WaitsWhileAnOlderOneOfItsWriterMayStillCross) {
+TEST_F(BackfillSenderTest, WaitsWhileAnOlderOneOfItsWriterMayStillCross) {
   sut_.begin_session();
   sut_.offer(id(1));
   miss(id(2));
@@ -59,7 +59,7 @@ TEST_F(FillInSenderTest, WaitsWhileAnOlderOneOfItsWriterMayStillCross) {
   EXPECT_THAT(sut_.take_wanted(), ElementsAre(id(1), id(2)));
 }
 
-TEST_F(FillInSenderTest, ABatchIsOfOneStreamAndOfBoundedSize) {
+TEST_F(BackfillSenderTest, ABatchIsOfOneStreamAndOfBoundedSize) {
   sut_.begin_session();
   for (std::uint64_t i = 1; i <= 12; ++i) miss(id(i, 2, 1 + i % 2));
   read_all();
@@ -75,7 +75,7 @@ TEST_F(FillInSenderTest, ABatchIsOfOneStreamAndOfBoundedSize) {
   EXPECT_EQ(second->samples.size(), 7U) << "1100 B, of which 160 around all and 28 around each";
 }
 
-TEST_F(FillInSenderTest, ASampleThatIsLongerThanABatchGoesAlone) {
+TEST_F(BackfillSenderTest, ASampleThatIsLongerThanABatchGoesAlone) {
   sut_.begin_session();
   miss(id(1));
   miss(id(2));
@@ -85,7 +85,7 @@ TEST_F(FillInSenderTest, ASampleThatIsLongerThanABatchGoesAlone) {
   EXPECT_THAT(sequences(*batch), ElementsAre(1));
 }
 
-TEST_F(FillInSenderTest, KeepsToItsShareOfTheCapacity) {
+TEST_F(BackfillSenderTest, KeepsToItsShareOfTheCapacity) {
   sut_.begin_session();
   std::uint64_t sequence = 0;
   double bytes = 0;
@@ -98,11 +98,11 @@ TEST_F(FillInSenderTest, KeepsToItsShareOfTheCapacity) {
     }
   }
   const double share = bytes / 10 / capacity_bytes_per_s;
-  EXPECT_GT(share, 0.8 * params_.fill_in_share);
-  EXPECT_LE(share, 1.1 * params_.fill_in_share);
+  EXPECT_GT(share, 0.8 * params_.backfill_share);
+  EXPECT_LE(share, 1.1 * params_.backfill_share);
 }
 
-TEST_F(FillInSenderTest, HasAtMostEightUnconfirmed) {
+TEST_F(BackfillSenderTest, HasAtMostEightUnconfirmed) {
   sut_.begin_session();
   for (std::uint64_t i = 1; i <= 20; ++i) miss(id(i));
   int sent = 0;
@@ -113,7 +113,7 @@ TEST_F(FillInSenderTest, HasAtMostEightUnconfirmed) {
   EXPECT_EQ(sent, 8);
 }
 
-TEST_F(FillInSenderTest, RepeatsTheFirstUntilItIsConfirmedAndEverMoreSeldom) {
+TEST_F(BackfillSenderTest, RepeatsTheFirstUntilItIsConfirmedAndEverMoreSeldom) {
   sut_.begin_session();
   miss(id(1));
   read_all();
@@ -130,7 +130,7 @@ TEST_F(FillInSenderTest, RepeatsTheFirstUntilItIsConfirmedAndEverMoreSeldom) {
   EXPECT_THAT(sut_.on_progress({1, 1}, now_), ElementsAre(id(1)));
 }
 
-TEST_F(FillInSenderTest, ANewSessionSendsWhatWasNotConfirmedAgain) {
+TEST_F(BackfillSenderTest, ANewSessionSendsWhatWasNotConfirmedAgain) {
   sut_.begin_session();
   miss(id(1));
   miss(id(2));
@@ -147,17 +147,17 @@ TEST_F(FillInSenderTest, ANewSessionSendsWhatWasNotConfirmedAgain) {
   EXPECT_THAT(sequences(*again), ElementsAre(2));
 }
 
-TEST_F(FillInSenderTest, OneThatCrossesLiveAfterAllIsNotCountedAsFilledIn) {
+TEST_F(BackfillSenderTest, OneThatCrossesLiveAfterAllIsNotCountedAsFilledIn) {
   sut_.begin_session();
   miss(id(1));
   read_all();
   ASSERT_TRUE(next());
   EXPECT_TRUE(sut_.on_fate(id(1), LiveFate::crossed));
   EXPECT_THAT(sut_.on_progress({1, 1}, now_), IsEmpty());
-  EXPECT_EQ(counts().filled_in, 0U);
+  EXPECT_EQ(counts().backfilled, 0U);
 }
 
-TEST_F(FillInSenderTest, CountsWhatTheLogCouldNotTake) {
+TEST_F(BackfillSenderTest, CountsWhatTheLogCouldNotTake) {
   sut_.offer(id(1));
   sut_.on_logged(id(1), Logged::refused);
   EXPECT_FALSE(sut_.on_fate(id(1), LiveFate::crossed)) << "it is not in the log";
@@ -173,7 +173,7 @@ TEST_F(FillInSenderTest, CountsWhatTheLogCouldNotTake) {
   EXPECT_EQ(counts().waiting, 0U);
 }
 
-TEST_F(FillInSenderTest, CountsWhatTheLogsBoundsTook) {
+TEST_F(BackfillSenderTest, CountsWhatTheLogsBoundsTook) {
   miss(id(1));
   sut_.on_retired(id(1));
   EXPECT_EQ(counts().expired, 1U);
@@ -182,7 +182,7 @@ TEST_F(FillInSenderTest, CountsWhatTheLogsBoundsTook) {
   EXPECT_THAT(sut_.take_wanted(), IsEmpty());
 }
 
-TEST_F(FillInSenderTest, WhatTheLogCannotReadIsCountedAndPassedOver) {
+TEST_F(BackfillSenderTest, WhatTheLogCannotReadIsCountedAndPassedOver) {
   sut_.begin_session();
   miss(id(1));
   miss(id(2));
@@ -194,7 +194,7 @@ TEST_F(FillInSenderTest, WhatTheLogCannotReadIsCountedAndPassedOver) {
   EXPECT_EQ(counts().refused, 1U);
 }
 
-TEST_F(FillInSenderTest, OneThatWasConfirmedByAnEarlierLifeIsNotSent) {
+TEST_F(BackfillSenderTest, OneThatWasConfirmedByAnEarlierLifeIsNotSent) {
   sut_.begin_session();
   sut_.offer(id(1));
   sut_.on_logged(id(1), Logged::confirmed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What receipts tell a LinkSender.
+// What acknowledgements tell a LinkSender.
 #include <algorithm>
 
 #include "link_router/link_sender.hpp"
@@ -13,13 +13,14 @@ LinkSender::Peer* LinkSender::peer_of(PeerIndex index) {
   return nullptr;
 }
 
-void LinkSender::on_receipt(const std::string& peer, const LinkReceipt& receipt, Time now) {
+void LinkSender::on_acknowledgement(const std::string& peer,
+                                    const LinkAcknowledgement& acknowledgement, Time now) {
   const auto known = peers_.find(peer);
   if (known == peers_.end()) return;
   Peer& from = known->second;
   // An older or repeated one is as true as when it was made, so that no count is remembered.
   const bool was_silent = from.estimator.is_silent(now);
-  const auto settlements = log_.on_receipt(from.index, receipt);
+  const auto settlements = log_.on_acknowledgement(from.index, acknowledgement);
   const bool came = std::any_of(settlements.begin(), settlements.end(),
                                 [](const Settlement& one) { return one.came; });
   apply(settlements, now);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fast_dds/lone_keys.hpp"
+#include "fast_dds/key_onlys.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "idl_support/lone_key.hpp"
+#include "idl_support/key_only.hpp"
 
 namespace tocsin {
 namespace {
@@ -47,11 +47,11 @@ Bytes departure(const Bytes& inline_qos, std::uint8_t flags = inline_qos_and_key
 
 Bytes told(const Bytes& message) {
   Bytes changed;
-  const auto result = with_lone_keys(message.data(), message.size(), changed);
+  const auto result = with_key_onlys(message.data(), message.size(), changed);
   return {result.first, result.first + result.second};
 }
 
-TEST(LoneKeys, OfDiscoveryAKeyWithoutHashGetsItsGuidAsHash) {
+TEST(KeyOnlys, OfDiscoveryAKeyWithoutHashGetsItsGuidAsHash) {
   for (const auto id : {std::uint8_t{0x50}, std::uint8_t{0x5a}}) {
     const Bytes plain = departure(status_info, inline_qos_and_key, participants(), id);
     const Bytes hashed =
@@ -61,7 +61,7 @@ TEST(LoneKeys, OfDiscoveryAKeyWithoutHashGetsItsGuidAsHash) {
   }
 }
 
-TEST(LoneKeys, EachDepartureOfAMessageGetsIts) {
+TEST(KeyOnlys, EachDepartureOfAMessageGetsIts) {
   for (const Bytes& writer : {Bytes{0, 0, 3, 0xc2}, Bytes{0, 0, 4, 0xc2}}) {
     const Bytes plain = departure(status_info, inline_qos_and_key, writer);
     const Bytes hashed = departure(joined({status_info, key_hash()}), inline_qos_and_key, writer);
@@ -70,14 +70,14 @@ TEST(LoneKeys, EachDepartureOfAMessageGetsIts) {
   }
 }
 
-TEST(LoneKeys, ALengthOfZeroMeansTheRestOfTheMessageAndStaysSo) {
+TEST(KeyOnlys, ALengthOfZeroMeansTheRestOfTheMessageAndStaysSo) {
   Bytes plain = departure(status_info);
   Bytes hashed = departure(joined({status_info, key_hash()}));
   plain[2] = hashed[2] = 0;
   EXPECT_EQ(told(joined({header(), plain})), joined({header(), hashed}));
 }
 
-TEST(LoneKeys, WhatHasAHashOrIsNoDepartureStaysAsItIs) {
+TEST(KeyOnlys, WhatHasAHashOrIsNoDepartureStaysAsItIs) {
   constexpr std::uint8_t inline_qos_and_data = 0x06;
   for (const Bytes& one :
        {departure(joined({key_hash(), status_info})), departure(status_info, inline_qos_and_data),
@@ -94,12 +94,12 @@ Bytes as_data(Bytes departed, const Bytes& inline_qos) {
   constexpr std::size_t flags_at = 1;
   const std::size_t options_at = 4 + 20 + inline_qos.size() + sentinel.size() + 2;
   departed[flags_at] = 0x07;  // inline QoS and data, little endian
-  departed[options_at] = lone_key_options[0];
-  departed[options_at + 1] = lone_key_options[1];
+  departed[options_at] = key_only_options[0];
+  departed[options_at + 1] = key_only_options[1];
   return departed;
 }
 
-TEST(LoneKeys, OfATopicAKeyBecomesDataThatIsMarked) {
+TEST(KeyOnlys, OfATopicAKeyBecomesDataThatIsMarked) {
   for (const Bytes& inline_qos : {status_info, joined({status_info, key_hash()})}) {
     const Bytes plain = departure(inline_qos, inline_qos_and_key, topic);
     EXPECT_EQ(told(joined({header(), plain, timestamp()})),
@@ -107,14 +107,14 @@ TEST(LoneKeys, OfATopicAKeyBecomesDataThatIsMarked) {
   }
 }
 
-TEST(LoneKeys, BehindADepartureThatGrewATopicsIsMarkedToo) {
+TEST(KeyOnlys, BehindADepartureThatGrewATopicsIsMarkedToo) {
   const Bytes grown = departure(joined({status_info, key_hash()}));
   const Bytes plain = departure(status_info, inline_qos_and_key, topic);
   EXPECT_EQ(told(joined({header(), departure(status_info), plain, plain})),
             joined({header(), grown, as_data(plain, status_info), as_data(plain, status_info)}));
 }
 
-TEST(LoneKeys, WhatIsCutOffAnywhereStaysAsItIs) {
+TEST(KeyOnlys, WhatIsCutOffAnywhereStaysAsItIs) {
   const Bytes whole = joined({header(), departure(status_info)});
   for (std::size_t size = 0; size < whole.size() - sentinel.size(); ++size) {
     const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "link_router/fill_in_batch.hpp"
+#include "link_router/backfill_batch.hpp"
 #include "link_router/history_requests.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "sample_log/sample_log.hpp"
@@ -13,12 +13,12 @@
 namespace tocsin {
 
 /// Without lives, topic, type and user data.
-[[nodiscard]] tocsin_msgs::msg::FillIn to_message(const router::FillInBatch& batch);
+[[nodiscard]] tocsin_msgs::msg::Backfill to_message(const router::BackfillBatch& batch);
 /// `stream` is the number of its stream here.
-[[nodiscard]] router::FillInBatch to_batch(const tocsin_msgs::msg::FillIn& message,
-                                           std::uint64_t stream);
+[[nodiscard]] router::BackfillBatch to_batch(const tocsin_msgs::msg::Backfill& message,
+                                             std::uint64_t stream);
 /// Whether a message of a peer names what can be a topic and a type.
-[[nodiscard]] bool is_sound(const tocsin_msgs::msg::FillIn& message);
+[[nodiscard]] bool is_sound(const tocsin_msgs::msg::Backfill& message);
 
 [[nodiscard]] tocsin_msgs::msg::LogRequest to_message(const router::HistoryRange& range);
 /// Empty when its topic is none.
@@ -29,8 +29,8 @@ namespace tocsin {
 [[nodiscard]] sample_log::LoggedStream logged_stream(const std::string& name, const Flow& flow);
 /// Topic, type and user data of such a stream.
 [[nodiscard]] Flow flow_of(const sample_log::LoggedStream& stream);
-/// Where a topic's filled-in samples are given: `<topic>/filled_in`, reliable, a late reader gets
+/// Where a topic's filled-in samples are given: `<topic>/backfilled`, reliable, a late reader gets
 /// the last hundred.
-[[nodiscard]] Flow filled_in(const Flow& flow);
+[[nodiscard]] Flow backfilled(const Flow& flow);
 
 }  // namespace tocsin

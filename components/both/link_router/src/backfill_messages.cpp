@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fill_in_messages.hpp"
+#include "backfill_messages.hpp"
 
 #include "foundation/ros_names.hpp"
 #include "idl_support/type_definition.hpp"
@@ -11,7 +11,7 @@ namespace {
 constexpr const char* topic_fact = "tocsin_topic";
 constexpr const char* type_fact = "tocsin_type";
 constexpr const char* user_data_fact = "tocsin_user_data";
-constexpr int filled_in_depth = 1000;
+constexpr int backfilled_depth = 1000;
 
 std::string fact(const sample_log::LoggedStream& stream, const char* key) {
   const auto found = stream.facts.find(key);
@@ -20,8 +20,8 @@ std::string fact(const sample_log::LoggedStream& stream, const char* key) {
 
 }  // namespace
 
-tocsin_msgs::msg::FillIn to_message(const router::FillInBatch& batch) {
-  tocsin_msgs::msg::FillIn message;
+tocsin_msgs::msg::Backfill to_message(const router::BackfillBatch& batch) {
+  tocsin_msgs::msg::Backfill message;
   message.session(batch.session);
   message.number(batch.number);
   for (const sample_log::LogEntry& entry : batch.samples) {
@@ -35,8 +35,8 @@ tocsin_msgs::msg::FillIn to_message(const router::FillInBatch& batch) {
   return message;
 }
 
-router::FillInBatch to_batch(const tocsin_msgs::msg::FillIn& message, std::uint64_t stream) {
-  router::FillInBatch batch{message.session(), message.number(), stream, {}};
+router::BackfillBatch to_batch(const tocsin_msgs::msg::Backfill& message, std::uint64_t stream) {
+  router::BackfillBatch batch{message.session(), message.number(), stream, {}};
   for (const tocsin_msgs::msg::StoredSample& sample : message.samples()) {
     batch.samples.push_back(
         {{stream, sample.source(), sample.sequence_number()}, sample.sent_ns(), sample.data()});
@@ -44,7 +44,7 @@ router::FillInBatch to_batch(const tocsin_msgs::msg::FillIn& message, std::uint6
   return batch;
 }
 
-bool is_sound(const tocsin_msgs::msg::FillIn& message) {
+bool is_sound(const tocsin_msgs::msg::Backfill& message) {
   return is_wire_name(message.topic(), "_/") && is_wire_name(message.type(), "_:");
 }
 
@@ -84,14 +84,14 @@ Flow flow_of(const sample_log::LoggedStream& stream) {
   return flow;
 }
 
-Flow filled_in(const Flow& flow) {
+Flow backfilled(const Flow& flow) {
   Flow given;
-  given.topic = flow.topic + "/filled_in";
+  given.topic = flow.topic + "/backfilled";
   given.type = flow.type;
   given.user_data = flow.user_data;
   given.reliable = true;
   given.transient_local = true;
-  given.depth = filled_in_depth;
+  given.depth = backfilled_depth;
   return given;
 }
 

@@ -8,9 +8,9 @@
 
 namespace tocsin {
 
-/// Addresses from which participants of other makers than eProsima have spoken: they know nothing
+/// Addresses from which participants of other vendors than eProsima have spoken: they know nothing
 /// of our pieces of messages (MessagePieces). Thread-safe.
-class OtherMakers {
+class OtherVendors {
  public:
   /// Notes who has made a packet that the filter has let through, as its RTPS header says.
   /// `address`: IPv4 of the sender; of few, as only configured peers are let through.

@@ -8,18 +8,18 @@ namespace tocsin::router {
 namespace {
 
 constexpr StreamId live = 1;
-constexpr StreamId fill_ins = 100;
+constexpr StreamId backfills = 100;
 
-class FillInRoomTest : public ::testing::Test {
+class BackfillRoomTest : public ::testing::Test {
  protected:
-  FillInRoomTest() {
+  BackfillRoomTest() {
     StreamRule rule;
     rule.name = "pose";
     rule.traffic_class = TrafficClass::high;
     sut_.add_stream(live, rule);
-    sut_.add_fill_in_stream(fill_ins);
+    sut_.add_backfill_stream(backfills);
     sut_.on_peer("station", 2, now_);
-    for (const StreamId stream : {live, fill_ins}) {
+    for (const StreamId stream : {live, backfills}) {
       sut_.set_wanted("station", stream, true, now_);
     }
   }
@@ -30,22 +30,22 @@ class FillInRoomTest : public ::testing::Test {
   LinkSender sut_{LinkRouterParams{}};
 };
 
-TEST_F(FillInRoomTest, NothingGoesBeforeTheRadiosQueueIsEmpty) {
-  EXPECT_TRUE(sut_.may_fill_in(now_));
+TEST_F(BackfillRoomTest, NothingGoesBeforeTheRadiosQueueIsEmpty) {
+  EXPECT_TRUE(sut_.may_backfill(now_));
   sut_.offer(live, sample(1, 200), now_);
-  EXPECT_FALSE(sut_.may_fill_in(now_)) << "a live one waits";
+  EXPECT_FALSE(sut_.may_backfill(now_)) << "a live one waits";
   ASSERT_TRUE(sut_.next(now_));
-  EXPECT_FALSE(sut_.may_fill_in(now_)) << "it is in the radio";
-  const Time opens = sut_.fill_in_opens(now_);
+  EXPECT_FALSE(sut_.may_backfill(now_)) << "it is in the radio";
+  const Time opens = sut_.backfill_opens(now_);
   EXPECT_GT(opens, now_);
-  EXPECT_FALSE(sut_.may_fill_in(opens - Duration(1)));
-  EXPECT_TRUE(sut_.may_fill_in(opens));
+  EXPECT_FALSE(sut_.may_backfill(opens - Duration(1)));
+  EXPECT_TRUE(sut_.may_backfill(opens));
 }
 
-TEST_F(FillInRoomTest, OneGoesAtATime) {
-  sut_.fill_in(fill_ins, sample(1, 200), now_);
-  EXPECT_FALSE(sut_.may_fill_in(now_));
-  EXPECT_TRUE(sut_.may_fill_in(sut_.fill_in_opens(now_)));
+TEST_F(BackfillRoomTest, OneGoesAtATime) {
+  sut_.backfill(backfills, sample(1, 200), now_);
+  EXPECT_FALSE(sut_.may_backfill(now_));
+  EXPECT_TRUE(sut_.may_backfill(sut_.backfill_opens(now_)));
 }
 
 }  // namespace

@@ -12,14 +12,14 @@
 
 namespace tocsin {
 
-using FillInMessage = tocsin_msgs::msg::FillIn;
+using BackfillMessage = tocsin_msgs::msg::Backfill;
 
-inline constexpr FlowId peer_fill_ins = 700;
+inline constexpr FlowId peer_backfills = 700;
 
 /// A router that stores battery_state, on a scripted link with a station.
-class FillInLinkTest : public LinkRouterTest {
+class BackfillLinkTest : public LinkRouterTest {
  protected:
-  FillInLinkTest() {
+  BackfillLinkTest() {
     (void)folder_.write("traffic.yaml",
                         "uxv:\n  low: {while_poor: drop, topics: [battery_state, cpu_load], "
                         "store: [battery_state]}\n"
@@ -37,35 +37,35 @@ class FillInLinkTest : public LinkRouterTest {
     params.store_directory = directory;
     LinkRouterTest::start(params, computer_);
   }
-  [[nodiscard]] FlowId fill_ins() const { return script_.opened_for(fill_in_topic); }
+  [[nodiscard]] FlowId backfills() const { return script_.opened_for(backfill_topic); }
   void meet_station() {
     meet();
-    begin_peer_flow("link_receipt", receipt_flow);
-    listen(fill_ins());
+    begin_peer_flow("link_acknowledgement", acknowledgement_flow);
+    listen(backfills());
   }
-  /// The sequences that were filled in, by each message.
+  /// The sequences that were backfilled, by each message.
   [[nodiscard]] std::vector<std::uint64_t> sent() const {
     std::vector<std::uint64_t> sequences;
     for (const ScriptedLink::Sent& one : script_.sent) {
-      if (one.flow != fill_ins()) continue;
+      if (one.flow != backfills()) continue;
       for (const auto& sample : message_of(one).samples()) {
         sequences.push_back(sample.sequence_number());
       }
     }
     return sequences;
   }
-  [[nodiscard]] static const FillInMessage& message_of(const ScriptedLink::Sent& one) {
-    return *static_cast<const FillInMessage*>(one.sample.content.get());
+  [[nodiscard]] static const BackfillMessage& message_of(const ScriptedLink::Sent& one) {
+    return *static_cast<const BackfillMessage*>(one.sample.content.get());
   }
   void confirm(std::uint32_t session, std::uint32_t number, std::uint32_t count) {
-    auto receipt = std::make_shared<Receipt>();
-    receipt->from_life(station);
-    receipt->to_life(ScriptedLink::own_life);
-    receipt->count(count);
-    receipt->made_ns(host_->bus.now().time_since_epoch().count());
-    receipt->fill_in_session(session);
-    receipt->fill_in_number(number);
-    tell(receipt);
+    auto acknowledgement = std::make_shared<Acknowledgement>();
+    acknowledgement->from_life(station);
+    acknowledgement->to_life(ScriptedLink::own_life);
+    acknowledgement->count(count);
+    acknowledgement->made_ns(host_->bus.now().time_since_epoch().count());
+    acknowledgement->backfill_session(session);
+    acknowledgement->backfill_number(number);
+    tell(acknowledgement);
   }
   [[nodiscard]] tocsin_msgs::msg::StoredTopic told() {
     run(1.5);
@@ -82,22 +82,23 @@ class FillInLinkTest : public LinkRouterTest {
     script_.happen(link_event::PeerFlow{peer_flow, station, peer_flow + 1, stored});
     run(0);
   }
-  /// The highest number of a peer's flow that a receipt tells of.
+  /// The highest number of a peer's flow that an acknowledgement tells of.
   [[nodiscard]] std::uint32_t confirmed_of(std::uint32_t wire_id) const {
     std::uint32_t highest = 0;
     for (const ScriptedLink::Sent& one : script_.sent) {
-      if (one.flow != script_.opened_for("link_receipt")) continue;
-      const auto& receipt = *static_cast<const Receipt*>(one.sample.content.get());
-      for (std::size_t i = 0; i < receipt.streams().size(); ++i) {
-        if (receipt.streams()[i] == wire_id) highest = std::max(highest, receipt.highest()[i]);
+      if (one.flow != script_.opened_for("link_acknowledgement")) continue;
+      const auto& acknowledgement = *static_cast<const Acknowledgement*>(one.sample.content.get());
+      for (std::size_t i = 0; i < acknowledgement.streams().size(); ++i) {
+        if (acknowledgement.streams()[i] == wire_id)
+          highest = std::max(highest, acknowledgement.highest()[i]);
       }
     }
     return highest;
   }
   /// A batch of the peer.
-  void fill_in(std::uint32_t number, const std::vector<std::uint64_t>& sequences,
-               const std::string& topic = "goal") {
-    auto message = std::make_shared<FillInMessage>();
+  void backfill(std::uint32_t number, const std::vector<std::uint64_t>& sequences,
+                const std::string& topic = "goal") {
+    auto message = std::make_shared<BackfillMessage>();
     message->from_life(station);
     message->to_life(ScriptedLink::own_life);
     message->session(1);
@@ -115,9 +116,9 @@ class FillInLinkTest : public LinkRouterTest {
     CarriedSample sample;
     sample.content = message;
     sample.bytes = 100;
-    sample.sequence = ++fill_in_number_;
+    sample.sequence = ++backfill_number_;
     script_.happen(
-        link_event::LinkSample{peer_fill_ins, fill_in_number_, sample, host_->bus.now()});
+        link_event::LinkSample{peer_backfills, backfill_number_, sample, host_->bus.now()});
     run(0.2);  // readers have found the topic
   }
   [[nodiscard]] std::vector<std::uint64_t> given() const {
@@ -127,20 +128,20 @@ class FillInLinkTest : public LinkRouterTest {
     }
     return sequences;
   }
-  /// Of the newest receipt.
+  /// Of the newest acknowledgement.
   [[nodiscard]] std::uint32_t told_number() {
     run(1.1);
     std::uint32_t number = 0;
     for (const ScriptedLink::Sent& one : script_.sent) {
-      if (one.flow != script_.opened_for("link_receipt")) continue;
-      number = static_cast<const Receipt*>(one.sample.content.get())->fill_in_number();
+      if (one.flow != script_.opened_for("link_acknowledgement")) continue;
+      number = static_cast<const Acknowledgement*>(one.sample.content.get())->backfill_number();
     }
     return number;
   }
 
   TemporaryFolder folder_;
   AbsentDevices computer_;
-  std::uint64_t fill_in_number_ = 0;
+  std::uint64_t backfill_number_ = 0;
 };
 
 }  // namespace tocsin

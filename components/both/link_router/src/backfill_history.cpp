@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "fill_in_link.hpp"
-#include "fill_in_messages.hpp"
+#include "backfill_link.hpp"
+#include "backfill_messages.hpp"
 #include "foundation/enum_words.hpp"
 #include "router_messages.hpp"
 #include "rule_requests.hpp"
@@ -25,7 +25,7 @@ std::uint64_t at_least_zero(std::int64_t ns) {
 
 }  // namespace
 
-bool FillInLink::logs() const {
+bool BackfillLink::logs() const {
   const auto any = [](const auto& rules) {
     return std::any_of(rules.begin(), rules.end(),
                        [](const auto& one) { return one.second.logged; });
@@ -33,18 +33,18 @@ bool FillInLink::logs() const {
   return any(parts_.link.rules().all()) || any(parts_.link.rules().patterns());
 }
 
-bool FillInLink::logs(const std::string& topic) const {
+bool BackfillLink::logs(const std::string& topic) const {
   const TrafficRule* const rule = parts_.link.rules().find(topic);
   return rule != nullptr && rule->logged;
 }
 
-std::set<std::string> FillInLink::logged_topics() const {
+std::set<std::string> BackfillLink::logged_topics() const {
   std::set<std::string> topics;
   for (const std::uint64_t key : logged_streams_) topics.insert(sent_.at(key).what.topic);
   return topics;
 }
 
-void FillInLink::add_logged(FlowId on_host, std::optional<FlowId> on_link, const Flow& flow) {
+void BackfillLink::add_logged(FlowId on_host, std::optional<FlowId> on_link, const Flow& flow) {
   const std::string name = stream_rule(flow, {}).name;
   const std::uint64_t key = sample_log::stream_key(name);
   logged_[on_host] = key;
@@ -54,23 +54,24 @@ void FillInLink::add_logged(FlowId on_host, std::optional<FlowId> on_link, const
   parts_.history.add(logged_stream(name, flow));
 }
 
-void FillInLink::log(FlowId on_host, const CarriedSample& sample, Time now, std::int64_t wall_ns) {
+void BackfillLink::log(FlowId on_host, const CarriedSample& sample, Time now,
+                       std::int64_t wall_ns) {
   const auto key = logged_.find(on_host);
   if (key == logged_.end()) return;
   const sample_log::SampleId id{key->second, sample.source, sample.sequence};
   parts_.history.append({id, sample.sent_wall_ns, parts_.link.bytes_of(sample)}, now, wall_ns);
 }
 
-void FillInLink::request(const router::HistoryRange& range, Time now) {
+void BackfillLink::request(const router::HistoryRange& range, Time now) {
   if (logs(range.topic)) requests_.on_request(range, now + lease);
 }
 
-bool FillInLink::request(const router::RuleRequest& request, Time now, std::int64_t wall_ns) {
+bool BackfillLink::request(const router::RuleRequest& request, Time now, std::int64_t wall_ns) {
   return requests_.on_request(request,
                               now + Duration(request.range.to_ns - wall_ns) + rules_stand_for);
 }
 
-void FillInLink::resume_requests(Time now, std::int64_t wall_ns) {
+void BackfillLink::resume_requests(Time now, std::int64_t wall_ns) {
   for (const router::RuleRequest& one : rule_requests_in(std::exchange(earlier_requests_, ""))) {
     const bool is_over = Duration(wall_ns - one.range.to_ns) > rules_stand_for;
     if (is_over || !logs(one.range.topic)) continue;
@@ -79,7 +80,7 @@ void FillInLink::resume_requests(Time now, std::int64_t wall_ns) {
   }
 }
 
-void FillInLink::follow_history(Time now, std::int64_t wall_ns) {
+void BackfillLink::follow_history(Time now, std::int64_t wall_ns) {
   while (auto answer = parts_.history.take()) {
     std::visit([this](auto& what) { on_history(what); }, *answer);
   }
@@ -97,7 +98,7 @@ void FillInLink::follow_history(Time now, std::int64_t wall_ns) {
   }
 }
 
-void FillInLink::on_history(store_answer::Opened& answer) {
+void BackfillLink::on_history(store_answer::Opened& answer) {
   knows_requests_ = true;
   earlier_requests_ = std::move(answer.requests);
   for (const sample_log::LoggedStream& stream : answer.streams) {
@@ -109,19 +110,19 @@ void FillInLink::on_history(store_answer::Opened& answer) {
   }
 }
 
-void FillInLink::on_history(store_answer::Found& answer) {
+void BackfillLink::on_history(store_answer::Found& answer) {
   requests_.on_found(answer.search, answer.finding.ids, answer.finding.next_ns);
   for (const sample_log::SampleId& id : answer.finding.ids) sender_.request(id);
 }
 
-void FillInLink::on_history(store_answer::Read& answer) {
+void BackfillLink::on_history(store_answer::Read& answer) {
   std::set<sample_log::SampleId> gone(answer.asked.begin(), answer.asked.end());
   for (const sample_log::LogEntry& entry : answer.read) gone.erase(entry.id);
   sender_.on_read(answer.asked, std::move(answer.read));
   requests_.on_gone({gone.begin(), gone.end()});
 }
 
-void FillInLink::on_history(store_answer::Retired& answer) {
+void BackfillLink::on_history(store_answer::Retired& answer) {
   std::vector<sample_log::SampleId> gone;
   for (const sample_log::SampleId& id : answer.ids) {
     if (sender_.on_retired(id)) gone.push_back(id);
@@ -129,7 +130,7 @@ void FillInLink::on_history(store_answer::Retired& answer) {
   requests_.on_gone(gone);
 }
 
-void FillInLink::add_fetches(tocsin_msgs::msg::LinkState& message) const {
+void BackfillLink::add_fetches(tocsin_msgs::msg::LinkState& message) const {
   for (const sample_log::LoggedSpan& span : contents_) {
     if (!logs(span.topic.substr(1))) continue;  // what arrives is kept for this host alone
     tocsin_msgs::msg::LoggedTopic topic;

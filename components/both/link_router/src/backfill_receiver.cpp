@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link_router/fill_in_receiver.hpp"
+#include "link_router/backfill_receiver.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -12,20 +12,20 @@ constexpr std::uint32_t most_early = 16;
 
 }  // namespace
 
-std::uint64_t FillInReceiver::stream_key(const std::string& peer, const std::string& stream) {
+std::uint64_t BackfillReceiver::stream_key(const std::string& peer, const std::string& stream) {
   return sample_log::stream_key(peer + "|" + stream);
 }
 
-void FillInReceiver::recover(const sample_log::SampleSet& given) {
+void BackfillReceiver::recover(const sample_log::SampleSet& given) {
   for (const auto& [writer, known] : given.writers()) {
     for (const auto& [first, last] : known.sequences.ranges()) given_.add(writer, first, last);
   }
   recovered_ = true;
 }
 
-std::vector<FillInBatch> FillInReceiver::on_batch(const std::string& peer, Incarnation life,
-                                                  FillInBatch batch) {
-  std::vector<FillInBatch> in_turn;
+std::vector<BackfillBatch> BackfillReceiver::on_batch(const std::string& peer, Incarnation life,
+                                                      BackfillBatch batch) {
+  std::vector<BackfillBatch> in_turn;
   if (!recovered_) return in_turn;
   Session& session = sessions_[peer];
   if (session.life != life || batch.session > session.progress.session) {
@@ -48,10 +48,10 @@ std::vector<FillInBatch> FillInReceiver::on_batch(const std::string& peer, Incar
   return in_turn;
 }
 
-FillInProgress FillInReceiver::progress(const std::string& peer, Incarnation life) const {
+BackfillProgress BackfillReceiver::progress(const std::string& peer, Incarnation life) const {
   const auto found = sessions_.find(peer);
   const bool known = found != sessions_.end() && found->second.life == life;
-  return known ? found->second.progress : FillInProgress{};
+  return known ? found->second.progress : BackfillProgress{};
 }
 
 }  // namespace tocsin::router

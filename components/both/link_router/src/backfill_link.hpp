@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "arrival_log.hpp"
-#include "link_router/fill_in_receiver.hpp"
-#include "link_router/fill_in_sender.hpp"
+#include "link_router/backfill_receiver.hpp"
+#include "link_router/backfill_sender.hpp"
 #include "link_router/history_requests.hpp"
 #include "link_router/link_sender.hpp"
 #include "link_router/reader_wait.hpp"
@@ -23,15 +23,15 @@
 namespace tocsin {
 
 /// A peer of now: its name and its life.
-struct FillInPeer {
+struct BackfillPeer {
   std::string name;
   PeerId life = 0;
 };
 
 /// What of stored topics does not cross at first: between the log, the decisions
-/// (router::FillInSender, router::FillInReceiver) and the link. Batches go to one peer, the first
-/// that takes them.
-class FillInLink {
+/// (router::BackfillSender, router::BackfillReceiver) and the link. Batches go to one peer, the
+/// first that takes them.
+class BackfillLink {
  public:
   /// All outlive it.
   struct Parts {
@@ -42,7 +42,7 @@ class FillInLink {
     ArrivalLog& arrivals;
     Logger& log;
   };
-  FillInLink(const Parts& parts, const router::LinkRouterParams& params);
+  BackfillLink(const Parts& parts, const router::LinkRouterParams& params);
 
   /// The link's flow of batches; empty when the traffic file stores and logs nothing of this host.
   [[nodiscard]] std::optional<FlowId> flow() const { return flow_; }
@@ -75,14 +75,14 @@ class FillInLink {
   [[nodiscard]] std::set<std::string> logged_topics() const;
 
   /// A peer takes batches, or has gone.
-  void on_listener(const FillInPeer& peer, Time now);
+  void on_listener(const BackfillPeer& peer, Time now);
   void on_lost(PeerId life);
   /// What the stores have answered, what the sender knows of stored samples, what is to be read.
   /// `wall_ns` of `now`.
   void follow(Time now, std::int64_t wall_ns);
   /// What there is room for.
   void send(Time now);
-  void on_progress(PeerId from, const router::FillInProgress& progress, Time now);
+  void on_progress(PeerId from, const router::BackfillProgress& progress, Time now);
   [[nodiscard]] Time deadline(Time now) const;
   /// Adds what is stored, what is logged, and the requests for it.
   void report(tocsin_msgs::msg::LinkState& message) const;
@@ -90,11 +90,11 @@ class FillInLink {
   /// A sample of a stored flow that crossed live. Whether the host was not given it yet.
   [[nodiscard]] bool on_live(const std::string& peer, const router::StreamRule& rule,
                              const CarriedSample& sample);
-  void on_batch(const FillInPeer& peer, const CarriedSample& sample, Time now);
+  void on_batch(const BackfillPeer& peer, const CarriedSample& sample, Time now);
   /// A reader of this host hears what is given there.
   void on_host_listens(FlowId on_host, Time now);
   /// What this life of a peer may be told: it was given, and that is safe.
-  [[nodiscard]] router::FillInProgress progress(const FillInPeer& peer) const;
+  [[nodiscard]] router::BackfillProgress progress(const BackfillPeer& peer) const;
   /// Peers whose progress has changed since the last call.
   [[nodiscard]] std::set<std::string> take_progressed();
 
@@ -105,12 +105,12 @@ class FillInLink {
     std::optional<router::ReaderWait> readers;  ///< with on_host
   };
   struct Arrived {
-    FillInPeer peer;
-    std::shared_ptr<const tocsin_msgs::msg::FillIn> message;
+    BackfillPeer peer;
+    std::shared_ptr<const tocsin_msgs::msg::Backfill> message;
   };
   struct Batched {
-    FillInPeer peer;
-    router::FillInProgress progress;
+    BackfillPeer peer;
+    router::BackfillProgress progress;
   };
   void on(store_answer::Opened& answer);
   void on(store_answer::Appended& answer);
@@ -139,19 +139,19 @@ class FillInLink {
   void confirm(const std::vector<sample_log::SampleId>& ids);
   void add_fetches(tocsin_msgs::msg::LinkState& message) const;
   void begin_session();
-  [[nodiscard]] CarriedSample packed(const router::FillInBatch& batch);
+  [[nodiscard]] CarriedSample packed(const router::BackfillBatch& batch);
   [[nodiscard]] static std::uint64_t key_of(const Arrived& batch);
   void take(const Arrived& batch, Time now);
   void take_early(Time now);
-  void give(const router::FillInBatch& batch, Time now);
+  void give(const router::BackfillBatch& batch, Time now);
 
   Parts parts_;
   const std::optional<FlowId> flow_;
-  router::FillInSender sender_;
+  router::BackfillSender sender_;
   std::map<FlowId, std::uint64_t> keys_;     ///< streams of this host, by flow on the link
   std::map<std::uint64_t, Described> sent_;  ///< by the stream's key
-  std::map<PeerId, FillInPeer> listeners_;
-  std::optional<FillInPeer> session_;
+  std::map<PeerId, BackfillPeer> listeners_;
+  std::optional<BackfillPeer> session_;
   std::uint64_t batches_ = 0;
 
   std::map<FlowId, std::uint64_t> logged_;       ///< streams by flow on the host
@@ -163,7 +163,7 @@ class FillInLink {
   std::set<std::string> resumed_;
   std::vector<sample_log::LoggedSpan> contents_;
 
-  router::FillInReceiver receiver_;
+  router::BackfillReceiver receiver_;
   std::map<std::uint64_t, Described> given_;  ///< by the key of the peer's stream
   std::vector<Arrived> early_;                ///< came before the readers of this host were there
   std::vector<sample_log::SampleId> live_;    ///< given, and not noted yet

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "fill_in_fixture.hpp"
+#include "backfill_fixture.hpp"
 #include "runtime/middleware/refused_names.hpp"
 
 namespace tocsin {
@@ -15,7 +15,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-TEST_F(FillInLinkTest, WhatAPauseKeptBackIsFilledInAfterIt) {
+TEST_F(BackfillLinkTest, WhatAPauseKeptBackIsFilledInAfterIt) {
   meet_station();
   listen(begin("battery_state"));
   set_active(false);
@@ -27,12 +27,12 @@ TEST_F(FillInLinkTest, WhatAPauseKeptBackIsFilledInAfterIt) {
   const auto state = told();
   EXPECT_EQ(state.topic(), "battery_state");
   EXPECT_EQ(state.stored(), 3U);
-  EXPECT_EQ(state.filled_in(), 3U);
+  EXPECT_EQ(state.backfilled(), 3U);
   EXPECT_EQ(state.waiting(), 0U);
   EXPECT_TRUE(script_.opened.at(script_.opened_for("battery_state")).flow.stored);
 }
 
-TEST_F(FillInLinkTest, ATopicThatIsNotStoredIsNotFilledIn) {
+TEST_F(BackfillLinkTest, ATopicThatIsNotStoredIsNotFilledIn) {
   meet_station();
   listen(begin("cpu_load"));
   set_active(false);
@@ -43,7 +43,7 @@ TEST_F(FillInLinkTest, ATopicThatIsNotStoredIsNotFilledIn) {
   EXPECT_FALSE(script_.opened.at(script_.opened_for("cpu_load")).flow.stored);
 }
 
-TEST_F(FillInLinkTest, WhatCrossesLiveIsNotFilledIn) {
+TEST_F(BackfillLinkTest, WhatCrossesLiveIsNotFilledIn) {
   meet_station();
   const FlowId on_link = begin("battery_state");
   listen(on_link);
@@ -54,7 +54,7 @@ TEST_F(FillInLinkTest, WhatCrossesLiveIsNotFilledIn) {
   EXPECT_THAT(sent(), IsEmpty());
 }
 
-TEST_F(FillInLinkTest, WhatANextLifeFindsInTheLogIsFilledInThoughNobodyWritesItNow) {
+TEST_F(BackfillLinkTest, WhatANextLifeFindsInTheLogIsFilledInThoughNobodyWritesItNow) {
   (void)begin("battery_state");
   write(1);
   write(2);
@@ -63,7 +63,7 @@ TEST_F(FillInLinkTest, WhatANextLifeFindsInTheLogIsFilledInThoughNobodyWritesItN
   meet_station();
   EXPECT_THAT(sent(), ElementsAre(1, 2));
   const auto first = std::find_if(script_.sent.begin(), script_.sent.end(),
-                                  [this](const auto& one) { return one.flow == fill_ins(); });
+                                  [this](const auto& one) { return one.flow == backfills(); });
   EXPECT_EQ(message_of(*first).topic(), "battery_state");
   confirm(1, 1, 1);
   start(folder_.path("store"));
@@ -72,24 +72,24 @@ TEST_F(FillInLinkTest, WhatANextLifeFindsInTheLogIsFilledInThoughNobodyWritesItN
   EXPECT_THAT(sent(), IsEmpty()) << "confirmed";
 }
 
-TEST_F(FillInLinkTest, ANextLifeOfTheStationIsSentWhatWasNotConfirmed) {
+TEST_F(BackfillLinkTest, ANextLifeOfTheStationIsSentWhatWasNotConfirmed) {
   meet_station();
   (void)begin("battery_state");
   write(1);
   EXPECT_THAT(sent(), ElementsAre(1));
   constexpr PeerId next_life = station + 1;
   meet(next_life);
-  script_.happen(link_event::PeerListens{fill_ins(), next_life});
+  script_.happen(link_event::PeerListens{backfills(), next_life});
   script_.happen(link_event::PeerLost{station});
   run(0.2);
   EXPECT_THAT(sent(), ElementsAre(1, 1));
   const auto last = std::find_if(script_.sent.rbegin(), script_.sent.rend(),
-                                 [this](const auto& one) { return one.flow == fill_ins(); });
+                                 [this](const auto& one) { return one.flow == backfills(); });
   EXPECT_EQ(message_of(*last).to_life(), next_life);
   EXPECT_EQ(message_of(*last).session(), 2U);
 }
 
-TEST_F(FillInLinkTest, AFolderThatCannotBeUsedCostsOnlyWhatWouldHaveBeenStored) {
+TEST_F(BackfillLinkTest, AFolderThatCannotBeUsedCostsOnlyWhatWouldHaveBeenStored) {
   start(folder_.path("traffic.yaml/store"));
   meet_station();
   const FlowId on_link = begin("battery_state");
@@ -107,30 +107,30 @@ TEST_F(FillInLinkTest, AFolderThatCannotBeUsedCostsOnlyWhatWouldHaveBeenStored) 
   EXPECT_EQ(state.refused(), 1U) << "the one that did not cross";
 }
 
-TEST_F(FillInLinkTest, ABatchIsGivenOnATopicOfItsOwnOnceAndInOrder) {
+TEST_F(BackfillLinkTest, ABatchIsGivenOnATopicOfItsOwnOnceAndInOrder) {
   meet_station();
-  begin_peer_flow(fill_in_topic, peer_fill_ins);
-  fill_in(2, {12});
+  begin_peer_flow(backfill_topic, peer_backfills);
+  backfill(2, {12});
   EXPECT_THAT(given(), IsEmpty()) << "before its turn";
-  fill_in(1, {10, 11});
+  backfill(1, {10, 11});
   EXPECT_THAT(given(), ElementsAre(10, 11, 12));
-  fill_in(1, {10, 11});
+  backfill(1, {10, 11});
   EXPECT_THAT(given(), ElementsAre(10, 11, 12));
   ASSERT_EQ(script_.offered_here.size(), 1U);
   const Flow& flow = script_.offered_here.begin()->second;
-  EXPECT_EQ(flow.topic, "goal/filled_in");
+  EXPECT_EQ(flow.topic, "goal/backfilled");
   EXPECT_TRUE(flow.reliable && flow.transient_local);
   EXPECT_EQ(script_.given.front().sample.sent_wall_ns, 1000) << "its own time";
   EXPECT_EQ(told_number(), 2U);
 }
 
-TEST_F(FillInLinkTest, ABatchWaitsUntilAReaderOfTheHostHearsItsTopic) {
+TEST_F(BackfillLinkTest, ABatchWaitsUntilAReaderOfTheHostHearsItsTopic) {
   script_.host_reads = false;
   meet_station();
-  begin_peer_flow(fill_in_topic, peer_fill_ins);
-  fill_in(1, {10, 11});
-  fill_in(2, {12});
-  fill_in(1, {10, 11});
+  begin_peer_flow(backfill_topic, peer_backfills);
+  backfill(1, {10, 11});
+  backfill(2, {12});
+  backfill(1, {10, 11});
   EXPECT_THAT(given(), IsEmpty());
   EXPECT_EQ(told_number(), 0U) << "it is not done with";
   ASSERT_EQ(script_.offered_here.size(), 1U);
@@ -140,15 +140,15 @@ TEST_F(FillInLinkTest, ABatchWaitsUntilAReaderOfTheHostHearsItsTopic) {
   run(0.1);
   EXPECT_THAT(given(), ElementsAre(10, 11, 12));
   EXPECT_EQ(told_number(), 2U);
-  fill_in(3, {13});
+  backfill(3, {13});
   EXPECT_THAT(given(), ElementsAre(10, 11, 12, 13));
 }
 
-TEST_F(FillInLinkTest, ABatchThatNobodyReadsIsGivenAfterFiveSeconds) {
+TEST_F(BackfillLinkTest, ABatchThatNobodyReadsIsGivenAfterFiveSeconds) {
   script_.host_reads = false;
   meet_station();
-  begin_peer_flow(fill_in_topic, peer_fill_ins);
-  fill_in(1, {10, 11});
+  begin_peer_flow(backfill_topic, peer_backfills);
+  backfill(1, {10, 11});
   run(4.7);
   EXPECT_THAT(given(), IsEmpty());
   run(0.2);
@@ -156,17 +156,17 @@ TEST_F(FillInLinkTest, ABatchThatNobodyReadsIsGivenAfterFiveSeconds) {
   EXPECT_EQ(told_number(), 1U);
 }
 
-TEST_F(FillInLinkTest, ABatchThatWaitsForReadersGoesWithThePeersLife) {
+TEST_F(BackfillLinkTest, ABatchThatWaitsForReadersGoesWithThePeersLife) {
   script_.host_reads = false;
   meet_station();
-  begin_peer_flow(fill_in_topic, peer_fill_ins);
-  fill_in(1, {10, 11});
+  begin_peer_flow(backfill_topic, peer_backfills);
+  backfill(1, {10, 11});
   script_.happen(link_event::PeerLost{station});
   run(6);
   EXPECT_THAT(given(), IsEmpty());
 }
 
-TEST_F(FillInLinkTest, ALiveSampleIsConfirmedWhenReadersOfTheHostHaveFoundItsTopic) {
+TEST_F(BackfillLinkTest, ALiveSampleIsConfirmedWhenReadersOfTheHostHaveFoundItsTopic) {
   script_.host_reads = false;
   meet_station();
   begin_stored_peer_flow();
@@ -183,7 +183,7 @@ TEST_F(FillInLinkTest, ALiveSampleIsConfirmedWhenReadersOfTheHostHaveFoundItsTop
   EXPECT_EQ(confirmed_of(peer_flow + 1), 3U);
 }
 
-TEST_F(FillInLinkTest, ALiveSampleOfAStoredTopicThatNobodyReadsIsGivenAfterTwoSeconds) {
+TEST_F(BackfillLinkTest, ALiveSampleOfAStoredTopicThatNobodyReadsIsGivenAfterTwoSeconds) {
   script_.host_reads = false;
   meet_station();
   begin_stored_peer_flow();
@@ -194,7 +194,7 @@ TEST_F(FillInLinkTest, ALiveSampleOfAStoredTopicThatNobodyReadsIsGivenAfterTwoSe
   EXPECT_THAT(given(), ElementsAre(10));
 }
 
-TEST_F(FillInLinkTest, ALiveSampleOfATopicThatIsNotStoredDoesNotWait) {
+TEST_F(BackfillLinkTest, ALiveSampleOfATopicThatIsNotStoredDoesNotWait) {
   script_.host_reads = false;
   meet_station();
   begin_peer_flow("goal");
@@ -202,50 +202,50 @@ TEST_F(FillInLinkTest, ALiveSampleOfATopicThatIsNotStoredDoesNotWait) {
   EXPECT_THAT(given(), ElementsAre(10));
 }
 
-TEST_F(FillInLinkTest, WhatCrossedLiveIsNotGivenAgain) {
+TEST_F(BackfillLinkTest, WhatCrossedLiveIsNotGivenAgain) {
   meet_station();
   begin_stored_peer_flow();
-  begin_peer_flow(fill_in_topic, peer_fill_ins);
+  begin_peer_flow(backfill_topic, peer_backfills);
   run(0.2);
   hear(1, 10);
   ASSERT_THAT(given(), ElementsAre(10));
-  fill_in(1, {10, 11});
+  backfill(1, {10, 11});
   EXPECT_THAT(given(), ElementsAre(10, 11));
 }
 
-TEST_F(FillInLinkTest, ANextLifeRemembersWhatWasGiven) {
+TEST_F(BackfillLinkTest, ANextLifeRemembersWhatWasGiven) {
   meet_station();
-  begin_peer_flow(fill_in_topic, peer_fill_ins);
-  fill_in(1, {10, 11});
+  begin_peer_flow(backfill_topic, peer_backfills);
+  backfill(1, {10, 11});
   start(folder_.path("store"));
   script_.given.clear();
   meet_station();
-  begin_peer_flow(fill_in_topic, peer_fill_ins);
-  fill_in(1, {11, 12});
+  begin_peer_flow(backfill_topic, peer_backfills);
+  backfill(1, {11, 12});
   EXPECT_THAT(given(), ElementsAre(12));
 }
 
-TEST_F(FillInLinkTest, ABatchOfNoTopicIsIgnored) {
+TEST_F(BackfillLinkTest, ABatchOfNoTopicIsIgnored) {
   meet_station();
-  begin_peer_flow(fill_in_topic, peer_fill_ins);
-  for (const char* const topic : {"", "a b", "a\n"}) fill_in(1, {10}, topic);
+  begin_peer_flow(backfill_topic, peer_backfills);
+  for (const char* const topic : {"", "a b", "a\n"}) backfill(1, {10}, topic);
   EXPECT_THAT(given(), IsEmpty());
   EXPECT_EQ(told_number(), 0U);
 }
 
-TEST_F(FillInLinkTest, AHistoryThatNoRuleSendsHereIsNotGivenAndHoldsUpNothing) {
+TEST_F(BackfillLinkTest, AHistoryThatNoRuleSendsHereIsNotGivenAndHoldsUpNothing) {
   meet_station();
-  begin_peer_flow(fill_in_topic, peer_fill_ins);
+  begin_peer_flow(backfill_topic, peer_backfills);
   const auto refused = refused_names().total();
-  fill_in(1, {10}, "cmd_vel");
-  fill_in(2, {11}, "goal");
+  backfill(1, {10}, "cmd_vel");
+  backfill(2, {11}, "goal");
   EXPECT_THAT(given(), ElementsAre(11));
   EXPECT_EQ(script_.offered_here.size(), 1U);
   EXPECT_EQ(refused_names().total(), refused + 1);
   EXPECT_EQ(told_number(), 2U);
 }
 
-TEST_F(FillInLinkTest, ATransmissionThatIsNotWrittenIsRepeated) {
+TEST_F(BackfillLinkTest, ATransmissionThatIsNotWrittenIsRepeated) {
   meet_station();
   (void)begin("battery_state");
   script_.is_up = false;

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "link_router/fill_in_batch.hpp"
+#include "link_router/backfill_batch.hpp"
 #include "link_router/link_router_params.hpp"
 #include "link_router/transmission.hpp"
 #include "sample_log/sample_id.hpp"
@@ -26,12 +26,12 @@ namespace tocsin::router {
 /// numbered; the peer confirms them in their order, at most `window` are unconfirmed, and the first
 /// of them is repeated until it is. A session is one meeting of two lives: a new one sends what was
 /// not confirmed again. All within a share of the capacity; when the link has room at all,
-/// LinkSender::may_fill_in tells. What somebody requests of a history goes the same way, behind
+/// LinkSender::may_backfill tells. What somebody requests of a history goes the same way, behind
 /// all else. Pure; `now` never decreases.
-class FillInSender {
+class BackfillSender {
  public:
   using SampleId = sample_log::SampleId;
-  explicit FillInSender(const LinkRouterParams& params) : params_(params) {}
+  explicit BackfillSender(const LinkRouterParams& params) : params_(params) {}
 
   /// A sample goes to the log and is offered to the link. One that is known stays what it is.
   void offer(const SampleId& id);
@@ -58,12 +58,12 @@ class FillInSender {
   void on_read(const std::vector<SampleId>& asked, std::vector<sample_log::LogEntry> read);
 
   /// The batch to send at `now`, if any; it must be sent. `capacity_bytes_per_s` of the link.
-  [[nodiscard]] std::optional<FillInBatch> next(Time now, double capacity_bytes_per_s);
+  [[nodiscard]] std::optional<BackfillBatch> next(Time now, double capacity_bytes_per_s);
   /// When next() has something though nothing happens; `never` when it has nothing to do. Not later
   /// than `now`: at once.
   [[nodiscard]] Time deadline(Time now, double capacity_bytes_per_s) const;
   /// Those that are done with, which the log must be told.
-  [[nodiscard]] std::vector<SampleId> on_progress(const FillInProgress& progress, Time now);
+  [[nodiscard]] std::vector<SampleId> on_progress(const BackfillProgress& progress, Time now);
 
   /// By stream; only those of which something was offered or recovered.
   [[nodiscard]] const std::map<std::uint64_t, StoredCounts>& counts() const { return counts_; }
@@ -75,7 +75,7 @@ class FillInSender {
   static constexpr Order first_requested = Order{1} << 56U;
   enum class State : std::uint8_t {
     live,       ///< may still cross live
-    waiting,    ///< is to be filled in
+    waiting,    ///< is to be backfilled
     asked,      ///< the log is reading it
     ready,      ///< was read
     under_way,  ///< in a batch that is not confirmed
@@ -87,7 +87,7 @@ class FillInSender {
     sample_log::LogEntry content;
   };
   struct Sent {
-    FillInBatch batch;
+    BackfillBatch batch;
     std::vector<Order> orders;
     Time at{};
     std::size_t wire_bytes = 0;

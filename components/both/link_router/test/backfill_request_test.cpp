@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples that a FillInSender sends because somebody asked for them.
-#include "fill_in_sender_fixture.hpp"
+// Samples that a BackfillSender sends because somebody asked for them.
+#include "backfill_sender_fixture.hpp"
 
 namespace tocsin::router {
 namespace {
 
-using FillInRequestTest = FillInSenderTest;
+using BackfillRequestTest = BackfillSenderTest;
 
-TEST_F(FillInRequestTest, WhatIsRequestedGoesBehindWhatIsStored) {
+TEST_F(BackfillRequestTest, WhatIsRequestedGoesBehindWhatIsStored) {
   sut_.begin_session();
   sut_.request(id(1, 9, 5));
   sut_.request(id(2, 9, 5));
@@ -16,7 +16,7 @@ TEST_F(FillInRequestTest, WhatIsRequestedGoesBehindWhatIsStored) {
   EXPECT_THAT(sut_.take_wanted(), ElementsAre(id(7), id(1, 9, 5), id(2, 9, 5)));
 }
 
-TEST_F(FillInRequestTest, RequestedOnesThatWereReadDoNotKeepStoredOnesFromBeingRead) {
+TEST_F(BackfillRequestTest, RequestedOnesThatWereReadDoNotKeepStoredOnesFromBeingRead) {
   sut_.begin_session();
   for (std::uint64_t i = 1; i <= 40; ++i) sut_.request(id(i, 9, 5));
   const auto first = sut_.take_wanted();
@@ -32,7 +32,7 @@ TEST_F(FillInRequestTest, RequestedOnesThatWereReadDoNotKeepStoredOnesFromBeingR
   EXPECT_THAT(sequences(*batch), ElementsAre(7)) << "and goes before them";
 }
 
-TEST_F(FillInRequestTest, WhatIsWithdrawnIsNotSent) {
+TEST_F(BackfillRequestTest, WhatIsWithdrawnIsNotSent) {
   sut_.begin_session();
   for (std::uint64_t i = 1; i <= 3; ++i) sut_.request(id(i, 9, 5));
   miss(id(7));
@@ -52,7 +52,7 @@ TEST_F(FillInRequestTest, WhatIsWithdrawnIsNotSent) {
       << "it was under way";
 }
 
-TEST_F(FillInRequestTest, WhatIsRequestedAgainAfterItsConfirmationIsSentAgain) {
+TEST_F(BackfillRequestTest, WhatIsRequestedAgainAfterItsConfirmationIsSentAgain) {
   sut_.begin_session();
   sut_.request(id(1));
   read_all();
@@ -62,7 +62,7 @@ TEST_F(FillInRequestTest, WhatIsRequestedAgainAfterItsConfirmationIsSentAgain) {
   EXPECT_THAT(sut_.take_wanted(), ElementsAre(id(1)));
 }
 
-TEST_F(FillInRequestTest, TellsWhetherWhatTheLogsBoundsTookIsSentAllTheSame) {
+TEST_F(BackfillRequestTest, TellsWhetherWhatTheLogsBoundsTookIsSentAllTheSame) {
   sut_.begin_session();
   sut_.request(id(1));
   sut_.request(id(2));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link/other_makers.hpp"
+#include "link/other_vendors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ std::vector<std::uint8_t> packet_of(std::uint8_t vendor) {
   return {'R', 'T', 'P', 'S', 2, 1, 1, vendor, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 }
 
-TEST(OtherMakers, AreWhereOneHasSpoken) {
-  OtherMakers sut;
+TEST(OtherVendors, AreWhereOneHasSpoken) {
+  OtherVendors sut;
   const auto packet = packet_of(cyclone);
   EXPECT_FALSE(sut.are_at(there));
   sut.hear(packet.data(), packet.size(), there);
@@ -25,15 +25,15 @@ TEST(OtherMakers, AreWhereOneHasSpoken) {
   EXPECT_FALSE(sut.are_at(here));
 }
 
-TEST(OtherMakers, AreNotWhereOnlyEProsimaSpeaks) {
-  OtherMakers sut;
+TEST(OtherVendors, AreNotWhereOnlyEProsimaSpeaks) {
+  OtherVendors sut;
   const auto packet = packet_of(0x0f);
   sut.hear(packet.data(), packet.size(), there);
   EXPECT_FALSE(sut.are_at(there));
 }
 
-TEST(OtherMakers, APacketWithoutAWholeHeaderTellsNothing) {
-  OtherMakers sut;
+TEST(OtherVendors, APacketWithoutAWholeHeaderTellsNothing) {
+  OtherVendors sut;
   const auto packet = packet_of(cyclone);
   sut.hear(packet.data(), packet.size() - 1, there);
   sut.hear(packet.data(), 0, there);
