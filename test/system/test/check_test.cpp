@@ -16,7 +16,7 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 Ended check(const std::string& arguments) {
-  return run_to_end(Stack::program("check", "tocsin-check"), arguments);
+  return run_to_end(Stack::program("tocsin_cli", "tocsin-check"), arguments);
 }
 
 /// The YAML blocks of a README, each with its first line.

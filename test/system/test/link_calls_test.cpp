@@ -115,7 +115,7 @@ class Identities {
 
  private:
   void run(const std::string& words) const {
-    const Ended ended = run_to_end(Stack::program("keystore_tool", "tocsin-keystore"),
+    const Ended ended = run_to_end(Stack::program("tocsin_cli", "tocsin-keystore"),
                                    words + " --keystore " + path());
     ASSERT_EQ(ended.code, 0) << ended.output;
   }

@@ -2,6 +2,7 @@
 #include "command_line/command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <utility>
 
 #include "command_line/option_checks.hpp"
 #include "foundation/error.hpp"
@@ -20,6 +21,19 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>
     }
     return body();
   });
+}
+
+Verbs::Verbs(CLI::App& app) : app_(app) { app_.require_subcommand(1); }
+
+CLI::App* Verbs::add(const std::string& name, const std::string& text, std::function<int()> body) {
+  CLI::App* const verb = app_.add_subcommand(name, text);
+  bodies_[verb] = std::move(body);
+  return verb;
+}
+
+int Verbs::run(int argc, char** argv) const {
+  return run_command(app_, argc, argv,
+                     [&] { return bodies_.at(app_.get_subcommands().front())(); });
 }
 
 }  // namespace tocsin

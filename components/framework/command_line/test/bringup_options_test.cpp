@@ -33,12 +33,6 @@ TEST(BringupOptions, TheDomainOfTheCommandLineReplacesTheFiles) {
   EXPECT_EQ(sut.overrides.domain, 9);
 }
 
-TEST(BringupOptions, WithoutADomainTheFilesIsKept) {
-  BringupOptions sut = parsed("a.yaml");
-  sut.locate();
-  EXPECT_FALSE(sut.overrides.domain.has_value());
-}
-
 TEST(BringupOptions, CanBeGivenOnToAnotherCommand) {
   const std::string line =
       "a.yaml --seed 7 --set x.a=1 --set x.b=2 --without uxv/payload --channel c.yaml --security k "

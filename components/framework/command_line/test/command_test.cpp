@@ -49,5 +49,22 @@ TEST(Command, AConfigErrorIsExitCode2AndAnyOther1) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "toy: wrong\ntoy: broken\n");
 }
 
+TEST(Command, RunsTheVerbThatWasSaidAndNeedsOne) {
+  std::string said;
+  const auto run = [&](std::vector<const char*> words) {
+    CLI::App app("A toy", "toy");
+    Verbs sut(app);
+    sut.add("go", "goes", [&] { return said += "go", 3; })->add_flag("--fast");
+    sut.add("stop", "stops", [&] { return said += "stop", 4; });
+    words.insert(words.begin(), "toy");
+    return sut.run(static_cast<int>(words.size()), const_cast<char**>(words.data()));
+  };
+  EXPECT_EQ(run({"go", "--fast"}), 3);
+  EXPECT_EQ(run({"stop"}), 4);
+  EXPECT_EQ(run({}), 2);
+  EXPECT_EQ(run({"stop", "--fast"}), 2);
+  EXPECT_EQ(said, "gostop");
+}
+
 }  // namespace
 }  // namespace tocsin

@@ -70,11 +70,5 @@ TEST(UsageError, AMisspeltVerbIsShownWithWhatIsLikeIt) {
   EXPECT_EQ(answer({"fly"}), "'fly' is not a verb; the verbs are: launch, report");
 }
 
-TEST(UsageError, AnythingElseIsInTheParsersWords) {
-  EXPECT_EQ(answer({}), "A subcommand is required");
-  EXPECT_THAT(answer({"launch", "more"}), HasSubstr("more"));
-  EXPECT_THAT(answer({"launch", "--seed"}), HasSubstr("--seed"));
-}
-
 }  // namespace
 }  // namespace tocsin

@@ -62,12 +62,6 @@ TEST_F(DeploymentTest, TakesTheDomainOfTheCommandLine) {
   EXPECT_EQ(load(whole).link_domain, 92);
 }
 
-TEST_F(DeploymentTest, TellsTheUserOfALaunchByRoot) {
-  EXPECT_EQ(load(whole).user, "");
-  EXPECT_EQ(load(with(whole, "domain: 40", "domain: 40\nuser: tocsin")).user, "tocsin");
-  EXPECT_EQ(load(with(whole, "domain: 40", "domain: 40\nuser: 1000")).user, "1000");
-}
-
 TEST_F(DeploymentTest, AllowsDomainsUpTo229) {
   EXPECT_EQ(error_of(with(whole, "domain: 40", "domain: 229")), "no error");
   EXPECT_THAT(error_of(with(whole, "domain: 40", "domain: 230")),
@@ -133,10 +127,6 @@ TEST_F(DeploymentTest, RejectsAComponentThatIsNotInstalledWithASuggestion) {
   EXPECT_THAT(error_of(with(whole, "- driver", "- drivr")), HasSubstr("did you mean 'driver'?"));
 }
 
-TEST_F(DeploymentTest, AllowsTheSameComponentOnBothHosts) {
-  EXPECT_EQ(error_of(with(whole, "[mission_control]", "[driver]")), "no error");
-}
-
 TEST_F(DeploymentTest, RejectsBadNames) {
   EXPECT_THAT(error_of(with(whole, "- name: drive", "- name: a/b")),
               HasSubstr("hosts.uxv.containers.name: 'a/b' is not a name"));
@@ -167,14 +157,6 @@ TEST_F(DeploymentTest, RejectsARadioWithoutOneHostOfEachRoleInOneNetwork) {
               HasSubstr("must be different addresses"));
 }
 
-TEST_F(DeploymentTest, NeedsNoRadio) {
-  const Deployment sut =
-      load("hosts: {a: {role: uxv, address: 127.0.0.1, programs: [{name: x, command: [true]}]}}");
-  EXPECT_FALSE(sut.radio);
-  EXPECT_EQ(sut.link_domain, 2);
-  EXPECT_EQ(sut.restart.limit, RestartPolicy().limit);
-}
-
 TEST_F(DeploymentTest, RejectsMoreThanTwoHostsOrNone) {
   EXPECT_THAT(error_of("hosts: {}"), HasSubstr("0 hosts; allowed are one or two"));
   EXPECT_THAT(error_of("domain: 1"), HasSubstr("deployment.hosts: is missing"));
@@ -192,11 +174,6 @@ TEST_F(DeploymentTest, RejectsFilesThatCannotBeRead) {
   EXPECT_THAT(error_of(with(whole, "parameters: []", "parameters: [none.yaml]")),
               HasSubstr("none.yaml: cannot be read"));
   EXPECT_THROW((void)load_deployment(path("absent.yaml"), overrides_), ConfigError);
-}
-
-TEST_F(DeploymentTest, NeedsQosAndTrafficOnlyWithContainers) {
-  EXPECT_THAT(error_of(with(whole, "qos: ../qos.yaml\n", "")),
-              HasSubstr("qos, traffic: both are needed when there are containers"));
 }
 
 TEST_F(DeploymentTest, RejectsTextThatIsNotYamlWithItsLine) {
@@ -259,14 +236,6 @@ TEST_F(DeploymentTest, RejectsBadNamespaces) {
   for (const char* bad : {"/robot", "robot/", "a//b", "1robot", "a-b"}) {
     EXPECT_THAT(error_of(with(whole, "robot_1", bad)), HasSubstr("deployment.namespace: '"));
   }
-}
-
-TEST_F(DeploymentTest, FindsHostsAndContainers) {
-  const Deployment sut = load(whole);
-  ASSERT_NE(find_host(sut, "uxv"), nullptr);
-  EXPECT_EQ(find_host(sut, "sea"), nullptr);
-  EXPECT_NE(find_container(*find_host(sut, "uxv"), "drive"), nullptr);
-  EXPECT_EQ(find_container(*find_host(sut, "uxv"), "base"), nullptr);
 }
 
 }  // namespace

@@ -20,10 +20,6 @@ TEST_F(NamingTest, LeavesOutAProcess) {
               HasSubstr("--without uxv/bass: no such process; allowed: [uxv/base"));
 }
 
-TEST_F(NamingTest, EndsWithAProcessThatIsNamedWithASlash) {
-  EXPECT_EQ(load(with(whole, "gcs/mission", "/gcs/mission")).stop_when_exits, "gcs/mission");
-}
-
 TEST_F(NamingTest, LeavesOutAComponentOfAProcess) {
   const Deployment all = load(whole);
   const Container& container = all.hosts[0].containers[0];
@@ -35,17 +31,6 @@ TEST_F(NamingTest, LeavesOutAComponentOfAProcess) {
   for (const ComponentInstance& one : left) EXPECT_NE(one.name, name);
   overrides_.without = {"uxv/" + container.name + "/nobody"};
   EXPECT_THAT(error_of(whole), HasSubstr("no such process"));
-}
-
-TEST_F(NamingTest, LeavesOutWhatIsNamedAsItIsPrinted) {
-  for (const char* drive : {"drive", "/uxv/drive", "uxv/drive", "/drive"}) {
-    overrides_.without = {drive};
-    EXPECT_TRUE(load(whole).hosts[0].containers.empty()) << drive;
-  }
-  for (const char* pilot : {"/uxv/drive/pilot", "drive/pilot", "uxv/pilot", "/pilot"}) {
-    overrides_.without = {pilot};
-    EXPECT_EQ(load(whole).hosts[0].containers[0].components.size(), 1U) << pilot;
-  }
 }
 
 TEST_F(NamingTest, AsksWhichProcessShallBeLeftOut) {

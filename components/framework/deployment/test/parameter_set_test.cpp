@@ -44,12 +44,6 @@ TEST_F(ParameterSetTest, TheInstancesOwnParametersOverrideFiles) {
   EXPECT_EQ(value("pilot", "speed"), "3");
 }
 
-TEST_F(ParameterSetTest, AHostsOwnEntryOverridesTheCommonOne) {
-  write("a.yaml", "uxv/driver: {port: here}\ndriver: {port: everywhere}");
-  write("b.yaml", "{}");
-  EXPECT_EQ(value("driver", "port"), "here");
-}
-
 TEST_F(ParameterSetTest, SettingsOverrideEverything) {
   files_ = "[]";
   overrides_.set = {"pilot.gain=5", "driver.weights=[1, 2]", "driver.path=a=b.c"};
@@ -74,12 +68,6 @@ TEST_F(ParameterSetTest, ASettingTakesAComponentAsItIsPrinted) {
   }
 }
 
-TEST_F(ParameterSetTest, ASettingThatNamesMoreOfThePlaceWins) {
-  files_ = "[]";
-  overrides_.set = {"uxv/driver.rate=5", "driver.rate=6"};
-  EXPECT_EQ(value("driver", "rate"), "5");
-}
-
 TEST_F(ParameterSetTest, RejectsComponentsThatTheDeploymentHasNot) {
   write("a.yaml", "\ndrivr: {port: x}");
   write("b.yaml", "{}");
@@ -94,12 +82,6 @@ TEST_F(ParameterSetTest, RejectsUnknownComponentsInSettings) {
   overrides_.set = {"drivr.port=x"};
   EXPECT_THAT(error(), HasSubstr("drivr: no such component"));
   EXPECT_THAT(error(), HasSubstr("--set drivr.port=x"));
-}
-
-TEST_F(ParameterSetTest, ASettingWithoutAValueIsAnEmptyText) {
-  files_ = "[]";
-  overrides_.set = {"driver.port="};
-  EXPECT_EQ(value("driver", "port"), "\"\"");  // as YAML
 }
 
 TEST_F(ParameterSetTest, RejectsSettingsOfTheWrongForm) {

@@ -43,36 +43,6 @@ TEST_F(ResolvedTest, KeepsEveryPart) {
   EXPECT_EQ(sut.radio->channel, path("channel.yaml"));
 }
 
-TEST_F(ResolvedTest, KeepsHostsAndTheirProcesses) {
-  const Deployment sut = through_file(whole);
-  ASSERT_EQ(sut.hosts.size(), 2U);
-  EXPECT_EQ(sut.hosts[0].name, "uxv");
-  EXPECT_EQ(sut.hosts[1].local_domain, 41);
-  EXPECT_EQ(sut.link_domain, 42);
-  EXPECT_THAT(sut.hosts[1].peers, ElementsAre("10.77.0.1"));
-  EXPECT_EQ(sut.hosts[0].programs[0].command.at(2), "/tmp/run/kobuki");
-  EXPECT_TRUE(sut.hosts[1].containers[0].terminal);
-  EXPECT_EQ(sut.hosts[0].containers[0].components[1].component, "navigator");
-  EXPECT_EQ(sut.hosts[0].containers[0].components[1].name, "pilot");
-}
-
-TEST_F(ResolvedTest, KeepsServicesAndLimitsOfAContainer) {
-  std::string yaml = whole;
-  const std::string at = "- name: drive";
-  yaml.replace(yaml.find(at), at.size(),
-               at + "\n        parameter_services: never\n"
-                    "        health: {period_s: 2}");
-  const Deployment sut = through_file(yaml);
-  EXPECT_EQ(sut.hosts[0].containers[0].parameter_services, ParameterServices::never);
-  EXPECT_EQ(sut.hosts[0].containers[0].health.period_s, 2);
-  EXPECT_EQ(sut.hosts[0].containers[0].health.growth_mib, 64);
-  EXPECT_EQ(sut.hosts[1].containers[0].health.period_s, 1);
-}
-
-TEST_F(ResolvedTest, KeepsHostsWithoutProcesses) {
-  EXPECT_EQ(through_file("hosts: {a: {role: uxv, address: 1.1.1.1}}").hosts.size(), 1U);
-}
-
 TEST_F(ResolvedTest, KeepsParametersOfEveryKind) {
   const Deployment sut = through_file(
       with(whole, "gain: 2", "gain: 0.1, on: true, empty: '', list: [1, two], text: 'a: b # c'"));
@@ -109,11 +79,6 @@ TEST_F(ResolvedTest, PointsToTheLineOfABadParameter) {
     for (int n = std::stoi(text.substr(text.rfind(':') + 1)); n > 0; --n) std::getline(lines, line);
     EXPECT_THAT(line, HasSubstr("gain: 2"));
   }
-}
-
-TEST_F(ResolvedTest, SaysWhereAValueCameFrom) {
-  (void)through_file(whole);
-  EXPECT_THAT(resolved_text(), HasSubstr("gain: 2  # " + path("bringup/m.yaml:22")));
 }
 
 TEST_F(ResolvedTest, RejectsUnknownKeys) {

@@ -23,17 +23,6 @@ class RunFolderTest : public ::testing::Test {
   const TemporaryFolder folder_;
 };
 
-TEST_F(RunFolderTest, MakesAFolderWithItsParents) {
-  const RunFolder sut(folder_.path("a/b"));
-  EXPECT_EQ(sut.path(), folder_.path("a/b"));
-  EXPECT_TRUE(fs::is_empty(sut.path()));  // nothing is left but what the run leaves
-}
-
-TEST_F(RunFolderTest, TakesAnEmptyOne) {
-  fs::create_directory(folder_.path("run"));
-  EXPECT_NO_THROW(RunFolder{folder_.path("run")});
-}
-
 TEST_F(RunFolderTest, RefusesAUsedOneAndLeavesItAsItIs) {
   folder_.write("run/processes.json", "{\"uxv/drive\": 7}");
   EXPECT_THAT(

@@ -189,18 +189,5 @@ TEST_F(RunningHostTest, RootFindsTheContainersOfOthersByTheirProgramOnly) {
   EXPECT_THAT(found.hidden, ElementsAre(8, 9, 11));
 }
 
-TEST(EnterNamespaces, NamesAProcessThatIsNotThere) {
-  const pid_t dead = ::fork();
-  if (dead == 0) ::_exit(0);
-  ::waitpid(dead, nullptr, 0);
-  EXPECT_THAT(
-      [&] { enter_namespaces(dead); },
-      Throws<EnvironmentError>(Property(&EnvironmentError::what, HasSubstr(std::to_string(dead)))));
-}
-
-TEST(EnterNamespaces, HasNothingToDoForAProcessOfTheSameNetwork) {
-  EXPECT_NO_THROW(enter_namespaces(::getpid()));
-}
-
 }  // namespace
 }  // namespace tocsin::deployment

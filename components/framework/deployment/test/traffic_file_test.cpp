@@ -54,18 +54,6 @@ TEST_F(TrafficFileTest, ServicesAndActionsMoveAsTopicsDo) {
   EXPECT_THAT(topics("uxv", "low"), ElementsAre("dock")) << "a topic of that name is another thing";
 }
 
-TEST_F(TrafficFileTest, ATopicThatStaysInItsClassIsNamedOnce) {
-  read("extends: traffic.yaml\nuxv: {low: {topics: [battery]}}");
-  EXPECT_THAT(topics("uxv", "low"), ElementsAre("picture", "battery"));
-}
-
-TEST_F(TrafficFileTest, AClassMayChangeWhatItsGateDoes) {
-  read("extends: traffic.yaml\ngcs: {high: {while_poor: latest}}");
-  EXPECT_EQ(file_["gcs"]["high"]["while_poor"].Scalar(), "latest");
-  EXPECT_THAT(topics("gcs", "high"), ElementsAre("goal", "picture"));
-  EXPECT_EQ(file_["uxv"]["high"]["while_poor"].Scalar(), "send");
-}
-
 TEST_F(TrafficFileTest, ANewClassTakesItsTopicsFromTheOthers) {
   read("extends: traffic.yaml\nuxv: {normal: {while_poor: drop, topics: [battery, picture]}}");
   EXPECT_THAT(topics("uxv", "low"), IsEmpty());

@@ -100,11 +100,6 @@ TEST_F(KeystoreTest, WithoutItsPrivateKeyNothingIsMade) {
   EXPECT_THAT(problems("uxv1"), IsEmpty());
 }
 
-TEST_F(KeystoreTest, EveryIdentityHasAKeyAndANumberOfItsOwn) {
-  EXPECT_NE(text_of(enclave("uxv1") + "/key.pem"), text_of(enclave("gcs") + "/key.pem"));
-  EXPECT_NE(text_of(enclave("uxv1") + "/cert.pem"), text_of(enclave("gcs") + "/cert.pem"));
-}
-
 TEST_F(KeystoreTest, AnIdentityIsValidForTheDaysThatItWasGiven) {
   add(store(), {"guest", {{"rt/location"}, {}}, 3}, now_s);
   EXPECT_EQ(read_enclave(enclave("guest")).valid_until_s, now_s + 3 * 86'400);
@@ -112,17 +107,6 @@ TEST_F(KeystoreTest, AnIdentityIsValidForTheDaysThatItWasGiven) {
   EXPECT_THAT(problems("guest", now_s + 4 * 86'400),
               AllOf(Contains(HasSubstr("cert.pem: has expired")),
                     Contains(HasSubstr("permissions.p7s: has expired"))));
-}
-
-TEST_F(KeystoreTest, SeveralAreRevokedOneAfterTheOther) {
-  add(store(), {"uxv2", {}}, now_s);
-  add(store(), {"uxv3", {}}, now_s);
-  revoke(store(), "uxv1", now_s);
-  revoke(store(), "uxv3", now_s + 60);
-  for (const char* name : {"uxv1", "uxv3"}) {
-    EXPECT_THAT(problems(name), ElementsAre(HasSubstr("is revoked"))) << name;
-  }
-  for (const char* name : {"uxv2", "gcs"}) EXPECT_THAT(problems(name), IsEmpty()) << name;
 }
 
 TEST_F(KeystoreTest, WhatIsAddedAfterARevocationKnowsOfIt) {
@@ -139,13 +123,6 @@ TEST_F(KeystoreTest, ThePublicPartsHoldNoSecret) {
   }
 }
 
-TEST_F(KeystoreTest, AKeystoreMayBeMadeInAnEmptyFolder) {
-  const std::string empty = folder_.path() + "/empty";
-  fs::create_directory(empty);
-  create(empty, now_s);
-  EXPECT_THAT(names_in(empty), IsEmpty());
-}
-
 TEST_F(KeystoreTest, WhatAKilledMakerHasLeftIsNoIdentityAndIsInNobodysWay) {
   fs::copy(enclave("uxv1"), enclave("uxv2") + ".new", fs::copy_options::recursive);
   fs::remove(enclave("uxv2") + ".new/permissions.p7s");
@@ -153,12 +130,6 @@ TEST_F(KeystoreTest, WhatAKilledMakerHasLeftIsNoIdentityAndIsInNobodysWay) {
   add(store(), {"uxv2", {}}, now_s);
   EXPECT_THAT(problems("uxv2"), IsEmpty());
   EXPECT_FALSE(fs::exists(enclave("uxv2") + ".new"));
-}
-
-TEST_F(KeystoreTest, AFolderMayBeNamedWithASlashBehind) {
-  create(folder_.path() + "/other/", now_s);
-  EXPECT_THAT(names_in(folder_.path() + "/other"), IsEmpty());
-  EXPECT_FALSE(fs::exists(folder_.path() + "/other/.new"));
 }
 
 TEST_F(KeystoreTest, TwoDoNotChangeItAtOnce) {

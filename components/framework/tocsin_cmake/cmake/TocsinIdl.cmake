@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # tocsin_idl_library(name IDL idl/a.idl ... [LINK ros_idl::ros_idl])
 # Generates C++ from IDL with fastddsgen at build time into one shared library. Headers are included
-# as "<name>/<stem>.hpp". The same in TypeScript is installed as share/<name>/ts/<stem>.ts. Only the types and their CDR coding are compiled: what Fast DDS needs to
-# know of a type, the runtime makes from its TypeInfo (a PubSubTypes file costs four times as much
-# to compile as the type itself).
+# as "<name>/<stem>.hpp". The same in TypeScript is installed as share/<name>/ts/<stem>.ts. Only the
+# types and their CDR coding are compiled: what Fast DDS needs to know of a type, the runtime makes
+# from its TypeInfo (a PubSubTypes file costs four times as much to compile as the type itself).
 include_guard(GLOBAL)
 set(TOCSIN_GENERATE_IDL "${CMAKE_CURRENT_LIST_DIR}/generate_idl.py")
 file(GLOB TOCSIN_GENERATE_IDL_PARTS "${CMAKE_CURRENT_LIST_DIR}/*.py"
@@ -26,6 +26,7 @@ function(tocsin_idl_library name)
     list(APPEND outputs "${gen}/${stem}.h" "${gen}/${stem}.hpp" "${gen}/${stem}.ts")
     list(APPEND sources "${gen}/${stem}.cxx" "${gen}/${stem}_type_info.cpp")
   endforeach()
+  tocsin_find(idl_support::idl_support ${A_LINK})
   set(search --search "${CMAKE_CURRENT_SOURCE_DIR}/idl")
   foreach(item IN LISTS A_LINK)
     string(REGEX REPLACE "::.*" "" package "${item}")
@@ -38,7 +39,6 @@ function(tocsin_idl_library name)
     DEPENDS ${idls} ${TOCSIN_GENERATE_IDL_PARTS}
     COMMENT "fastddsgen ${name}" VERBATIM)
   add_library(${name} SHARED ${sources})
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   target_include_directories(${name} SYSTEM PUBLIC
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}/gen>" "$<BUILD_INTERFACE:${gen}>"
     "$<INSTALL_INTERFACE:include>" "$<INSTALL_INTERFACE:include/${name}>")

@@ -99,7 +99,7 @@ def source(package, stem, types, keys, definitions, hashes):
                     f'      skip_{scoped(scope, name)}, "{hashes.of(qualified)}");\n'
                     "  return info;\n}\n")
     tables, calls = descriptions(types, hashes)
-    text += ["namespace {\n", *tables, "const bool registered = [] {\n"]
+    text += ["namespace {\n", *tables, f"const bool registered_{stem} = [] {{\n"]
     text += [f"  register_type(type_info<{'::'.join(scope + [name])}>());\n"
              for scope, name, _ in types]
     text += [definition_call(*one) for one in definitions] + calls

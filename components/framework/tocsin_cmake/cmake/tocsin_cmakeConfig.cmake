@@ -19,6 +19,19 @@ set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 set(TOCSIN_TESTS "unit;component;system" CACHE STRING "Labels of the tests that are built and run")
 set(TOCSIN_SANITIZE "" CACHE STRING "Sanitizers for all of our code: address,undefined or thread")
 
+# Finds the packages of a LINK list: `package::target`, or a package by its name. Every function below
+# calls it for its own list, so a package needs find_package for tocsin_cmake only.
+function(tocsin_find)
+  foreach(item IN LISTS ARGN)
+    string(REGEX REPLACE "::.*" "" package "${item}")
+    if(TARGET "${item}" OR package STREQUAL PROJECT_NAME OR package MATCHES "${TOCSIN_OF_THE_SYSTEM}|^-")
+      continue()
+    endif()
+    find_package(${package} REQUIRED)
+  endforeach()
+endfunction()
+set(TOCSIN_OF_THE_SYSTEM "^(dl|rt|m|util|jpeg|pthread)$")  # libraries that are linked by name
+
 # Calls within a shared library go straight to their function, those between libraries through one
 # pointer: a stub on the way costs a line of the instruction cache.
 function(tocsin_link_directly target)
@@ -59,7 +72,7 @@ function(tocsin_export)
   set(config "include(CMakeFindDependencyMacro)\n")
   foreach(item IN LISTS A_LINK)
     string(REGEX REPLACE "::.*" "" package "${item}")
-    if(NOT package STREQUAL PROJECT_NAME AND NOT package MATCHES "^(dl|rt|m|util|jpeg|pthread)$")
+    if(NOT package STREQUAL PROJECT_NAME AND NOT package MATCHES "${TOCSIN_OF_THE_SYSTEM}")
       string(APPEND config "find_dependency(${package})\n")
     endif()
   endforeach()
@@ -85,11 +98,12 @@ function(tocsin_export)
   endif()
 endfunction()
 
-# A library of this package, exported as <project>::<name>.
-# tocsin_library(name [SHARED] SOURCES a.cpp ... LINK pkg::target ...)
-# With one library per package this is the whole of it.
+# A library of this package, exported as <project>::<name>. With one library per package this is the
+# whole of it.
+# tocsin_library(name [SHARED] SOURCES a.cpp ... [LINK pkg::target ...] [PRIVATE_LINK ...])
 function(tocsin_library name)
   cmake_parse_arguments(A "SHARED" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  tocsin_find(${A_LINK} ${A_PRIVATE_LINK})
   set(kind STATIC)
   if(A_SHARED)
     set(kind SHARED)
@@ -100,6 +114,18 @@ function(tocsin_library name)
   target_link_libraries(${name} PUBLIC ${A_LINK} PRIVATE ${A_PRIVATE_LINK})
   tocsin_target_options(${name})
   tocsin_export(TARGETS ${name} LINK ${A_LINK} ${A_PRIVATE_LINK})
+endfunction()
+
+# What programs and tests of this package share, and nobody else: a static library, not installed, whose
+# headers lie in src/.
+# tocsin_core(name SOURCES a.cpp ... [LINK pkg::target ...] [INCLUDE folder ...])
+function(tocsin_core name)
+  cmake_parse_arguments(A "" "" "SOURCES;LINK;INCLUDE" ${ARGN})
+  tocsin_find(${A_LINK})
+  add_library(${name} STATIC ${A_SOURCES})
+  target_include_directories(${name} PUBLIC src ${A_INCLUDE})
+  target_link_libraries(${name} PUBLIC ${A_LINK})
+  tocsin_target_options(${name})
 endfunction()
 
 # Registers the library lib/tocsin/lib<name>.so as the component <name>, where the runtime looks for
@@ -126,6 +152,7 @@ endfunction()
 # tocsin_component(name [CORE a.cpp ...] [CORE_LINK ...] COMPONENT b.cpp ... [LINK ...])
 function(tocsin_component name)
   cmake_parse_arguments(A "" "" "CORE;CORE_LINK;COMPONENT;LINK" ${ARGN})
+  tocsin_find(${A_CORE_LINK} ${A_LINK} runtime::runtime)
   if(A_CORE)
     add_library(${name}_core STATIC ${A_CORE})
     target_include_directories(${name}_core PUBLIC
@@ -151,14 +178,21 @@ function(tocsin_tell_version target)
   target_compile_definitions(${target} PRIVATE TOCSIN_VERSION="${version}")
 endfunction()
 
-# A program of this package, installed in bin/.
-# tocsin_executable(name SOURCES a.cpp ... LINK ...)
+# A program of this package, installed in bin/; also under the names of ALIASES, by which it tells what
+# it is asked for.
+# tocsin_executable(name SOURCES a.cpp ... [LINK ...] [ALIASES name ...])
 function(tocsin_executable name)
-  cmake_parse_arguments(A "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(A "" "" "SOURCES;LINK;ALIASES" ${ARGN})
+  tocsin_find(${A_LINK})
   add_executable(${name} ${A_SOURCES})
   target_link_libraries(${name} PRIVATE ${A_LINK})
   tocsin_target_options(${name})
   install(TARGETS ${name} RUNTIME DESTINATION bin)
+  foreach(alias IN LISTS A_ALIASES)
+    set_property(GLOBAL PROPERTY TOCSIN_ALIAS_${alias} ${name})
+    file(CREATE_LINK ${name} "${CMAKE_CURRENT_BINARY_DIR}/${alias}" SYMBOLIC)
+    install(FILES "${CMAKE_CURRENT_BINARY_DIR}/${alias}" DESTINATION bin)
+  endforeach()
 endfunction()
 
 # GoogleTest's headers, precompiled by tocsin_cmake; build trees of a workspace stand side by side.
@@ -200,16 +234,40 @@ function(tocsin_repository variable)
   set(${variable} "${folder}" PARENT_SCOPE)
 endfunction()
 
+# Copies programs of this package for a test that runs them: each into an installation of its own, with
+# the shipped configuration and nothing else.
+function(tocsin_stage test repository)
+  foreach(program IN LISTS ARGN)
+    set(root "${CMAKE_CURRENT_BINARY_DIR}/stage/${program}/root")
+    if(NOT TARGET stage_${program})
+      get_property(target GLOBAL PROPERTY TOCSIN_ALIAS_${program})
+      if(NOT target)
+        set(target ${program})
+      endif()
+      file(MAKE_DIRECTORY "${root}/bin" "${root}/share/tocsin")
+      file(CREATE_LINK "${repository}/config" "${root}/share/tocsin/config" SYMBOLIC)
+      add_custom_target(stage_${program}
+        COMMAND "${CMAKE_COMMAND}" -E copy_if_different $<TARGET_FILE:${target}> "${root}/bin/${program}"
+        DEPENDS ${target})
+    endif()
+    string(REGEX REPLACE "^tocsin-" "" word "${program}")
+    string(TOUPPER "${word}_PROGRAM" word)
+    target_compile_definitions(${test} PRIVATE ${word}="${root}/bin/${program}")
+    add_dependencies(${test} stage_${program})
+  endforeach()
+endfunction()
+
 # A GoogleTest program. LABEL is unit, component or system; sources default to test/<path>.cpp, and
 # the program is called as the last part of the path.
 # What TOCSIN_TESTS does not name is built on demand only and does not run, except of packages that
 # are tests as a whole (test/). With a sanitizer, tests may take five times as long.
-# tocsin_test(path LABEL unit LINK target ... [SOURCES ...] [TIMEOUT seconds])
+# PROGRAMS are programs of this package that the test runs: tocsin-qos is QOS_PROGRAM for it.
+# tocsin_test(path LABEL unit LINK target ... [SOURCES ...] [TIMEOUT seconds] [PROGRAMS name ...])
 function(tocsin_test path)
   if(NOT BUILD_TESTING)
     return()
   endif()
-  cmake_parse_arguments(A "" "LABEL;TIMEOUT" "LINK;SOURCES" ${ARGN})
+  cmake_parse_arguments(A "" "LABEL;TIMEOUT" "LINK;SOURCES;PROGRAMS" ${ARGN})
   cmake_path(GET path FILENAME name)
   if(NOT A_LABEL MATCHES "^(unit|component|system)$")
     message(FATAL_ERROR "tocsin_test(${name}): LABEL '${A_LABEL}' is not unit, component or system")
@@ -220,7 +278,7 @@ function(tocsin_test path)
   if(NOT A_TIMEOUT)
     set(A_TIMEOUT 120)
   endif()
-  find_package(GTest REQUIRED)
+  tocsin_find(GTest ${A_LINK})
   add_executable(${name} ${A_SOURCES})
   target_link_libraries(${name} PRIVATE ${A_LINK} GTest::gmock GTest::gtest_main)
   tocsin_target_options(${name})
@@ -229,6 +287,7 @@ function(tocsin_test path)
   set(repository_tests "${repository}/test")
   target_compile_definitions(${name} PRIVATE TOCSIN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              TOCSIN_REPOSITORY="${repository}")
+  tocsin_stage(${name} "${repository}" ${A_PROGRAMS})
   if(TOCSIN_SANITIZE)
     math(EXPR A_TIMEOUT "5 * ${A_TIMEOUT}")
   endif()
@@ -244,6 +303,15 @@ function(tocsin_test path)
   file(MAKE_DIRECTORY "${temporary}")
   set_tests_properties(${name} PROPERTIES LABELS ${A_LABEL} TIMEOUT ${A_TIMEOUT}
                        ENVIRONMENT "TEST_TMPDIR=${temporary}")
+endfunction()
+
+# Tests that share their label and what they link: test/<name>_test.cpp each, with tocsin_test's arguments.
+# tocsin_tests(LABEL unit LINK target ... [TIMEOUT seconds] [PROGRAMS name ...] TESTS name ...)
+function(tocsin_tests)
+  cmake_parse_arguments(A "" "LABEL;TIMEOUT" "LINK;PROGRAMS;TESTS" ${ARGN})
+  foreach(test IN LISTS A_TESTS)
+    tocsin_test(${test}_test LABEL ${A_LABEL} TIMEOUT ${A_TIMEOUT} LINK ${A_LINK} PROGRAMS ${A_PROGRAMS})
+  endforeach()
 endfunction()
 
 include("${CMAKE_CURRENT_LIST_DIR}/TocsinIdl.cmake")

@@ -4,12 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "command_line/command.hpp"
 #include "runtime/middleware/host_bus.hpp"
 #include "tune/run_tune.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace tocsin::qos_tool {
 
@@ -35,6 +32,6 @@ struct Options {
 };
 
 /// Declares the verbs and their options.
-void declare(CLI::App& app, Options& options);
+void declare(Verbs& verbs, Options& options);
 
 }  // namespace tocsin::qos_tool

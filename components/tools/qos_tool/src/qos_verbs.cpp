@@ -16,7 +16,7 @@
 #include "runtime/middleware/traffic_rules.hpp"
 #include "vendor_xml.hpp"
 
-namespace tocsin::qos_tool {
+namespace tocsin::qos_tool::qos_verb {
 namespace {
 
 /// Findings, and pairs that do not match: the answer is no.
@@ -32,6 +32,8 @@ std::string shipped(const std::string& given, const char* name) {
 QosProfiles profiles_of(const Options& options) {
   return QosProfiles(shipped(options.file, "qos.yaml"));
 }
+
+}  // namespace
 
 int list(const Options& options) {
   const QosProfiles profiles = profiles_of(options);
@@ -62,6 +64,8 @@ int diff(const Options& options) {
   return 0;
 }
 
+namespace {
+
 bool is_topic(const std::string& name) { return !name.empty() && name.front() == '/'; }
 
 /// The writers or readers that `name` means.
@@ -80,6 +84,8 @@ std::vector<End> ends_called(const Options& options, const std::string& name, bo
   return ends;
 }
 
+}  // namespace
+
 int match(const Options& options) {
   const std::string& other = options.other.empty() ? options.one : options.other;
   std::vector<GraphEnd> running;
@@ -89,6 +95,8 @@ int match(const Options& options) {
   options.json ? print(match_json(pairs)) : print(match_text(pairs, options.all));
   return stopped(pairs).empty() ? 0 : negative;
 }
+
+namespace {
 
 void complete(LintInput& input, const Options& options) {
   input.outage_s = options.outage_s;
@@ -118,6 +126,8 @@ LintInput own_input(const Options& options) {
   }
   return input;
 }
+
+}  // namespace
 
 int lint_files(const Options& options) {
   LintInput input = own_input(options);
@@ -158,15 +168,4 @@ int set(const Options& options) {
 
 int tune(const Options& options) { return run_tune(options.tune); }
 
-}  // namespace
-
-int run_verb(const std::string& verb, const Options& options) {
-  using Verb = int (*)(const Options&);
-  static const std::map<std::string, Verb> verbs{
-      {"list", list},   {"show", show},       {"explain", explain},        {"diff", diff},
-      {"match", match}, {"lint", lint_files}, {"export", export_profiles}, {"set", set},
-      {"tune", tune}};
-  return verbs.at(verb)(options);
-}
-
-}  // namespace tocsin::qos_tool
+}  // namespace tocsin::qos_tool::qos_verb

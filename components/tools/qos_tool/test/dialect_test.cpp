@@ -61,40 +61,6 @@ TEST_P(DialectTest, APlaceIsOfAPolicyThatThereIs) {
   EXPECT_EQ(why_lost(GetParam(), "no_such_policy"), "");
 }
 
-TEST_P(DialectTest, NoTwoPlacesOfAnEndAreTheSame) {
-  std::set<std::pair<std::string, bool>> seen;
-  for_each_place([&](const Place& place, bool writer) {
-    EXPECT_TRUE(seen.insert({place.path, writer}).second) << place.path;
-    EXPECT_NE(place.path.front(), '/') << place.path;
-    EXPECT_EQ(place.path.find("//"), std::string::npos) << place.path;
-  });
-}
-
-TEST_P(DialectTest, EveryEndSaysHowReliableAndHowDurableItIs) {
-  for (const bool writer : {true, false}) {
-    const auto& all = places(GetParam(), writer);
-    for (const std::string policy : {"reliability", "durability", "deadline_s", "depth"}) {
-      EXPECT_EQ(std::count_if(all.begin(), all.end(),
-                              [&](const Place& place) { return place.policy == policy; }),
-                1)
-          << policy;
-    }
-  }
-}
-
-TEST_P(DialectTest, APlaceOfNoPolicyHasAValue) {
-  for_each_place([](const Place& place, bool) {
-    EXPECT_EQ(*place.policy == 0, *place.always != 0) << place.path;
-  });
-}
-
-TEST_P(DialectTest, OnlyWordsAndNamesHaveASuffix) {
-  for_each_place([](const Place& place, bool) {
-    const bool may_have = place.form == Form::word || place.form == Form::names;
-    EXPECT_TRUE(may_have || std::string(place.suffix).empty()) << place.path;
-  });
-}
-
 INSTANTIATE_TEST_SUITE_P(Vendors, DialectTest,
                          ::testing::Values(Vendor::fast_dds, Vendor::cyclone));
 

@@ -179,49 +179,9 @@ TEST(Lint, MoreReservedThanThereIsAndALongPeriod) {
   EXPECT_THAT(rules_of(slow), ElementsAre("starving-flow"));
 }
 
-TEST(Lint, NamesRuleSubjectAndReason) {
-  QosProfile profile;
-  profile.heartbeat_period_s = 3;
-  const auto findings = lint(one_topic(profile));
-  EXPECT_THAT(lint_text(findings), HasSubstr("slow-heartbeat: profile p: heartbeat each 3 s: "));
-  EXPECT_EQ(lint_json(findings)[0]["rule"], "slow-heartbeat");
-  EXPECT_EQ(lint_json(findings)[0]["subject"], "profile p");
-}
-
 std::string reason_of(const LintInput& input) {
   const auto findings = lint(input);
   return findings.size() == 1 ? findings[0].reason : std::to_string(findings.size()) + " findings";
-}
-
-TEST(Lint, ReasonsNameTheValuesThatMakeTheTrap) {
-  QosProfile all;
-  all.history = History::keep_all;
-  all.durability = Durability::transient_local;
-  all.max_samples = 40;
-  EXPECT_THAT(reason_of(one_topic(all, Way::host)), HasSubstr("up to 40 old samples in a burst"));
-  QosProfile lease;
-  lease.liveliness_lease_s = 2;
-  EXPECT_THAT(reason_of(one_topic(lease)),
-              HasSubstr("lease of 2 s on a radio with outages of 10 s"));
-  QosProfile brief;
-  brief.lifespan_s = 0.25;
-  EXPECT_THAT(reason_of(one_topic(brief, Way::host)), HasSubstr("and its lifespan is 0.25 s"));
-  LintInput large;
-  large.wires.push_back({"w", 65'500, 100});
-  EXPECT_THAT(reason_of(large), HasSubstr("messages of up to 65500 bytes on an MTU of 1500"));
-  EXPECT_THAT(reason_of(shared_flow("high_priority", 0, -1)),
-              HasSubstr("the stream stream has priority -1 and command has 0"));
-  EXPECT_THAT(reason_of(shared_flow("round_robin", 0, 1)),
-              HasSubstr("command waits behind what stream has begun"));
-}
-
-TEST(Lint, ProfilesThatNobodyKnowsAndControllersWithoutStreamsAreInNoTrap) {
-  LintInput unknown;
-  unknown.topics.push_back({"t", "nowhere", Way::direct, true});
-  EXPECT_THAT(rules_of(unknown), IsEmpty());
-  LintInput commands = shared_flow("fifo", 0, 0);
-  commands.topics.clear();
-  EXPECT_THAT(rules_of(commands), IsEmpty()) << "no stream is in the way";
 }
 
 }  // namespace

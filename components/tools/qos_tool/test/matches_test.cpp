@@ -62,15 +62,6 @@ TEST(MatchText, SaysWhereFastDdsDepartsFromTheSpecification) {
                     Not(HasSubstr("two ends of it match"))));
 }
 
-TEST(MatchJson, HasEveryPolicyOfEveryPair) {
-  const auto json = match_json({{end("w", with_deadline(2)), end("r", with_deadline(1))}});
-  ASSERT_EQ(json.size(), 1U);
-  EXPECT_EQ(json[0]["matches"], false);
-  EXPECT_EQ(json[0]["stopped_by"][0], "deadline");
-  EXPECT_EQ(json[0]["policies"].size(), 10U);
-  EXPECT_EQ(json[0]["policies"]["deadline"]["offered"], "2 s");
-}
-
 TEST(EndsOf, AreThoseOfTheTopicThatWriteOrRead) {
   GraphEnd writer{"rt/a", "T", "talker", {"1"}, true};
   GraphEnd reader{"rt/a", "T", "", {"2"}, false};
@@ -84,38 +75,6 @@ TEST(EndsOf, AreThoseOfTheTopicThatWriteOrRead) {
 /// The page of one pair that differs in one policy.
 std::string page(const QosContract& offered, const QosContract& requested) {
   return match_text({{end("w", offered), end("r", requested)}}, false);
-}
-
-TEST(MatchText, NamesTheValuesOfEveryPolicyThatStopsAPair) {
-  QosContract best_effort;
-  best_effort.reliability = Reliability::best_effort;
-  EXPECT_THAT(page(best_effort, {}), HasSubstr("offered best_effort, requested reliable"));
-  QosContract late;
-  late.durability = Durability::transient;
-  EXPECT_THAT(page({}, late), HasSubstr("offered volatile, requested transient ("));
-  QosContract alive;
-  alive.liveliness = Liveliness::manual_by_topic;
-  alive.liveliness_lease_s = 2;
-  EXPECT_THAT(page({}, alive), HasSubstr("offered automatic, for ever, requested manual_by_topic, "
-                                         "2 s"));
-  QosContract owned;
-  owned.ownership = Ownership::exclusive;
-  EXPECT_THAT(page(owned, {}), HasSubstr("offered exclusive, requested shared"));
-  QosContract apart;
-  apart.partition = {"left", "r*"};
-  EXPECT_THAT(page(apart, {}), HasSubstr("offered 'left', 'r*', requested ''"));
-  QosContract soon;
-  soon.latency_budget_s = 0.25;
-  EXPECT_THAT(page(soon, {}), HasSubstr("latency_budget: offered 0.25 s, requested 0 s"));
-  QosContract by_source;
-  by_source.destination_order = DestinationOrder::by_source;
-  EXPECT_THAT(page({}, by_source), HasSubstr("offered by_reception, requested by_source"));
-  QosContract whole;
-  whole.presentation = {PresentationScope::group, true, true};
-  EXPECT_THAT(page({}, whole), HasSubstr("offered instance, requested group, coherent, ordered"));
-  QosContract newer;
-  newer.representations = {Representation::xcdr2};
-  EXPECT_THAT(page(newer, {}), HasSubstr("offered xcdr2, requested xcdr1"));
 }
 
 TEST(MatchText, ShowsControlCharactersOfOthersAsText) {

@@ -31,16 +31,6 @@ TEST(PolicyValues, TellWhatDiffersFromTheDefaults) {
                                      "heartbeat_piggyback=false", "user_data=x=1;"));
 }
 
-TEST(PolicyValues, EveryPolicyHasAMeaning) {
-  for (const PolicyValue& one : values_of({})) EXPECT_NE(one.meaning, "") << one.policy;
-}
-
-TEST(PolicyValues, ListsAndSecondsComeBackFromTheirTexts) {
-  EXPECT_THAT(names_of(list_text({"a", "b, c", ""})), ElementsAre("a", "b, c", ""));
-  EXPECT_EQ(seconds_of(seconds_text(0.25)), 0.25);
-  EXPECT_EQ(seconds_text(seconds_of(".inf")), ".inf");
-}
-
 TEST(PolicyValues, TheEffectiveProfileSaysWhatTheRuntimeDecides) {
   QosProfile profile;
   profile.depth = 4;

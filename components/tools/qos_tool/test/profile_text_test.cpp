@@ -54,13 +54,6 @@ TEST(ProfileText, ShowsDefaultsOnlyWhenAsked) {
   EXPECT_EQ(show_json("p", profile)["policies"]["deadline_s"]["default"], true);
 }
 
-TEST(ProfileText, ExplainsEveryPolicyByItsDeclaration) {
-  EXPECT_THAT(explain_text("sensor", {}, uses),
-              AllOf(HasSubstr("sensor, of location (link), odom\n"),
-                    HasSubstr("  reliability reliable (default): reliable repairs losses by"),
-                    HasSubstr("  partition [] (default): names, with wildcards")));
-}
-
 TEST(ProfileText, TellsWhatDiffersWithItsMeaning) {
   QosProfile one;
   QosProfile other;
@@ -69,27 +62,6 @@ TEST(ProfileText, TellsWhatDiffersWithItsMeaning) {
   EXPECT_EQ(diff_text(one, other),
             "lifespan_s: .inf -> 5\n  [s] an older sample is never delivered\n");
   EXPECT_EQ(diff_json(one, other).dump(), R"({"lifespan_s":[".inf","5"]})");
-}
-
-TEST(ProfileText, ADifferenceInAListIsShownAsTheFileHasIt) {
-  QosProfile one;
-  QosProfile other;
-  one.partition = {"left"};
-  other.partition = {"left", "right"};
-  EXPECT_THAT(diff_text(one, other), HasSubstr("partition: [left] -> [left, right]\n"));
-  EXPECT_EQ(show_text("p", other, false), "p: {partition: [left, right]}\n");
-}
-
-TEST(ProfileText, AProfileThatNoTopicHasIsExplained) {
-  EXPECT_THAT(explain_text("lonely", {}, uses),
-              HasSubstr("lonely, of no topic of the installed libraries\n"));
-}
-
-TEST(ProfileText, AListWithoutTopicsHasEveryProfile) {
-  const QosProfiles profiles(TOCSIN_REPOSITORY "/config/qos.yaml");
-  const std::string text = list_text(profiles, {});
-  for (const auto& one : profiles.all()) EXPECT_THAT(text, HasSubstr(one.first + ": {"));
-  EXPECT_TRUE(list_json(profiles, {})[0]["topics"].empty());
 }
 
 TEST(ProfileText, KnowsTheTopicsOfTheInstalledLibraries) {

@@ -21,7 +21,8 @@ struct Parsed {
 Parsed parse(std::vector<std::string> words) {
   Parsed parsed;
   CLI::App app;
-  declare(app, parsed.options);
+  Verbs verbs(app);
+  declare(verbs, parsed.options);
   std::reverse(words.begin(), words.end());
   app.parse(words);
   parsed.verb = app.get_subcommands().front()->get_name();
@@ -35,33 +36,6 @@ bool is_refused(const std::vector<std::string>& words) {
   } catch (const CLI::ParseError&) {
     return true;
   }
-}
-
-TEST(QosOptions, TuneTakesAFileAFolderAndJobs) {
-  const Parsed plain = parse({"tune", "tune.yaml"});
-  EXPECT_EQ(plain.verb, "tune");
-  EXPECT_EQ(plain.options.tune.file, "tune.yaml");
-  EXPECT_EQ(plain.options.tune.out, "");
-  EXPECT_FALSE(plain.options.tune.jobs);
-  const Parsed all = parse({"tune", "tune.yaml", "--out", "here", "--jobs", "2"});
-  EXPECT_EQ(all.options.tune.out, "here");
-  EXPECT_EQ(all.options.tune.jobs, 2);
-  EXPECT_TRUE(is_refused({"tune"}));
-  EXPECT_TRUE(is_refused({"tune", "tune.yaml", "--jobs", "0"}));
-}
-
-TEST(QosOptions, EveryVerbTakesItsNames) {
-  EXPECT_EQ(parse({"list"}).verb, "list");
-  EXPECT_EQ(parse({"show", "sensor"}).options.one, "sensor");
-  EXPECT_EQ(parse({"explain", "sensor"}).options.one, "sensor");
-  EXPECT_EQ(parse({"diff", "a", "b"}).options.other, "b");
-  EXPECT_EQ(parse({"match", "a"}).options.other, "");
-  EXPECT_EQ(parse({"match", "a", "/b"}).options.other, "/b");
-  EXPECT_EQ(parse({"lint"}).verb, "lint");
-  EXPECT_THAT(parse({"export"}).options.profiles, IsEmpty());
-  EXPECT_THAT(parse({"export", "a", "b"}).options.profiles, ElementsAre("a", "b"));
-  EXPECT_THAT(parse({"set", "/odom", "deadline_s=1", "lifespan_s=2"}).options.settings,
-              ElementsAre("deadline_s=1", "lifespan_s=2"));
 }
 
 TEST(QosOptions, WhatIsMissingOrUnknownIsRefused) {
@@ -79,18 +53,6 @@ TEST(QosOptions, WhatIsMissingOrUnknownIsRefused) {
                                              {"match", "a", "--domain", "300"}}) {
     EXPECT_TRUE(is_refused(words)) << ::testing::PrintToString(words);
   }
-}
-
-TEST(QosOptions, WhatIsNotSaidHasItsDefault) {
-  const Options options = parse({"lint"}).options;
-  EXPECT_FALSE(options.json);
-  EXPECT_FALSE(options.direct);
-  EXPECT_FALSE(options.clocks_are_synchronised);
-  EXPECT_EQ(options.outage_s, 10);
-  EXPECT_EQ(options.mtu_bytes, 1500);
-  EXPECT_EQ(options.file, "");
-  EXPECT_EQ(parse({"export"}).options.vendor, "fastdds");
-  EXPECT_EQ(parse({"set", "/odom", "deadline_s=1"}).options.spin_s, 2);
 }
 
 TEST(QosOptions, OptionsAreTaken) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command_line/programs.hpp"
@@ -16,6 +19,13 @@
 
 namespace tocsin::cli {
 namespace {
+
+/// What all of the repository's packages bring. `bringup/demo` builds some of them only.
+const std::array<std::string_view, 27> shipped{
+    "action", "bag",       "check",      "component", "decide",    "design",   "dock",
+    "doctor", "estop",     "experiment", "fit",       "interface", "keystore", "kobuki",
+    "launch", "lifecycle", "log",        "node",      "param",     "qos",      "report",
+    "run",    "service",   "sim",        "teleop",    "top",       "topic"};
 
 /// The first line that the verb's program prints with --help.
 std::string description(const std::string& verb, const Folders& folders) {
@@ -35,6 +45,9 @@ int print_help(const Folders& folders) {
 }
 
 [[noreturn]] void reject(const std::string& verb, const Folders& folders) {
+  if (std::find(shipped.begin(), shipped.end(), verb) != shipped.end()) {
+    throw EnvironmentError("'" + verb + "' is not built here; bringup/build run builds it");
+  }
   throw ConfigError("'" + verb + "' is not a verb" +
                     did_you_mean(find_verbs(folders), verb, "the verbs are"));
 }

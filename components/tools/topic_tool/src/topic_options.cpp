@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topic_options.hpp"
 
+#include "commands.hpp"
+#include "topic_verbs.hpp"
+
 #include <CLI/CLI.hpp>
 #include <initializer_list>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "command_line/option_checks.hpp"
@@ -46,8 +48,8 @@ void declare_log(CLI::App& echo, LogWish& log) {
   group->add_option("--log", log.folder, "the router's store_directory [of the running host]");
 }
 
-void declare_echo(CLI::App& app, Options& options) {
-  CLI::App* const sub = options.add_verb(app, "echo", "prints each message");
+void declare_echo(Verbs& verbs, Options& options) {
+  CLI::App* const sub = add_verb(verbs, options, "echo", "prints each message", topic_verb::echo);
   need_topic(*sub, options);
   sub->add_option("--field", options.echo.field, "only this field: pose.pose.position");
   sub->add_option("-l,--truncate-length", options.echo.longest, "of texts and lists [128]");
@@ -58,8 +60,9 @@ void declare_echo(CLI::App& app, Options& options) {
   declare_log(*sub, options.log);
 }
 
-void declare_pub(CLI::App& app, Options& options) {
-  CLI::App* const sub = options.add_verb(app, "pub", "writes a message again and again");
+void declare_pub(Verbs& verbs, Options& options) {
+  CLI::App* const sub =
+      add_verb(verbs, options, "pub", "writes a message again and again", topic_verb::pub);
   need_topic(*sub, options);
   sub->add_option("type", options.type, "geometry_msgs/msg/Twist")->required();
   sub->add_option("message", options.message, "in YAML: '{linear: {x: 0.1}}' [all defaults]");
@@ -77,8 +80,9 @@ void declare_pub(CLI::App& app, Options& options) {
                  {Durability::volatile_kind, Durability::transient_local});
 }
 
-void declare_list(CLI::App& app, Options& options) {
-  CLI::App* const sub = options.add_verb(app, "list", "topics that somebody writes or reads");
+void declare_list(Verbs& verbs, Options& options) {
+  CLI::App* const sub =
+      add_verb(verbs, options, "list", "topics that somebody writes or reads", topic_verb::list);
   sub->add_flag("-t,--show-types", options.list.types, "with their types");
   sub->add_flag("-c,--count-topics", options.list.count, "how many there are");
   sub->add_flag("-v,--verbose", options.list.verbose, "with the number of ends");
@@ -87,26 +91,36 @@ void declare_list(CLI::App& app, Options& options) {
 
 }  // namespace
 
-void declare(CLI::App& app, Options& options) {
-  app.require_subcommand(1);
-  declare_list(app, options);
-  CLI::App* const about = options.add_verb(app, "info", "type and number of ends of a topic");
+void declare(Verbs& verbs, Options& options) {
+  declare_list(verbs, options);
+  CLI::App* const about =
+      add_verb(verbs, options, "info", "type and number of ends of a topic", topic_verb::info);
   need_topic(*about, options);
   about->add_flag("-v,--verbose", options.verbose, "each end with its QoS");
-  need_topic(*options.add_verb(app, "type", "the type of a topic"), options);
-  options.add_verb(app, "find", "topics of a type")
+  need_topic(*add_verb(verbs, options, "type", "the type of a topic", topic_verb::type), options);
+  add_verb(verbs, options, "find", "topics of a type", topic_verb::find)
       ->add_option("type", options.type, "nav_msgs/msg/Odometry")
       ->required();
-  declare_echo(app, options);
-  for (const auto& [name, text] :
-       {std::pair{"hz", "rate of a topic, once a second"}, std::pair{"bw", "its bytes a second"},
-        std::pair{"delay", "time from header.stamp to the arrival"}}) {
-    CLI::App* const sub = options.add_verb(app, name, text);
+  declare_echo(verbs, options);
+  for (CLI::App* const sub :
+       {add_verb(verbs, options, "hz", "rate of a topic, once a second", topic_verb::hz),
+        add_verb(verbs, options, "bw", "its bytes a second", topic_verb::bw),
+        add_verb(verbs, options, "delay", "time from header.stamp to the arrival",
+                 topic_verb::delay)}) {
     need_topic(*sub, options);
     sub->add_option("-w,--window", options.window, "[1] newest samples that count [10000]")
         ->check(CLI::Range(std::size_t{2}, std::numeric_limits<std::size_t>::max()));
   }
-  declare_pub(app, options);
+  declare_pub(verbs, options);
+}
+
+int run_topic(int argc, char** argv) {
+  CLI::App app("Topics of a running host, ours and those of other DDS and ROS 2 programs there.",
+               "tocsin topic");
+  Options options;
+  Verbs verbs(app);
+  declare(verbs, options);
+  return verbs.run(argc, argv);
 }
 
 }  // namespace tocsin::topic_tool

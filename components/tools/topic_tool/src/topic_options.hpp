@@ -10,10 +10,6 @@
 #include "runtime/middleware/qos_policies.hpp"
 #include "topic_session.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace tocsin::topic_tool {
 
 /// What a person said after `tocsin topic`.
@@ -35,7 +31,7 @@ struct Options : SessionOptions {
   Durability durability = Durability::volatile_kind;
 };
 
-/// Declares the verbs and their options.
-void declare(CLI::App& app, Options& options);
+/// Declares the verbs of `tocsin topic` and their options.
+void declare(Verbs& verbs, Options& options);
 
 }  // namespace tocsin::topic_tool

@@ -20,12 +20,10 @@ constexpr Duration look = std::chrono::milliseconds(50);
 
 }  // namespace
 
-CLI::App* SessionOptions::add_verb(CLI::App& app, const char* name, const char* text) {
-  CLI::App* const verb = app.add_subcommand(name, text);
-  host.declare(*verb);
-  verb->add_option("--spin-time", spin_s, "[s] waited for what does not appear [2]")
+void SessionOptions::declare_session(CLI::App& verb) {
+  host.declare(verb);
+  verb.add_option("--spin-time", spin_s, "[s] waited for what does not appear [2]")
       ->check(CLI::Range(0.1, 600.0));
-  return verb;
 }
 
 TopicSession::TopicSession(const SessionOptions& options)

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line/command.hpp"
 #include "idl_support/type_info.hpp"
 #include "runtime/middleware/host_bus.hpp"
 #include "runtime/middleware/host_graph.hpp"
@@ -24,9 +25,18 @@ struct SessionOptions {
   HostChoice host;
   double spin_s = 2;  ///< [s] waited for what does not appear
 
-  /// A subcommand with --domain and the like, and --spin-time.
-  CLI::App* add_verb(CLI::App& app, const char* name, const char* text);
+  /// Adds --domain and the like, and --spin-time.
+  void declare_session(CLI::App& verb);
 };
+
+/// A verb that looks at a host and calls `body` with `options`.
+template <class Options>
+CLI::App* add_verb(Verbs& verbs, Options& options, const char* name, const char* text,
+                   int (*body)(const Options&)) {
+  CLI::App* const verb = verbs.add(name, text, [&options, body] { return body(options); });
+  options.declare_session(*verb);
+  return verb;
+}
 
 /// A host's domain as a command of a person uses it: waits until those who are there were heard.
 class TopicSession {

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdio>
 #include <functional>
-#include <map>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -20,11 +19,13 @@
 #include "meters.hpp"
 #include "topic_session.hpp"
 
-namespace tocsin::topic_tool {
+namespace tocsin::topic_tool::topic_verb {
 namespace {
 
 constexpr Duration for_ever = std::chrono::hours(24 * 365);
 constexpr Duration second = std::chrono::seconds(1);
+
+}  // namespace
 
 int list(const Options& options) {
   const TopicSession session(options);
@@ -59,6 +60,8 @@ int find(const Options& options) {
   return 0;
 }
 
+namespace {
+
 /// The folders of the log of the host that the options name.
 std::vector<std::string> log_folders(const Options& options) {
   if (!options.log.folder.empty()) return folders_in(options.log.folder);
@@ -77,6 +80,8 @@ int echo_log(const Options& options, const EchoOptions& shown) {
   return 0;
 }
 
+}  // namespace
+
 int echo(const Options& options) {
   EchoOptions shown = options.echo;
   if (options.full_length) shown.longest = 0;
@@ -91,6 +96,8 @@ int echo(const Options& options) {
   }
   return 0;
 }
+
+namespace {
 
 /// Calls `add` with each sample and prints what `text` says, once a second.
 int measure(const Options& options, const std::function<void(const RawTopic&)>& begin,
@@ -113,6 +120,8 @@ int measure(const Options& options, const std::function<void(const RawTopic&)>& 
   }
   return 0;
 }
+
+}  // namespace
 
 int hz(const Options& options) {
   RateMeter meter(options.window);
@@ -150,6 +159,8 @@ int delay(const Options& options) {
       [&](Time) { return meter.text(); });
 }
 
+namespace {
+
 /// With --once and --times a reader is waited for, as the sample is lost without one.
 void wait_for_readers(const RawWriting& writing, int wanted) {
   if (writing.readers() >= wanted) return;
@@ -159,6 +170,8 @@ void wait_for_readers(const RawWriting& writing, int wanted) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
 }
+
+}  // namespace
 
 int pub(const Options& options) {
   const TypeInfo& known = known_type(wire_type(options.type));
@@ -184,14 +197,4 @@ int pub(const Options& options) {
   return 0;
 }
 
-}  // namespace
-
-int run_verb(const std::string& verb, const Options& options) {
-  using Verb = int (*)(const Options&);
-  static const std::map<std::string, Verb> verbs{{"list", list}, {"info", info},   {"type", type},
-                                                 {"find", find}, {"echo", echo},   {"hz", hz},
-                                                 {"bw", bw},     {"delay", delay}, {"pub", pub}};
-  return verbs.at(verb)(options);
-}
-
-}  // namespace tocsin::topic_tool
+}  // namespace tocsin::topic_tool::topic_verb

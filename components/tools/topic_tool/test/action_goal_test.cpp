@@ -34,29 +34,10 @@ TEST(ActionGoal, TheRequestHasTheIdAndTheGoal) {
   EXPECT_EQ(request->goal().order(), 5);
 }
 
-TEST(ActionGoal, WhatTheYamlLeavesOutHasItsDefault) {
-  (void)type_info<nav2_msgs::action::NavigateToPose_Goal>();
-  const KnownAction types("nav2_msgs/action/NavigateToPose");
-  const auto sent = std::static_pointer_cast<nav2_msgs::action::NavigateToPose_SendGoal_Request>(
-      goal_request(types, {}, "{pose: {header: {frame_id: map}, pose: {position: {x: 1.5}}}}"));
-  EXPECT_EQ(sent->goal().pose().pose().position().x(), 1.5);
-  EXPECT_EQ(sent->goal().pose().pose().position().y(), 0);
-  EXPECT_NO_THROW((void)goal_request(types, {}, ""));
-}
-
 TEST(ActionGoal, RefusesWhatIsNoGoalByTheNameOfItsField) {
   EXPECT_THAT(error_of("{order: many}"), HasSubstr("order: 'many' is not a whole number"));
   EXPECT_THAT(error_of("{ordre: 3}"), HasSubstr("no field 'ordre'"));
   EXPECT_THAT(error_of("5"), HasSubstr("must be a map"));
-}
-
-TEST(ActionGoal, AnUnknownTypeIsNamed) {
-  try {
-    (void)KnownAction("no_msgs/action/Thing");
-    FAIL();
-  } catch (const ConfigError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("no_msgs/action/Thing_Goal"));
-  }
 }
 
 TEST(ActionGoal, ReadsNumbersAndFieldsOfMessagesOfAnyType) {

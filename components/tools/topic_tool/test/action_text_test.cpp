@@ -60,31 +60,5 @@ TEST(ActionText, InfoSaysWhoServesAndWhoCalls) {
             "Action: /uxv/dock\nAction clients: 1\nAction servers: 1\n");
 }
 
-TEST(ActionText, AnEndOfNoNodeIsNobodys) {
-  const auto sut = actions_in(ends, nodes).at("/nobody");
-  EXPECT_EQ(action_info_text("/nobody", sut, {}),
-            "Action: /nobody\nAction clients: 0\nAction servers: 0\n");
-}
-
-TEST(ActionText, TypesOfEndsThatDisagreeAreAllShown) {
-  const auto sut = actions_in(
-      {end(feedback, feedback_type, 1, true),
-       end(feedback, "nav2_msgs::action::dds_::NavigateToPose_FeedbackMessage_", 2, false)},
-      nodes);
-  EXPECT_EQ(action_list_text(sut, {true, false}),
-            "/uxv/dock [kobuki_ros_interfaces/action/AutoDocking, "
-            "nav2_msgs/action/NavigateToPose]\n");
-}
-
-TEST(ActionText, WithoutAnyThereIsNothingToList) {
-  EXPECT_EQ(action_list_text({}, {}), "");
-  EXPECT_EQ(action_list_text({}, {false, true}), "0\n");
-}
-
-TEST(ActionText, ControlCharactersOfANameAreShown) {
-  const auto sut = actions_in({end("rt/a\x1b/_action/feedback", feedback_type, 1, true)}, {});
-  EXPECT_EQ(action_list_text(sut, {}), "/a\\x1b\n");
-}
-
 }  // namespace
 }  // namespace tocsin::topic_tool

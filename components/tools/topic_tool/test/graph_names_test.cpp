@@ -32,12 +32,6 @@ TEST(IsHidden, IsAPartThatBeginsWithAnUnderscore) {
   EXPECT_FALSE(is_hidden(""));
 }
 
-TEST(TypesText, JoinsWhatStandsUnderOneName) {
-  EXPECT_EQ(types_text({}), "");
-  EXPECT_EQ(types_text({"std_msgs/msg/String"}), "std_msgs/msg/String");
-  EXPECT_EQ(types_text({"b/msg/B", "a/msg/A"}), "a/msg/A, b/msg/B");
-}
-
 TEST(TypesText, DoesNotGiveATerminalTheBytesOfOthers) {
   const std::string shown = types_text({"a/msg/\x1b[2J"});
   EXPECT_EQ(shown.find('\x1b'), std::string::npos) << shown;
@@ -49,16 +43,6 @@ TEST(HasEnd, TellsReadersAndWritersApart) {
   EXPECT_TRUE(has_end(node, end(2, false)) != has_end(node, end(2, true)));
   EXPECT_FALSE(has_end(node, end(3, true)));
   EXPECT_FALSE(has_end(node, end(3, false)));
-}
-
-TEST(PythonFloat, HasAPointUnlessItIsNoPlainNumber) {
-  EXPECT_EQ(python_float(1.0), "1.0");
-  EXPECT_EQ(python_float(-3.0), "-3.0");
-  EXPECT_EQ(python_float(0.3), "0.3");
-  EXPECT_EQ(python_float(0.3F), "0.3") << "as short as its own kind needs";
-  EXPECT_EQ(python_float(1e22), "1e+22");
-  EXPECT_EQ(python_float(std::numeric_limits<double>::infinity()), "inf");
-  EXPECT_EQ(python_float(std::numeric_limits<double>::quiet_NaN()), "nan");
 }
 
 }  // namespace

@@ -30,32 +30,6 @@ const std::vector<GraphEnd> ends{end("rt/chatter", true),       end("rt/chatter"
 
 TEST(ListText, HasTopicsOfRosByName) { EXPECT_EQ(list_text(ends, {}), "/alarm\n/chatter\n"); }
 
-TEST(ListText, ShowsTypesCountsAndHiddenOnesWhenAsked) {
-  ListOptions options;
-  options.types = true;
-  EXPECT_EQ(list_text(ends, options),
-            "/alarm [std_msgs/msg/Bool]\n/chatter [std_msgs/msg/String]\n");
-  options.count = true;
-  EXPECT_EQ(list_text(ends, options), "2\n");
-  options.hidden = true;
-  EXPECT_EQ(list_text(ends, options), "3\n");
-}
-
-TEST(ListText, SaysWhoIsThereWhenItIsVerbose) {
-  ListOptions options;
-  options.verbose = true;
-  EXPECT_EQ(list_text(ends, options),
-            "Published topics:\n * /alarm [std_msgs/msg/Bool] 1 publisher\n"
-            " * /chatter [std_msgs/msg/String] 1 publisher\n\n"
-            "Subscribed topics:\n * /chatter [std_msgs/msg/String] 2 subscribers\n");
-}
-
-TEST(InfoText, CountsBothSides) {
-  EXPECT_EQ(info_text(ends, {}, "/chatter", false),
-            "Type: std_msgs/msg/String\nPublisher count: 1\nSubscription count: 2\n");
-  EXPECT_EQ(info_text(ends, {}, "/nothing", false), "");
-}
-
 TEST(InfoText, ShowsTheQosOfEachEndWhenItIsVerbose) {
   GraphEnd late = end("rt/state", true);
   late.qos.durability = Durability::transient_local;

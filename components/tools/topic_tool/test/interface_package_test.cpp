@@ -44,14 +44,6 @@ std::string read(const std::string& file) {
   return text.str();
 }
 
-TEST(InterfacePackage, HasTheFieldsWithTheirUnits) {
-  load();
-  const auto files = interface_package("tocsin_msgs");
-  EXPECT_EQ(text_of(files, "msg/Waypoint.msg"),
-            "float64 x  # [m] map frame\nfloat64 y  # [m] map frame\n"
-            "float64 yaw  # [rad] [range -pi,pi] map frame\n");
-}
-
 TEST(InterfacePackage, NamesAllItsFilesAndWhatTheyNeed) {
   load();
   const auto files = interface_package("tocsin_msgs");
@@ -66,20 +58,6 @@ TEST(InterfacePackage, NamesAllItsFilesAndWhatTheyNeed) {
   EXPECT_THAT(manifest, HasSubstr("<name>tocsin_msgs</name>"));
   EXPECT_THAT(manifest, HasSubstr("<depend>builtin_interfaces</depend>"));
   EXPECT_EQ(manifest.find("<depend>tocsin_msgs"), std::string::npos);
-}
-
-TEST(InterfacePackage, SeparatesThePartsOfServicesAndActions) {
-  register_definition(
-      {"trial::srv::dds_::Ask_Request_", "uint8 structure_needs_at_least_one_member\n", {}});
-  register_definition({"trial::srv::dds_::Ask_Response_", "bool yes  # it is so\n", {}});
-  register_definition({"trial::action::dds_::Go_Goal_", "float64 to  # [m]\n", {}});
-  register_definition({"trial::action::dds_::Go_Result_", "bool there\n", {}});
-  register_definition({"trial::action::dds_::Go_Feedback_", "float64 at  # [m]\n", {}});
-  const auto files = interface_package("trial");
-  EXPECT_EQ(text_of(files, "srv/Ask.srv"), "---\nbool yes  # it is so\n");
-  EXPECT_EQ(text_of(files, "action/Go.action"),
-            "float64 to  # [m]\n---\nbool there\n---\nfloat64 at  # [m]\n");
-  EXPECT_THAT(text_of(files, "package.xml"), HasSubstr("<depend>action_msgs</depend>"));
 }
 
 TEST(InterfacePackage, TakesBoundsFromTheComments) {

@@ -27,13 +27,6 @@ const std::vector<std::string> wire_names{"std_msgs::msg::dds_::String_",
                                           "rmw_dds_common::humble::dds_::Gid_",
                                           "Plain"};
 
-TEST(Interfaces, PartsOfAServiceAndOfAnActionAreOne) {
-  const Interfaces sut = interfaces_in(wire_names);
-  EXPECT_THAT(sut.messages, ElementsAre("std_msgs/msg/String"));
-  EXPECT_THAT(sut.services, ElementsAre("std_srvs/srv/SetBool"));
-  EXPECT_THAT(sut.actions, ElementsAre("nav/action/Go"));
-}
-
 TEST(Interfaces, AreListedByKind) {
   const Interfaces sut = interfaces_in(wire_names);
   EXPECT_EQ(interface_list_text(sut, {}),
@@ -45,17 +38,6 @@ TEST(Interfaces, AreListedByKind) {
   EXPECT_EQ(package_text(sut, "nav"), "nav/action/Go\n");
   EXPECT_EQ(package_text(sut, "na"), "");
   EXPECT_EQ(packages_text(sut), "nav\nstd_msgs\nstd_srvs\n");
-}
-
-TEST(Interfaces, NamesWithControlCharactersAreShown) {
-  const Interfaces sut = interfaces_in({"a\x1b::msg::dds_::B_"});
-  EXPECT_EQ(packages_text(sut), "a\\x1b\n");
-  EXPECT_THAT(interface_list_text(sut, {true, false, false}), HasSubstr("    a\\x1b/msg/B\n"));
-}
-
-TEST(Interfaces, WithoutAnyOnlyTitlesAreListed) {
-  EXPECT_EQ(interface_list_text({}, {}), "Messages:\nServices:\nActions:\n");
-  EXPECT_TRUE(Interfaces().all().empty());
 }
 
 class InterfaceText : public ::testing::Test {
@@ -71,13 +53,6 @@ TEST_F(InterfaceText, AMessageIsShownWithTheFieldsOfItsPartsOneTabDeeper) {
   EXPECT_THAT(*sut, HasSubstr("\ngeometry_msgs/Vector3 angular"));
 }
 
-TEST_F(InterfaceText, PartsOfPartsStandDeeperStill) {
-  const auto sut = show_text("geometry_msgs/msg/PoseStamped");
-  ASSERT_TRUE(sut);
-  EXPECT_THAT(*sut, HasSubstr("std_msgs/Header header\n\tbuiltin_interfaces/Time stamp"));
-  EXPECT_THAT(*sut, HasSubstr("\n\t\tint32 sec"));
-}
-
 TEST_F(InterfaceText, PartsOfAServiceAndOfAnActionAreDivided) {
   const auto service = show_text("std_srvs/srv/SetBool");
   ASSERT_TRUE(service);
@@ -89,12 +64,6 @@ TEST_F(InterfaceText, PartsOfAServiceAndOfAnActionAreDivided) {
   ASSERT_TRUE(action);
   EXPECT_THAT(*action, StartsWith("int32 order"));
   EXPECT_THAT(*action, HasSubstr("\n---\nint32[] sequence\n---\nint32[] sequence\n"));
-}
-
-TEST_F(InterfaceText, WhatIsNotKnownOrNoNameIsSaid) {
-  EXPECT_FALSE(show_text("no_msgs/msg/Thing"));
-  EXPECT_THROW((void)show_text("Thing"), ConfigError);
-  EXPECT_THROW((void)show_text("a/b/c/d"), ConfigError);
 }
 
 TEST_F(InterfaceText, WhatAPersonWritesIsTheMessageTheRequestOrTheGoal) {

@@ -73,12 +73,5 @@ TEST(NodeProgram, SaysInOneLineThatANodeIsNotThere) {
   EXPECT_EQ(sut.output.find('\n'), sut.output.size() - 1) << sut.output;
 }
 
-TEST(NodeProgram, NamesTheNodeThatIsLikeAMisspeltOne) {
-  const Neighbour neighbour;
-  const Ended sut = call({"info", "/takler"});
-  EXPECT_EQ(sut.code, 1);
-  EXPECT_THAT(sut.output, HasSubstr("Unable to find node '/takler'; did you mean '/talker'?\n"));
-}
-
 }  // namespace
 }  // namespace tocsin::topic_tool

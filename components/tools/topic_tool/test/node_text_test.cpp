@@ -33,12 +33,6 @@ const std::vector<GraphNode> nodes{
     {"/", "_ros2cli", {}, {gid(6)}},
     {"/", "bare"}};
 
-TEST(NodeList, HasPathsWithoutHiddenOnes) {
-  EXPECT_EQ(node_list_text(nodes, {}), "/bare\n/robot/talker\n");
-  EXPECT_EQ(node_list_text(nodes, {true, false}), "/_ros2cli\n/bare\n/robot/talker\n");
-  EXPECT_EQ(node_list_text(nodes, {false, true}), "2\n");
-}
-
 TEST(NodeList, ShowsBothOfTwoWithOneName) {
   std::vector<GraphNode> twins = nodes;
   EXPECT_FALSE(has_twins(twins));
@@ -65,20 +59,6 @@ TEST(NodeInfo, IsWhatRos2Prints) {
             "\n");
 }
 
-TEST(NodeInfo, ShowsHiddenNamesWhenAsked) {
-  const std::string text = node_info_text(ends, nodes, "robot/talker", true);
-  EXPECT_NE(text.find("    /dock/_action/send_goal: dock_msgs/action/Dock_SendGoal\n"),
-            std::string::npos);
-}
-
-TEST(NodeInfo, NamesAllTypesUnderWhichATopicIsThere) {
-  const GraphNode both{"/", "both", {}, {gid(1), gid(2)}};
-  const std::string text = node_info_text(
-      {end(1, "rt/x", "a::msg::dds_::A_", true), end(2, "rt/x", "b::msg::dds_::B_", true)}, {both},
-      "/both", false);
-  EXPECT_NE(text.find("    /x: a/msg/A, b/msg/B\n"), std::string::npos) << text;
-}
-
 TEST(NodeInfo, LeavesOutWhatIsNoTopicOfRosAndWhatOthersHave) {
   const GraphNode one{"/", "one", {gid(1), gid(2)}, {}};
   const std::string text = node_info_text(
@@ -96,10 +76,6 @@ TEST(NodeInfo, ShowsNoControlCharactersOfOthers) {
       node_info_text({end(1, "rt/\x1b[2J", "a::msg::dds_::A_", false)}, {odd}, "odd", false);
   EXPECT_NE(text.find("    /\\x1b[2J: a/msg/A\n"), std::string::npos) << text;
   EXPECT_EQ(node_list_text({{"/", "o\x1b"}}, {}), "/o\\x1b\n");
-}
-
-TEST(NodeInfo, IsEmptyForANodeThatIsNotThere) {
-  EXPECT_EQ(node_info_text(ends, nodes, "/talker", false), "");
 }
 
 }  // namespace

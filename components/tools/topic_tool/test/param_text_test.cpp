@@ -77,46 +77,6 @@ TEST(ParamText, ADumpIsLoadedAsItWas) {
   EXPECT_EQ(values_in_file(file, "/uxv/driver"), values);
 }
 
-TEST(ParamText, ArraysOfEveryKindAreShown) {
-  RosValue bools;
-  bools.type(type::PARAMETER_BOOL_ARRAY);
-  bools.bool_array_value({true, false});
-  EXPECT_EQ(typed_value_text(bools), "Boolean values are: [True, False]");
-  RosValue whole;
-  whole.type(type::PARAMETER_INTEGER_ARRAY);
-  whole.integer_array_value({1, -2});
-  EXPECT_EQ(typed_value_text(whole), "Integer values are: [1, -2]");
-  EXPECT_EQ(value_text(ros_value(std::vector<std::string>{})), "[]");
-}
-
-TEST(ParamText, ADumpKeepsTextsThatLookLikeSomethingElse) {
-  const std::string dumped = dump_text("/n", {{"a", ros_value(std::string("true"))},
-                                              {"b", ros_value(std::string("1e3"))},
-                                              {"c", ros_value(std::string("plain"))}});
-  EXPECT_EQ(dumped, "/n:\n  ros__parameters:\n    a: 'true'\n    b: '1e3'\n    c: plain\n");
-}
-
-TEST(ParamText, ADescriptionOfAnUnknownParameterSaysThatItIsNotSet) {
-  rcl_interfaces::msg::ParameterDescriptor sut;
-  sut.name("none");
-  EXPECT_EQ(description_text(sut), "Parameter name: none\n  Type: not set\n  Constraints:\n");
-}
-
-TEST(ParamText, NumbersThatAreNoneAreReadAndShown) {
-  EXPECT_EQ(value_in(".inf").type(), type::PARAMETER_DOUBLE);
-  EXPECT_EQ(typed_value_text(value_in("-.inf")), "Double value is: -inf");
-  EXPECT_EQ(dump_text("/n", {{"a", value_in(".inf")}}), "/n:\n  ros__parameters:\n    a: .inf\n");
-}
-
-TEST(ParamText, AnEmptyValueIsAnEmptyTextAndAnEmptyListOneOfTexts) {
-  EXPECT_EQ(value_in("''").type(), type::PARAMETER_STRING);
-  EXPECT_EQ(value_in("[]").type(), type::PARAMETER_STRING_ARRAY);
-  EXPECT_EQ(value_in("y").type(), type::PARAMETER_STRING);
-  EXPECT_EQ(value_in("yes").type(), type::PARAMETER_BOOL);
-  EXPECT_EQ(value_in("~").type(), type::PARAMETER_STRING);
-  EXPECT_EQ(value_in("-7").integer_value(), -7);
-}
-
 TEST(ParamText, WholeNumbersHaveTheirRange) {
   rcl_interfaces::msg::ParameterDescriptor sut;
   sut.name("rate");

@@ -23,23 +23,6 @@ const std::vector<GraphEnd> ends{
     end("rq/dock/_action/send_goalRequest", "a::action::dds_::Dock_SendGoal_Request_"),
     end("rt/odom", "nav_msgs::msg::dds_::Odometry_")};
 
-TEST(ServiceList, HasServicesByName) {
-  EXPECT_EQ(service_list_text(ends, {}), "/lamp/set\n");
-  ServiceListOptions options;
-  options.types = true;
-  EXPECT_EQ(service_list_text(ends, options), "/lamp/set [std_srvs/srv/SetBool]\n");
-  options.hidden = true;
-  options.count = true;
-  EXPECT_EQ(service_list_text(ends, options), "2\n");
-}
-
-TEST(ServiceList, NamesEachServiceOnceWhoeverServesOrCallsIt) {
-  std::vector<GraphEnd> many = ends;
-  many.push_back(end("rq/lamp/setRequest", "std_srvs::srv::dds_::SetBool_Request_"));
-  many.push_back(end("rq/arm/resetRequest", "std_srvs::srv::dds_::Trigger_Request_"));
-  EXPECT_EQ(service_list_text(many, {}), "/arm/reset\n/lamp/set\n");
-}
-
 TEST(ServiceList, ShowsBothTypesWhenTheEndsDisagree) {
   std::vector<GraphEnd> two = ends;
   two.push_back(end("rq/lamp/setRequest", "std_srvs::srv::dds_::Trigger_Request_"));
@@ -48,20 +31,6 @@ TEST(ServiceList, ShowsBothTypesWhenTheEndsDisagree) {
   EXPECT_EQ(service_list_text(two, options),
             "/lamp/set [std_srvs/srv/SetBool, std_srvs/srv/Trigger]\n");
   EXPECT_EQ(services_in(two).at("/lamp/set").size(), 2U);
-}
-
-TEST(ServiceList, IsEmptyWhereNobodyServes) {
-  EXPECT_EQ(service_list_text({end("rt/odom", "nav_msgs::msg::dds_::Odometry_")}, {}), "");
-  ServiceListOptions options;
-  options.count = true;
-  EXPECT_EQ(service_list_text({}, options), "0\n");
-}
-
-TEST(PythonText, ShowsControlCharactersOfOthersAsText) {
-  std_srvs::srv::Trigger_Response response;
-  response.message("\x1b[2J");
-  EXPECT_EQ(python_text(type_info<std_srvs::srv::Trigger_Response>(), &response),
-            "std_srvs.srv.Trigger_Response(success=False, message='\\x1b[2J')");
 }
 
 TEST(PythonText, ShowsAMessageAsRos2ServiceCallDoes) {
@@ -76,24 +45,6 @@ TEST(PythonText, ShowsAMessageAsRos2ServiceCallDoes) {
   response.message("it's on");
   EXPECT_EQ(python_text(type_info<std_srvs::srv::SetBool_Response>(), &response),
             "std_srvs.srv.SetBool_Response(success=False, message='it's on')");
-}
-
-TEST(PythonText, ShowsNumbersListsAndMessagesInMessages) {
-  geometry_msgs::msg::Pose pose;
-  pose.position().x(1);
-  pose.position().y(-0.25);
-  EXPECT_EQ(python_text(type_info<geometry_msgs::msg::Pose>(), &pose),
-            "geometry_msgs.msg.Pose(position=(x=1.0, y=-0.25, z=0.0), "
-            "orientation=(x=0.0, y=0.0, z=0.0, w=1.0))");
-  rcl_interfaces::srv::GetParameters_Request names;
-  names.names({"a", "b"});
-  EXPECT_EQ(python_text(type_info<rcl_interfaces::srv::GetParameters_Request>(), &names),
-            "rcl_interfaces.srv.GetParameters_Request(names=['a', 'b'])");
-  rcl_interfaces::srv::SetParameters_Response results;
-  results.results().resize(2);
-  EXPECT_EQ(python_text(type_info<rcl_interfaces::srv::SetParameters_Response>(), &results),
-            "rcl_interfaces.srv.SetParameters_Response(results=[(successful=False, reason=''), "
-            "(successful=False, reason='')])");
 }
 
 }  // namespace

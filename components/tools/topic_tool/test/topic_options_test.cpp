@@ -11,7 +11,7 @@ namespace {
 /// What a command line means.
 struct Parsed {
   explicit Parsed(const std::string& line) {
-    declare(app, options);
+    declare(verbs, options);
     try {
       app.parse(line);
       verb = app.get_subcommands().front()->get_name();
@@ -20,6 +20,7 @@ struct Parsed {
     }
   }
   CLI::App app{"test"};
+  Verbs verbs{app};
   Options options;
   std::string verb;
   std::string refused;
@@ -37,18 +38,6 @@ TEST(TopicOptions, NeedAVerbThatExists) {
   }
 }
 
-TEST(TopicOptions, ChooseAHostInEveryVerb) {
-  for (const char* line : {"list", "info /x", "type /x", "find a/b", "echo /x", "hz /x", "bw /x",
-                           "delay /x", "pub /x a/b"}) {
-    const Parsed sut(std::string(line) + " --domain 7 --run-dir runs/1 --host /gcs");
-    EXPECT_EQ(sut.refused, "") << line;
-    EXPECT_EQ(sut.options.host.domain, 7);
-    EXPECT_EQ(sut.options.host.run_dir, "runs/1");
-    EXPECT_EQ(sut.options.host.host, "gcs");
-  }
-  EXPECT_FALSE(Parsed("list --domain 232").refused.empty());
-}
-
 TEST(TopicOptions, OfEchoMayNameAPlaceInTheLog) {
   EXPECT_FALSE(Parsed("echo /x").options.log.is_wanted());
   const Parsed last("echo /x --last 10 --consumer plot --log /var/log");
@@ -63,27 +52,6 @@ TEST(TopicOptions, OfEchoMayNameAPlaceInTheLog) {
                                  "--since 3 --from-start", "--last -1", "--since -1"}) {
     EXPECT_FALSE(Parsed(std::string("echo /x ") + line).refused.empty()) << line;
   }
-}
-
-TEST(TopicOptions, OfListAreThoseOfRos2) {
-  const Parsed all("list -t -c -v --include-hidden-topics --spin-time 0.5");
-  EXPECT_TRUE(all.options.list.types);
-  EXPECT_TRUE(all.options.list.count);
-  EXPECT_TRUE(all.options.list.verbose);
-  EXPECT_TRUE(all.options.list.hidden);
-  EXPECT_EQ(all.options.spin_s, 0.5);
-  EXPECT_FALSE(Parsed("list").options.list.types);
-}
-
-TEST(TopicOptions, OfEchoAreThoseOfRos2) {
-  const Parsed sut("echo /x --field a.b -l 5 --no-arr --no-str --once");
-  EXPECT_EQ(sut.options.echo.field, "a.b");
-  EXPECT_EQ(sut.options.echo.longest, 5U);
-  EXPECT_TRUE(sut.options.echo.no_lists);
-  EXPECT_TRUE(sut.options.echo.no_texts);
-  EXPECT_TRUE(sut.options.once);
-  EXPECT_EQ(Parsed("echo /x").options.echo.longest, 128U);
-  EXPECT_TRUE(Parsed("echo /x -f").options.full_length);
 }
 
 TEST(TopicOptions, OfPubAreThoseOfRos2) {

@@ -87,13 +87,6 @@ TEST_F(TopicSessionTest, SamplesWaitForWhoPrintsAndTheOldestMakesRoom) {
   EXPECT_GE(waiting, 900U);
 }
 
-TEST_F(TopicSessionTest, TakeEndsWhenNothingComes) {
-  TopicSession sut({choice_, 5});
-  const auto writer = neighbour_->advertise(news);
-  SampleQueue samples(sut.graph(), sut.find("/news"));
-  EXPECT_FALSE(samples.take(std::chrono::milliseconds(60)));
-}
-
 TEST(KnownType, IsThatOfAnInstalledPackageOrAnErrorInWordsOfRos2) {
   EXPECT_STREQ(known_type("std_msgs::msg::dds_::String_").name, "std_msgs::msg::dds_::String_");
   try {

@@ -71,14 +71,6 @@ TEST(Rank, ARunThatFailedCountsForNobody) {
   EXPECT_DOUBLE_EQ(sut[0].cost, 9);
 }
 
-TEST(Rank, WithoutEnoughRunsNothingIsToldApart) {
-  const auto sut = ranking(row("shipped", 1, "10") + row("c1", 1, "9"));
-  EXPECT_THAT(ranking_text(sut), HasSubstr("one run of a candidate tells nothing: add seeds"));
-  EXPECT_THAT(ranking_text(sut), HasSubstr("(not told apart)"));
-  EXPECT_EQ(ranking_text({}), "no run ended well\n");
-  EXPECT_TRUE(ranking(row("c1", 1, "9")).empty()) << "nothing to compare with";
-}
-
 /// c1 costs as much as what is shipped but for `noise` up and down, over ten runs.
 std::string conclusion_with(double noise) {
   std::string rows;
@@ -100,35 +92,6 @@ TEST(Rank, WideIntervalsConfirmNothing) {
   EXPECT_THAT(text, HasSubstr("the runs leave open whether c1 costs up to 5.1"));
   EXPECT_THAT(text, HasSubstr("add seeds"));
   EXPECT_THAT(conclusion_with(5000), Not(HasSubstr("confirmed")));
-}
-
-TEST(Rank, SaysWhichSettingsMadeNoDifference) {
-  const std::string text =
-      ranking_text(ranking(row("shipped", 1, "10") + row("shipped", 2, "11") + row("c1", 1, "10") +
-                           row("c1", 2, "11") + row("c2", 1, "12") + row("c2", 2, "13")));
-  EXPECT_THAT(text, HasSubstr("qos.stream.lifespan_s=0.5 (as the line before)"));
-  EXPECT_THAT(text, HasSubstr("qos.stream.lifespan_s=4 (worse)"));
-}
-
-TEST(Rank, AnswersThatARunHasNotAreLeftOutOfTheMeans) {
-  const std::string blind = "b,thesis,camera,shipped,1,,10,1,2,95,,\n";
-  const auto sut = ranking(blind + row("shipped", 2, "10"));
-  ASSERT_EQ(sut.size(), 1U);
-  EXPECT_DOUBLE_EQ(sut[0].location_age_p99, 0.3);
-  EXPECT_DOUBLE_EQ(sut[0].picture_p99, 150);
-}
-
-TEST(Rank, IsWrittenForPrograms) {
-  const auto sut = ranking(row("shipped", 1, "10") + row("shipped", 2, "10") + row("c1", 1, "8") +
-                           row("c1", 2, "9"));
-  const CsvTable table(ranking_csv(sut));
-  ASSERT_EQ(table.rows(), 2U);
-  EXPECT_EQ(table.text(0, "name"), "c1");
-  EXPECT_DOUBLE_EQ(table.number(0, "minus_shipped"), -1.5);
-  EXPECT_DOUBLE_EQ(table.number(0, "cost"), 8.5);
-  EXPECT_DOUBLE_EQ(table.number(0, "picture_p99"), 150);
-  EXPECT_EQ(table.text(1, "settings"), "as shipped");
-  EXPECT_EQ(table.text(0, "settings"), "qos.stream.lifespan_s=0.5");
 }
 
 }  // namespace

@@ -91,23 +91,6 @@ TEST_F(RunTuneTest, ChecksTheBestOnTheRealStackWhenToldTo) {
               AllOf(HasSubstr("shipped"), HasSubstr("c1.qos.yaml"), Not(HasSubstr("c2"))));
 }
 
-TEST_F(RunTuneTest, GivesTheSameFilesAndRankingWhenItIsRunAgain) {
-  const Ended first = tune(tune_file);
-  const std::string plan = read("out/simulated.yaml");
-  const std::string ranking = read("out/ranking.csv");
-  const Ended second = tune(tune_file);
-  EXPECT_EQ(second.code, 0);
-  EXPECT_EQ(second.output, first.output);
-  EXPECT_EQ(read("out/simulated.yaml"), plan) << "so that tocsin experiment goes on";
-  EXPECT_EQ(read("out/ranking.csv"), ranking);
-}
-
-TEST_F(RunTuneTest, WithoutARealSeedNothingIsPlayedInReality) {
-  (void)tune(tune_file);
-  EXPECT_THAT(read("bin/told"), Not(HasSubstr("--real")));
-  EXPECT_FALSE(fs::exists(folder_.path("out/real.yaml")));
-}
-
 TEST_F(RunTuneTest, EndsWithTheCodeOfTheExperiment) {
   folder_.write("bin/broken", "");
   const Ended sut = tune(tune_file);

@@ -87,18 +87,6 @@ TEST_F(TunePlanTest, TheTrafficFileMovesATopicWithItsAdaptation) {
   EXPECT_EQ(rules.of("location").traffic_class, TrafficClass::high);
 }
 
-TEST_F(TunePlanTest, MayStartFromFilesOfItsOwn) {
-  folder_.write("mine.yaml", "stream: {depth: 3}\n");
-  folder_.write("classes.yaml", "extends: traffic.yaml\nuxv:\n  normal: {topics: [camera]}\n");
-  const TunePlan sut = plan(std::string("qos: mine.yaml\ntraffic: classes.yaml\n") + toy);
-  const auto all = candidates_of(sut);
-  const QosProfiles profiles(folder_.write("c1.yaml", qos_text(sut, all[1])));
-  EXPECT_EQ(profiles.all().at("stream").depth, 3);
-  const TrafficRules rules(folder_.write("c2.yaml", traffic_text(sut, all[2])), Role::uxv);
-  EXPECT_EQ(rules.of("camera").traffic_class, TrafficClass::high);
-  EXPECT_FALSE(rules.of("camera").adaptive) << "nor is it there";
-}
-
 TEST_F(TunePlanTest, TheExperimentHasAPolicyForEachCandidateAndOneSet) {
   const TunePlan sut = plan();
   const YAML::Node file = YAML::Load(experiment_text(sut, candidates_of(sut), RunKind::simulated));
@@ -116,16 +104,9 @@ TEST_F(TunePlanTest, TheExperimentHasAPolicyForEachCandidateAndOneSet) {
   EXPECT_FALSE(file["seeds"]);
 }
 
-TEST_F(TunePlanTest, RunsOnTheRealStackHaveSeedsOfTheirOwn) {
-  const TunePlan sut = plan();
-  const YAML::Node file = YAML::Load(experiment_text(sut, {{"shipped", {}}}, RunKind::real));
-  EXPECT_EQ(file["sets"][0]["kind"].Scalar(), "real");
-  EXPECT_EQ(file["sets"][0]["seeds"].as<int>(), 2);
-  EXPECT_EQ(file["policies"].size(), 1U);
-}
-
 TEST(ShippedTuneFile, IsSoundAndEndsWithinAnHour) {
-  const TunePlan sut = read_tune_plan(TOCSIN_CONFIG "/experiments/tune.yaml", TOCSIN_CONFIG);
+  const TunePlan sut = read_tune_plan(TOCSIN_REPOSITORY "/config/experiments/tune.yaml",
+                                      TOCSIN_REPOSITORY "/config");
   const auto all = candidates_of(sut);
   EXPECT_EQ(all.size(), 28U);
   for (const Candidate& candidate : all) {

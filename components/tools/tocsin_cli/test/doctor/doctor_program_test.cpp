@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as a user runs it: what it prints, and how it ends.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "foundation/temporary_folder.hpp"
+
+namespace tocsin::doctor {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A bringup file with a ground station at `address`.
+std::string bringup(const std::string& address, const std::string& more = "") {
+  return "qos: qos.yaml\ntraffic: qos.yaml\ndomain: 60\n" + more +
+         "hosts:\n  gcs:\n    role: gcs\n    address: " + address +
+         "\n    peers: [127.0.0.1]\n    containers:\n      - {name: a, components: [recorder]}\n";
+}
+
+class DoctorProgram : public ::testing::Test {
+ protected:
+  DoctorProgram() { folder_.write("qos.yaml", ""); }
+  int run(const std::string& arguments) {
+    const std::string command =
+        "cd " + folder_.path() + " && " DOCTOR_PROGRAM " " + arguments + " >out 2>err";
+    const int status = std::system(command.c_str());
+    output_ = folder_.read("out");
+    error_ = folder_.read("err");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  TemporaryFolder folder_;
+  std::string output_;
+  std::string error_;
+};
+
+TEST_F(DoctorProgram, JudgesThisComputerAndSaysHowManyAreBad) {
+  const int code = run("");
+  EXPECT_EQ(error_, "");
+  EXPECT_THAT(output_, AllOf(HasSubstr("net.core.rmem_max"), HasSubstr("net.core.wmem_max"),
+                             HasSubstr("127.0.0.1 on lo"), HasSubstr("/dev/shm: ")));
+  EXPECT_THAT(output_, ContainsRegex("\n5 looked at, [0-9] bad\n$"));
+  EXPECT_EQ(code,
+            output_.find("\nBAD") == std::string::npos && output_.rfind("BAD", 0) != 0 ? 0 : 1)
+      << output_;
+}
+
+TEST_F(DoctorProgram, LooksAtTheHostsOfAFile) {
+  folder_.write("one.yaml", bringup("127.0.0.1"));
+  (void)run("one.yaml");
+  EXPECT_THAT(output_, AllOf(HasSubstr("127.0.0.1 on lo is up, with carrier"),
+                             HasSubstr("domain 60 (gcs): "), HasSubstr("clock of 127.0.0.1"),
+                             HasSubstr(" (link): "), Not(HasSubstr("/dev/net/tun"))));
+}
+
+TEST_F(DoctorProgram, ComparesNoClocksForAHostThatIsElsewhere) {
+  folder_.write("one.yaml", bringup("192.0.2.7"));
+  (void)run("one.yaml");
+  EXPECT_THAT(output_, HasSubstr("?    192.0.2.7 is not an address here\n"));
+  EXPECT_THAT(output_, Not(HasSubstr("clock of")));
+}
+
+TEST_F(DoctorProgram, AFileThatIsNotThereOrWrongIsOneLineAndCodeTwo) {
+  EXPECT_EQ(run("nowhere.yaml"), 2);
+  EXPECT_THAT(error_, AllOf(HasSubstr("tocsin doctor: "), HasSubstr("nowhere.yaml")));
+  EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1) << error_;
+  folder_.write("wrong.yaml", bringup("no_address"));
+  EXPECT_EQ(run("wrong.yaml"), 2);
+  EXPECT_THAT(error_, AllOf(HasSubstr("hosts.gcs.address"), HasSubstr("wrong.yaml:7")));
+  EXPECT_EQ(output_, "");
+}
+
+}  // namespace
+}  // namespace tocsin::doctor
