@@ -39,23 +39,29 @@ export function DrivePanel({ operator }: { operator: Operator; now: number }) {
           >
             I see the vehicle myself
           </button>
-          <div class="speeds" role="group" aria-label="Top speed">
-            {speedChoices.map((speeds) => (
-              <button
-                type="button"
-                key={speeds.linear}
-                aria-pressed={speeds === operator.speeds}
-                onClick={change(() => (operator.speeds = speeds))}
-              >
-                {speeds.linear.toFixed(1)}
-              </button>
-            ))}
-            <span class="muted">m/s</span>
-          </div>
+          <Speeds operator={operator} change={change} />
         </div>
         <Stick operator={operator} />
       </div>
     </Panel>
+  );
+}
+
+function Speeds({ operator, change }: { operator: Operator; change: (act: () => void) => () => void }) {
+  return (
+    <div class="speeds" role="group" aria-label="Top speed">
+      {speedChoices.map((speeds) => (
+        <button
+          type="button"
+          key={speeds.linear}
+          aria-pressed={speeds === operator.speeds}
+          onClick={change(() => (operator.speeds = speeds))}
+        >
+          {speeds.linear.toFixed(1)}
+        </button>
+      ))}
+      <span class="muted">m/s</span>
+    </div>
   );
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { RefObject } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { MapCanvas } from "../map/map_canvas.ts";
@@ -27,30 +28,29 @@ export function MapPanel({ operator }: { operator: Operator }) {
     <Panel name="map" title="Map" aside={<Legend />}>
       <div class="map-frame">
         <canvas ref={element} tabIndex={0} aria-label="Map: drag to move, wheel or + and - to zoom" />
-        <div class="tools">
-          <button type="button" title="Zoom in (+)" onClick={() => map.current?.zoom(1.4)}>+</button>
-          <button type="button" title="Zoom out (-)" onClick={() => map.current?.zoom(1 / 1.4)}>−</button>
-          <button type="button" title="Show all (0)" onClick={() => map.current?.fit()}>All</button>
-          <button
-            type="button"
-            title="Follow the vehicle (F)"
-            aria-pressed={map.current?.follows ?? false}
-            onClick={() => map.current?.follow(!map.current.follows)}
-          >
-            Follow
-          </button>
-          <button
-            type="button"
-            title="Choose places (G)"
-            aria-pressed={draft !== undefined}
-            onClick={() => setDraft(draft ? undefined : emptyDraft)}
-          >
-            Mission
-          </button>
-        </div>
+        <Tools map={map} drafts={draft !== undefined} onMission={() => setDraft(draft ? undefined : emptyDraft)} />
       </div>
       {draft && <MissionBar operator={operator} setDraft={setDraft} />}
     </Panel>
+  );
+}
+
+function Tools({ map, drafts, onMission }: { map: RefObject<MapCanvas | undefined>; drafts: boolean; onMission: () => void }) {
+  return (
+    <div class="tools">
+      <button type="button" title="Zoom in (+)" onClick={() => map.current?.zoom(1.4)}>+</button>
+      <button type="button" title="Zoom out (-)" onClick={() => map.current?.zoom(1 / 1.4)}>−</button>
+      <button type="button" title="Show all (0)" onClick={() => map.current?.fit()}>All</button>
+      <button
+        type="button"
+        title="Follow the vehicle (F)"
+        aria-pressed={map.current?.follows ?? false}
+        onClick={() => map.current?.follow(!map.current.follows)}
+      >
+        Follow
+      </button>
+      <button type="button" title="Choose places (G)" aria-pressed={drafts} onClick={onMission}>Mission</button>
+    </div>
   );
 }
 
