@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """House rules that need no compiler; prints file:line: rule, exit code 1 when one is broken."""
+import ast
 import pathlib
 import re
 import subprocess
@@ -10,6 +11,12 @@ import sys
 NAMES = {"JPEG": "libjpeg-dev", "libevdev": "libevdev-dev", "liblz4": "liblz4-dev", "libnl-genl-3.0": "libnl-genl-3-dev",
          "libzstd": "libzstd-dev", "nlopt_cxx": "libnlopt-cxx-dev", "OpenSSL": "libssl-dev", "tinyxml2": "libtinyxml2-dev", "PkgConfig": None, "Python3": None, "Threads": None, "GTest": None,
          "zlib": "zlib1g-dev"}
+# Packages that a LINK list names without `::`.
+PLAIN = {"yaml-cpp", "fastrtps", "fastcdr"}
+LONGEST_FUNCTION = 40  # lines; of C++ clang-tidy sees to it
+# The first line of a function in TypeScript; describe() of node's test runner holds tests, and does nothing.
+TYPESCRIPT_FUNCTION = re.compile(r"^( *)(?!.*\bdescribe\()(?!\}? ?(?:if|for|while|switch|catch|else|do)\b)"
+                                 r"(?:.*=> \{|.*\bfunction\b.*\{|(?:[\w#]+ )*[\w#]+(?:<.*>)?\(.*\).*\{)$")
 NUMBERS = r"(?:unsigned )?(?:short|long long|long)|octet|float|double|u?int(?:8|16|32|64)"
 FIELD = re.compile(rf"^\s*(?:sequence<)?\s*(?:{NUMBERS})\b[^;]*;(.*)$")
 # Rooms of packages, the lowest first: a package may depend on its own and on lower ones.
@@ -58,29 +65,80 @@ def check_failure_rows():
     macro = re.compile(r"^(?:TYPED_)?TEST(?:_[FP])?\((\w+), (\w+)\)", re.M)
     tests = {found for file in tracked("*_test.cpp") for found in macro.findall(file.read_text())}
     suites = {suite for suite, _ in tests}
+    names = {name for _, name in tests}
+    described = re.compile(r"^describe\(\"(\w+)", re.M)
+    names |= {name for file in tracked("components/*.test.ts") for name in described.findall(file.read_text())}
     for file in tracked("*.md"):
         in_table = False
         for number, line in enumerate(file.read_text().split("\n"), 1):
             cells = [cell.strip() for cell in line.strip().strip("|").split("|")] if line.startswith("|") else []
             in_table = bool(cells) and (in_table or cells[-1] == "test")
             suite = None
-            for named, name in re.findall(r"`([A-Z]\w+)?\.(\w+|\*)`", cells[-1] if in_table else ""):
-                suite = named or suite
+            named = cells[-1] if in_table else ""
+            for stated, name in re.findall(r"`([A-Z]\w+)?\.(\w+|\*)`", named):
+                suite = stated or suite
                 if suite not in suites or name != "*" and (suite, name) not in tests:
                     report(file, number, f"there is no test {suite}.{name}")
+            for name in re.findall(r"`([A-Z][a-z]\w+[A-Z]\w+)`", named):
+                if name not in suites | names:
+                    report(file, number, f"there is no test {name}")
 
 
 def check_dependencies():
     for cmake in tracked("idl/*CMakeLists.txt", "components/*CMakeLists.txt"):
         text = cmake.read_text()
         found = set(re.findall(r"^find_package\((\S+)", text, re.M))
+        # What stands under a condition is no dependency of every build.
+        linked = re.sub(r"^ *#.*?$|\$<.*?>|^if\(.*?^endif", "", text, flags=re.M | re.S)
+        found |= set(re.findall(r"([\w-]+)::[\w-]", linked)) - {re.search(r"project\(([\w-]+)", text)[1]}
+        found |= PLAIN & set(re.split(r"[\s()]+", linked))
+        if re.search(r"tocsin_component\(", text):
+            found.add("runtime")
+        if re.search(r"tocsin_idl_library\(", text):
+            found.add("idl_support")
         found |= set(re.findall(r"pkg_check_modules\(\w+ REQUIRED(?: IMPORTED_TARGET)? ([^\s)]+)", text))
         found = {NAMES.get(name, name) for name in found} - {None}
         xml = cmake.with_name("package.xml")
         stated = set(re.findall(r"<(?!test_)\w*depend>(\S+)</", xml.read_text()))
-        for name in sorted(found ^ stated):
+        for_tests = set(re.findall(r"<test_depend>(\S+)</", xml.read_text()))
+        for name in sorted((found - for_tests) ^ (stated - for_tests)):
             where = "CMakeLists.txt" if name in found else "package.xml"
             report(xml, 1, f"{name} is only in {where}")
+
+
+def check_demo():
+    """bringup/build demo builds what bringup/package.xml names."""
+    xml = pathlib.Path("bringup/package.xml")
+    there = {file.parent.name for file in tracked("components/*package.xml")}
+    for name in sorted(set(re.findall(r"<exec_depend>(\S+)</", xml.read_text())) - there):
+        report(xml, 1, f"there is no package {name}")
+
+
+def python_functions(text):
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            yield node.lineno, node.end_lineno
+
+
+def typescript_functions(text):
+    """By the indentation: the first line that closes what this one opens."""
+    lines = text.split("\n")
+    for number, line in enumerate(lines, 1):
+        head = TYPESCRIPT_FUNCTION.match(line)
+        if head:
+            yield number, next((end for end in range(number + 1, len(lines) + 1)
+                                if lines[end - 1].startswith(head[1] + "}")), number)
+
+
+def check_function_size():
+    python = [file for file in tracked("*.py", "test/*", "bringup/*")
+              if file.suffix == ".py" or file.read_bytes()[:30].startswith(b"#!/usr/bin/env python3")]
+    kinds = [(python_functions, python), (typescript_functions, tracked("components/*.ts", "components/*.tsx", "components/*.mjs"))]
+    for functions, files in kinds:
+        for file in files:
+            for first, last in functions(file.read_text()):
+                if last - first + 1 > LONGEST_FUNCTION:
+                    report(file, first, f"a function of {last - first + 1} lines; {LONGEST_FUNCTION} are allowed")
 
 
 def check_rooms():
@@ -142,6 +200,8 @@ check_versions()
 check_once()
 check_failure_rows()
 check_dependencies()
+check_demo()
+check_function_size()
 check_rooms()
 check_one_of_each()
 check_units()

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""clang-tidy over our sources (not the tests), in parallel.
+"""clang-tidy over our sources and tests, in parallel.
 
-Most of its time goes into the headers, so the sources of one target are looked at together, as
-one translation unit that includes them. Where they cannot stand together, or something is
-wrong, each is looked at by itself: what is reported never depends on the neighbours.
+Most of its time goes into the headers, so the sources of one target, and the tests of one package,
+are looked at together, as one translation unit that includes them; each test in a namespace of its
+own. Where they cannot stand together, or something is wrong, halves are looked at, down to one file:
+what is reported never depends on the neighbours. Tests have the checks of TEST_CHECKS.
 
 What was clean is remembered in the user's cache folder under the hash of everything that went
 into it: the text of the sources and of all our headers that they include, the command line, and
@@ -28,6 +29,13 @@ CLEAN = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or "~/.cache").expanduser(
 KEPT_DAYS = 30
 TOGETHER = 20  # sources of one translation unit at most: so that every core has work to the end
 
+# Of .clang-tidy what finds mistakes in tests: their names are sentences, and their copies are cheap.
+TEST_CHECKS = ("-*,bugprone-argument-comment,bugprone-assert-side-effect,bugprone-copy-constructor-init,"
+               "bugprone-dangling-handle,bugprone-inaccurate-erase,bugprone-infinite-loop,bugprone-integer-division,"
+               "bugprone-parent-virtual-call,bugprone-string-constructor,bugprone-swapped-arguments,"
+               "bugprone-too-small-loop-variable,bugprone-undelegated-constructor,bugprone-unused-raii,"
+               "bugprone-use-after-move,bugprone-virtual-near-miss,readability-function-size")
+
 Source = collections.namedtuple("Source", "file command read")
 
 
@@ -48,8 +56,12 @@ def compiled_as_one(file):
     return [pathlib.Path(name) for name in re.findall(r'#include "(.+)"', file.read_text())]
 
 
+def is_test(source):
+    return "test" in source.file.parts
+
+
 def targets():
-    """Package folder -> target -> its sources that are ours and no tests, each once."""
+    """The sources that are ours, each once, by target; those of tests by package."""
     for database in sorted(ROOT.glob("build/*/compile_commands.json")):
         read = dependencies(database.parent)
         found, seen = collections.defaultdict(list), set()
@@ -57,11 +69,11 @@ def targets():
             output = re.search(r" -o (\S+)", entry["command"]).group(1)
             for file in compiled_as_one(pathlib.Path(entry["file"])):
                 ours = ROOT in file.parents and ROOT / "build" not in file.parents
-                if not ours or "test" in file.parts or file in seen or not file.exists():
+                if not ours or file in seen or not file.exists():
                     continue
                 seen.add(file)
-                found[output.split(".dir/")[0]].append(
-                    Source(file, entry["command"], read.get(output, [])))
+                source = Source(file, entry["command"], read.get(output, []))
+                found["tests" if is_test(source) else output.split(".dir/")[0]].append(source)
         for sources in found.values():
             for first in range(0, len(sources), TOGETHER):
                 yield sources[first:first + TOGETHER]
@@ -72,12 +84,12 @@ def flags(source):
     words = shlex.split(source.command)
     while words and not words[0].startswith("-"):
         words.pop(0)
-    return [word for before, word in zip([""] + words, words)
-            if word not in ("-o", "-c") and before not in ("-o", "-c")]
+    dropped = ("-o", "-c", "-include")  # included is GCC's precompiled GoogleTest, which tests include, too
+    return [word for before, word in zip([""] + words, words) if word not in dropped and before not in dropped]
 
 
 def key(sources):
-    digest = hashlib.sha256((ROOT / ".clang-tidy").read_bytes())
+    digest = hashlib.sha256((ROOT / ".clang-tidy").read_bytes() + TEST_CHECKS.encode())
     for source in sources:
         digest.update(f"{source.file} {flags(source)}".replace(str(ROOT), "").encode())
     for name in sorted({name for source in sources for name in [str(source.file), *source.read]}):
@@ -87,28 +99,63 @@ def key(sources):
     return digest.hexdigest()
 
 
-def tidy(file, arguments):
+def tidy(file, arguments, test):
     """Empty when the file is clean, else what clang-tidy says. The command may be GCC's."""
-    done = subprocess.run(["clang-tidy", "--quiet", f"--config-file={ROOT}/.clang-tidy", str(file), "--", *arguments,
-                           "-Wno-unknown-warning-option"],
+    checks = [f"--checks={TEST_CHECKS}", "--header-filter=/test/"] if test else []
+    quiet = "-w" if test else "-Wno-unknown-warning-option"
+    done = subprocess.run(["clang-tidy", "--quiet", f"--config-file={ROOT}/.clang-tidy", *checks, str(file), "--",
+                           *arguments, quiet],
                           capture_output=True, text=True)
     return "" if done.returncode == 0 else done.stdout or done.stderr
 
 
+def tests_as_one(sources):
+    """Their headers, then each in a namespace, in which ours are seen as from their own places."""
+    texts = [source.file.read_text() for source in sources]
+    lines = list(dict.fromkeys(line for text in texts for line in re.findall(r"^#include .*", text, re.M)))
+    for number, (source, text) in enumerate(zip(sources, texts)):
+        spaces = sorted({"::".join(parts[:depth]) for name in re.findall(r"^namespace ([\w:]+) \{", text, re.M)
+                         for parts in [name.split("::")] for depth in range(1, len(parts) + 1)})
+        lines += [f"namespace {name} {{}}" for name in spaces]
+        lines.append(f"namespace test_{number} {{")
+        lines += [f"namespace {name} {{ using namespace ::{name}; }}" for name in spaces]
+        lines += [f'#include "{source.file}"', "}"]
+    return "\n".join(lines) + "\n"
+
+
+def joined_flags(sources):
+    """The flags of all, and where their own headers lie; an option stays in front of its value."""
+    beside = [f"-iquote{source.file.parent}" for source in sources]
+    options = beside + [flag for source in sources
+               for flag in re.sub(r"^(-isystem|-include|-I|-D)\n", "\\1\0", "\n".join(flags(source)), flags=re.M).split("\n")]
+    return [word for option in dict.fromkeys(options) for word in option.split("\0")]
+
+
+def complaints_of(sources):
+    test = is_test(sources[0])
+    if len(sources) == 1:
+        text = tidy(sources[0].file, flags(sources[0]), test)
+        return [text] if text else []
+    with tempfile.NamedTemporaryFile("w", suffix=".cpp") as unit:
+        unit.write(tests_as_one(sources) if test else "".join(f'#include "{one.file}"\n' for one in sources))
+        unit.flush()
+        arguments = joined_flags(sources) if test else flags(sources[0])
+        if not tidy(unit.name, arguments, test):
+            return []
+    middle = len(sources) // 2
+    return complaints_of(sources[:middle]) + complaints_of(sources[middle:])
+
+
 def check(sources):
-    """Complaints about sources of one target; nothing when they are clean."""
+    """Complaints about sources of one group; nothing when they are clean."""
     mark = CLEAN / key(sources)
     if mark.exists():
         mark.touch()
         return []
-    with tempfile.NamedTemporaryFile("w", suffix=".cpp") as unit:
-        unit.write("".join(f'#include "{source.file}"\n' for source in sources))
-        unit.flush()
-        clean = not tidy(unit.name, flags(sources[0]))
-    complaints = [] if clean else [tidy(source.file, flags(source)) for source in sources]
-    if not any(complaints):
+    complaints = complaints_of(sources)
+    if not complaints:
         mark.touch()
-    return [text for text in complaints if text]
+    return complaints
 
 
 def forget_old():
