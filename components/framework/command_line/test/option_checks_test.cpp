@@ -7,8 +7,6 @@
 namespace tocsin {
 namespace {
 
-using ::testing::HasSubstr;
-
 /// A program of two verbs; `launch` has options.
 struct Toy {
   Toy() {

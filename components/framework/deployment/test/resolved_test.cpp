@@ -10,7 +10,6 @@
 namespace tocsin::deployment {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 class ResolvedTest : public DeploymentTest {

@@ -179,10 +179,5 @@ TEST(Lint, MoreReservedThanThereIsAndALongPeriod) {
   EXPECT_THAT(rules_of(slow), ElementsAre("starving-flow"));
 }
 
-std::string reason_of(const LintInput& input) {
-  const auto findings = lint(input);
-  return findings.size() == 1 ? findings[0].reason : std::to_string(findings.size()) + " findings";
-}
-
 }  // namespace
 }  // namespace tocsin::qos_tool

@@ -13,7 +13,6 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 const std::vector<TopicUse> uses{{"odom", "sensor", false}, {"location", "sensor", true}};
 

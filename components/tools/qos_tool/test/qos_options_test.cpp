@@ -10,7 +10,6 @@ namespace tocsin::qos_tool {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 struct Parsed {
   std::string verb;

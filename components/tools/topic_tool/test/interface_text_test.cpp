@@ -12,7 +12,6 @@
 namespace tocsin::topic_tool {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
