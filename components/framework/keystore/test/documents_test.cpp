@@ -28,6 +28,7 @@ TEST(Documents, APermissionSaysWhoMayDoWhatAndUntilWhen) {
   EXPECT_EQ(read->until_s, now_s + 86'400);
   EXPECT_THAT(read->permissions.publish, ElementsAre("rt/location", "rt/*"));
   EXPECT_THAT(read->permissions.subscribe, ElementsAre("rt/goal"));
+  EXPECT_THAT(text, HasSubstr("<min>0</min><max>230</max>")) << "as Cyclone DDS takes them";
 }
 
 TEST(Documents, WhoMayDoNothingHasNoEmptyList) {
