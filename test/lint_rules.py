@@ -136,7 +136,48 @@ def check_yaml():
             if "YAML::Load" in line and file.name != "yaml_sources.cpp":
                 report(file, number, "reads YAML without limits; use foundation's yaml_sources.hpp")
 
+# Private words of the past; the field's are in STYLE.md's table.
+NOT_OURS = (r"\bfill(?:s|ed)?[ -]in\b|\bgiven (?:to (?:its|the) host|twice|on)\b|\b(?:next|former) life\b|\blives of\b|\btells?\b|\btold\b"
+            r"|\b(?:came|crossed)\b|\breceipts?\b|\bother makers?\b|\blone keys?\b|\b(?:tak\w+|took|g[ai]ves?|has) the (?:wheel|seat)\b"
+            r"|\bhea(?:rd?|rs)\b|\bclose[sd]? the gate\b|\bgate (?:is closed|closes)\b|\bwanted\b|\bends of\b|\bissues? \d+")
+FIGURES = "test/bench/figures/"
+PROSE_WORDS, SENTENCE_WORDS = 250, 40
 
+
+def prose_of(text):
+    """Markdown without code, tables, headings, link targets and what is printed between markers."""
+    text = re.sub(r"<!-- begin.*?<!-- end.*?-->", "", text, flags=re.S)
+    text = re.sub(r"^ *```.*?^ *```", "", text, flags=re.S | re.M)
+    text = re.sub(r"^(?: {4,}\S| *\||#).*$", "", text, flags=re.M)
+    return re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"`[^`]*`", "CODE", text))
+
+
+def words_of(file):
+    """Of a page: words that are not the field's, prose words beyond the limit, long sentences."""
+    text = file.read_text()
+    shown = re.sub(r"^ *```.*?^ *```|`[^`]*`|\]\([^)]*\)", "", text, flags=re.S | re.M)
+    prose = prose_of(text)
+    foreign = [match[0] for match in re.finditer(NOT_OURS, shown, re.I)]
+    sentences = re.split(r"(?<=[.!?:;])\s+(?=[A-Z`*\[])|\n\s*\n|\n\s*(?:[-*]|\d+\.) ", prose)
+    long = [sentence for sentence in sentences if len(sentence.split()) > SENTENCE_WORDS]
+    counted = str(file).startswith("components/") and file.name == "README.md" and file.parts[1] != "examples"
+    return foreign, max(0, len(prose.split()) - PROSE_WORDS) if counted else 0, long
+
+
+def warn_of_words():
+    """What lint --words prints; breaks nothing."""
+    for file in tracked("*.md"):
+        if str(file).startswith(FIGURES):
+            continue
+        foreign, above, long = words_of(file)
+        if foreign or above or long:
+            print(f"{file}: {len(foreign)} foreign words {sorted(set(word.lower() for word in foreign))[:6]}, "
+                  f"{above} words above {PROSE_WORDS}, {len(long)} long sentences")
+
+
+if sys.argv[1:] == ["--words"]:
+    warn_of_words()
+    sys.exit(0)
 check_licence()
 check_versions()
 check_once()
