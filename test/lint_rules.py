@@ -164,9 +164,22 @@ def words_of(file):
     return foreign, max(0, len(prose.split()) - PROSE_WORDS) if counted else 0, long
 
 
+def broken_links(file):
+    """Links of a page to files and headings that are not there."""
+    text = re.sub(r"^ *```.*?^ *```", "", file.read_text(), flags=re.S | re.M)
+    for target, anchor in re.findall(r"\]\((?!https?:)([^)#\s]*)#?([^)\s]*)\)", text):
+        path = file.parent / target if target else file
+        headings = re.findall(r"^#+ (.*)$", path.read_text(), re.M) if anchor and path.is_file() else []
+        known = {re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-") for heading in headings}
+        if not path.exists() or anchor and path.suffix == ".md" and anchor not in known:
+            yield target + ("#" + anchor if anchor else "")
+
+
 def warn_of_words():
     """What lint --words prints; breaks nothing."""
     for file in tracked("*.md"):
+        for link in broken_links(file):
+            print(f"{file}: no such link {link}")
         if str(file).startswith(FIGURES):
             continue
         foreign, above, long = words_of(file)
