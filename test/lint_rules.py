@@ -194,7 +194,61 @@ def check_yaml():
             if "YAML::Load" in line and file.name != "yaml_sources.cpp":
                 report(file, number, "reads YAML without limits; use foundation's yaml_sources.hpp")
 
+# Private words of the past; the field's are in STYLE.md's table.
+NOT_OURS = (r"\bfill(?:s|ed)?[ -]in\b|\bgiven (?:to (?:its|the) host|twice|on)\b|\b(?:next|former) life\b|\blives of\b|\btells?\b|\btold\b"
+            r"|\b(?:came|crossed)\b|\breceipts?\b|\bother makers?\b|\blone keys?\b|\b(?:tak\w+|took|g[ai]ves?|has) the (?:wheel|seat)\b"
+            r"|\bhea(?:rd?|rs)\b|\bclose[sd]? the gate\b|\bgate (?:is closed|closes)\b|\bwanted\b|\bends of\b|\bissues? \d+")
+FIGURES = "test/bench/figures/"
+PROSE_WORDS, SENTENCE_WORDS = 250, 40
 
+
+def prose_of(text):
+    """Markdown without code, tables, headings, link targets and what is printed between markers."""
+    text = re.sub(r"<!-- begin.*?<!-- end.*?-->", "", text, flags=re.S)
+    text = re.sub(r"^ *```.*?^ *```", "", text, flags=re.S | re.M)
+    text = re.sub(r"^(?: {4,}\S| *\||#).*$", "", text, flags=re.M)
+    return re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"`[^`]*`", "CODE", text))
+
+
+def words_of(file):
+    """Of a page: words that are not the field's, prose words beyond the limit, long sentences."""
+    text = file.read_text()
+    shown = re.sub(r"^ *```.*?^ *```|`[^`]*`|\]\([^)]*\)", "", text, flags=re.S | re.M)
+    prose = prose_of(text)
+    foreign = [match[0] for match in re.finditer(NOT_OURS, shown, re.I)]
+    sentences = re.split(r"(?<=[.!?:;])\s+(?=[A-Z`*\[])|\n\s*\n|\n\s*(?:[-*]|\d+\.) ", prose)
+    long = [sentence for sentence in sentences if len(sentence.split()) > SENTENCE_WORDS]
+    counted = str(file).startswith("components/") and file.name == "README.md" and file.parts[1] != "examples"
+    return foreign, max(0, len(prose.split()) - PROSE_WORDS) if counted else 0, long
+
+
+def broken_links(file):
+    """Links of a page to files and headings that are not there."""
+    text = re.sub(r"^ *```.*?^ *```", "", file.read_text(), flags=re.S | re.M)
+    for target, anchor in re.findall(r"\]\((?!https?:)([^)#\s]*)#?([^)\s]*)\)", text):
+        path = file.parent / target if target else file
+        headings = re.findall(r"^#+ (.*)$", path.read_text(), re.M) if anchor and path.is_file() else []
+        known = {re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-") for heading in headings}
+        if not path.exists() or anchor and path.suffix == ".md" and anchor not in known:
+            yield target + ("#" + anchor if anchor else "")
+
+
+def warn_of_words():
+    """What lint --words prints; breaks nothing."""
+    for file in tracked("*.md"):
+        for link in broken_links(file):
+            print(f"{file}: no such link {link}")
+        if str(file).startswith(FIGURES):
+            continue
+        foreign, above, long = words_of(file)
+        if foreign or above or long:
+            print(f"{file}: {len(foreign)} foreign words {sorted(set(word.lower() for word in foreign))[:6]}, "
+                  f"{above} words above {PROSE_WORDS}, {len(long)} long sentences")
+
+
+if sys.argv[1:] == ["--words"]:
+    warn_of_words()
+    sys.exit(0)
 check_licence()
 check_versions()
 check_once()

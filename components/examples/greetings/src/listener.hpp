@@ -7,7 +7,7 @@
 
 namespace example {
 
-/// Logs what it hears.
+/// Logs each greeting.
 class Listener final : public tocsin::Component {
  public:
   struct Params {

@@ -157,7 +157,7 @@ struct MissionCommand {
   using Message = std_msgs::msg::String;
   static constexpr TopicInfo info{"mission/command", "command", Scope::host};
 };
-/// The floor, frame map, as ROS's map_server tells it.
+/// The floor, frame map, as ROS's map_server publishes it.
 struct Map {
   using Message = nav_msgs::msg::OccupancyGrid;
   static constexpr TopicInfo info{"map", "state", Scope::host};
@@ -187,18 +187,18 @@ struct EmergencyStopRequest {
   static constexpr TopicInfo info{"emergency_stop/request", "event", Scope::host,
                                   Requests::anything};
 };
-/// What came of it.
+/// Its outcome.
 struct EmergencyStopState {
   using Message = tocsin_msgs::msg::EmergencyStopState;
   static constexpr TopicInfo info{"emergency_stop/state", "state", Scope::host};
 };
-/// Manual driving, from any computer. The stamp is when the operator wanted it, frame_id
-/// who he is: of several, one is followed.
+/// Manual driving, from any computer. The stamp is the operator's, frame_id the operator's name:
+/// the vehicle follows one of several.
 struct TeleopCmdVel {
   using Message = geometry_msgs::msg::TwistStamped;
   static constexpr TopicInfo info{"teleop/cmd_vel", "command", Scope::link};
 };
-/// Who drives by hand, and who asks for the wheel.
+/// Control authority: who drives by hand, and who asks for control.
 struct DriverState {
   using Message = tocsin_msgs::msg::DriverState;
   static constexpr TopicInfo info{"teleop/driver", "state", Scope::link};
@@ -213,7 +213,7 @@ struct DockingCommand {
   static constexpr TopicInfo info{"docking/command", "command", Scope::link};
 };
 
-// From both sides; the field `role` tells which.
+// From both sides; the field `role` says which.
 
 struct Heartbeat {
   using Message = tocsin_msgs::msg::Heartbeat;
@@ -228,7 +228,7 @@ struct TrafficReport {
   static constexpr TopicInfo info{"traffic_report", "telemetry", Scope::link};
 };
 
-/// Of the host's router: what crosses, what is lost, late, repaired, and why what was dropped.
+/// Of the host's router: samples sent, late, lost, repaired and dropped, by class and reason.
 struct LinkState {
   using Message = tocsin_msgs::msg::LinkState;
   static constexpr TopicInfo info{"link_state", "telemetry", Scope::link};
