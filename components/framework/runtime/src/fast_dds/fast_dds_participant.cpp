@@ -21,6 +21,7 @@ namespace tocsin {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
 using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
 
 /// Empty when no library here has the type.

@@ -3,6 +3,7 @@
 
 #include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@
 #include "runtime/middleware/qos_profile.hpp"
 
 namespace tocsin {
+
+class PacketFilter;
 
 /// Where a participant lives and whom it looks for: on its host (see host_side), or on the
 /// link, if it has peers. There discovery is unicast, and traffic stays on the interface

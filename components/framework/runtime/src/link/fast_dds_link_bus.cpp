@@ -12,6 +12,7 @@
 #include "keystore/participant.hpp"
 #include "link/flow_qos.hpp"
 #include "link/origin.hpp"
+#include "link/raw_type.hpp"
 #include "link/router_name.hpp"
 #include "link/sound_identity.hpp"
 #include "runtime/middleware/link_limits.hpp"

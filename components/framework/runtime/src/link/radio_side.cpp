@@ -15,7 +15,9 @@
 #include <utility>
 
 #include "fast_dds/this_host.hpp"
+#include "link/authentication_repeats.hpp"
 #include "link/discovery_pacer.hpp"
+#include "link/message_pieces.hpp"
 #include "link/radio_socket.hpp"
 #include "link/rtps_message.hpp"
 #include "watch/activity.hpp"

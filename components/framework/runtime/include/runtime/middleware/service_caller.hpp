@@ -23,13 +23,13 @@ class ServiceCaller : private ClientReceiver {
   ServiceCaller(HostGraph& graph, const ServiceEndpoint& endpoint);
   ServiceCaller(Bus& bus, const ServiceEndpoint& endpoint);
 
-  /// Whether somebody serves it, at once or within `patience`.
-  [[nodiscard]] bool wait_for_server(Duration patience);
+  /// Whether somebody serves it, at once or within `timeout`.
+  [[nodiscard]] bool wait_for_server(Duration timeout);
   /// Throws EnvironmentError when nobody does.
-  void require(Duration patience);
-  /// Throws EnvironmentError when nobody serves it, or nobody answers, within `patience` each.
+  void require(Duration timeout);
+  /// Throws EnvironmentError when nobody serves it, or nobody answers, within `timeout` each.
   [[nodiscard]] std::shared_ptr<const void> call(const std::shared_ptr<const void>& request,
-                                                 Duration patience);
+                                                 Duration timeout);
   /// Asks without waiting; nothing when nobody serves it. `reply` has the answer once it is there.
   [[nodiscard]] std::optional<std::int64_t> send(const std::shared_ptr<const void>& request) {
     return end_->send(request);
@@ -41,9 +41,9 @@ class ServiceCaller : private ClientReceiver {
  private:
   void receive(ServiceReply&& reply) override;
   void wake() override { changed_.notify_all(); }
-  /// Until `done`, Ctrl-C or the end of `patience`; what `done` says then.
+  /// Until `done`, Ctrl-C or the end of `timeout`; what `done` says then.
   template <class Condition>
-  bool wait(Duration patience, const Condition& done);
+  bool wait(Duration timeout, const Condition& done);
   const std::string name_;
   bool outlasts_signals_ = false;
   std::mutex mutex_;
@@ -57,12 +57,12 @@ class ServiceCaller : private ClientReceiver {
 template <class Service, class Host>
 std::shared_ptr<const typename Service::Response> call_service(Host& host, const std::string& node,
                                                                typename Service::Request request,
-                                                               Duration patience) {
+                                                               Duration timeout) {
   using Request = typename Service::Request;
   using Response = typename Service::Response;
   ServiceCaller caller(host, {Service::name, &type_info<Request>(), &type_info<Response>(), node});
   return std::static_pointer_cast<const Response>(
-      caller.call(std::make_shared<const Request>(std::move(request)), patience));
+      caller.call(std::make_shared<const Request>(std::move(request)), timeout));
 }
 
 }  // namespace tocsin
