@@ -34,14 +34,13 @@ struct Window {
 class FetchRuleTest : public ::testing::Test {
  protected:
   FetchRuleTest() {
-    (void)folder_.write(
-        "traffic.yaml",
-        "extends: traffic.yaml\n"
-        "uxv:\n"
-        "  low: {log: [odom]}\n"
-        "  fetch:\n"
-        "    - {when: safety_status, field: emergency_stop, equals: true, topics: [odom],\n"
-        "       before_s: 5, after_s: 5}\n");
+    (void)folder_.write("traffic.yaml",
+                        "extends: traffic.yaml\n"
+                        "uxv:\n"
+                        "  low: {log: [odom]}\n"
+                        "  fetch:\n"
+                        "    - {when: safety_status, field: emergency_stop, topics: [odom],\n"
+                        "       before_s: 5, after_s: 5}\n");
     (void)folder_.write("fetch.yaml",
                         "extends: mission.yaml\n"
                         "traffic: traffic.yaml\n"

@@ -60,7 +60,7 @@ Flow services_flow() {
   return flow;
 }
 
-/// Each is twelve ends of DDS, which a tick makes in some milliseconds.
+/// Each is twelve endpoints of DDS, which a tick makes in some milliseconds.
 constexpr int most_begun = 4;
 constexpr Duration between_begun = std::chrono::milliseconds(10);
 
@@ -86,8 +86,8 @@ bool follow_set(std::set<router::ServiceName>& now, const std::set<router::Servi
 
 }  // namespace
 
-CallLink::CallLink(Parts parts)
-    : parts_(std::move(parts)), host_(parts_.link.services()), directory_(rules_of(parts_.link)) {
+CallLink::CallLink(const LinkParts& parts)
+    : parts_(parts), host_(parts.link.services()), directory_(rules_of(parts.link)) {
   if (host_ == nullptr) return;
   services_ = open(services_flow(), TrafficClass::high);
   for (const CallClass& one : parts_.link.rules().call_classes()) open_calls(one);
@@ -99,8 +99,7 @@ FlowId CallLink::open(const Flow& flow, TrafficClass traffic_class) {
   const FlowId id = parts_.link.open(flow, traffic_class);
   router::StreamRule stream = stream_rule(flow, rule);
   stream.repaired = true;  // whatever its class: nobody asks twice
-  flows_[id] = stream;
-  parts_.sender.add_stream(id, stream);
+  parts_.streams.add(id, stream);
   return id;
 }
 
@@ -111,7 +110,8 @@ void CallLink::open_calls(const CallClass& calls) {
       open(calls_flow(link_results_topic(calls), result_lifespan_s), calls.traffic_class);
 }
 
-bool CallLink::carries(const std::string& topic) {
+bool CallLink::takes(const std::string& topic) const {
+  if (topic == link_services_topic) return true;
   for (const Role role : roles) {
     for (const TrafficClass one : traffic_classes) {
       const CallClass calls{role, one};
@@ -121,68 +121,73 @@ bool CallLink::carries(const std::string& topic) {
   return false;
 }
 
-void CallLink::follow(Time now) {
-  if (host_ == nullptr) return;
-  while (const auto event = host_->take()) {
-    std::visit([this, now](const auto& what) { on(what, now); }, *event);
-  }
-  follow_directory(now);
-  ask_waiting(now);
-  give_up(now);
+void CallLink::on_remote(const RemoteFlow& flow, const link_event::LinkSample& event, Instant at) {
+  if (parts_.on_arrived(flow, event, at.now) != router::Disposition::deliver) return;
+  const LinkPeer& peer = *parts_.peers.find(flow.peer);
+  if (flow.what.topic == link_services_topic) return on_services(peer, event.sample);
+  on_call(peer, event.sample, at.now);
 }
 
-void CallLink::on(const host_service_event::Server& event, Time) {
+void CallLink::follow(Instant at) {
+  if (host_ == nullptr) return;
+  while (const auto event = host_->take()) {
+    std::visit([this, at](const auto& what) { on(what, at); }, *event);
+  }
+  follow_directory(at);
+  ask_waiting(at.now);
+  give_up(at.now);
+}
+
+void CallLink::on(const host_service_event::Server& event, Instant) {
   directory_.on_server({event.what.name, event.what.type}, event.there);
 }
 
-void CallLink::on(const host_service_event::Client& event, Time now) {
-  directory_.on_client({event.what.name, event.what.type}, event.there, now);
+void CallLink::on(const host_service_event::Client& event, Instant at) {
+  directory_.on_client({event.what.name, event.what.type}, event.there, at.now);
 }
 
-void CallLink::on(const host_service_event::Changed&, Time) {}
-
-void CallLink::on(const host_service_event::Request& event, Time now) {
+void CallLink::on(const host_service_event::Request& event, Instant at) {
   const CallRule* const rule = parts_.link.rules().called(event.service);
   if (rule == nullptr) return;
-  own_.add(++last_call_, {event.service, event.id, deadline_of(event.service, *rule, now)});
+  own_.add(++last_call_, {event.service, event.id, deadline_of(event.service, *rule, at.now)});
   CallMessage message;
   message.caller(parts_.link.self());
   message.number(last_call_);
   message.reply(false);
   message.service(event.service);
   message.data(event.message);
-  offer(*rule, std::move(message), now);
+  offer(*rule, std::move(message), at);
 }
 
-void CallLink::on(const host_service_event::Reply& event, Time now) {
+void CallLink::on(const host_service_event::Reply& event, Instant at) {
   const auto asked = served_.take({event.service, event.number});
   const CallRule* const rule = parts_.link.rules().served(event.service);
   if (!asked || rule == nullptr) return;
   CallMessage message;
-  message.caller(asked->what.life);
+  message.caller(asked->what.instance);
   message.number(asked->what.number);
   message.reply(true);
   message.service(event.service);
   message.data(event.message);
-  offer(*rule, std::move(message), now);
+  offer(*rule, std::move(message), at);
 }
 
-void CallLink::on_services(PeerId peer, const std::string& name, const CarriedSample& sample) {
+void CallLink::on_services(const LinkPeer& peer, const CarriedSample& sample) {
   const auto content = parts_.link.unpack(type_info<ServicesMessage>(), sample);
   const auto* message = static_cast<const ServicesMessage*>(content.get());
   if (message == nullptr) return;
-  for (const std::string& refused : directory_.on_peer(peer, to_lists(*message))) {
-    refuse("service", refused, name, parts_.log);
+  for (const std::string& refused : directory_.on_peer(peer.instance, to_lists(*message))) {
+    refuse("service", refused, peer.name, parts_.log);
   }
 }
 
-void CallLink::on_call(const std::string& name, const CarriedSample& sample, Time now) {
+void CallLink::on_call(const LinkPeer& peer, const CarriedSample& sample, Time now) {
   const auto content = parts_.link.unpack(type_info<CallMessage>(), sample);
   const auto* message = static_cast<const CallMessage*>(content.get());
   if (host_ == nullptr || message == nullptr) return;
   if (!message->reply()) {
     const CallRule* const rule = parts_.link.rules().served(message->service());
-    if (rule == nullptr) return refuse("call of", message->service(), name, parts_.log);
+    if (rule == nullptr) return refuse("call of", message->service(), peer.name, parts_.log);
     take_request(*message, *rule, now);
   } else if (message->caller() == parts_.link.self()) {
     const auto call = own_.take(message->number());
@@ -204,7 +209,7 @@ void CallLink::ask_waiting(Time now) {
     const auto number = host_->ask(call.service, call.what.message);
     if (!number) continue;
     served_.add({call.service, *number}, {call.service, call.what.caller, call.deadline});
-    (void)waiting_.take(key);
+    waiting_.take(key);
   }
 }
 
@@ -220,44 +225,43 @@ void CallLink::give_up(Time now) {
   (void)served_.take_expired(now);
 }
 
-void CallLink::follow_directory(Time now) {
+void CallLink::follow_directory(Instant at) {
   const bool shows = follow_set(
-      shown_, directory_.shown(now), [this](const auto& name) { host_->end_serving(name); },
+      shown_, directory_.shown(at.now), [this](const auto& name) { host_->end_serving(name); },
       [this](const HostService& service) { host_->serve(service); });
   const bool asks = follow_set(
       asked_, directory_.asked(), [this](const auto& name) { host_->end_calling(name); },
       [this](const HostService& service) { host_->call(service); });
-  makes_ends_ = shows || asks;
+  makes_endpoints_ = shows || asks;
   auto offered = directory_.offered_there();
   if (offered != known_) host_->know(offered);
   known_ = std::move(offered);
-  const router::ServiceLists lists = directory_.told(now);
-  if (lists == told_ || parts_.link.self() == 0) return;
-  told_ = lists;
+  const router::ServiceLists lists = directory_.announced(at.now);
+  if (lists == announced_ || parts_.link.self() == 0) return;
+  announced_ = lists;
   offer(services_,
         parts_.link.pack(type_info<ServicesMessage>(),
                          std::make_shared<ServicesMessage>(to_message(lists))),
-        now);
+        at);
 }
 
-void CallLink::offer(const CallRule& rule, CallMessage message, Time now) {
+void CallLink::offer(const CallRule& rule, CallMessage message, Instant at) {
   const CallFlows& flows = by_class_.at({rule.how.server, rule.how.traffic_class});
   const FlowId flow = is_of_a_result(message.service()) ? flows.results : flows.calls;
   offer(
       flow,
       parts_.link.pack(type_info<CallMessage>(), std::make_shared<CallMessage>(std::move(message))),
-      now);
+      at);
 }
 
-void CallLink::offer(FlowId flow, CarriedSample sample, Time now) {
-  const router::Origin origin{parts_.link.self(), ++sequences_[flow],
-                              Time(Duration(parts_.wall_ns(now)))};
-  parts_.sender.offer(flow, {origin, sample.bytes, std::move(sample.content)}, now);
+void CallLink::offer(FlowId flow, CarriedSample sample, Instant at) {
+  const router::Origin origin{parts_.link.self(), ++sequences_[flow], Time(Duration(at.wall_ns))};
+  parts_.sender.offer(flow, {origin, sample.bytes, std::move(sample.content)}, at.now);
 }
 
 Time CallLink::deadline(Time now) const {
   return std::min({directory_.deadline(now), own_.deadline(), waiting_.deadline(),
-                   served_.deadline(), makes_ends_ ? now + between_begun : never});
+                   served_.deadline(), makes_endpoints_ ? now + between_begun : never});
 }
 
 }  // namespace tocsin

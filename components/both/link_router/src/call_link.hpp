@@ -2,49 +2,37 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "link_router/link_sender.hpp"
 #include "link_router/pending_calls.hpp"
 #include "link_router/service_directory.hpp"
-#include "runtime/logger.hpp"
+#include "link_service.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "tocsin_idl/link_calls.hpp"
 
 namespace tocsin {
 
 /// Calls of services between this host and those of the peers: between the host's clients and
-/// servers, the decisions (router::ServiceDirectory, router::PendingCalls) and the link.
-class CallLink {
+/// servers, the decisions (router::ServiceDirectory, router::PendingCalls) and the link. It opens
+/// nothing where no calls cross.
+class CallLink final : public LinkService {
  public:
-  /// All outlive it.
-  struct Parts {
-    LinkBus& link;
-    router::LinkSender& sender;
-    Logger& log;
-    std::function<std::int64_t(Time)> wall_ns;  ///< [ns] since the Unix epoch
-  };
-  explicit CallLink(Parts parts);
+  explicit CallLink(const LinkParts& parts);
 
-  /// Its flows on the link, which are streams of the sender; none where no calls cross.
-  [[nodiscard]] const std::map<FlowId, router::StreamRule>& flows() const { return flows_; }
-
-  /// Whether a topic of the link carries calls.
-  [[nodiscard]] static bool carries(const std::string& topic);
-
+  void on_peer_gone(const LinkPeer& peer, Instant) override {
+    directory_.forget_peer(peer.instance);
+  }
+  [[nodiscard]] bool takes(const std::string& topic) const override;
+  void on_remote_flow(const RemoteFlow& flow, Instant) override { parts_.expect(flow); }
+  void on_remote_flow_gone(const RemoteFlow& flow) override { parts_.forget(flow); }
+  void on_remote(const RemoteFlow& flow, const link_event::LinkSample& event, Instant at) override;
   /// What has happened on the host, and what follows from that and from what the peers have said.
-  void follow(Time now);
-  /// A life of a peer has sent which services its host has and wants. `name`: of its host.
-  void on_services(PeerId peer, const std::string& name, const CarriedSample& sample);
-  /// A peer has sent a request or a reply.
-  void on_call(const std::string& name, const CarriedSample& sample, Time now);
-  void on_lost(PeerId peer) { directory_.forget_peer(peer); }
-  [[nodiscard]] Time deadline(Time now) const;
+  void follow(Instant at) override;
+  [[nodiscard]] Time deadline(Time now) const override;
 
  private:
   using CallMessage = tocsin_msgs::msg::LinkCall;
@@ -57,7 +45,7 @@ class CallLink {
   using ClassKey = std::pair<Role, TrafficClass>;
   /// Who asked from another host.
   struct Caller {
-    std::uint64_t life = 0;
+    std::uint64_t instance = 0;
     std::uint64_t number = 0;
   };
   struct Request {
@@ -65,32 +53,34 @@ class CallLink {
     Bytes message;
   };
 
-  void on(const host_service_event::Server& event, Time now);
-  void on(const host_service_event::Client& event, Time now);
-  void on(const host_service_event::Request& event, Time now);
-  void on(const host_service_event::Reply& event, Time now);
-  void on(const host_service_event::Changed& event, Time now);
+  void on(const host_service_event::Server& event, Instant at);
+  void on(const host_service_event::Client& event, Instant at);
+  void on(const host_service_event::Request& event, Instant at);
+  void on(const host_service_event::Reply& event, Instant at);
+  void on(const host_service_event::Changed&, Instant) {}
+  /// A peer has sent which services its host has and wants, or a request or a reply.
+  void on_services(const LinkPeer& peer, const CarriedSample& sample);
+  void on_call(const LinkPeer& peer, const CarriedSample& sample, Time now);
   FlowId open(const Flow& flow, TrafficClass traffic_class);
   void open_calls(const CallClass& calls);
-  void follow_directory(Time now);
+  void follow_directory(Instant at);
   void take_request(const CallMessage& message, const CallRule& rule, Time now);
   void ask_waiting(Time now);
   void give_up(Time now);
-  void offer(FlowId flow, CarriedSample sample, Time now);
-  void offer(const CallRule& rule, CallMessage message, Time now);
+  void offer(FlowId flow, CarriedSample sample, Instant at);
+  void offer(const CallRule& rule, CallMessage message, Instant at);
 
-  Parts parts_;
+  const LinkParts parts_;
   HostServices* const host_;  ///< null where no calls cross
   router::ServiceDirectory directory_;
-  std::map<FlowId, router::StreamRule> flows_;
   std::map<FlowId, std::uint64_t> sequences_;
   std::map<ClassKey, CallFlows> by_class_;
   FlowId services_ = 0;
-  router::ServiceLists told_;
+  router::ServiceLists announced_;
   std::set<std::string> known_;  ///< of the peers' services, by this host
   std::set<router::ServiceName> shown_;
   std::set<router::ServiceName> asked_;
-  bool makes_ends_ = false;  ///< some are left for the next ticks
+  bool makes_endpoints_ = false;  ///< some are left for the next ticks
 
   std::uint64_t last_call_ = 0;
   router::PendingCalls<std::uint64_t, CallId> own_;  ///< of this host's clients, by number

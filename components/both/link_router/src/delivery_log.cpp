@@ -27,12 +27,12 @@ bool is_settled(const DeliveryLog::Record& record) {
 
 }  // namespace
 
-void DeliveryLog::add(const Record& record) {
-  const auto kept = std::make_shared<Record>(record);
-  Records& records = streams_[record.sample->stream];
+void DeliveryLog::add(Record record) {
+  const auto kept = std::make_shared<Record>(std::move(record));
+  Records& records = streams_[kept->sample->stream];
   records.push_back(kept);
-  record.sample->under_way += static_cast<unsigned>(record.copies.size());
-  if (!record.copies.empty()) under_way_.push_back(kept);
+  kept->sample->under_way += static_cast<unsigned>(kept->copies.size());
+  if (!kept->copies.empty()) under_way_.push_back(kept);
   // No acknowledgement tells of older ones.
   if (records.size() > StreamAcknowledgement::window + 1) records.pop_front();
 }
@@ -65,18 +65,17 @@ void DeliveryLog::give_up(Ends ends, std::vector<Settlement>& settled) {
   if (any) drop_settled();
 }
 
-Settlement DeliveryLog::settle(Record& record, Copy& copy, bool came) {
+Settlement DeliveryLog::settle(Record& record, Copy& copy, bool received) {
   Settlement settlement;
   settlement.peer = copy.peer;
-  settlement.came = came;
-  settlement.was_settled = copy.settled;
+  settlement.received = received;
   settlement.cost = record.cost;
   settlement.sent = record.sent;
   settlement.expected = copy.expected;
   settlement.sample = record.sample;
   if (!copy.settled) --record.sample->under_way;
   copy.settled = true;
-  copy.came = came;
+  copy.received = received;
   return settlement;
 }
 
@@ -93,7 +92,7 @@ void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& ackno
   for (const RecordPtr& record : found->second) {
     if (!names(acknowledgement, record->number)) continue;
     for (Copy& copy : record->copies) {
-      if (copy.peer != peer || copy.came) continue;
+      if (copy.peer != peer || copy.received) continue;
       Settlement one = settle(*record, copy, true);
       one.is_exact = record->number == acknowledgement.highest && acknowledgement.age < longest_age;
       one.arrived = one.is_exact ? made - acknowledgement.age : made;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t most_memories = 256;
 /// A stream is in the acknowledgements of this time after something of it came, so that one of them
 /// comes through.
-constexpr Duration told_for = std::chrono::milliseconds(500);
+constexpr Duration repeated_for = std::chrono::milliseconds(500);
 /// What is not older than this was sent a moment ago.
 constexpr Duration fresh = std::chrono::milliseconds(500);
 /// Only numbers far below the highest are received for so long: the highest is none of the peer's.
@@ -21,10 +21,10 @@ constexpr Duration contrary_for = std::chrono::milliseconds(500);
 
 LinkReceiver::LinkReceiver(const LinkRouterParams& params) : params_(params) { check(params); }
 
-void LinkReceiver::on_peer(const std::string& peer, Incarnation incarnation) {
+void LinkReceiver::on_peer(const std::string& peer, InstanceId instance) {
   Peer& known = peers_.try_emplace(peer, seconds(params_.clock_window_s)).first->second;
-  if (known.incarnation == incarnation) return;
-  known.incarnation = incarnation;
+  if (known.instance == instance) return;
+  known.instance = instance;
   known.streams.clear();
   known.acknowledgements = 0;
   known.acknowledgement_due = Time::min();
@@ -33,14 +33,14 @@ void LinkReceiver::on_peer(const std::string& peer, Incarnation incarnation) {
 void LinkReceiver::forget_peer(const std::string& peer) {
   const auto known = peers_.find(peer);
   if (known == peers_.end()) return;
-  known->second.incarnation.reset();
+  known->second.instance.reset();
   known->second.streams.clear();
   known->second.acknowledgement_due = never;
 }
 
 void LinkReceiver::on_stream(const std::string& peer, StreamId stream, const StreamRule& rule) {
   const auto known = peers_.find(peer);
-  if (known == peers_.end() || !known->second.incarnation) return;
+  if (known == peers_.end() || !known->second.instance) return;
   Stream one;
   one.rule = rule;
   known->second.streams[stream] = std::move(one);
@@ -60,10 +60,10 @@ Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arr
   ask_for_acknowledgement(from, now);
   const StreamRule& rule = found->second.rule;
   const Disposition disposition = judge(from, rule, arrived.origin, now);
-  const bool came_in_vain =
+  const bool in_vain =
       disposition == Disposition::superseded || disposition == Disposition::expired;
   // Of a stored stream it follows in another way, unless an acknowledgement tells of it.
-  if (!rule.stored || !came_in_vain) note(found->second, arrived.number, now);
+  if (!rule.stored || !in_vain) note(found->second, arrived.number, now);
   return disposition;
 }
 
@@ -137,8 +137,7 @@ void LinkReceiver::ask_for_acknowledgement(Peer& peer, Time now) const {
 
 void LinkReceiver::ask_for_acknowledgement(const std::string& peer, Time now) {
   const auto known = peers_.find(peer);
-  if (known != peers_.end() && known->second.incarnation)
-    ask_for_acknowledgement(known->second, now);
+  if (known != peers_.end() && known->second.instance) ask_for_acknowledgement(known->second, now);
 }
 
 std::optional<LinkReceiver::Addressed> LinkReceiver::take_acknowledgement(Time now) {
@@ -151,9 +150,9 @@ std::optional<LinkReceiver::Addressed> LinkReceiver::take_acknowledgement(Time n
 LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) const {
   LinkAcknowledgement acknowledgement{++peer.acknowledgements, now, {}};
   // After a silence everything is told once more.
-  const bool idle = !peer.acknowledgement_sent || now - *peer.acknowledgement_sent >= told_for;
+  const bool idle = !peer.acknowledgement_sent || now - *peer.acknowledgement_sent >= repeated_for;
   for (const auto& [id, stream] : peer.streams) {
-    if (stream.highest == 0 || (!idle && now - stream.noted > told_for)) continue;
+    if (stream.highest == 0 || (!idle && now - stream.noted > repeated_for)) continue;
     acknowledgement.streams.push_back({id, stream.highest, now - stream.last, stream.before});
   }
   peer.acknowledgement_sent = now;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the host offers, the pause, the peers; what is put on the wire is in link_sender_wire.cpp,
-// what acknowledgements tell in link_sender_acknowledgements.cpp.
 #include "link_router/link_sender.hpp"
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
+#include <memory>
 #include <utility>
 
 namespace tocsin::router {
@@ -13,8 +11,6 @@ namespace {
 
 /// Sources of one stream that are remembered; then the one unheard for longest goes.
 constexpr std::size_t most_sources = 64;
-/// A measured nominal rate is forgotten with this time constant.
-constexpr double peak_memory_s = 20;
 
 Time later(Time time, Duration by) { return by > never - time ? never : time + by; }
 
@@ -27,224 +23,328 @@ Duration patience_of(const LinkRouterParams& params) {
 
 LinkSender::LinkSender(const LinkRouterParams& params)
     : params_(params),
+      paths_(params),
       queue_(static_cast<std::size_t>(params.queue_bytes)),
       log_(patience_of(params)),
-      scale_(params) {
+      pacer_(params, paths_, log_),
+      retransmitter_(params, paths_, pacer_, gate_),
+      adaptation_(params) {
   check(params);
 }
 
 void LinkSender::add_stream(StreamId stream, const StreamRule& rule) {
   assert(rule.depth > 0);
-  const bool is_new = streams_.try_emplace(stream, Stream{}).second;
+  const bool is_new = streams_.try_emplace(stream, Stream{rule, {}, false}).second;
   assert(is_new);
-  streams_[stream].rule = rule;
+  if (is_new && rule.adaptive) adaptation_.add_stream(stream);
 }
 
 void LinkSender::remove_stream(StreamId stream) {
   const auto found = streams_.find(stream);
   if (found == streams_.end()) return;
-  for (const Waiting& waiting : queue_.take_stream(stream)) {
-    count_dropped(found->second, waiting, DropReason::removed);
+  const StreamRule& rule = found->second.rule;
+  for (const auto& waiting : {queue_.take_stream(stream), gate_.take_stream(stream)}) {
+    for (const Waiting& one : waiting) counters_.on_dropped(one, rule, DropReason::removed);
   }
-  for (const auto& entry : found->second.sources) {
-    if (entry.second.held) count_dropped(found->second, *entry.second.held, DropReason::removed);
-  }
-  for (const SentSamplePtr& sent : open_) {
-    if (sent->stream != stream) continue;
-    tell_fate(*sent, LiveFate::did_not_cross);
-    sent->superseded = true;
-    sent->under_way = 0;
-  }
+  for (const SentSamplePtr& sent : retransmitter_.end_stream(stream)) counters_.end(*sent);
   streams_.erase(found);
+  adaptation_.forget_stream(stream);
+  counters_.forget_stream(stream);
   log_.forget_stream(stream);
-  for (auto& entry : peers_) entry.second.wanted.erase(stream);
+  paths_.forget_stream(stream);
 }
 
-void LinkSender::on_peer(const std::string& peer, Incarnation incarnation, Time now) {
-  const auto known = peers_.find(peer);
-  if (known != peers_.end()) {
-    if (known->second.incarnation == incarnation) return;
-    forget_peer(peer, now);
-  }
-  peers_.emplace(std::piecewise_construct, std::forward_as_tuple(peer),
-                 std::forward_as_tuple(params_, ++last_peer_, incarnation));
+void LinkSender::on_peer(const std::string& peer, InstanceId instance, Time now) {
+  const PeerPath* const known = paths_.find(peer);
+  if (known != nullptr && known->instance == instance) return;
+  forget_peer(peer, now);
+  paths_.add(peer, instance);
 }
 
 void LinkSender::forget_peer(const std::string& peer, Time now) {
-  const auto known = peers_.find(peer);
-  if (known == peers_.end()) return;
-  const PeerIndex index = known->second.index;
-  peers_.erase(known);
+  const PeerPath* const known = paths_.find(peer);
+  if (known == nullptr) return;
+  const PeerIndex index = known->index;
+  paths_.remove(peer);
   apply(log_.forget_peer(index), now);
-  for (const SentSamplePtr& sent : open_) {
-    auto& missing = sent->missing;
-    missing.erase(std::remove(missing.begin(), missing.end(), index), missing.end());
-  }
-  conclude_all(now);
+  retransmitter_.forget_reader(index, std::nullopt);
+  conclude(now);
 }
 
 void LinkSender::set_wanted(const std::string& peer, StreamId stream, bool wanted, Time now) {
-  const auto known = peers_.find(peer);
+  PeerPath* const to = paths_.find(peer);
   const auto found = streams_.find(stream);
-  if (known == peers_.end() || found == streams_.end()) return;
-  Peer& to = known->second;
+  if (to == nullptr || found == streams_.end()) return;
   if (!wanted) {
-    to.wanted.erase(stream);
-    for (const SentSamplePtr& sent : open_) {
-      if (sent->stream != stream) continue;
-      auto& missing = sent->missing;
-      missing.erase(std::remove(missing.begin(), missing.end(), to.index), missing.end());
-    }
-    return conclude_all(now);
+    to->wanted.erase(stream);
+    retransmitter_.forget_reader(to->index, stream);
+    return conclude(now);
   }
-  if (!to.wanted.insert(stream).second || !found->second.rule.durable) return;
-  for (auto& entry : found->second.sources) {
+  if (!to->wanted.insert(stream).second || !found->second.rule.durable) return;
+  for (const auto& entry : found->second.sources) {
     const SentSamplePtr& newest = entry.second.newest;
     if (!newest || now > newest->expires) continue;
     const auto copy = std::make_shared<SentSample>(*newest);
-    copy->missing = {to.index};
+    copy->missing = {to->index};
     copy->under_way = 0;
     copy->repair_at = now;
     copy->transmissions = 0;
     copy->counted = false;
     copy->superseded = false;
     copy->fate = SentSample::Fate::open;
-    open_.push_back(copy);
+    retransmitter_.add(copy);
   }
 }
 
-bool LinkSender::is_paused(const StreamRule& rule) const {
-  return paused_ && rule.while_paused != WhilePaused::send;
-}
-
-LinkSender::Source& LinkSender::source_of(Stream& stream, const Sample& sample) const {
+LinkSender::Source& LinkSender::source_of(Stream& stream, const Sample& sample) {
   const auto [place, is_new] = stream.sources.try_emplace(sample.origin.source);
   if (is_new && stream.sources.size() > most_sources) {
     auto oldest = stream.sources.end();
     for (auto it = stream.sources.begin(); it != stream.sources.end(); ++it) {
-      if (it == place || it->second.held) continue;
+      if (it == place) continue;
       if (oldest == stream.sources.end() || it->second.sent < oldest->second.sent) oldest = it;
     }
-    if (oldest != stream.sources.end()) stream.sources.erase(oldest);
+    stream.sources.erase(oldest);
   }
   return place->second;
-}
-
-void LinkSender::meter_offer(Stream& stream, const WireCost& cost, Time now) {
-  if (stream.offered != Time::min()) {
-    const Duration since = now - stream.offered;
-    stream.peak_bytes_per_s *= std::exp(-to_seconds(since) / peak_memory_s);
-  }
-  stream.offered = now;
-  if (!stream.rule.adaptive) return;
-  const double nominal = static_cast<double>(cost.bytes) / scale_.scale();
-  stream.nominal.add(static_cast<std::size_t>(nominal), now);
-  stream.peak_bytes_per_s = std::max(stream.peak_bytes_per_s, stream.nominal.bytes_per_s(now));
 }
 
 void LinkSender::offer(StreamId stream, const Sample& sample, Time now) {
   const auto found = streams_.find(stream);
   assert(found != streams_.end());
-  Stream& to = found->second;
-  ++counts(to.rule.traffic_class).offered;
-  ++to.counts.offered;
+  const StreamRule& rule = found->second.rule;
   const WireCost cost = wire_cost(sample.bytes);
-  meter_offer(to, cost, now);
-  const Waiting waiting{stream, sample, cost, now, later(now, to.rule.lifespan)};
-  is_paused(to.rule) ? hold(to, waiting) : enqueue(to, waiting);
+  counters_.on_offered(stream, rule.traffic_class);
+  adaptation_.on_offered(stream, cost, now);
+  const Waiting waiting{stream, sample, cost, now, later(now, rule.lifespan)};
+  gate_.stops(rule.while_paused) ? hold(rule, waiting) : enqueue(rule, waiting);
 }
 
-void LinkSender::enqueue(Stream& stream, const Waiting& waiting) {
-  count_dropped(queue_.add(stream.rule.traffic_class, stream.rule.depth, waiting));
+void LinkSender::enqueue(const StreamRule& rule, const Waiting& waiting) {
+  drop(queue_.add(rule.traffic_class, rule.depth, waiting));
 }
 
-void LinkSender::hold(Stream& stream, const Waiting& waiting) {
-  if (stream.rule.while_paused == WhilePaused::drop) {
-    count_dropped(stream, waiting, DropReason::paused);
-    return;
-  }
-  auto& held = source_of(stream, waiting.sample).held;
-  if (held) count_dropped(stream, *held, DropReason::paused);
-  held = waiting;
+void LinkSender::hold(const StreamRule& rule, const Waiting& waiting) {
+  const auto dropped = gate_.hold(rule.while_paused, waiting);
+  if (dropped) counters_.on_dropped(*dropped, rule, DropReason::paused);
 }
 
 void LinkSender::set_paused(bool paused, Time now) {
-  if (paused == paused_) return;
-  paused_ = paused;
+  if (paused == gate_.is_paused()) return;
+  gate_.set_paused(paused);
   for (auto& [id, stream] : streams_) {
     if (stream.rule.while_paused == WhilePaused::send) continue;
     if (paused) {
-      for (const Waiting& waiting : queue_.take_stream(id)) hold(stream, waiting);
-      continue;
-    }
-    for (auto& entry : stream.sources) {
-      if (!entry.second.held) continue;
-      enqueue(stream, *std::exchange(entry.second.held, std::nullopt));
+      for (const Waiting& one : queue_.take_stream(id)) hold(stream.rule, one);
+    } else {
+      for (const Waiting& one : gate_.take_stream(id)) enqueue(stream.rule, one);
     }
   }
-  count_dropped(queue_.take_expired(now));
+  drop(queue_.take_expired(now));
 }
 
-void LinkSender::count_dropped(const std::vector<Dropped>& dropped) {
+void LinkSender::drop(const std::vector<Dropped>& dropped) {
   for (const Dropped& one : dropped) {
-    count_dropped(streams_.at(one.waiting.stream), one.waiting, one.reason);
+    counters_.on_dropped(one.waiting, streams_.at(one.waiting.stream).rule, one.reason);
   }
 }
 
-void LinkSender::count_dropped(Stream& stream, const Waiting& waiting, DropReason reason) {
-  ++counts(stream.rule.traffic_class).dropped[static_cast<std::size_t>(reason)];
-  ++stream.counts.dropped;
-  if (reason == DropReason::paused) ++stream.counts.paused;
-  if (!stream.rule.stored) return;
-  fates_.push_back({waiting.stream, waiting.sample.origin, LiveFate::did_not_cross});
+std::optional<Transmission> LinkSender::next(Time now) {
+  apply(log_.give_up_overdue(now), now);
+  drop(queue_.take_expired(now));
+  conclude(now);
+  adaptation_.follow(paths_, now);
+  for (const TrafficClass traffic_class : traffic_classes) {
+    if (queue_.samples(traffic_class) > 0) {
+      const std::size_t packets = pacer_.packets_allowed(traffic_class, now);
+      const auto waiting = queue_.take_first(traffic_class, packets);
+      if (waiting) return send_first(*waiting, now);
+    }
+    if (const auto sent = retransmitter_.due(traffic_class, now)) return transmit(sent, now);
+  }
+  return std::nullopt;
 }
 
-void LinkSender::tell_fate(const SentSample& sent, LiveFate fate) {
-  const auto stream = streams_.find(sent.stream);
-  if (!sent.counted || stream == streams_.end() || !stream->second.rule.stored) return;
-  fates_.push_back({sent.stream, sent.sample.origin, fate});
+Transmission LinkSender::send_first(const Waiting& waiting, Time now) {
+  const SentSamplePtr sent = make_sent(waiting);
+  Stream& stream = streams_.at(waiting.stream);
+  counters_.on_first_sent(*sent);
+  source_of(stream, sent->sample).sent = now;
+  retransmitter_.supersede(*sent, stream.rule.depth);
+  retransmitter_.add(sent);
+  return transmit(sent, now);
 }
 
-StreamCounts LinkSender::stream_counts(StreamId stream) const {
-  const auto found = streams_.find(stream);
-  return found == streams_.end() ? StreamCounts{} : found->second.counts;
+SentSamplePtr LinkSender::make_sent(const Waiting& waiting) {
+  Stream& stream = streams_.at(waiting.stream);
+  const StreamRule& rule = stream.rule;
+  const auto sent = std::make_shared<SentSample>();
+  sent->stream = waiting.stream;
+  sent->traffic_class = rule.traffic_class;
+  sent->sample = waiting.sample;
+  sent->cost = waiting.cost;
+  sent->offered = waiting.offered;
+  sent->expires = waiting.expires;
+  sent->while_paused = rule.while_paused;
+  sent->is_repaired = rule.repaired;
+  sent->is_stored = rule.stored;
+  sent->missing = paths_.readers_of(waiting.stream);
+  if (rule.durable) {
+    source_of(stream, sent->sample).newest = sent;
+  } else if (sent->expires == never) {
+    sent->expires = waiting.offered + seconds(params_.repair_lifespan_s);
+  }
+  return sent;
+}
+
+Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
+  const Stream& stream = streams_.at(sent->stream);
+  const WireCost& cost = sent->cost;
+  Transmission one{sent->stream, sent->sample, false, {0, now, cost, sent, {}}};
+  Duration expected{0};
+  for (auto& entry : paths_.all()) {
+    PeerPath& peer = entry.second;
+    if (peer.wanted.count(sent->stream) == 0) continue;
+    const Duration wait = std::min(peer.estimator.backlog(now), peer.estimator.expected_delay());
+    expected = std::max(expected, wait);
+    one.record.copies.push_back({peer.index, peer.estimator.on_sent(cost, now), false, false});
+  }
+  const bool was_sent = sent->transmissions > 0;
+  retransmitter_.schedule(*sent, expected, now);
+  pacer_.on_sent(now);
+  if (stream.is_backfill) return one;
+  one.repair = was_sent;
+  if (!stream.rule.adaptive) adaptation_.on_other(cost, now);
+  if (was_sent || !sent->counted) {
+    counters_.on_repair(sent->traffic_class);
+    retransmitter_.spend(cost.bytes, now);
+  }
+  return one;
+}
+
+void LinkSender::on_written(const Transmission& transmission, TransmissionNumber number) {
+  DeliveryLog::Record record = transmission.record;
+  record.number = number;
+  log_.add(std::move(record));
+}
+
+bool LinkSender::has_waiting() const {
+  return std::any_of(traffic_classes.begin(), traffic_classes.end(),
+                     [this](TrafficClass one) { return queue_.samples(one) > 0; });
+}
+
+Time LinkSender::deadline(Time now) const {
+  const Time next =
+      std::min({queue_.next_expiry(), log_.next_overdue(), retransmitter_.deadline(now)});
+  if (!has_waiting()) return next;
+  const Time opens = pacer_.opens(now);
+  return opens > now ? std::min(next, opens) : next;
+}
+
+void LinkSender::on_acknowledgement(const std::string& peer,
+                                    const LinkAcknowledgement& acknowledgement, Time now) {
+  PeerPath* const from = paths_.find(peer);
+  if (from == nullptr) return;
+  // An older or repeated one is as true as when it was made, so that no count is remembered.
+  const bool was_silent = from->estimator.is_silent(now);
+  const auto settlements = log_.on_acknowledgement(from->index, acknowledgement);
+  const bool received = std::any_of(settlements.begin(), settlements.end(),
+                                    [](const Settlement& one) { return one.received; });
+  apply(settlements, now);
+  if (!received) return;
+  if (log_.count_under_way(from->index, 0) == 0) from->estimator.on_all_settled();
+  if (!was_silent) return;
+  from->estimator.start_over(now);
+  retransmitter_.revive(now);
+}
+
+void LinkSender::apply(const std::vector<Settlement>& settlements, Time now) {
+  for (const Settlement& one : settlements) apply(one, now);
+  if (!settlements.empty()) conclude(now);
+}
+
+void LinkSender::apply(const Settlement& settlement, Time now) {
+  PeerPath* const peer = paths_.find(settlement.peer);
+  if (peer == nullptr) return;
+  if (!settlement.received) return peer->estimator.on_lost();
+  const Duration delay =
+      peer->estimator.on_received({settlement.cost, settlement.sent, settlement.expected,
+                                   settlement.arrived, settlement.is_exact},
+                                  now);
+  SentSample& sent = *settlement.sample;
+  if (settlement.is_exact) counters_.on_delay(sent.traffic_class, delay);
+  const auto place = std::find(sent.missing.begin(), sent.missing.end(), settlement.peer);
+  if (place == sent.missing.end()) return;
+  sent.missing.erase(place);
+  sent.received = true;
+  sent.repaired = sent.repaired || settlement.sent != sent.first_sent;
+  sent.late = sent.late || settlement.sent + delay - sent.offered > seconds(params_.late_after_s);
+  const bool was_given_up = sent.fate == SentSample::Fate::lost && sent.missing.empty();
+  if (was_given_up) counters_.revoke_loss(sent);
+}
+
+void LinkSender::conclude(Time now) {
+  for (const SentSamplePtr& sent : retransmitter_.conclude(now)) counters_.conclude(*sent);
+}
+
+void LinkSender::add_backfill_stream(StreamId stream) {
+  StreamRule rule;
+  rule.name = "backfill";
+  add_stream(stream, rule);
+  streams_.at(stream).is_backfill = true;
+}
+
+bool LinkSender::may_backfill(Time now) const {
+  return !gate_.is_paused() && !has_waiting() && pacer_.is_idle(now);
+}
+
+Time LinkSender::backfill_opens(Time now) const {
+  if (may_backfill(now)) return now;
+  return gate_.is_paused() ? never : pacer_.idle_from(now);
+}
+
+Transmission LinkSender::backfill(StreamId stream, const Sample& sample, Time now) {
+  const auto sent = std::make_shared<SentSample>();
+  sent->stream = stream;
+  sent->traffic_class = streams_.at(stream).rule.traffic_class;
+  sent->sample = sample;
+  sent->cost = wire_cost(sample.bytes);
+  sent->offered = now;
+  sent->expires = now;
+  sent->counted = false;
+  sent->superseded = true;
+  sent->missing = paths_.readers_of(stream);
+  retransmitter_.add(sent);
+  return transmit(sent, now);
 }
 
 std::vector<StreamBudget> LinkSender::budgets(Time now) const {
-  std::vector<StreamBudget> budgets;
-  const bool full = backlog(now) > seconds(params_.hold_backlog_s);
-  for (const auto& [id, stream] : streams_) {
-    if (!stream.rule.adaptive) continue;
-    const bool hold = full || queue_.has(id);
-    budgets.push_back({id, scale_.scale() * stream.peak_bytes_per_s, scale_.scale(), hold});
-  }
-  return budgets;
+  const bool is_full = paths_.backlog(now) > seconds(params_.hold_backlog_s);
+  return adaptation_.budgets([&](StreamId stream) { return is_full || queue_.has(stream); });
 }
 
 LinkStateValues LinkSender::state(Time now) const {
   LinkStateValues values;
-  values.classes = counts_;
+  values.classes = counters_.classes();
   for (const TrafficClass traffic_class : traffic_classes) {
     ClassCounts& counts = values.classes[index_of(traffic_class)];
     counts.waiting_samples = queue_.samples(traffic_class);
     counts.waiting_bytes = queue_.bytes(traffic_class);
   }
   for (const auto& [id, stream] : streams_) {
+    const LinkGate::Held held = gate_.held(id);
     ClassCounts& counts = values.classes[index_of(stream.rule.traffic_class)];
-    for (const auto& entry : stream.sources) {
-      if (!entry.second.held) continue;
-      ++counts.waiting_samples;
-      counts.waiting_bytes += entry.second.held->sample.bytes;
-    }
+    counts.waiting_samples += held.samples;
+    counts.waiting_bytes += held.bytes;
   }
-  values.capacity_bytes_per_s = capacity_bytes_per_s(now);
-  const LinkEstimator* const slowest = slowest_peer(now);
+  const LinkEstimator* const slowest = paths_.slowest(now);
+  values.capacity_bytes_per_s = paths_.capacity_bytes_per_s(now);
   values.capacity_measured = slowest != nullptr && slowest->is_capacity_measured();
-  values.backlog = backlog(now);
-  values.scale = scale_.scale();
-  values.repair_share = std::min(repairs_.bytes_per_s(now) / values.capacity_bytes_per_s, 1.0);
-  values.paused = paused_;
-  for (const auto& entry : peers_) {
+  values.backlog = paths_.backlog(now);
+  values.scale = adaptation_.scale();
+  values.repair_share = retransmitter_.share(now);
+  values.paused = gate_.is_paused();
+  for (const auto& entry : paths_.all()) {
     const LinkEstimator& estimator = entry.second.estimator;
     ++(estimator.is_silent(now) ? values.silent_peers : values.live_peers);
     values.loss = std::max(values.loss, estimator.loss());

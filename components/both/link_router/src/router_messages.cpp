@@ -68,11 +68,26 @@ router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule) {
   stream.while_paused = while_paused(rule.while_poor);
   stream.depth = static_cast<std::size_t>(flow.depth);
   stream.lifespan = std::isfinite(flow.lifespan_s) ? seconds(flow.lifespan_s) : Duration::max();
-  stream.repaired = router::repairs_by_default(stream.traffic_class);
+  stream.repaired = policy_of(stream.traffic_class).repaired;
   stream.durable = flow.transient_local;
   stream.adaptive = rule.adaptive;
   stream.stored = rule.stored || rule.logged || flow.stored;
   return stream;
+}
+
+router::Origin origin_of(const CarriedSample& sample) {
+  return {sample.source, sample.sequence, Time(Duration(sample.sent_wall_ns))};
+}
+
+CarriedSample carried(const router::Sample& sample) {
+  return {sample.content, static_cast<std::uint32_t>(sample.bytes), sample.origin.source,
+          sample.origin.sequence, sample.origin.sent.time_since_epoch().count()};
+}
+
+bool is_sound(const tocsin_msgs::msg::LinkAcknowledgement& message) {
+  const std::size_t count = message.streams().size();
+  return message.highest().size() == count && message.age_100us().size() == count &&
+         message.before().size() == count;
 }
 
 tocsin_msgs::msg::LinkAcknowledgement to_message(
@@ -92,15 +107,11 @@ tocsin_msgs::msg::LinkAcknowledgement to_message(
 std::optional<router::LinkAcknowledgement> to_acknowledgement(
     const tocsin_msgs::msg::LinkAcknowledgement& message,
     const std::function<std::optional<router::StreamId>(std::uint32_t)>& stream_of) {
-  const std::size_t count = message.streams().size();
-  if (message.highest().size() != count || message.age_100us().size() != count ||
-      message.before().size() != count) {
-    return std::nullopt;
-  }
+  if (!is_sound(message)) return std::nullopt;
   router::LinkAcknowledgement acknowledgement;
   acknowledgement.made = Time(Duration(message.made_ns()));
   acknowledgement.count = message.count();
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < message.streams().size(); ++i) {
     const auto stream = stream_of(message.streams()[i]);
     if (!stream) continue;
     acknowledgement.streams.push_back(

@@ -18,10 +18,16 @@ namespace tocsin {
 /// What the configuration and its writers say of a flow. `rule` of the host that sends it.
 [[nodiscard]] router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule);
 
-/// The lives are backfilled by the caller.
+/// Where a carried sample comes from, and back.
+[[nodiscard]] router::Origin origin_of(const CarriedSample& sample);
+[[nodiscard]] CarriedSample carried(const router::Sample& sample);
+
+/// Without instances, backfill and requests.
 [[nodiscard]] tocsin_msgs::msg::LinkAcknowledgement to_message(
     const router::LinkAcknowledgement& acknowledgement);
-/// Nothing when its lists are not of one length. `stream_of` tells the stream of a wire id; what it
+/// Whether its lists are of one length.
+[[nodiscard]] bool is_sound(const tocsin_msgs::msg::LinkAcknowledgement& message);
+/// Nothing when its lists are not of one length. `stream_of` is the stream of a wire id; what it
 /// does not know is left out.
 [[nodiscard]] std::optional<router::LinkAcknowledgement> to_acknowledgement(
     const tocsin_msgs::msg::LinkAcknowledgement& message,

@@ -27,50 +27,49 @@ std::uint64_t random_instance() {
 }  // namespace
 
 RouterStop::RouterStop(Component& owner, const Context& context, LinkBus& link, Logger& log)
-    : owner_(owner),
-      link_(link),
+    : link_(link),
       log_(log),
       role_(context.role),
       file_(context.state_path(std::string(".") + to_string(context.role) + ".link_stop")),
       side_(make_side(owner, role_, file_, owner.bus().now())),
-      told_(owner) {
+      output_(owner) {
   value_.role = role_;
   value_.instance = random_instance();
 }
 
-RouterStop::~RouterStop() = default;
-
-void RouterStop::follow(Time now) {
+void RouterStop::begin(Instant at) {
+  const Time now = at.now;
   side_->take(link_.take_stop_news(), now);
-  say(now);
-  tell(now);
+  send_value(at);
+  publish(at);
   if (now >= next_) next_ = now + stop_value_period;
   if (!file_.save(side_->kept())) log_.warn("the emergency stop cannot be kept for a restart");
 }
 
-void RouterStop::say(Time now) {
+void RouterStop::send_value(Instant at) {
+  const Time now = at.now;
   StopValue value = value_;
   side_->fill(value, now);
   if (says_the_same(value, value_) && now < next_) return;
-  const std::int64_t wall_ns = owner_.bus().wall_ns(now);
-  if (value.stands != value_.stands) value.since_wall_ns = wall_ns;
-  const auto wall_us = static_cast<std::uint64_t>(std::max<std::int64_t>(0, wall_ns / 1000));
+  if (value.stands != value_.stands) value.since_wall_ns = at.wall_ns;
+  const auto wall_us = static_cast<std::uint64_t>(std::max<std::int64_t>(0, at.wall_ns / 1000));
   value.number = std::max(value_.number + 1, wall_us);
   value_ = std::move(value);
   link_.say_stop(value_);
 }
 
-void RouterStop::tell(Time now) {
-  if (!side_->may_tell(now)) return;
+void RouterStop::publish(Instant at) {
+  const Time now = at.now;
+  if (!side_->may_publish(now)) return;
   topic::LinkStop::Message message;
   side_->fill(message, now);
   const bool same = message_ && message_->stands() == message.stands() &&
                     message_->stopped_by() == message.stopped_by() &&
                     message_->releases() == message.releases();
   if (same && now < next_) return;
-  message.stamp(ros_stamp(owner_.bus().wall_ns(now)));
+  message.stamp(ros_stamp(at.wall_ns));
   message_ = message;
-  if (told_.write(std::move(message)) == Status::failed) log_.warn("the stop was not told");
+  if (output_.write(std::move(message)) == Status::failed) log_.warn("the stop was not published");
 }
 
 }  // namespace tocsin

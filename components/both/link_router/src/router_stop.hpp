@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "link_service.hpp"
 #include "runtime/component.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "runtime/port.hpp"
@@ -16,7 +17,7 @@ namespace tocsin {
 
 /// The emergency stop's part of a router: what the host says to the link, and what the link says to
 /// the host. It needs no stream of the router.
-class RouterStop {
+class RouterStop final : public LinkService {
  public:
   /// A host's side of it.
   class Side {
@@ -28,27 +29,25 @@ class RouterStop {
     /// What the host is told.
     virtual void fill(topic::LinkStop::Message& message, Time now) = 0;
     /// Whether it knows enough for that.
-    [[nodiscard]] virtual bool may_tell(Time) const { return true; }
+    [[nodiscard]] virtual bool may_publish(Time) const { return true; }
     /// What a successor needs.
     [[nodiscard]] virtual StopKeysFile::Content kept() const = 0;
   };
 
   RouterStop(Component& owner, const Context& context, LinkBus& link, Logger& log);
-  ~RouterStop();
-  void follow(Time now);
-  [[nodiscard]] Time deadline() const { return next_; }
+  void begin(Instant at) override;
+  [[nodiscard]] Time deadline(Time) const override { return next_; }
 
  private:
-  void say(Time now);
-  void tell(Time now);
+  void send_value(Instant at);
+  void publish(Instant at);
 
-  Component& owner_;
   LinkBus& link_;
   Logger& log_;
   const Role role_;
   StopKeysFile file_;
   std::unique_ptr<Side> side_;
-  Output<topic::LinkStop> told_;
+  Output<topic::LinkStop> output_;
   StopValue value_;
   std::optional<topic::LinkStop::Message> message_;
   Time next_ = Time::min();

@@ -78,7 +78,7 @@ bool ServiceDirectory::is_wanted_here(const std::string& name, Time now) const {
   });
 }
 
-ServiceLists ServiceDirectory::told(Time now) const {
+ServiceLists ServiceDirectory::announced(Time now) const {
   ServiceLists lists;
   for (const ServiceName& server : servers_) {
     const Crossing crossing = rules_.served(server.name);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "store_places.hpp"
 
+#include <string>
+
 namespace tocsin {
 namespace {
 
@@ -9,18 +11,21 @@ std::string store_folder(const Context& context, const std::string& directory) {
   return context.run_dir + "/" + to_string(context.role) + "/store";
 }
 
-}  // namespace
-
-StorePlace store_place(const Context& context, const LinkRouterComponent::Params& params) {
-  return {store_folder(context, params.store_directory),
-          {static_cast<std::uint64_t>(params.store_bytes), seconds(params.store_age_s)}};
+sample_log::LogLimits limits(int bytes, double age_s) {
+  return {static_cast<std::uint64_t>(bytes), seconds(age_s)};
 }
 
-StorePlace history_place(const Context& context, const LinkRouterComponent::Params& params) {
+}  // namespace
+
+BackfillLink::Params backfill_params(const Context& context,
+                                     const LinkRouterComponent::Params& params) {
+  using sample_log::LogUse;
   const std::string folder = store_folder(context, params.store_directory);
-  return {folder.empty() ? "" : folder + "/history",
-          {static_cast<std::uint64_t>(params.history_bytes), seconds(params.history_age_s)},
-          sample_log::LogUse::history};
+  const std::string history = folder.empty() ? "" : folder + "/history";
+  return {{folder, limits(params.store_bytes, params.store_age_s), LogUse::queue},
+          {history, limits(params.history_bytes, params.history_age_s), LogUse::history},
+          params.link,
+          params.fetch_around_stop_s};
 }
 
 }  // namespace tocsin

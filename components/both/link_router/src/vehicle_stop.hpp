@@ -18,7 +18,7 @@ class VehicleStop final : public RouterStop::Side {
   void fill(StopValue& value, Time now) override;
   void fill(topic::LinkStop::Message& message, Time now) override;
   /// Until then the host hears nothing, which is a stop where it has heard a router before.
-  [[nodiscard]] bool may_tell(Time now) const override { return listener_.knows(now); }
+  [[nodiscard]] bool may_publish(Time now) const override { return listener_.knows(now); }
   [[nodiscard]] StopKeysFile::Content kept() const override;
 
  private:

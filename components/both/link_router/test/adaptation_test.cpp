@@ -23,20 +23,6 @@ TEST(Adaptation, BulkWaitsUntilTheRadioHasSentTheOneBefore) {
   EXPECT_EQ(link.sent.back().sample.origin.sequence, 101U);
 }
 
-TEST(Adaptation, ANewerPictureTakesThePlaceOfTheOneThatWaits) {
-  LinkPair link;
-  link.add(1, rule_of(TrafficClass::low));
-  learn_capacity(link, 1);
-  for (std::uint64_t sequence = 100; sequence < 103; ++sequence) {
-    link.offer(1, sequence, picture_bytes);
-    link.run(ms);
-  }
-  link.run(100 * ms);
-  EXPECT_EQ(link.delivered[1].back(), 102U);
-  const auto counts = link.counts(TrafficClass::low);
-  EXPECT_EQ(counts.dropped[static_cast<std::size_t>(DropReason::superseded)], 1U);
-}
-
 TEST(Adaptation, LearnsTheCapacityAndTheBudgetFollows) {
   LinkPair link;
   StreamRule camera = rule_of(TrafficClass::low);

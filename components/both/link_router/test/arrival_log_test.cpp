@@ -18,17 +18,16 @@ using ::testing::IsEmpty;
 
 constexpr FlowId other_flow = 800;
 
-class ArrivalLogTest : public BackfillLinkTest {
+class ArrivalLogTest : public StoreTest {
  protected:
-  ArrivalLogTest() {
-    (void)folder_.write("traffic.yaml",
-                        "uxv: {normal: {topics: [goal, pose]}}\n"
-                        "gcs: {low: {topics: [goal, odom], store: [goal], keep: [goal]}}\n");
-    script_.rules = TrafficRules(folder_.path("traffic.yaml"), Role::uxv);
+  ArrivalLogTest()
+      : StoreTest(
+            "uxv: {normal: {topics: [goal, pose]}}\n"
+            "gcs: {low: {topics: [goal, odom], store: [goal], keep: [goal]}}\n") {
     next_life();
   }
   void next_life() {
-    start(folder_.path("store"));
+    start();
     meet();
     script_.happen(link_event::PeerFlow{peer_backfills, station, 9, flow(backfill_topic)});
     Flow stored = flow("goal");
@@ -74,14 +73,6 @@ TEST_F(ArrivalLogTest, EachSampleIsInItOnceOverLivesOfBothSides) {
   hear(1, 1);
   hear(2, 2);
   EXPECT_THAT(kept(), ElementsAre(1, 2));
-}
-
-TEST_F(ArrivalLogTest, IsNotToldAsALogThatOthersMayAskFor) {
-  hear(1, 1);
-  run(12);
-  const auto states = host_->states.take();
-  ASSERT_FALSE(states.empty());
-  EXPECT_THAT(states.back().logged(), IsEmpty());
 }
 
 }  // namespace

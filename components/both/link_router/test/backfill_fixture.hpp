@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+#include <set>
+#include <utility>
+
 #include "devices/absent_devices.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "link_router_fixture.hpp"
@@ -16,25 +19,23 @@ using BackfillMessage = tocsin_msgs::msg::Backfill;
 
 inline constexpr FlowId peer_backfills = 700;
 
-/// A router that stores battery_state, on a scripted link with a station.
-class BackfillLinkTest : public LinkRouterTest {
+/// A router of the vehicle with stores, on a scripted link with a station.
+class StoreTest : public LinkRouterTest {
  protected:
-  BackfillLinkTest() {
-    (void)folder_.write("traffic.yaml",
-                        "uxv:\n  low: {while_poor: drop, topics: [battery_state, cpu_load], "
-                        "store: [battery_state]}\n"
-                        "gcs: {low: {topics: [goal], store: [goal]}}\n");
-    script_.rules = TrafficRules(folder_.path("traffic.yaml"), Role::uxv);
-    start(folder_.path("store"));
+  explicit StoreTest(const std::string& traffic) { start_with(traffic); }
+  void start_with(const std::string& traffic) {
+    script_.rules = TrafficRules(folder_.write("traffic.yaml", traffic), Role::uxv);
+    start();
   }
-  /// A life of the router, the one before being over.
-  void start(const std::string& directory) {
+  /// An instance of the router, the one before being over.
+  void start(double fetch_around_stop_s = 0, const std::string& directory = "store") {
     host_.reset();
     script_.opened.clear();
     script_.sent.clear();
     script_.offered_here.clear();
     LinkRouterComponent::Params params;
-    params.store_directory = directory;
+    params.store_directory = folder_.path(directory);
+    params.fetch_around_stop_s = fetch_around_stop_s;
     LinkRouterTest::start(params, computer_);
   }
   [[nodiscard]] FlowId backfills() const { return script_.opened_for(backfill_topic); }
@@ -43,38 +44,52 @@ class BackfillLinkTest : public LinkRouterTest {
     begin_peer_flow("link_acknowledgement", acknowledgement_flow);
     listen(backfills());
   }
-  /// The sequences that were backfilled, by each message.
-  [[nodiscard]] std::vector<std::uint64_t> sent() const {
-    std::vector<std::uint64_t> sequences;
+  [[nodiscard]] std::vector<const BackfillMessage*> batches() const {
+    std::vector<const BackfillMessage*> all;
     for (const ScriptedLink::Sent& one : script_.sent) {
       if (one.flow != backfills()) continue;
-      for (const auto& sample : message_of(one).samples()) {
-        sequences.push_back(sample.sequence_number());
-      }
+      all.push_back(static_cast<const BackfillMessage*>(one.sample.content.get()));
+    }
+    return all;
+  }
+  /// The sequences that were backfilled, without repetitions of a batch in its session.
+  [[nodiscard]] std::vector<std::uint64_t> sent() const {
+    std::vector<std::uint64_t> sequences;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> numbers;
+    for (const BackfillMessage* const one : batches()) {
+      if (!numbers.emplace(one->session(), one->number()).second) continue;
+      for (const auto& sample : one->samples()) sequences.push_back(sample.sequence_number());
     }
     return sequences;
   }
-  [[nodiscard]] static const BackfillMessage& message_of(const ScriptedLink::Sent& one) {
-    return *static_cast<const BackfillMessage*>(one.sample.content.get());
-  }
-  void confirm(std::uint32_t session, std::uint32_t number, std::uint32_t count) {
+  /// The station acknowledges batches, and asks for these.
+  void confirm(std::uint32_t session, std::uint32_t number,
+               const std::vector<tocsin_msgs::msg::LogRequest>& requests = {}) {
     auto acknowledgement = std::make_shared<Acknowledgement>();
     acknowledgement->from_life(station);
     acknowledgement->to_life(ScriptedLink::own_life);
-    acknowledgement->count(count);
     acknowledgement->made_ns(host_->bus.now().time_since_epoch().count());
     acknowledgement->backfill_session(session);
     acknowledgement->backfill_number(number);
+    acknowledgement->requests(requests);
     tell(acknowledgement);
   }
-  [[nodiscard]] tocsin_msgs::msg::StoredTopic told() {
+  void ask(const std::vector<tocsin_msgs::msg::LogRequest>& requests) { confirm(0, 0, requests); }
+  [[nodiscard]] std::int64_t wall_ns() const { return host_->bus.wall_ns(host_->bus.now()); }
+  /// Of the last seconds until now.
+  [[nodiscard]] tocsin_msgs::msg::LogRequest request(const std::string& topic, double last_s = 3600,
+                                                     std::uint64_t id = 41) const {
+    tocsin_msgs::msg::LogRequest request;
+    request.id(id);
+    request.topic(topic);
+    request.from_ns(wall_ns() - seconds(last_s).count());
+    request.to_ns(wall_ns());
+    return request;
+  }
+  [[nodiscard]] tocsin_msgs::msg::LinkState state() {
     run(1.5);
     const auto states = host_->states.take();
-    EXPECT_FALSE(states.empty());
-    std::vector<tocsin_msgs::msg::StoredTopic> stored;
-    if (!states.empty()) stored = states.back().stored();
-    EXPECT_EQ(stored.size(), 1U);
-    return stored.empty() ? tocsin_msgs::msg::StoredTopic() : stored.front();
+    return states.empty() ? tocsin_msgs::msg::LinkState() : states.back();
   }
   void begin_stored_peer_flow(const std::string& topic = "goal") {
     Flow stored = flow(topic);
@@ -142,6 +157,26 @@ class BackfillLinkTest : public LinkRouterTest {
   TemporaryFolder folder_;
   AbsentDevices computer_;
   std::uint64_t backfill_number_ = 0;
+};
+
+/// It stores battery_state.
+class BackfillLinkTest : public StoreTest {
+ protected:
+  BackfillLinkTest()
+      : StoreTest(
+            "uxv:\n  low: {while_poor: drop, topics: [battery_state, cpu_load], "
+            "store: [battery_state]}\n"
+            "gcs: {low: {topics: [goal], store: [goal]}}\n") {}
+};
+
+inline constexpr FlowId camera_flow = 501;
+
+/// It logs camera and odom.
+class HistoryLinkTest : public StoreTest {
+ protected:
+  HistoryLinkTest()
+      : StoreTest(
+            "uxv:\n  low: {while_poor: drop, topics: [camera, cpu_load], log: [camera, odom]}\n") {}
 };
 
 }  // namespace tocsin

@@ -23,8 +23,8 @@ TEST_F(BackfillLinkTest, WhatAPauseKeptBackIsFilledInAfterIt) {
   EXPECT_THAT(sent(), IsEmpty()) << "nothing while paused";
   set_active(true);
   EXPECT_THAT(sent(), ElementsAre(1, 2, 3));
-  confirm(1, 1, 1);
-  const auto state = told();
+  confirm(1, 1);
+  const auto state = StoreTest::state().stored().at(0);
   EXPECT_EQ(state.topic(), "battery_state");
   EXPECT_EQ(state.stored(), 3U);
   EXPECT_EQ(state.backfilled(), 3U);
@@ -32,41 +32,17 @@ TEST_F(BackfillLinkTest, WhatAPauseKeptBackIsFilledInAfterIt) {
   EXPECT_TRUE(script_.opened.at(script_.opened_for("battery_state")).flow.stored);
 }
 
-TEST_F(BackfillLinkTest, ATopicThatIsNotStoredIsNotFilledIn) {
-  meet_station();
-  listen(begin("cpu_load"));
-  set_active(false);
-  write(1);
-  set_active(true);
-  run(3);
-  EXPECT_THAT(sent(), IsEmpty());
-  EXPECT_FALSE(script_.opened.at(script_.opened_for("cpu_load")).flow.stored);
-}
-
-TEST_F(BackfillLinkTest, WhatCrossesLiveIsNotFilledIn) {
-  meet_station();
-  const FlowId on_link = begin("battery_state");
-  listen(on_link);
-  write(1);
-  acknowledge(on_link, 1);
-  run(5);
-  EXPECT_EQ(script_.sent_on(on_link), 1U);
-  EXPECT_THAT(sent(), IsEmpty());
-}
-
 TEST_F(BackfillLinkTest, WhatANextLifeFindsInTheLogIsFilledInThoughNobodyWritesItNow) {
   (void)begin("battery_state");
   write(1);
   write(2);
   run(1);
-  start(folder_.path("store"));
+  start();
   meet_station();
   EXPECT_THAT(sent(), ElementsAre(1, 2));
-  const auto first = std::find_if(script_.sent.begin(), script_.sent.end(),
-                                  [this](const auto& one) { return one.flow == backfills(); });
-  EXPECT_EQ(message_of(*first).topic(), "battery_state");
-  confirm(1, 1, 1);
-  start(folder_.path("store"));
+  EXPECT_EQ(batches().front()->topic(), "battery_state");
+  confirm(1, 1);
+  start();
   meet_station();
   run(3);
   EXPECT_THAT(sent(), IsEmpty()) << "confirmed";
@@ -83,14 +59,12 @@ TEST_F(BackfillLinkTest, ANextLifeOfTheStationIsSentWhatWasNotConfirmed) {
   script_.happen(link_event::PeerLost{station});
   run(0.2);
   EXPECT_THAT(sent(), ElementsAre(1, 1));
-  const auto last = std::find_if(script_.sent.rbegin(), script_.sent.rend(),
-                                 [this](const auto& one) { return one.flow == backfills(); });
-  EXPECT_EQ(message_of(*last).to_life(), next_life);
-  EXPECT_EQ(message_of(*last).session(), 2U);
+  EXPECT_EQ(batches().back()->to_life(), next_life);
+  EXPECT_EQ(batches().back()->session(), 2U);
 }
 
 TEST_F(BackfillLinkTest, AFolderThatCannotBeUsedCostsOnlyWhatWouldHaveBeenStored) {
-  start(folder_.path("traffic.yaml/store"));
+  start(0, "traffic.yaml/store");
   meet_station();
   const FlowId on_link = begin("battery_state");
   listen(on_link);
@@ -102,7 +76,7 @@ TEST_F(BackfillLinkTest, AFolderThatCannotBeUsedCostsOnlyWhatWouldHaveBeenStored
   set_active(true);
   run(3);
   EXPECT_THAT(sent(), IsEmpty());
-  const auto state = told();
+  const auto state = StoreTest::state().stored().at(0);
   EXPECT_EQ(state.stored(), 0U);
   EXPECT_EQ(state.refused(), 1U) << "the one that did not cross";
 }
@@ -156,16 +130,6 @@ TEST_F(BackfillLinkTest, ABatchThatNobodyReadsIsGivenAfterFiveSeconds) {
   EXPECT_EQ(told_number(), 1U);
 }
 
-TEST_F(BackfillLinkTest, ABatchThatWaitsForReadersGoesWithThePeersLife) {
-  script_.host_reads = false;
-  meet_station();
-  begin_peer_flow(backfill_topic, peer_backfills);
-  backfill(1, {10, 11});
-  script_.happen(link_event::PeerLost{station});
-  run(6);
-  EXPECT_THAT(given(), IsEmpty());
-}
-
 TEST_F(BackfillLinkTest, ALiveSampleIsConfirmedWhenReadersOfTheHostHaveFoundItsTopic) {
   script_.host_reads = false;
   meet_station();
@@ -183,41 +147,11 @@ TEST_F(BackfillLinkTest, ALiveSampleIsConfirmedWhenReadersOfTheHostHaveFoundItsT
   EXPECT_EQ(confirmed_of(peer_flow + 1), 3U);
 }
 
-TEST_F(BackfillLinkTest, ALiveSampleOfAStoredTopicThatNobodyReadsIsGivenAfterTwoSeconds) {
-  script_.host_reads = false;
-  meet_station();
-  begin_stored_peer_flow();
-  hear(1, 10);
-  run(1.9);
-  EXPECT_THAT(given(), IsEmpty());
-  run(0.2);
-  EXPECT_THAT(given(), ElementsAre(10));
-}
-
-TEST_F(BackfillLinkTest, ALiveSampleOfATopicThatIsNotStoredDoesNotWait) {
-  script_.host_reads = false;
-  meet_station();
-  begin_peer_flow("goal");
-  hear(1, 10);
-  EXPECT_THAT(given(), ElementsAre(10));
-}
-
-TEST_F(BackfillLinkTest, WhatCrossedLiveIsNotGivenAgain) {
-  meet_station();
-  begin_stored_peer_flow();
-  begin_peer_flow(backfill_topic, peer_backfills);
-  run(0.2);
-  hear(1, 10);
-  ASSERT_THAT(given(), ElementsAre(10));
-  backfill(1, {10, 11});
-  EXPECT_THAT(given(), ElementsAre(10, 11));
-}
-
 TEST_F(BackfillLinkTest, ANextLifeRemembersWhatWasGiven) {
   meet_station();
   begin_peer_flow(backfill_topic, peer_backfills);
   backfill(1, {10, 11});
-  start(folder_.path("store"));
+  start();
   script_.given.clear();
   meet_station();
   begin_peer_flow(backfill_topic, peer_backfills);
@@ -243,18 +177,6 @@ TEST_F(BackfillLinkTest, AHistoryThatNoRuleSendsHereIsNotGivenAndHoldsUpNothing)
   EXPECT_EQ(script_.offered_here.size(), 1U);
   EXPECT_EQ(refused_names().total(), refused + 1);
   EXPECT_EQ(told_number(), 2U);
-}
-
-TEST_F(BackfillLinkTest, ATransmissionThatIsNotWrittenIsRepeated) {
-  meet_station();
-  (void)begin("battery_state");
-  script_.is_up = false;
-  write(1);
-  run(2);
-  EXPECT_THAT(sent(), IsEmpty());
-  script_.is_up = true;
-  run(5);
-  EXPECT_THAT(sent(), Contains(1));
 }
 
 }  // namespace

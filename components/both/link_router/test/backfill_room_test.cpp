@@ -43,7 +43,7 @@ TEST_F(BackfillRoomTest, NothingGoesBeforeTheRadiosQueueIsEmpty) {
 }
 
 TEST_F(BackfillRoomTest, OneGoesAtATime) {
-  sut_.backfill(backfills, sample(1, 200), now_);
+  (void)sut_.backfill(backfills, sample(1, 200), now_);
   EXPECT_FALSE(sut_.may_backfill(now_));
   EXPECT_TRUE(sut_.may_backfill(sut_.backfill_opens(now_)));
 }

@@ -1,8 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backfill_sender_fixture.hpp"
+#include "link_router/backfill_sender.hpp"
+#include <gmock/gmock.h>
+#include <optional>
+#include <vector>
 
 namespace tocsin::router {
 namespace {
+
+using sample_log::LogEntry;
+using sample_log::Logged;
+using sample_log::SampleId;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr Time t0{std::chrono::hours(1)};
+constexpr Duration ms = std::chrono::milliseconds(1);
+constexpr double capacity_bytes_per_s = 1e6;
+
+class BackfillSenderTest : public ::testing::Test {
+ protected:
+  [[nodiscard]] static SampleId id(std::uint64_t sequence, std::uint64_t source = 2,
+                                   std::uint64_t stream = 1) {
+    return {stream, source, sequence};
+  }
+  /// Goes to the log and does not cross.
+  void miss(const SampleId& which) {
+    sut_.offer(which);
+    sut_.on_logged(which, Logged::kept);
+    EXPECT_FALSE(sut_.on_fate(which, LiveFate::did_not_cross));
+  }
+  void read_all(std::size_t bytes = 100) {
+    for (auto wanted = sut_.take_wanted(); !wanted.empty(); wanted = sut_.take_wanted()) {
+      std::vector<LogEntry> read;
+      for (const SampleId& one : wanted) {
+        read.push_back({one, 0, std::vector<std::uint8_t>(bytes)});
+      }
+      sut_.on_read(wanted, read);
+    }
+  }
+  std::optional<BackfillBatch> next() { return sut_.next(now_, capacity_bytes_per_s); }
+  [[nodiscard]] static std::vector<std::uint64_t> sequences(const BackfillBatch& batch) {
+    std::vector<std::uint64_t> all;
+    for (const LogEntry& entry : batch.samples) all.push_back(entry.id.sequence);
+    return all;
+  }
+  [[nodiscard]] const StoredCounts& counts() const { return sut_.counts().at(1); }
+
+  LinkRouterParams params_;
+  BackfillSender sut_{params_};
+  Time now_ = t0;
+};
 
 TEST_F(BackfillSenderTest, WhatCrossesLiveIsToldTheLogOnceAndNotSent) {
   sut_.offer(id(1));
@@ -29,13 +76,6 @@ TEST_F(BackfillSenderTest, SendsWhatDidNotCrossOldestFirst) {
   EXPECT_THAT(sut_.on_progress({batch->session, 1}, now_), ElementsAre(id(1), id(2)));
   EXPECT_EQ(counts().backfilled, 2U);
   EXPECT_EQ(counts().waiting, 0U);
-  EXPECT_EQ(sut_.deadline(now_, capacity_bytes_per_s), never);
-}
-
-TEST_F(BackfillSenderTest, DoesNothingWithoutAPeer) {
-  miss(id(1));
-  EXPECT_THAT(sut_.take_wanted(), IsEmpty());
-  EXPECT_FALSE(next());
   EXPECT_EQ(sut_.deadline(now_, capacity_bytes_per_s), never);
 }
 
@@ -73,16 +113,6 @@ TEST_F(BackfillSenderTest, ABatchIsOfOneStreamAndOfBoundedSize) {
   const auto second = next();
   ASSERT_TRUE(second);
   EXPECT_EQ(second->samples.size(), 7U) << "1100 B, of which 160 around all and 28 around each";
-}
-
-TEST_F(BackfillSenderTest, ASampleThatIsLongerThanABatchGoesAlone) {
-  sut_.begin_session();
-  miss(id(1));
-  miss(id(2));
-  read_all(40'000);
-  const auto batch = next();
-  ASSERT_TRUE(batch);
-  EXPECT_THAT(sequences(*batch), ElementsAre(1));
 }
 
 TEST_F(BackfillSenderTest, KeepsToItsShareOfTheCapacity) {
@@ -147,16 +177,6 @@ TEST_F(BackfillSenderTest, ANewSessionSendsWhatWasNotConfirmedAgain) {
   EXPECT_THAT(sequences(*again), ElementsAre(2));
 }
 
-TEST_F(BackfillSenderTest, OneThatCrossesLiveAfterAllIsNotCountedAsFilledIn) {
-  sut_.begin_session();
-  miss(id(1));
-  read_all();
-  ASSERT_TRUE(next());
-  EXPECT_TRUE(sut_.on_fate(id(1), LiveFate::crossed));
-  EXPECT_THAT(sut_.on_progress({1, 1}, now_), IsEmpty());
-  EXPECT_EQ(counts().backfilled, 0U);
-}
-
 TEST_F(BackfillSenderTest, CountsWhatTheLogCouldNotTake) {
   sut_.offer(id(1));
   sut_.on_logged(id(1), Logged::refused);
@@ -171,15 +191,6 @@ TEST_F(BackfillSenderTest, CountsWhatTheLogCouldNotTake) {
   sut_.on_logged(id(3), Logged::refused);  // later than its fate
   EXPECT_EQ(counts().refused, 2U);
   EXPECT_EQ(counts().waiting, 0U);
-}
-
-TEST_F(BackfillSenderTest, CountsWhatTheLogsBoundsTook) {
-  miss(id(1));
-  sut_.on_retired(id(1));
-  EXPECT_EQ(counts().expired, 1U);
-  EXPECT_EQ(counts().waiting, 0U);
-  sut_.begin_session();
-  EXPECT_THAT(sut_.take_wanted(), IsEmpty());
 }
 
 TEST_F(BackfillSenderTest, WhatTheLogCannotReadIsCountedAndPassedOver) {
@@ -201,6 +212,38 @@ TEST_F(BackfillSenderTest, OneThatWasConfirmedByAnEarlierLifeIsNotSent) {
   EXPECT_FALSE(sut_.on_fate(id(1), LiveFate::did_not_cross));
   EXPECT_THAT(sut_.take_wanted(), IsEmpty());
   EXPECT_EQ(counts().stored, 0U);
+}
+
+/// What is sent because somebody asked for it.
+using BackfillRequestTest = BackfillSenderTest;
+
+TEST_F(BackfillRequestTest, WhatIsRequestedGoesBehindWhatIsStored) {
+  sut_.begin_session();
+  sut_.request(id(1, 9, 5));
+  sut_.request(id(2, 9, 5));
+  sut_.request(id(1, 9, 5));  // known
+  miss(id(7));
+  EXPECT_THAT(sut_.take_wanted(), ElementsAre(id(7), id(1, 9, 5), id(2, 9, 5)));
+}
+
+TEST_F(BackfillRequestTest, WhatIsWithdrawnIsNotSent) {
+  sut_.begin_session();
+  for (std::uint64_t i = 1; i <= 3; ++i) sut_.request(id(i, 9, 5));
+  miss(id(7));
+  sut_.withdraw(id(2, 9, 5));
+  sut_.withdraw(id(7));
+  EXPECT_THAT(sut_.take_wanted(), ElementsAre(id(7), id(1, 9, 5), id(3, 9, 5)))
+      << "what is stored cannot be withdrawn";
+  sut_.on_read({id(7), id(1, 9, 5), id(3, 9, 5)},
+               {{id(7), 0, {}}, {id(1, 9, 5), 0, {}}, {id(3, 9, 5), 0, {}}});
+  ASSERT_TRUE(next());
+  sut_.withdraw(id(3, 9, 5));
+  const auto batch = next();
+  ASSERT_TRUE(batch);
+  EXPECT_THAT(sequences(*batch), ElementsAre(1));
+  sut_.withdraw(id(1, 9, 5));
+  EXPECT_THAT(sut_.on_progress({1, 2}, now_), ElementsAre(id(7), id(1, 9, 5)))
+      << "it was under way";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "call_link_fixture.hpp"
+#include "runtime/middleware/refused_names.hpp"
 
 namespace tocsin {
 namespace {
@@ -14,15 +15,6 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Key;
 using ::testing::Not;
-
-TEST_F(CallLinkTest, WithoutServicesInTheTrafficFileNothingIsOpenedForThem) {
-  host_.reset();
-  script_.opened.clear();
-  script_.rules =
-      TrafficRules(folder_.write("traffic.yaml", "uxv: {high: {topics: [goal]}}\n"), Role::uxv);
-  start({}, real_devices());
-  EXPECT_EQ(script_.opened_for(link_services_topic), 0U);
-}
 
 TEST_F(CallLinkTest, AServerOfTheHostIsToldAndShownOnThePeersHost) {
   begin_as(Role::uxv);
@@ -99,16 +91,6 @@ TEST_F(CallLinkTest, AReplyAfterTheDeadlineOfItsCallReachesNobody) {
   EXPECT_THAT(script_.services.replied, IsEmpty());
 }
 
-TEST_F(CallLinkTest, WhatTheRulesDoNotNameIsNotAsked) {
-  begin_as(Role::uxv);
-  CallMessage message = call(station, 1, false, question);
-  message.service("self_destruct");
-  hear_of({}, {{"self_destruct", "std_srvs/srv/Trigger"}});
-  EXPECT_THAT(script_.services.called, IsEmpty());
-  hear(peer_calls, message);
-  EXPECT_THAT(script_.services.asked, IsEmpty());
-}
-
 TEST_F(CallLinkTest, RepliesToAnotherLifeAreIgnored) {
   begin_as(Role::gcs);
   hear_of({dock}, {});
@@ -174,6 +156,49 @@ TEST_F(CallLinkTest, NamesOfAPeerThatCanBeNoneAreIgnored) {
   begin_as(Role::gcs);
   hear_of({{"dock\n", dock.type}, {"dock", "std_srvs::srv"}, {"", ""}}, {});
   EXPECT_THAT(script_.services.served, IsEmpty());
+}
+
+/// What is refused of a peer's services, and how much of them is taken.
+using CallBoundsTest = CallLinkTest;
+
+TEST_F(CallBoundsTest, WhatTheRulesDoNotNameIsCountedAsRefused) {
+  begin_as(Role::uxv);
+  const auto before = refused_names().total();
+  CallMessage message = call(station, 1, false, question);
+  message.service("self_destruct");
+  hear(peer_calls, message);
+  hear_of({dock}, {{"self_destruct", "std_srvs/srv/Trigger"}});  // this side has no server to call
+  EXPECT_EQ(refused_names().total() - before, 3U);
+  EXPECT_THAT(script_.services.called, IsEmpty());
+  EXPECT_THAT(script_.services.asked, IsEmpty());
+  EXPECT_THAT(script_.services.served, IsEmpty());
+}
+
+TEST_F(CallBoundsTest, OfManyNamesEndsAreMadeAFewATickAndNotOfAll) {
+  begin_as(Role::uxv);
+  std::vector<HostService> wanted;
+  for (int i = 0; i < 700; ++i) {
+    wanted.push_back({"n" + std::to_string(i) + "/get_parameters", "rcl_interfaces/srv/Get"});
+  }
+  hear_of({}, wanted);
+  EXPECT_LE(script_.services.called.size(), 8U);
+  run(5);
+  EXPECT_EQ(script_.services.called.size(), 256U);
+  hear_of({}, {dock});
+  EXPECT_EQ(script_.services.called.size(), 1U);
+}
+
+TEST_F(CallBoundsTest, HundredsOfNamesDoNotDisplaceWhatTheFileNames) {
+  begin_as(Role::uxv);
+  hear_of({}, {dock});
+  EXPECT_EQ(script_.services.called.count("dock"), 1U);
+  std::vector<HostService> wanted{dock};
+  for (int i = 0; i < 700; ++i) {
+    wanted.push_back({"a" + std::to_string(i) + "/get_parameters", "rcl_interfaces/srv/Get"});
+  }
+  hear_of({}, wanted);
+  run(5);
+  EXPECT_EQ(script_.services.called.count("dock"), 1U);
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ void FaultyLink::offer() {
 void FaultyLink::send() {
   while (const auto one = sender_->next(now_)) {
     const OnAir sent{*one, ++numbers_[one->stream], true};
-    sender_->on_written(sent.number);
+    sender_->on_written(*one, sent.number);
     heard_.push_back(sent);
     if (chance(loss_)) continue;
     for (int i = chance(0.05) ? 2 : 1; i > 0; --i) {

@@ -72,8 +72,8 @@ class FaultyLink {
   Time sender_frozen_{};
   Time receiver_frozen_{};
   Duration clock_difference_{};
-  Incarnation sender_instance_ = 0;
-  Incarnation receiver_instance_ = 1000;
+  InstanceId sender_instance_ = 0;
+  InstanceId receiver_instance_ = 1000;
   std::unique_ptr<LinkSender> sender_;
   std::unique_ptr<LinkReceiver> receiver_;
   std::multimap<Time, OnAir> air_;

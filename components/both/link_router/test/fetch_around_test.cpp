@@ -2,7 +2,7 @@
 // What of a log crosses by itself.
 #include <gmock/gmock.h>
 
-#include "history_fixture.hpp"
+#include "backfill_fixture.hpp"
 
 namespace tocsin {
 namespace {
@@ -60,15 +60,14 @@ TEST_F(FetchAroundTest, WhatIsWantedOutlivesTheRouterAndCrossesOnce) {
   run(20);  // its clock begins with it
   ASSERT_GE(sent().size(), 5U) << "the event before the kill";
   const std::uint64_t confirmed = batches().at(1)->samples().back().sequence_number();
-  ask({}, 1, 2);
+  confirm(1, 2);
   run(1);
   next_life(4);
   run(20);
   ASSERT_FALSE(sent().empty());
   EXPECT_EQ(sent().front(), confirmed + 1) << "what was confirmed does not cross again";
-  acknowledgements_ = 0;
   for (std::uint32_t number = 1; number <= 20; ++number) {
-    ask({}, 1, number);
+    confirm(1, number);
     run(1);
   }
   EXPECT_EQ(sent().back(), 20U);
@@ -97,12 +96,10 @@ TEST_F(FetchAroundTest, AStopThatGoesOnOverARestartIsOneEvent) {
 }
 
 TEST_F(FetchAroundTest, ARuleOfTheTrafficFileFetchesItsTopicsAroundWhatItNames) {
-  (void)folder_.write("traffic.yaml",
-                      "uxv:\n  low: {topics: [cpu_load], log: [camera, odom]}\n"
-                      "  fetch:\n    - {when: battery_state, field: percentage, below: 0.2,\n"
-                      "       topics: ['od*'], before_s: 3, after_s: 0}\n");
-  script_.rules = TrafficRules(folder_.path("traffic.yaml"), Role::uxv);
-  start();
+  start_with(
+      "uxv:\n  low: {topics: [cpu_load], log: [camera, odom]}\n"
+      "  fetch:\n    - {when: battery_state, field: percentage, below: 0.2,\n"
+      "       topics: ['od*'], before_s: 3, after_s: 0}\n");
   meet_station();
   (void)begin("odom");
   (void)begin("camera", camera_flow);

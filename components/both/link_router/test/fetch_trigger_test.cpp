@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../src/fetch_trigger.hpp"
+#include "backfill/fetch_trigger.hpp"
 
 #include <gmock/gmock.h>
+
+#include <cmath>
 
 #include <string>
 
 #include "foundation/error.hpp"
+#include "ros_idl/nav_msgs.hpp"
 #include "runtime/sim_bus.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -76,16 +79,53 @@ TEST_F(FetchTriggerTest, AStateThatHoldsOnIsTheSameEventHoweverSeldomItIsSaid) {
   EXPECT_EQ(sut_.events, 2);
 }
 
-TEST_F(FetchTriggerTest, NamesATopicThatNobodyKnows) {
+TEST_F(FetchTriggerTest, ANumberIsBetweenItsBounds) {
   FetchRule rule = around_stop(10);
-  rule.when = "emergency_stp";
-  rule.name = "uxv.fetch[2]";
-  try {
-    const Watching other(context_, rule);
-    FAIL();
-  } catch (const ConfigError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("uxv.fetch[2].when: no installed package knows a topic "
-                                        "emergency_stp; did you mean 'emergency_stop'"));
+  rule.when = topic::Odom::info.name;
+  rule.field = "twist.twist.linear.x";
+  rule.above = 0.5;
+  rule.below = 1;
+  rule.min_interval_s = 0;
+  Watching sut(context_, rule);
+  bus_.add(sut);
+  nav_msgs::msg::Odometry odom;
+  const auto events_at = [&](double x) {
+    const int before = sut.events;
+    odom.twist().twist().linear().x(x);
+    bus_.publish<topic::Odom>(odom);
+    bus_.run_for(seconds(0.2));
+    return sut.events - before;
+  };
+  for (const double x : {0.25, 0.5, 1.0, std::nan("")}) EXPECT_EQ(events_at(x), 0) << x;
+  EXPECT_EQ(events_at(0.75), 1);
+}
+
+TEST_F(FetchTriggerTest, NamesATopicOrFieldThatNobodyKnows) {
+  const struct {
+    const char* when;
+    const char* field;
+    const char* error;
+  } cases[] = {
+      {"emergency_stp", "",
+       "uxv.fetch[2].when: no installed package knows a topic emergency_stp; did you mean "
+       "'emergency_stop'"},
+      {"odom", "twist.twist.linear.y2",
+       "odom has no number or truth twist.twist.linear.y2; did you mean"},
+      {"odom", "twist", "uxv.fetch[2].field: odom has no number or truth twist"},
+      {"odom", "pose.covariance", "has no number or truth pose.covariance"},
+      {"odom", "header.frame_id", "has no number or truth header.frame_id"},
+  };
+  for (const auto& one : cases) {
+    FetchRule rule = around_stop(10);
+    rule.when = one.when;
+    rule.field = one.field;
+    rule.name = "uxv.fetch[2]";
+    try {
+      const Watching other(context_, rule);
+      ADD_FAILURE() << one.field;
+    } catch (const ConfigError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(one.error));
+    }
   }
 }
 

@@ -30,11 +30,6 @@ class HeldArrivalsTest : public ::testing::Test {
   HeldArrivals sut_;
 };
 
-TEST_F(HeldArrivalsTest, AFlowThatIsNotWaitedForIsNotHeld) {
-  sut_.expect(other, begin);
-  EXPECT_FALSE(sut_.hold(sample(flow, 1)));
-}
-
 TEST_F(HeldArrivalsTest, HoldsUntilReadersHaveComeAndGivesInOrder) {
   sut_.expect(flow, begin);
   EXPECT_TRUE(sut_.hold(sample(flow, 1)));

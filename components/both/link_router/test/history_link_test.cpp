@@ -2,7 +2,7 @@
 // Logged topics of a router on a scripted link: what is kept, what crosses when somebody asks.
 #include <gmock/gmock.h>
 
-#include "history_fixture.hpp"
+#include "backfill_fixture.hpp"
 
 namespace tocsin {
 namespace {
@@ -22,7 +22,7 @@ TEST_F(HistoryLinkTest, WhatIsLoggedCrossesOnlyWhenTheStationAsks) {
   run(3);
   EXPECT_THAT(sent(), ElementsAre(1, 2, 3));
   EXPECT_EQ(batches().at(0)->topic(), "odom");
-  ask({}, 1, 1);
+  confirm(1, 1);
   const auto told = state();
   ASSERT_EQ(told.fetches().size(), 1U);
   EXPECT_EQ(told.fetches()[0].id(), 41U);
@@ -30,18 +30,6 @@ TEST_F(HistoryLinkTest, WhatIsLoggedCrossesOnlyWhenTheStationAsks) {
   EXPECT_EQ(told.fetches()[0].found(), 3U);
   EXPECT_EQ(told.fetches()[0].given(), 3U);
   EXPECT_THAT(told.stored(), IsEmpty());
-}
-
-TEST_F(HistoryLinkTest, OnlyWhatWasAskedForCrosses) {
-  meet_station();
-  (void)begin("odom");
-  write(1);
-  run(10);
-  write(2);
-  run(2);
-  ask({request("odom", 5)});
-  run(3);
-  EXPECT_THAT(sent(), ElementsAre(2));
 }
 
 TEST_F(HistoryLinkTest, WhatHasCrossedIsNotSentAgainAlsoByTheNextLife) {
@@ -52,7 +40,7 @@ TEST_F(HistoryLinkTest, WhatHasCrossedIsNotSentAgainAlsoByTheNextLife) {
   ask({request("odom")});
   run(3);
   EXPECT_THAT(sent(), ElementsAre(1, 2));
-  ask({}, 1, 1);
+  confirm(1, 1);
   run(1);
   start();
   meet_station();
@@ -62,26 +50,6 @@ TEST_F(HistoryLinkTest, WhatHasCrossedIsNotSentAgainAlsoByTheNextLife) {
   ask({request("odom", 3600, 42)});
   run(3);
   EXPECT_THAT(sent(), ElementsAre(3));
-}
-
-TEST_F(HistoryLinkTest, ARequestThatTheRouterDidNotOutliveGoesOnWhenItIsRepeated) {
-  meet_station();
-  (void)begin("odom");
-  for (std::uint64_t sequence = 1; sequence <= 40; ++sequence) write(sequence);
-  run(2);
-  ask({request("odom")});
-  run(1.5);
-  const auto first = sent();
-  ASSERT_FALSE(first.empty());
-  ask({}, 1, 1);
-  const std::size_t given = batches().at(0)->samples().size();
-  start();
-  meet_station();
-  run(3);  // its clock begins with it
-  ask({request("odom")});
-  run(5);
-  ASSERT_FALSE(sent().empty());
-  EXPECT_EQ(sent().front(), given + 1) << "the first that was not confirmed";
 }
 
 TEST_F(HistoryLinkTest, WhatCrossedLiveIsNotSentAgain) {
@@ -98,7 +66,6 @@ TEST_F(HistoryLinkTest, WhatCrossedLiveIsNotSentAgain) {
   acknowledge(on_link, 2, 2);
   run(5);
   EXPECT_THAT(sent(), IsEmpty()) << "a logged topic is not backfilled by itself";
-  acknowledgements_ = 2;
   ask({request("camera")});
   run(3);
   EXPECT_THAT(sent(), ElementsAre(2)) << "the one that the pause took";
@@ -135,21 +102,6 @@ TEST_F(HistoryLinkTest, ATopicThatIsNotLoggedIsNotLookedFor) {
   run(3);
   EXPECT_THAT(sent(), IsEmpty());
   EXPECT_THAT(state().fetches(), IsEmpty());
-}
-
-TEST_F(HistoryLinkTest, TellsWhatItHasLogged) {
-  (void)begin("odom");
-  const std::int64_t before = wall_ns();
-  write(1);
-  run(2);
-  write(2);
-  run(5);
-  const auto told = state();
-  ASSERT_EQ(told.logged().size(), 1U);
-  EXPECT_EQ(told.logged()[0].topic(), "odom");
-  EXPECT_EQ(told.logged()[0].samples(), 2U);
-  EXPECT_EQ(told.logged()[0].first_ns(), before);
-  EXPECT_EQ(told.logged()[0].last_ns(), before + seconds(2).count());
 }
 
 TEST_F(HistoryLinkTest,

@@ -36,16 +36,6 @@ TEST(StandingRequests, TellEachPeerOnceASecond) {
   EXPECT_THAT(ids_of(sut.take_for("uxv1", t0 + s)), ElementsAre(1));
 }
 
-TEST(StandingRequests, AreForgottenWhenNobodyRepeatsThem) {
-  StandingRequests sut;
-  sut.on_request(range(1), t0);
-  sut.on_request(range(2), t0);
-  sut.on_request(range(2), t0 + s);
-  EXPECT_THAT(ids_of(sut.take_for("uxv", t0 + 5 * s)), ElementsAre(1, 2));
-  EXPECT_THAT(ids_of(sut.take_for("uxv", t0 + 6 * s)), ElementsAre(2));
-  EXPECT_THAT(sut.take_for("uxv", t0 + 7 * s), IsEmpty());
-}
-
 TEST(StandingRequests, AreSixteenAtMost) {
   StandingRequests sut;
   for (std::uint64_t i = 1; i <= 20; ++i) sut.on_request(range(i), t0);
@@ -85,13 +75,6 @@ TEST_F(HistoryRequestsTest, IsDoneWhenAllThatWasFoundIsGivenOrGone) {
   EXPECT_THAT(sut_.take_searches(40 * second_ns), IsEmpty());
 }
 
-TEST_F(HistoryRequestsTest, IsDoneAtOnceWhenThereIsNothing) {
-  sut_.on_request(range(1), t0);
-  (void)sut_.take_searches(30 * second_ns);
-  sut_.on_found(1, {}, std::nullopt);
-  EXPECT_EQ(progress().state, HistoryState::done);
-}
-
 TEST_F(HistoryRequestsTest, TheNextPartIsLookedForWhenTheLastIsGiven) {
   sut_.on_request(range(1), t0);
   (void)sut_.take_searches(30 * second_ns);
@@ -121,11 +104,6 @@ TEST_F(HistoryRequestsTest, WhatNobodyRepeatsIsForgottenAndWhatAnotherWantsStays
   sut_.on_request(range(2), t0 + 9 * s);
   EXPECT_THAT(sut_.expire(t0 + 9 * s), IsEmpty());
   EXPECT_THAT(sut_.expire(t0 + 10 * s), ElementsAre(id(2), id(3)));
-}
-
-TEST_F(HistoryRequestsTest, AnAnswerToAForgottenOneIsIgnored) {
-  sut_.on_found(7, {id(1)}, std::nullopt);
-  EXPECT_THAT(sut_.progress(), IsEmpty());
 }
 
 TEST_F(HistoryRequestsTest, OneThatIsDoneMakesRoom) {
@@ -163,14 +141,6 @@ TEST_F(HistoryRequestsTest, ThoseOfRulesAreToldWhenTheyChangeUntilTheyAreDone) {
   const auto none = sut_.take_rule_requests();
   ASSERT_TRUE(none);
   EXPECT_THAT(*none, IsEmpty());
-}
-
-TEST_F(HistoryRequestsTest, AreSixtyFourAtMost) {
-  for (std::uint64_t i = 1; i <= 70; ++i) sut_.on_request(range(i), t0);
-  EXPECT_THAT(sut_.progress(), SizeIs(64));
-  sut_.on_request(range(1), t0 + 100 * s);
-  EXPECT_THAT(sut_.expire(t0 + s), IsEmpty());
-  EXPECT_THAT(sut_.progress(), SizeIs(1)) << "one that stands can be repeated all the same";
 }
 
 }  // namespace

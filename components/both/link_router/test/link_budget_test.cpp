@@ -53,12 +53,6 @@ TEST_F(AdaptiveScaleTest, FallsFasterThanItRises) {
   EXPECT_EQ(run(input(1e6, 300e3), std::chrono::seconds(40)), 1);
 }
 
-TEST_F(AdaptiveScaleTest, IsAtItsLeastWhileThePeersAreSilent) {
-  AdaptiveScale::Input in = input(1e6, 300e3);
-  in.silent = true;
-  EXPECT_LE(run(in, std::chrono::seconds(10)), params.scale_min + params.scale_step);
-}
-
 TEST_F(AdaptiveScaleTest, DoesNotTellNoise) {
   (void)run(input(300e3, 300e3), std::chrono::seconds(30));
   int changes = 0;

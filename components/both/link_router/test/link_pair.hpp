@@ -24,7 +24,7 @@ inline StreamRule rule_of(TrafficClass traffic_class) {
   StreamRule rule;
   rule.name = "topic";
   rule.traffic_class = traffic_class;
-  rule.repaired = repairs_by_default(traffic_class);
+  rule.repaired = policy_of(traffic_class).repaired;
   return rule;
 }
 
@@ -92,7 +92,7 @@ class LinkPair {
     while (const auto one = sender.next(now)) {
       sent.push_back(*one);
       const TransmissionNumber number = ++numbers_[one->stream];
-      sender.on_written(number);
+      sender.on_written(*one, number);
       const std::size_t packets = wire_cost(one->sample.bytes).packets;
       drained_ = std::max(drained_, now) + (packets > 1 ? static_cast<int>(packets) * ms : 0 * ms);
       if (!dead) air_.push_back({drained_ + 2 * ms, *one, number});

@@ -34,17 +34,6 @@ TEST(LinkQueue, GivesAClassInTheOrderOfItsTurns) {
   EXPECT_FALSE(sut.take_first(TrafficClass::low, any));
 }
 
-TEST(LinkQueue, GivesTheNewestTheTurnOfTheOneItReplaces) {
-  LinkQueue sut(10000);
-  (void)sut.add(TrafficClass::low, 1, waiting(1, 11));
-  (void)sut.add(TrafficClass::low, 1, waiting(2, 21));
-  const auto dropped = sut.add(TrafficClass::low, 1, waiting(1, 12));
-  ASSERT_EQ(dropped.size(), 1U);
-  EXPECT_EQ(dropped[0].waiting.sample.origin.sequence, 11U);
-  EXPECT_EQ(dropped[0].reason, DropReason::superseded);
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any)), 12U);
-}
-
 TEST(LinkQueue, KeepsAsManyOfASourceAsItsDepthInTheirOrder) {
   LinkQueue sut(10000);
   for (const std::uint64_t sequence : {1, 2}) {
@@ -70,14 +59,6 @@ TEST(LinkQueue, DropsTheOldestOfAClassBeyondItsBytes) {
   EXPECT_EQ(dropped[0].reason, DropReason::overflow);
   EXPECT_EQ(sut.bytes(TrafficClass::low), 201U);
   EXPECT_EQ(sut.bytes(TrafficClass::critical), 300U) << "another class is not touched";
-}
-
-TEST(LinkQueue, KeepsASingleSampleThatIsLongerThanTheBound) {
-  LinkQueue sut(300);
-  (void)sut.add(TrafficClass::low, 1, waiting(1, 11, 100));
-  const auto dropped = sut.add(TrafficClass::low, 1, waiting(2, 21, 5000));
-  ASSERT_EQ(dropped.size(), 1U);
-  EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any)), 21U);
 }
 
 TEST(LinkQueue, DoesNotDropTheNewOneThatTookTheFirstTurn) {
@@ -120,27 +101,6 @@ TEST(LinkQueue, LetsNoSampleOvertakeAnOlderOneOfItsSource) {
   EXPECT_FALSE(sut.take_first(TrafficClass::low, 4));
   EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, any)), 11U);
   EXPECT_EQ(sequence_of(sut.take_first(TrafficClass::low, 4)), 12U);
-}
-
-TEST(LinkQueue, TakesOutAllOfAStream) {
-  LinkQueue sut(10000);
-  (void)sut.add(TrafficClass::low, 2, waiting(1, 11));
-  (void)sut.add(TrafficClass::low, 2, waiting(1, 12));
-  (void)sut.add(TrafficClass::low, 2, waiting(2, 21));
-  EXPECT_TRUE(sut.has(1));
-  EXPECT_EQ(sut.take_stream(1).size(), 2U);
-  EXPECT_FALSE(sut.has(1));
-  EXPECT_EQ(sut.samples(TrafficClass::low), 1U);
-  EXPECT_EQ(sut.bytes(TrafficClass::low), 100U);
-}
-
-TEST(WireCost, CountsPacketsAndHeaders) {
-  EXPECT_EQ(wire_cost(100).packets, 1U);
-  // IP and UDP 28, RTPS 20 + 16, time stamp 12, DATA 24, origin 32.
-  EXPECT_EQ(wire_cost(100).bytes, 100U + 132U);
-  const WireCost picture = wire_cost(40000);
-  EXPECT_EQ(picture.packets, 34U) << "1192 bytes in each";
-  EXPECT_EQ(picture.bytes, 40000U + 34 * 144U) << "DATA_FRAG has 12 bytes more";
 }
 
 }  // namespace

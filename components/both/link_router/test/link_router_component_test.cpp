@@ -9,13 +9,6 @@
 namespace tocsin {
 namespace {
 
-TEST_F(LinkRouterTest, AFlowOfTheHostIsOpenedWithTheCodePointOfItsClass) {
-  const FlowId critical = begin("heartbeat");
-  const FlowId low = begin("camera/image_raw/compressed", host_flow + 1);
-  EXPECT_EQ(script_.opened.at(critical).traffic_class, TrafficClass::critical);
-  EXPECT_EQ(script_.opened.at(low).traffic_class, TrafficClass::low);
-}
-
 TEST_F(LinkRouterTest, ASampleOfTheHostGoesOnTheLinkAsItIs) {
   const FlowId on_link = begin("heartbeat");
   write(5);
@@ -231,19 +224,6 @@ TEST_F(LinkRouterTest, ARestartedPeerIsAnsweredInItsNewLife) {
   const auto& acknowledgement =
       *static_cast<const Acknowledgement*>(script_.sent.back().sample.content.get());
   EXPECT_EQ(acknowledgement.to_life(), station + 1);
-}
-
-TEST_F(LinkRouterTest, APeerThatHasLeftGetsNoAcknowledgements) {
-  meet();
-  begin_peer_flow("goal");
-  hear(1, 10);
-  run(0.2);
-  script_.happen(link_event::PeerFlowGone{peer_flow});
-  script_.happen(link_event::PeerLost{station});
-  run(0);
-  const std::size_t before = script_.sent.size();
-  run(5);
-  EXPECT_EQ(script_.sent.size(), before);
 }
 
 TEST_F(LinkRouterTest, WhileTheLinkIsNotUpItGoesOn) {

@@ -38,30 +38,6 @@ TEST(Pause, WhatIsPausedIsSilentAndTheNewestFollows) {
   EXPECT_EQ(counts.dropped[static_cast<std::size_t>(DropReason::paused)], 5U);
 }
 
-TEST(Pause, EachStreamHasAnAccountOfItsOwn) {
-  LinkPair link;
-  add_pausable(link);
-  link.offer(1, 1);
-  link.offer(2, 1);
-  link.run(100 * ms);
-  link.sender.set_paused(true, link.now);
-  for (std::uint64_t sequence = 2; sequence <= 4; ++sequence) {
-    link.offer(1, sequence);
-    link.offer(2, sequence);
-  }
-  link.run(100 * ms);
-  const StreamCounts dropped = link.sender.stream_counts(1);
-  EXPECT_EQ(dropped.offered, 4U);
-  EXPECT_EQ(dropped.sent, 1U);
-  EXPECT_EQ(dropped.dropped, 3U);
-  EXPECT_EQ(dropped.paused, 3U);
-  const StreamCounts kept = link.sender.stream_counts(2);
-  EXPECT_EQ(kept.offered, 4U);
-  EXPECT_EQ(kept.sent, 1U);
-  EXPECT_EQ(kept.dropped, 2U) << "the newest waits: it is neither sent nor dropped";
-  EXPECT_EQ(link.sender.stream_counts(3).offered, 0U);
-}
-
 TEST(Pause, WhatOutlivedThePauseOnlyByAgeIsNotSent) {
   LinkPair link;
   StreamRule rule = rule_of(TrafficClass::low);

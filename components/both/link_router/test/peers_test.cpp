@@ -7,17 +7,6 @@ namespace {
 
 using Sequences = std::vector<std::uint64_t>;
 
-TEST(Peers, DeliversWhatIsOffered) {
-  LinkPair link;
-  link.add(1, rule_of(TrafficClass::critical));
-  link.offer(1, 1);
-  link.run(200 * ms);
-  EXPECT_EQ(link.delivered[1], (Sequences{1}));
-  EXPECT_EQ(link.sent.size(), 1U);
-  EXPECT_EQ(link.counts(TrafficClass::critical).delivered, 1U);
-  EXPECT_EQ(link.counts(TrafficClass::critical).late, 0U);
-}
-
 TEST(Peers, SendsClassesInTheirOrder) {
   LinkPair link;
   const TrafficClass reversed[] = {TrafficClass::low, TrafficClass::normal, TrafficClass::high,

@@ -20,15 +20,6 @@ TEST(PendingCalls, ACallIsTakenOnce) {
   EXPECT_FALSE(sut.take(2));
 }
 
-TEST(PendingCalls, ANewCallTakesThePlaceOfOneOfItsKey) {
-  Pending sut;
-  sut.add(1, {"dock", "old", t0 + second});
-  sut.add(1, {"dock", "new", t0 + 2 * second});
-  EXPECT_EQ(sut.keys().size(), 1U);
-  EXPECT_TRUE(sut.take_expired(t0 + second).empty());
-  EXPECT_EQ(sut.take(1)->what, "new");
-}
-
 TEST(PendingCalls, IsOverAtItsDeadlineAndNotBefore) {
   Pending sut;
   EXPECT_EQ(sut.deadline(), never);

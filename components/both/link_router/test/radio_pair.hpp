@@ -105,7 +105,7 @@ class RadioPair {
   }
   void put(const Transmission& one) {
     const TransmissionNumber number = ++streams_[one.stream].written;
-    sender.on_written(number);
+    sender.on_written(one, number);
     const WireCost cost = wire_cost(one.sample.bytes);
     push(radio::Direction::uplink, cost, [this, one, number](Time at) {
       const Origin& origin = one.sample.origin;

@@ -28,7 +28,7 @@ radio::ChannelParams busy_place(double snr_db) {
 StreamRule rule_of(TrafficClass traffic_class) {
   StreamRule rule;
   rule.traffic_class = traffic_class;
-  rule.repaired = repairs_by_default(traffic_class);
+  rule.repaired = policy_of(traffic_class).repaired;
   return rule;
 }
 

@@ -117,7 +117,7 @@ class RandomLink {
   void send() {
     while (const auto one = sender_->next(now_)) {
       const TransmissionNumber number = ++numbers_[one->stream];
-      sender_->on_written(number);
+      sender_->on_written(*one, number);
       check_sent(*one);
       if (chance(loss_)) continue;
       const int copies = chance(0.02) ? 2 : 1;
@@ -195,8 +195,8 @@ class RandomLink {
   LinkRouterParams params_;
   std::map<StreamId, StreamRule> rules_;
   Time now_{std::chrono::hours(1)};
-  Incarnation sender_life_ = 0;
-  Incarnation receiver_life_ = 1000;
+  InstanceId sender_life_ = 0;
+  InstanceId receiver_life_ = 1000;
   std::unique_ptr<LinkSender> sender_;
   std::unique_ptr<LinkReceiver> receiver_;
   bool paused_ = false;

@@ -93,7 +93,8 @@ class RandomStore {
     numbers_.clear();
     backfill_ = std::make_unique<BackfillSender>(LinkRouterParams{});
     log_.reset();
-    log_ = std::make_unique<sample_log::SampleLog>(vehicle_files_, limits_, now_, wall_ns());
+    log_ =
+        std::make_unique<sample_log::SampleLog>(vehicle_files_, limits_, Instant{now_, wall_ns()});
     air_.clear();
     confirmations_.clear();
     paused_ = false;
@@ -168,7 +169,7 @@ class RandomStore {
       const SampleId id = id_of(stream, origin);
       backfill_->offer(id);
       const auto logged =
-          log_->append({{id, wall_ns(), std::vector<std::uint8_t>(bytes)}}, now_, wall_ns());
+          log_->append({{id, wall_ns(), std::vector<std::uint8_t>(bytes)}}, {now_, wall_ns()});
       backfill_->on_logged(id, logged.at(0));
       offered_.insert(id);
       sender_->offer(stream, {origin, bytes, nullptr}, now_);
@@ -185,14 +186,13 @@ class RandomStore {
       for (const auto& entry : batch->samples) bytes += entry.bytes.size() + 28;
       const Origin origin{0, ++batches_, now_};
       const Sample sample{origin, bytes, nullptr};
-      sender_->backfill(backfill_stream, sample, now_);
-      put({backfill_stream, sample}, *batch);
+      put(sender_->backfill(backfill_stream, sample, now_), *batch);
     }
     EXPECT_GT(sender_->deadline(now_), now_);
   }
   void put(const Transmission& one, const BackfillBatch& batch) {
     const TransmissionNumber number = ++numbers_[one.stream];
-    sender_->on_written(number);
+    sender_->on_written(one, number);
     if (chance(loss_)) return;
     const int copies = chance(0.02) ? 2 : 1;
     for (int i = 0; i < copies; ++i) {
@@ -269,8 +269,8 @@ class RandomStore {
   Time now_{std::chrono::hours(1)};
   sample_log::MemoryFiles vehicle_files_;
   sample_log::MemoryFiles station_files_;
-  Incarnation vehicle_life_ = 0;
-  Incarnation station_life_ = 1000;
+  InstanceId vehicle_life_ = 0;
+  InstanceId station_life_ = 1000;
   std::unique_ptr<LinkSender> sender_;
   std::unique_ptr<BackfillSender> backfill_;
   std::unique_ptr<sample_log::SampleLog> log_;

@@ -24,16 +24,6 @@ TEST(Repair, RepairsALostSampleAfterTheFirstWait) {
   EXPECT_EQ(link.counts(TrafficClass::critical).repairs, 1U);
 }
 
-TEST(Repair, DoesNotRepairClassLow) {
-  LinkPair link;
-  link.add(1, rule_of(TrafficClass::low));
-  link.dead = true;
-  link.offer(1, 1);
-  link.run(2000 * ms);
-  EXPECT_EQ(link.sent.size(), 1U);
-  EXPECT_EQ(link.counts(TrafficClass::low).lost, 1U);
-}
-
 TEST(Repair, BacksOffWhileNothingIsAcknowledged) {
   LinkPair link;
   StreamRule rule = rule_of(TrafficClass::critical);
@@ -60,19 +50,6 @@ TEST(Repair, NeverRepairsWhatANewerOneHasFollowed) {
     EXPECT_TRUE(!one.repair || one.sample.origin.sequence == 2U);
   }
   EXPECT_EQ(link.counts(TrafficClass::critical).lost, 1U);
-}
-
-TEST(Repair, RepairsAllOfADeeperStream) {
-  LinkPair link;
-  StreamRule rule = rule_of(TrafficClass::high);
-  rule.depth = 3;
-  link.add(1, rule);
-  link.dead = true;
-  for (std::uint64_t sequence = 1; sequence <= 4; ++sequence) link.offer(1, sequence);
-  link.run(ms);
-  link.dead = false;
-  link.run(300 * ms);
-  EXPECT_EQ(link.delivered[1], (Sequences{2, 3, 4}));
 }
 
 TEST(Repair, RepairsOnlyWithinTheLifespan) {
@@ -169,7 +146,6 @@ TEST(Repair, LateIsCountedFromTheOffer) {
   const auto counts = link.counts(TrafficClass::critical);
   EXPECT_EQ(counts.delivered, 2U);
   EXPECT_EQ(counts.late, 1U);
-  EXPECT_EQ(late_or_lost(counts), 0.5);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "router_store.hpp"
+#include "backfill/router_store.hpp"
 
 #include <gmock/gmock.h>
 
@@ -48,13 +48,13 @@ class RouterStoreTest : public ::testing::Test {
  protected:
   void start(const std::string& folder, sample_log::LogUse use = sample_log::LogUse::queue) {
     sut_.emplace(disk_, StorePlace{folder, {}, use}, [this] { ++told_; });
-    sut_->open(t0, 1000);
+    sut_->open({t0, 1000});
     sut_->add({"battery|", "/battery", {0, "Battery", "", ""}, {}});
   }
   [[nodiscard]] static sample_log::SampleId id(std::uint64_t sequence) {
     return {sample_log::stream_key("battery|"), 7, sequence};
   }
-  void append(std::uint64_t sequence) { sut_->append({id(sequence), 5, {1, 2}}, t0, 1000); }
+  void append(std::uint64_t sequence) { sut_->append({id(sequence), 5, {1, 2}}, {t0, 1000}); }
   template <class Answer>
   std::vector<Answer> take() {
     std::vector<Answer> found;
@@ -87,7 +87,7 @@ TEST_F(RouterStoreTest, TellsFirstWhatEarlierLivesLeft) {
   append(1);
   append(2);
   sut_->confirm({id(1)});
-  sut_->note_given({{1, 2, 3}}, std::nullopt);
+  sut_->note_delivered({{1, 2, 3}}, std::nullopt);
   disk_.work();
   sut_.reset();
   start(folder_.path("store"));
@@ -103,8 +103,8 @@ TEST_F(RouterStoreTest, TellsFirstWhatEarlierLivesLeft) {
 
 TEST_F(RouterStoreTest, WhatWasGivenIsSafeWhenItsTokenIsAnswered) {
   start(folder_.path("store"));
-  sut_->note_given({{1, 2, 3}}, 41);
-  sut_->note_given({}, 42);
+  sut_->note_delivered({{1, 2, 3}}, 41);
+  sut_->note_delivered({}, 42);
   disk_.work();
   const auto saved = take<store_answer::Saved>();
   ASSERT_EQ(saved.size(), 2U);
@@ -137,7 +137,7 @@ TEST_F(RouterStoreTest, AFolderThatCannotBeMadeIsOneProblemAndEverythingIsRefuse
   append(1);
   sut_->read({id(1)});
   sut_->keep(t0);
-  sut_->note_given({{1, 2, 3}}, 1);
+  sut_->note_delivered({{1, 2, 3}}, 1);
   disk_.work();
   std::size_t problems = 0;
   bool saved = false;
@@ -199,26 +199,6 @@ TEST_F(RouterStoreTest, RequestsAreThereForTheNextLife) {
   start(folder_.path("store"), sample_log::LogUse::history);
   disk_.work();
   EXPECT_EQ(take<store_answer::Opened>().at(0).requests, "8 1 2 stop odom\n");
-}
-
-TEST_F(RouterStoreTest, RequestsThatCannotBeKeptAreAProblem) {
-  std::filesystem::create_directories(folder_.path("store/requests/full"));
-  start(folder_.path("store"), sample_log::LogUse::history);
-  sut_->keep_requests("7 1 2 stop odom\n");
-  disk_.work();
-  std::string told;
-  for (const auto& problem : take<store_answer::Problem>()) told += problem.text + "\n";
-  EXPECT_THAT(told, HasSubstr("store/requests: "));
-}
-
-TEST_F(RouterStoreTest, WhatIsTooOldIsTold) {
-  start(folder_.path("store"));
-  append(1);
-  sut_->keep(t0 + std::chrono::hours(25));
-  disk_.work();
-  const auto retired = take<store_answer::Retired>();
-  ASSERT_EQ(retired.size(), 1U);
-  EXPECT_THAT(retired[0].ids, ElementsAre(id(1)));
 }
 
 }  // namespace

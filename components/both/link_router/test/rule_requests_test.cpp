@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rule_requests.hpp"
+#include "backfill/rule_requests.hpp"
 
 #include <gtest/gtest.h>
 

@@ -54,14 +54,6 @@ TEST_F(SourceMemoryTest, AForgedNumberIsForgottenWhenTheSourceGoesOn) {
   EXPECT_EQ(receive(sequence + 1), Verdict::newer);
 }
 
-TEST_F(SourceMemoryTest, TwoOfASlowSourceAreEnough) {
-  (void)receive(forged);
-  now += 1000 * ms;
-  EXPECT_EQ(receive(11), Verdict::superseded);
-  now += 1000 * ms;
-  EXPECT_EQ(receive(12), Verdict::newer);
-}
-
 TEST_F(SourceMemoryTest, WhatWasDeliveredBeforeIsNotDeliveredAgain) {
   depth = 3;
   for (std::uint64_t sequence = 1; sequence <= 3; ++sequence) (void)receive(sequence);

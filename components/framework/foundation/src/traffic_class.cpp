@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foundation/traffic_class.hpp"
 
-namespace tocsin {
+#include <cassert>
 
-const char* to_string(TrafficClass traffic_class) {
-  switch (traffic_class) {
-    case TrafficClass::critical:
-      return "critical";
-    case TrafficClass::high:
-      return "high";
-    case TrafficClass::normal:
-      return "normal";
-    case TrafficClass::low:
-      return "low";
-  }
-  return "unknown";
+namespace tocsin {
+namespace {
+
+constexpr std::array<ClassPolicy, traffic_classes.size()> policies{{
+    {"critical", 48, true, true},  // CS6
+    {"high", 32, true, true},      // CS4
+    {"normal", 0, false, false},
+    {"low", 8, false, false},  // CS1
+}};
+
+}  // namespace
+
+const ClassPolicy& policy_of(TrafficClass traffic_class) {
+  const auto row = static_cast<std::size_t>(traffic_class);
+  assert(row < policies.size());
+  return policies[row];
 }
 
 std::optional<TrafficClass> traffic_class_of(std::string_view word) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opening, writing and retiring; what is read is in reading.cpp.
 #include "sample_log/sample_log.hpp"
 
 #include <algorithm>
@@ -8,7 +7,9 @@
 
 #include "active_segment.hpp"
 #include "foundation/error.hpp"
+#include "mcap/reader.hpp"
 #include "numbered.hpp"
+#include "sample_channel.hpp"
 #include "segment_names.hpp"
 #include "span.hpp"
 
@@ -20,12 +21,11 @@ constexpr std::uint64_t segments_of_a_log = 16;
 
 }  // namespace
 
-SampleLog::SampleLog(LogFiles& files, const LogLimits& limits, Time now, std::int64_t wall_ns,
-                     LogUse use)
+SampleLog::SampleLog(LogFiles& files, const LogLimits& limits, Instant at, LogUse use)
     : files_(files), limits_(limits), use_(use), confirmed_(files, "confirmed") {
   for (const std::string& file : files_.names()) {
     const auto number = number_in(file, segment_name, segment_extension);
-    if (number) recover(file, *number, now, wall_ns);
+    if (number) recover(file, *number, at);
   }
   if (confirmed_.damaged() > 0) {
     problems_.push_back(std::to_string(confirmed_.damaged()) +
@@ -51,8 +51,7 @@ bool SampleLog::begin_segment() {
   return true;
 }
 
-std::vector<Logged> SampleLog::append(const std::vector<LogEntry>& entries, Time now,
-                                      std::int64_t wall_ns) {
+std::vector<Logged> SampleLog::append(const std::vector<LogEntry>& entries, Instant at) {
   std::vector<Logged> logged(entries.size(), Logged::waiting);
   std::vector<std::pair<const LogEntry*, std::uint64_t>> fresh;
   std::set<SampleId> seen;
@@ -65,7 +64,7 @@ std::vector<Logged> SampleLog::append(const std::vector<LogEntry>& entries, Time
     }
     const bool is_there = waiting_.count(id) != 0 || known_.contains(id);
     if (is_there || !seen.insert(id).second) continue;
-    log_time_ns = std::max(log_time_ns + 1, static_cast<std::uint64_t>(std::max(wall_ns, {})));
+    log_time_ns = std::max(log_time_ns + 1, static_cast<std::uint64_t>(std::max(at.wall_ns, {})));
     fresh.emplace_back(&entries[i], log_time_ns);
     logged[i] = Logged::refused;
   }
@@ -81,7 +80,7 @@ std::vector<Logged> SampleLog::append(const std::vector<LogEntry>& entries, Time
   last_log_time_ns_ = log_time_ns;
   for (const auto& [entry, time_ns] : fresh) note(entry->id, time_ns);
   std::replace(logged.begin(), logged.end(), Logged::refused, Logged::kept);
-  segments_.back().written = now;
+  segments_.back().written = at.now;
   measure_segment();
   return logged;
 }
@@ -95,14 +94,14 @@ void SampleLog::measure_segment() {
 
 void SampleLog::note(const SampleId& id, std::uint64_t log_time_ns) {
   if (use_ == LogUse::queue) waiting_[id] = {last_number_, log_time_ns};
-  if (use_ == LogUse::history) (void)known_.add(id);
+  if (use_ == LogUse::history) known_.add(id);
   extend(segments_.back().spans, streams_.at(id.stream).topic, log_time_ns);
 }
 
 void SampleLog::confirm(const std::vector<SampleId>& ids) {
   for (const SampleId& id : ids) {
     waiting_.erase(id);
-    (void)confirmed_.add(id);
+    confirmed_.add(id);
   }
   (void)confirmed_.save();  // what fails is tried again with the next
 }
@@ -148,9 +147,8 @@ void SampleLog::sync() {
   confirmed_.sync();
 }
 
-void SampleLog::recover(const std::string& file, std::uint64_t number, Time now,
-                        std::int64_t wall_ns) {
-  Segment segment{file, number, 0, now, {}};
+void SampleLog::recover(const std::string& file, std::uint64_t number, Instant at) {
+  Segment segment{file, number, 0, at.now, {}};
   last_number_ = std::max(last_number_, number);
   try {
     auto source = files_.open(file);
@@ -159,9 +157,137 @@ void SampleLog::recover(const std::string& file, std::uint64_t number, Time now,
   } catch (const ConfigError& error) {
     problems_.emplace_back(error.what());
   }
-  const auto age = std::chrono::nanoseconds(wall_ns - static_cast<std::int64_t>(last_log_time_ns_));
-  if (last_log_time_ns_ > 0) segment.written = now - std::max<Duration>(age, Duration::zero());
+  const auto age =
+      std::chrono::nanoseconds(at.wall_ns - static_cast<std::int64_t>(last_log_time_ns_));
+  if (last_log_time_ns_ > 0) segment.written = at.now - std::max<Duration>(age, Duration::zero());
   segments_.push_back(segment);
+}
+
+void SampleLog::index(std::unique_ptr<mcap::ByteSource> source, Segment& segment) {
+  mcap::Reader reader(std::move(source), segment.file);
+  const auto& channels = reader.summary().channels;
+  const auto& schemas = reader.summary().schemas;
+  for (const auto& [id, channel] : channels) {
+    if (!key_of(channel)) continue;
+    const auto schema = schemas.find(channel.schema_id);
+    add(stream_of(channel, schema == schemas.end() ? mcap::Schema{} : schema->second));
+  }
+  mcap::Query in_order;
+  in_order.order = mcap::Order::file;
+  const auto messages = reader.messages(in_order);
+  while (const auto message = messages->next()) {
+    const auto channel = channels.find(message->channel_id);
+    const auto key = channel == channels.end() ? std::nullopt : key_of(channel->second);
+    if (!key) continue;
+    last_log_time_ns_ = std::max(last_log_time_ns_, message->log_time_ns);
+    extend(segment.spans, channel->second.topic, message->log_time_ns);
+    const SampleId id = sample_id(*key, message->sequence);
+    if (use_ == LogUse::history) {
+      known_.add(id);
+      continue;
+    }
+    if (!confirmed_.done().contains(id)) waiting_[id] = {segment.number, message->log_time_ns};
+  }
+  if (reader.damage().chunks > 0) {
+    problems_.push_back(segment.file + ": " + std::to_string(reader.damage().chunks) +
+                        " chunks are damaged and left out");
+  }
+}
+
+std::vector<SampleId> SampleLog::waiting() const {
+  std::vector<std::pair<std::uint64_t, SampleId>> by_time;
+  for (const auto& [id, place] : waiting_) by_time.emplace_back(place.log_time_ns, id);
+  std::sort(by_time.begin(), by_time.end());
+  std::vector<SampleId> ids;
+  for (const auto& entry : by_time) ids.push_back(entry.second);
+  return ids;
+}
+
+std::vector<LoggedSpan> SampleLog::contents() const {
+  std::map<std::string, LoggedSpan> all;
+  for (const Segment& segment : segments_) {
+    for (const auto& [topic, span] : segment.spans) {
+      LoggedSpan& sum =
+          all.try_emplace(topic, LoggedSpan{topic, 0, span.first_ns, 0}).first->second;
+      sum.samples += span.samples;
+      sum.first_ns = std::min(sum.first_ns, span.first_ns);
+      sum.last_ns = std::max(sum.last_ns, span.last_ns);
+    }
+  }
+  std::vector<LoggedSpan> list;
+  for (auto& entry : all) list.push_back(std::move(entry.second));
+  return list;
+}
+
+LogFinding SampleLog::find(const LogQuery& query) {
+  LogFinding finding;
+  for (const Segment& segment : segments_) {
+    const auto span = segment.spans.find(query.topic);
+    const bool overlaps = span != segment.spans.end() && span->second.first_ns <= query.to_ns &&
+                          span->second.last_ns >= query.from_ns;
+    if (overlaps) find(segment, query, finding);
+    if (finding.next_ns) break;
+  }
+  return finding;
+}
+
+void SampleLog::find(const Segment& segment, const LogQuery& query, LogFinding& finding) {
+  try {
+    mcap::Reader reader(files_.open(segment.file), segment.file);
+    const auto& channels = reader.summary().channels;
+    mcap::Query in_time{query.from_ns, query.to_ns, {}, mcap::Order::file};
+    in_time.wanted = [&query](const mcap::Channel& one) { return one.topic == query.topic; };
+    const auto messages = reader.messages(in_time);
+    while (const auto message = messages->next()) {
+      const auto key = key_of(channels.at(message->channel_id));
+      if (!key) continue;
+      const SampleId id = sample_id(*key, message->sequence);
+      if (confirmed_.done().contains(id)) continue;
+      if (finding.ids.size() >= query.most) {
+        finding.next_ns = message->log_time_ns;
+        return;
+      }
+      waiting_[id] = {segment.number, message->log_time_ns};
+      finding.ids.push_back(id);
+    }
+  } catch (const ConfigError& error) {
+    problems_.emplace_back(error.what());
+  }
+}
+
+std::vector<LogEntry> SampleLog::read(const std::vector<SampleId>& ids) {
+  std::map<std::uint64_t, std::map<std::uint64_t, SampleId>> wanted;
+  for (const SampleId& id : ids) {
+    const auto place = waiting_.find(id);
+    if (place != waiting_.end()) wanted[place->second.segment][place->second.log_time_ns] = id;
+  }
+  std::vector<LogEntry> found;
+  for (const Segment& segment : segments_) {
+    const auto here = wanted.find(segment.number);
+    if (here != wanted.end()) read(segment, here->second, found);
+  }
+  return found;
+}
+
+void SampleLog::read(const Segment& segment, const std::map<std::uint64_t, SampleId>& wanted,
+                     std::vector<LogEntry>& found) {
+  try {
+    mcap::Reader reader(files_.open(segment.file), segment.file);
+    mcap::Query query;
+    query.from_ns = wanted.begin()->first;
+    query.to_ns = wanted.rbegin()->first;
+    query.order = mcap::Order::file;
+    const auto messages = reader.messages(query);
+    while (const auto message = messages->next()) {
+      const auto id = wanted.find(message->log_time_ns);
+      if (id == wanted.end()) continue;
+      found.push_back({id->second,
+                       static_cast<std::int64_t>(message->publish_time_ns),
+                       {message->data, message->data + message->size}});
+    }
+  } catch (const ConfigError& error) {
+    problems_.emplace_back(error.what());
+  }
 }
 
 }  // namespace tocsin::sample_log

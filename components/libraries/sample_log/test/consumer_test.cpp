@@ -27,13 +27,13 @@ constexpr std::int64_t wall_ns = 1'700'000'000'000'000'000;
 
 class ConsumerTest : public ::testing::Test {
  protected:
-  ConsumerTest() : log_(files_, {}, now, wall_ns, LogUse::history) {
+  ConsumerTest() : log_(files_, {}, Instant{now, wall_ns}, LogUse::history) {
     log_.add({"odom", "/odom", {0, "some_msgs/msg/Type", "", ""}, {}});
     log_.add({"arm", "/arm/state", {0, "some_msgs/msg/Type", "", ""}, {}});
   }
   void append(std::uint64_t first, std::uint64_t last, const std::string& stream = "odom") {
     for (std::uint64_t i = first; i <= last; ++i) {
-      (void)log_.append({{{stream_key(stream), 7, i}, 1000, {1, 2}}}, now, wall_ns);
+      (void)log_.append({{{stream_key(stream), 7, i}, 1000, {1, 2}}}, {now, wall_ns});
     }
   }
   [[nodiscard]] std::unique_ptr<Consumer> consumer(const std::string& name,
@@ -74,17 +74,6 @@ TEST_F(ConsumerTest, GoesOnWhereItsNameHasCommitted) {
   EXPECT_TRUE(sut->is_back());
   EXPECT_THAT(read(*sut), ElementsAre(3, 4, 5, 6));
   EXPECT_FALSE(sut->take_gap());
-}
-
-TEST_F(ConsumerTest, NamesAndTopicsHavePlacesOfTheirOwn) {
-  append(1, 3);
-  append(1, 2, "arm");
-  const auto first = consumer("plot");
-  EXPECT_THAT(read(*first), ElementsAre(1, 2, 3));
-  EXPECT_TRUE(first->commit());
-  EXPECT_THAT(read(*consumer("fit")), ElementsAre(1, 2, 3));
-  EXPECT_THAT(read(*consumer("plot", "/arm/state")), ElementsAre(1, 2));
-  EXPECT_THAT(read(*consumer("")), ElementsAre(1, 2, 3)) << "who has no name, and no place";
 }
 
 TEST_F(ConsumerTest, ANewNameMissesNothingFromItsFirstMomentOn) {

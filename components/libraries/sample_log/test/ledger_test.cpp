@@ -38,16 +38,6 @@ TEST_F(LedgerTest, RemembersWhatWasSavedOverLives) {
   EXPECT_FALSE(sut_->done().contains({2, 2, 10})) << "another stream";
 }
 
-TEST_F(LedgerTest, HasOneFileAfterEachStart) {
-  for (int life = 0; life < 3; ++life) {
-    sut_->add({1, 2, static_cast<std::uint64_t>(life)});
-    EXPECT_EQ(sut_->save(), mcap::Kept::all);
-    restart();
-  }
-  EXPECT_EQ(files_.names().size(), 1U);
-  for (std::uint64_t i = 0; i < 3; ++i) EXPECT_TRUE(has(i));
-}
-
 TEST_F(LedgerTest, ARecordThatWasHalfWrittenIsLeftOut) {
   sut_->add({1, 2, 10});
   EXPECT_EQ(sut_->save(), mcap::Kept::all);
@@ -85,21 +75,6 @@ TEST_F(LedgerTest, AFullDiskIsTriedAgain) {
   EXPECT_TRUE(has(10));
 }
 
-TEST_F(LedgerTest, StartsWhereNoFileCanBeMadeAndBeginsOneLater) {
-  sut_->add({1, 2, 10});
-  EXPECT_EQ(sut_->save(), mcap::Kept::all);
-  files_.refuses_files = true;
-  restart();
-  EXPECT_TRUE(has(10)) << "what is there is read";
-  sut_->add({1, 2, 11});
-  EXPECT_EQ(sut_->save(), mcap::Kept::nothing);
-  files_.refuses_files = false;
-  EXPECT_EQ(sut_->save(), mcap::Kept::all);
-  restart();
-  EXPECT_TRUE(has(10));
-  EXPECT_TRUE(has(11));
-}
-
 TEST_F(LedgerTest, AKilledRewriteLosesNothing) {
   sut_->add({1, 2, 10});
   EXPECT_EQ(sut_->save(), mcap::Kept::all);
@@ -111,17 +86,6 @@ TEST_F(LedgerTest, AKilledRewriteLosesNothing) {
   half.resize(half.size() / 2);
   restart();
   EXPECT_TRUE(has(10));
-}
-
-TEST_F(LedgerTest, WritersThatWereHeardOfLastAreKeptOverLives) {
-  for (std::uint64_t source = 0; source < 4096; ++source) sut_->add({1, source, 1});
-  EXPECT_EQ(sut_->save(), mcap::Kept::all);
-  sut_->add({1, 0, 2});
-  EXPECT_EQ(sut_->save(), mcap::Kept::all);
-  restart();
-  sut_->add({1, 5000, 1});
-  EXPECT_TRUE(sut_->done().contains({1, 0, 1}));
-  EXPECT_FALSE(sut_->done().contains({1, 1, 1}));
 }
 
 TEST_F(LedgerTest, AFileThatIsNoneOfItsOwnIsLeftAlone) {

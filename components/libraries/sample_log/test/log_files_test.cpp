@@ -46,16 +46,6 @@ TEST_P(EachKindOfFiles, AreReadAsTheyWereAppended) {
   EXPECT_EQ(text_of("one"), "abcaab");
 }
 
-TEST_P(EachKindOfFiles, AreNamedInTheirOrder) {
-  EXPECT_THAT(files_->names(), IsEmpty());
-  (void)files_->make("two");
-  (void)files_->make("one");
-  EXPECT_THAT(files_->names(), ElementsAre("one", "two"));
-  files_->remove("one");
-  files_->remove("one");
-  EXPECT_THAT(files_->names(), ElementsAre("two"));
-}
-
 TEST_P(EachKindOfFiles, AreMadeOnceAndReadOnlyWhenTheyAreThere) {
   (void)files_->make("one");
   EXPECT_THROW((void)files_->make("one"), ConfigError);
@@ -65,12 +55,6 @@ TEST_P(EachKindOfFiles, AreMadeOnceAndReadOnlyWhenTheyAreThere) {
 INSTANTIATE_TEST_SUITE_P(Files, EachKindOfFiles, ::testing::Bool(), [](const auto& which) {
   return std::string(which.param ? "InAFolder" : "InMemory");
 });
-
-TEST(FolderFiles, RefuseAFolderThatCannotBeMade) {
-  const TemporaryFolder folder;
-  (void)folder.write("file", "");
-  EXPECT_THROW(FolderFiles(folder.path("file/log")), ConfigError);
-}
 
 TEST(FolderFiles, RefuseAFolderThatAnotherLogHas) {
   const TemporaryFolder folder;

@@ -14,42 +14,11 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::Pair;
 
-TEST(SequenceSet, HasOneRangeForWhatComesWithoutGaps) {
-  SequenceSet sut;
-  for (std::uint64_t i = 5; i <= 9; ++i) EXPECT_TRUE(sut.insert(i));
-  EXPECT_THAT(sut.ranges(), ElementsAre(Pair(5, 9)));
-}
-
-TEST(SequenceSet, TellsWhatIsNew) {
-  SequenceSet sut;
-  EXPECT_TRUE(sut.insert(3));
-  EXPECT_FALSE(sut.insert(3));
-  EXPECT_FALSE(sut.contains(2));
-  EXPECT_TRUE(sut.contains(3));
-  EXPECT_FALSE(sut.contains(4));
-}
-
-TEST(SequenceSet, AGapThatIsFilledJoinsItsNeighbours) {
-  SequenceSet sut;
-  sut.insert(1, 3);
-  sut.insert(5, 8);
-  EXPECT_THAT(sut.ranges(), ElementsAre(Pair(1, 3), Pair(5, 8)));
-  sut.insert(4);
-  EXPECT_THAT(sut.ranges(), ElementsAre(Pair(1, 8)));
-}
-
 TEST(SequenceSet, ClosesTheLowestGaps) {
   SequenceSet sut;
   for (const std::uint64_t one : {1, 3, 5, 7}) sut.insert(one);
   sut.close_gaps(2);
   EXPECT_THAT(sut.ranges(), ElementsAre(Pair(1, 5), Pair(7, 7)));
-}
-
-TEST(SequenceSet, HasNothingAtFirstAndNothingToClose) {
-  SequenceSet sut;
-  sut.close_gaps(1);
-  EXPECT_TRUE(sut.ranges().empty());
-  EXPECT_FALSE(sut.contains(0));
 }
 
 TEST(SequenceSet, TakesTheLargestNumber) {

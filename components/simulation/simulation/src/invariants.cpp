@@ -37,7 +37,7 @@ bool Invariants::is_closed(const TopicEnd& end) const {
 
 /// The first of several that wait is looked at; a newer one may go in its place.
 void Invariants::await(const TopicEnd& end, std::uint64_t sequence, Time since) {
-  if (end.traffic_class > TrafficClass::high || routed_.count(end.host) == 0) return;
+  if (!policy_of(*end.traffic_class).passes_backlog || routed_.count(end.host) == 0) return;
   const Time due = since + seconds(limits_.leaves_s);
   if (awaited_.insert({&end, {sequence, due}}).second) next_due_ = std::min(next_due_, due);
 }

@@ -18,7 +18,7 @@ std::set<std::pair<std::uint64_t, std::uint64_t>> waiting_in(const std::string& 
     const std::string folder = run_dir + "/" + to_string(role) + "/store";
     if (!std::filesystem::is_directory(folder)) continue;
     sample_log::FolderFiles files(folder);
-    const sample_log::SampleLog log(files, {}, start_time, Core::wall_ns(start_time));
+    const sample_log::SampleLog log(files, {}, Instant{start_time, Core::wall_ns(start_time)});
     for (const auto& id : log.waiting()) waiting.emplace(id.source, id.sequence);
   }
   return waiting;

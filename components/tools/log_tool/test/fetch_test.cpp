@@ -34,12 +34,6 @@ class FetchTest : public ::testing::Test {
   Fetch sut_{request()};
 };
 
-TEST_F(FetchTest, AsksOnceASecond) {
-  EXPECT_TRUE(sut_.has_to_ask(t0));
-  EXPECT_FALSE(sut_.has_to_ask(t0 + s - Duration(1)));
-  EXPECT_TRUE(sut_.has_to_ask(t0 + s));
-}
-
 TEST_F(FetchTest, IsDoneWhenAllWhoKnowItSayThatItIs) {
   EXPECT_FALSE(sut_.is_done());
   sut_.on_state(state("done", 3, 3, "uxv", 42), t0);

@@ -44,13 +44,6 @@ TEST(KnownLogs, KnowWhatRoutersTell) {
   EXPECT_THAT(sut.topics(), ElementsAre("camera", "map", "odom"));
 }
 
-TEST(KnownLogs, TheClockOfALogGoesOnFromItsLastWord) {
-  KnownLogs sut;
-  EXPECT_FALSE(sut.clock_ns("odom", t0));
-  sut.on_state(state({"odom"}), t0);
-  EXPECT_EQ(sut.clock_ns("odom", t0 + std::chrono::seconds(3)), 1003 * second_ns);
-}
-
 TEST(KnownLogs, TheTableTellsAgesByTheLogsClock) {
   KnownLogs sut;
   sut.on_state(state({"odom"}), t0);
@@ -71,29 +64,10 @@ TEST(KnownLogs, TheNewestWordOfARouterCounts) {
   EXPECT_THAT(sut.table(t0 + std::chrono::seconds(10)), HasSubstr("          50         610.0 s"));
 }
 
-// A name is what a peer sent.
-TEST(KnownLogs, TheTableIsPrintable) {
-  KnownLogs sut;
-  sut.on_state(state({"o\x1b[2Jdom"}, "u\nxv"), t0);
-  const std::string text = sut.table(t0);
-  EXPECT_THAT(text, HasSubstr("o\\x1b[2Jdom"));
-  EXPECT_THAT(text, HasSubstr("u\\nxv"));
-}
-
 TEST(TimeOf, IsSinceTheEpochOrBeforeNow) {
   EXPECT_EQ(time_of("--from", "1700000000.5", 0), 1'700'000'000'500'000'000);
   EXPECT_EQ(time_of("--from", "-60", 1000 * second_ns), 940 * second_ns);
   EXPECT_EQ(time_of("--to", "0", 1000 * second_ns), 1000 * second_ns);
-}
-
-TEST(KnownLogs, EachHostHasItsOwnClock) {
-  KnownLogs sut;
-  auto station = state({"map"}, "gcs");
-  station.stamp().sec(5000);
-  sut.on_state(state({"odom"}), t0);
-  sut.on_state(station, t0);
-  EXPECT_EQ(sut.clock_ns("odom", t0), 1000 * second_ns);
-  EXPECT_EQ(sut.clock_ns("map", t0), 5000 * second_ns);
 }
 
 TEST(KnownLogs, TellWhetherNobodyLogsOrNothingRuns) {

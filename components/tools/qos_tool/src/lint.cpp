@@ -52,9 +52,7 @@ void reliable_stream(const LintInput& input, const char* rule, Findings& found) 
           "a stream whose readers ask for repair: on a bad radio old samples are sent again in "
           "front of new ones; request best effort (requested_reliability: best_effort)");
     }
-    const bool repaired =
-        topic.way == Way::routed && (topic.traffic_class == TrafficClass::critical ||
-                                     topic.traffic_class == TrafficClass::high);
+    const bool repaired = topic.way == Way::routed && policy_of(topic.traffic_class).repaired;
     return repaired ? std::string(
                           "a stream in a class that link_router repairs: its repairs take "
                           "the radio from commands; put it into normal or low")

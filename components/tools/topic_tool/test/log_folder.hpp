@@ -19,7 +19,7 @@ class TextLog {
 
   TextLog(const std::string& folder, const std::string& topic)
       : files_(folder),
-        log_(files_, {}, now_, wall_now_ns(), sample_log::LogUse::history),
+        log_(files_, {}, Instant{now_, wall_now_ns()}, sample_log::LogUse::history),
         stream_(sample_log::stream_key(topic)) {
     log_.add({topic, topic, {0, "std_msgs/msg/String", "", ""}, {}});
   }
@@ -28,7 +28,7 @@ class TextLog {
       Message message;
       message.data(text);
       (void)log_.append({{{stream_, 7, ++last_}, 1000, encode(type_info<Message>(), &message)}},
-                        now_, wall_now_ns());
+                        {now_, wall_now_ns()});
     }
   }
 

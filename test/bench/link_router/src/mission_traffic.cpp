@@ -28,7 +28,7 @@ router::StreamRule rule_of(const simulation::TopicEnd& end) {
   router::StreamRule rule;
   rule.name = end.process + "/" + end.topic;
   rule.traffic_class = end.traffic_class.value_or(TrafficClass::normal);
-  rule.repaired = router::repairs_by_default(rule.traffic_class);
+  rule.repaired = policy_of(rule.traffic_class).repaired;
   if (end.pausable) {
     rule.while_paused = end.drops ? router::WhilePaused::drop : router::WhilePaused::latest;
   }

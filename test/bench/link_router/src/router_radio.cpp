@@ -53,7 +53,7 @@ void RouterRadio::send(std::size_t side, const router::Transmission& one, Time n
   const auto packets = router::packets_of(one.sample.bytes);
   if (one.repair) ++repairs_;
   const router::TransmissionNumber number = ++numbers_[side][one.stream];
-  senders_[side]->on_written(number);
+  senders_[side]->on_written(one, number);
   send({one, 1 - side, classes_.at(one.stream), packets.size(), number}, packets, now);
 }
 

@@ -14,7 +14,7 @@ namespace tocsin::router {
 
 /// Takes the batches of peers in their order and leaves out what the host was given before, live or
 /// in a batch. Of samples, `stream` is the stream_key of the peer's name and the stream's name.
-/// What the host was given is remembered by whoever calls it, over the lives of this router; a
+/// What the host was given is remembered by whoever calls it, over the instances of this router; a
 /// batch is confirmed only when that is safe. Pure.
 class BackfillReceiver {
  public:
@@ -23,21 +23,21 @@ class BackfillReceiver {
   /// The number of a peer's stream here.
   [[nodiscard]] static std::uint64_t stream_key(const std::string& peer, const std::string& stream);
 
-  /// What earlier lives of this router have given. Before it, batches are not taken.
+  /// What earlier instances of this router have given. Before it, batches are not taken.
   void recover(const sample_log::SampleSet& given);
   /// The host is given a sample that crossed live. Whether it was not given yet.
   bool on_live(const SampleId& id) { return given_.add(id); }
 
   /// What the host is to be given, in this order; empty when the batch came before or too early.
   /// One that comes too early is kept until its turn.
-  [[nodiscard]] std::vector<BackfillBatch> on_batch(const std::string& peer, Incarnation life,
+  [[nodiscard]] std::vector<BackfillBatch> on_batch(const std::string& peer, InstanceId instance,
                                                     BackfillBatch batch);
-  /// All batches of this life of the peer up to this one were taken; zeroes before the first.
-  [[nodiscard]] BackfillProgress progress(const std::string& peer, Incarnation life) const;
+  /// All batches of this instance of the peer up to this one were taken; zeroes before the first.
+  [[nodiscard]] BackfillProgress progress(const std::string& peer, InstanceId instance) const;
 
  private:
   struct Session {
-    Incarnation life = 0;
+    InstanceId instance = 0;
     BackfillProgress progress;
     std::map<std::uint32_t, BackfillBatch> early;
   };

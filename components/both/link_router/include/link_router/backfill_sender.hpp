@@ -24,8 +24,8 @@ namespace tocsin::router {
 /// has it. What did not cross live is sent in batches, oldest first and in the order of each
 /// writer: a sample waits while an older one of its writer may still cross live. Batches are
 /// numbered; the peer confirms them in their order, at most `window` are unconfirmed, and the first
-/// of them is repeated until it is. A session is one meeting of two lives: a new one sends what was
-/// not confirmed again. All within a share of the capacity; when the link has room at all,
+/// of them is repeated until it is. A session is one meeting of two instances: a new one sends what
+/// was not confirmed again. All within a share of the capacity; when the link has room at all,
 /// LinkSender::may_backfill tells. What somebody requests of a history goes the same way, behind
 /// all else. Pure; `now` never decreases.
 class BackfillSender {
@@ -35,7 +35,7 @@ class BackfillSender {
 
   /// A sample goes to the log and is offered to the link. One that is known stays what it is.
   void offer(const SampleId& id);
-  /// The log has it from an earlier life, and nobody has confirmed it: in the order of the log.
+  /// The log has it from an earlier instance, and nobody has confirmed it: in the order of the log.
   void recover(const SampleId& id);
   /// What the log did with one that was offered.
   void on_logged(const SampleId& id, sample_log::Logged logged);
@@ -69,8 +69,8 @@ class BackfillSender {
   [[nodiscard]] const std::map<std::uint64_t, StoredCounts>& counts() const { return counts_; }
 
  private:
-  /// Rises in the order in which samples came; those of earlier lives come before, those that were
-  /// requested behind all.
+  /// Rises in the order in which samples came; those of earlier instances come before, those that
+  /// were requested behind all.
   using Order = std::uint64_t;
   static constexpr Order first_requested = Order{1} << 56U;
   enum class State : std::uint8_t {

@@ -13,7 +13,7 @@
 
 namespace tocsin::router {
 
-/// One life of a peer, as the sender counts them.
+/// One instance of a peer, as the sender counts them.
 using PeerIndex = std::uint32_t;
 
 /// A sample that was put on the wire, until its fate is known.
@@ -24,7 +24,10 @@ struct SentSample {
   Sample sample;
   WireCost cost;
   Time offered{};
-  Time expires = never;            ///< not repaired after it
+  Time expires = never;  ///< not repaired after it
+  WhilePaused while_paused = WhilePaused::send;
+  bool is_repaired = false;        ///< by the rule of its stream
+  bool is_stored = false;          ///< its fate is published
   std::vector<PeerIndex> missing;  ///< peers that want it and have not acknowledged it
   unsigned transmissions = 0;
   unsigned under_way = 0;  ///< transmissions times peers of which nothing is known
@@ -34,8 +37,8 @@ struct SentSample {
   bool superseded = false;  ///< as many newer ones as its stream keeps were sent
   bool late = false;
   bool repaired = false;
-  bool came = false;    ///< to a peer at least
-  bool counted = true;  ///< false: sent before already, this is for a peer that came later
+  bool received = false;  ///< to a peer at least
+  bool counted = true;    ///< false: sent before already, this is for a peer that came later
   Fate fate = Fate::open;
 };
 using SentSamplePtr = std::shared_ptr<SentSample>;
@@ -43,8 +46,7 @@ using SentSamplePtr = std::shared_ptr<SentSample>;
 /// What a transmission became for one peer.
 struct Settlement {
   PeerIndex peer = 0;
-  bool came = false;
-  bool was_settled = false;  ///< it had been given up
+  bool received = false;
   WireCost cost;
   Time sent{};
   Time expected{};
@@ -67,7 +69,7 @@ class DeliveryLog {
     PeerIndex peer = 0;
     Time expected{};  ///< when it should have left the radio
     bool settled = false;
-    bool came = false;
+    bool received = false;
   };
   struct Record {
     TransmissionNumber number = 0;
@@ -77,7 +79,7 @@ class DeliveryLog {
     std::vector<Copy> copies;
   };
   /// Numbers of a stream rise.
-  void add(const Record& record);
+  void add(Record record);
   void forget_stream(StreamId stream);
   /// Nothing is expected of it any more.
   [[nodiscard]] std::vector<Settlement> forget_peer(PeerIndex peer);
@@ -100,7 +102,7 @@ class DeliveryLog {
   /// Copies of those under way for which `ends` is true are given up.
   template <class Ends>
   void give_up(Ends ends, std::vector<Settlement>& settled);
-  static Settlement settle(Record& record, Copy& copy, bool came);
+  static Settlement settle(Record& record, Copy& copy, bool received);
   void drop_settled();
 
   Duration patience_;

@@ -42,7 +42,7 @@ class StandingRequests {
     Time said{};
   };
   std::map<std::uint64_t, Standing> standing_;
-  std::map<std::string, Time> told_;  ///< by peer
+  std::map<std::string, Time> sent_;  ///< by peer
 };
 
 /// How far a request is.

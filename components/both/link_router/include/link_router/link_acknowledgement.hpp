@@ -24,7 +24,7 @@ struct StreamAcknowledgement {
 /// that a lost acknowledgement loses nothing. Of the clocks only differences are used. Coded with
 /// 32 bits for numbers and 16 for ages in units of 100 us it takes 24 bytes and 18 a stream.
 struct LinkAcknowledgement {
-  std::uint32_t count = 0;  ///< rises by 1 with each acknowledgement to this life of the peer
+  std::uint32_t count = 0;  ///< rises by 1 with each acknowledgement to this instance of the peer
   Time made{};              ///< by the clock of who made it
   std::vector<StreamAcknowledgement> streams;
 };

@@ -3,9 +3,13 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "link_router/link_router_params.hpp"
+#include "link_router/peer_paths.hpp"
 #include "link_router/transmission.hpp"
 
 namespace tocsin::router {
@@ -44,14 +48,46 @@ class AdaptiveScale {
   };
   void update(const Input& input, Time now);
   /// [scale_min, 1]
-  [[nodiscard]] double scale() const { return told_; }
+  [[nodiscard]] double scale() const { return reported_; }
 
  private:
   [[nodiscard]] double target(const Input& input) const;
   LinkRouterParams params_;
   double smooth_ = 1;
-  double told_ = 1;
+  double reported_ = 1;
   std::optional<Time> updated_;
+};
+
+/// The budgets of adaptive streams: what they would take at scale 1, what the others take, and the
+/// scale that follows. Pure; `now` never decreases.
+class LinkAdaptation {
+ public:
+  explicit LinkAdaptation(const LinkRouterParams& params) : scale_(params) {}
+
+  /// An adaptive stream. Of others nothing is measured but on_other().
+  void add_stream(StreamId stream) { streams_[stream]; }
+  void forget_stream(StreamId stream) { streams_.erase(stream); }
+  /// A sample was offered. Of streams that were not added nothing is noted.
+  void on_offered(StreamId stream, const WireCost& cost, Time now);
+  /// A sample of a stream that does not adapt goes on the wire.
+  void on_other(const WireCost& cost, Time now) { others_.add(cost.bytes, now); }
+  /// Updates the scale, every 50 ms at most.
+  void follow(const PeerPaths& paths, Time now);
+
+  [[nodiscard]] double scale() const { return scale_.scale(); }
+  /// Of each adaptive stream. `holds`: whether its source shall skip.
+  [[nodiscard]] std::vector<StreamBudget> budgets(const std::function<bool(StreamId)>& holds) const;
+
+ private:
+  struct Stream {
+    RateMeter nominal;            ///< what it would take at scale 1
+    double peak_bytes_per_s = 0;  ///< of nominal, forgotten slowly
+    Time offered = Time::min();
+  };
+  std::map<StreamId, Stream> streams_;
+  AdaptiveScale scale_;
+  RateMeter others_;
+  Time updated_ = Time::min();
 };
 
 }  // namespace tocsin::router

@@ -36,16 +36,16 @@ enum class Disposition : std::uint8_t {
 ///
 /// Each sample is given once; of a stream of depth 1, in the order of its source. A stream of
 /// another depth gives a repaired sample when it comes, behind newer ones. What was given is
-/// remembered by the peer's and the stream's name over the lives of the peer's router, so that a
-/// restart repeats nothing. Ages are over the least one seen lately from the peer's host, since
+/// remembered by the peer's and the stream's name over the instances of the peer's router, so that
+/// a restart repeats nothing. Ages are over the least one seen lately from the peer's host, since
 /// clocks differ. Pure; `now` never decreases.
 class LinkReceiver {
  public:
   /// Throws ConfigError for parameters that do not fit each other.
   explicit LinkReceiver(const LinkRouterParams& params);
 
-  /// A peer, or its next life: numbers start afresh. The same life again changes nothing.
-  void on_peer(const std::string& peer, Incarnation incarnation);
+  /// A peer, or its next instance: numbers start afresh. The same instance again changes nothing.
+  void on_peer(const std::string& peer, InstanceId instance);
   /// It is gone; what was given of it is remembered.
   void forget_peer(const std::string& peer);
   /// A link writer of a known peer. Of the rule, name, depth, lifespan and traffic_class count.
@@ -77,7 +77,7 @@ class LinkReceiver {
   };
   struct Peer {
     explicit Peer(Duration clock_window) : age(clock_window) {}
-    std::optional<Incarnation> incarnation;  ///< empty: it is gone
+    std::optional<InstanceId> instance;  ///< empty: it is gone
     std::map<StreamId, Stream> streams;
     std::map<std::pair<std::string, SourceId>, SourceMemory> delivered;  ///< by name of the stream
     LeastAge age;

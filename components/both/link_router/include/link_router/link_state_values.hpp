@@ -50,11 +50,4 @@ struct LinkStateValues {
   std::size_t silent_peers = 0;  ///< known, but they do not
 };
 
-/// Share of a class's ended samples that were late or are lost.
-[[nodiscard]] inline double late_or_lost(const ClassCounts& counts) {
-  const std::uint64_t ended = counts.delivered + counts.lost;
-  if (ended == 0) return 0;
-  return static_cast<double>(counts.late + counts.lost) / static_cast<double>(ended);
-}
-
 }  // namespace tocsin::router

@@ -27,12 +27,12 @@ class PendingCalls {
 
   /// In the place of one of this key, if there is one.
   void add(const Key& key, Call call) {
-    (void)take(key);
+    take(key);
     order_.push_back(key);
     calls_.emplace(key, std::move(call));
   }
   /// It is over. Nothing when it was before.
-  [[nodiscard]] std::optional<Call> take(const Key& key) {
+  std::optional<Call> take(const Key& key) {
     const auto found = calls_.find(key);
     if (found == calls_.end()) return std::nullopt;
     Call call = std::move(found->second);

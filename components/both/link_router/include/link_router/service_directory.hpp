@@ -65,7 +65,7 @@ class ServiceDirectory {
   std::set<std::string> on_peer(PeerLife peer, const ServiceLists& lists);
   void forget_peer(PeerLife peer) { peers_.erase(peer); }
 
-  [[nodiscard]] ServiceLists told(Time now) const;
+  [[nodiscard]] ServiceLists announced(Time now) const;
   /// To serve on this host; at most one of each name.
   [[nodiscard]] std::set<ServiceName> shown(Time now) const;
   /// Names of what peers offer and nobody serves on this host, shown here or not.

@@ -89,7 +89,7 @@ class StopListener {
   std::vector<std::string> stale_;                ///< hosts whose value is not fresh
   std::optional<Time> last_value_;
   std::optional<Time> followed_;
-  Time begun_{};  ///< of its life, or after its last freeze
+  Time begun_{};  ///< of its instance, or after its last freeze
   std::uint64_t releases_ = 0;
 };
 

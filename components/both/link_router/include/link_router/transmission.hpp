@@ -24,14 +24,14 @@ enum class WhilePaused : std::uint8_t {
   drop,    ///< counted
 };
 
-/// A link writer as both sides know it, unique within one life of the router that owns it: its RTPS
-/// entity id.
+/// A link writer as both sides know it, unique within one instance of the router that owns it: its
+/// RTPS entity id.
 using StreamId = std::uint32_t;
 /// RTPS sequence number of a stream's link writer: 1, 2, 3, ... One for each transmission, repairs
 /// included.
 using TransmissionNumber = std::uint64_t;
-/// One life of a router. A restart has another one.
-using Incarnation = std::uint64_t;
+/// One instance of a router. A restart has another one.
+using InstanceId = std::uint64_t;
 /// The writer on the host that made a sample; of a topic with keys, the writer and the instance.
 using SourceId = std::uint64_t;
 
@@ -52,22 +52,17 @@ struct Sample {
 /// What the configuration says of a stream.
 struct StreamRule {
   /// Topic, and user data of the writers if the topic has several kinds: the stream's name over all
-  /// lives of a router.
+  /// instances of a router.
   std::string name;
   TrafficClass traffic_class = TrafficClass::low;
   WhilePaused while_paused = WhilePaused::send;
   std::size_t depth = 1;  ///< newest samples of each source that are kept (KEEP_LAST); at least 1
   Duration lifespan = Duration::max();  ///< an older sample is neither sent nor delivered
-  bool repaired = false;                ///< what is missing is sent again; see repairs_by_default
+  bool repaired = false;  ///< what is missing is sent again; default: ClassPolicy::repaired
   bool durable = false;   ///< the newest sample of each source is sent to peers that come later
   bool adaptive = false;  ///< its source follows the budget
   bool stored = false;    ///< the fate of each sample is told, so that what did not cross follows
 };
-
-/// Critical and high.
-[[nodiscard]] constexpr bool repairs_by_default(TrafficClass traffic_class) {
-  return traffic_class <= TrafficClass::high;
-}
 
 /// What became of a sample on the link; one that was given up may come all the same.
 enum class LiveFate : std::uint8_t {
@@ -90,13 +85,6 @@ struct StoredFate {
   StreamId stream = 0;
   Origin origin;
   LiveFate fate = LiveFate::did_not_cross;
-};
-
-/// What to put on the wire now, by the stream's link writer.
-struct Transmission {
-  StreamId stream = 0;
-  Sample sample;
-  bool repair = false;  ///< it was sent before
 };
 
 }  // namespace tocsin::router

@@ -2,12 +2,10 @@
 #include "fetch_rules.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "foundation/error.hpp"
-#include "foundation/joined.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/spelling.hpp"
 #include "foundation/yaml_file.hpp"
@@ -15,16 +13,14 @@
 namespace tocsin {
 namespace {
 
-constexpr double not_said = std::numeric_limits<double>::quiet_NaN();
 constexpr double any_number = std::numeric_limits<double>::infinity();
 
 /// A rule as it stands in the file.
 struct FetchEntry {
   std::string when;
   std::string field;
-  double above = not_said;
-  double below = not_said;
-  std::string equals;
+  double above = 0;
+  double below = any_number;
   std::vector<std::string> topics;
   double before_s = 10;
   double after_s = 10;
@@ -32,10 +28,9 @@ struct FetchEntry {
   template <class Visitor>
   void visit(Visitor& v) {
     v("when", when, "topic whose samples are looked at");
-    v("field", field, "of its type, with dots; none: any sample");
+    v("field", field, "a number or truth of its type, with dots; none: any sample");
     v("above", above, {-any_number, any_number}, "the field is above this");
-    v("below", below, {-any_number, any_number}, "the field is below this");
-    v("equals", equals, "the field is this number, true, false or text");
+    v("below", below, {-any_number, any_number}, "and below this");
     v("topics", topics, "logged topics of this role, or patterns, that cross");
     v("before_s", before_s, {0, 600}, "[s] of the log before that sample");
     v("after_s", after_s, {0, 600}, "[s] and after it");
@@ -44,40 +39,21 @@ struct FetchEntry {
   }
 };
 
-/// What of `above`, `below` and `equals` it has.
-std::vector<std::string> conditions_of(const FetchEntry& entry) {
-  std::vector<std::string> said;
-  if (!std::isnan(entry.above)) said.emplace_back("above");
-  if (!std::isnan(entry.below)) said.emplace_back("below");
-  if (!entry.equals.empty()) said.emplace_back("equals");
-  return said;
-}
-
 /// What is wrong with it; empty: nothing.
 std::string fault_of(const FetchEntry& entry) {
-  const std::vector<std::string> said = conditions_of(entry);
   if (entry.when.empty()) return ".when: a topic is to be named here";
   if (entry.topics.empty()) return ".topics: topics that cross are to be named here";
-  if (said.size() > 1) return ": has " + joined(said) + "; a rule has one of them";
-  if (entry.field.empty() && !said.empty()) return "." + said[0] + ": of which field is to be said";
-  if (!entry.field.empty() && said.empty()) {
-    return ".field: needs one of above, below, equals beside it";
-  }
+  if (entry.above >= entry.below) return ".above: is not less than below";
   if (entry.before_s + entry.after_s > 0) return "";
   return ".after_s: 0, and before_s 0, too: nothing is between them";
 }
 
 FetchRule to_rule(FetchEntry entry, std::string name) {
-  using Is = FetchRule::Is;
   FetchRule rule;
-  if (!std::isnan(entry.above)) rule.is = Is::above;
-  if (!std::isnan(entry.below)) rule.is = Is::below;
-  if (!entry.equals.empty()) rule.is = Is::equal;
-  if (rule.is == Is::above) rule.limit = entry.above;
-  if (rule.is == Is::below) rule.limit = entry.below;
   rule.when = std::move(entry.when);
   rule.field = std::move(entry.field);
-  rule.value = std::move(entry.equals);
+  rule.above = entry.above;
+  rule.below = entry.below;
   rule.topics = std::move(entry.topics);
   rule.before_s = entry.before_s;
   rule.after_s = entry.after_s;

@@ -13,7 +13,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-using Is = FetchRule::Is;
 
 /// A file of a vehicle that logs odom and pictures, with these rules.
 ConfigFile file_with(const std::string& rules) {
@@ -30,25 +29,24 @@ std::string error_of_rules(const std::string& rules) {
 
 TEST(FetchRules, SayWhenWhatCrosses) {
   const auto sut = rules_of(
-      "[{when: emergency_stop, field: data, equals: true, topics: ['*'], before_s: 3, after_s: 4,"
+      "[{when: emergency_stop, field: data, topics: ['*'], before_s: 3, after_s: 4,"
       " min_interval_s: 7},"
       " {when: odom, field: twist.twist.linear.x, above: 0.5, topics: [odom, camera/image]},"
-      " {when: battery, field: v, below: -1, topics: [odom]}, {when: bump, topics: [odom]}]");
+      " {when: battery, field: v, above: -9, below: -1, topics: [odom]}, {when: bump, topics: "
+      "[odom]}]");
   ASSERT_THAT(sut, SizeIs(4));
   EXPECT_EQ(sut[0].when, "emergency_stop");
   EXPECT_EQ(sut[0].field, "data");
-  EXPECT_EQ(sut[0].is, Is::equal);
-  EXPECT_EQ(sut[0].value, "true");
+  EXPECT_EQ(sut[0].above, 0) << "a truth, or a number above zero";
   EXPECT_EQ(sut[0].before_s, 3);
   EXPECT_EQ(sut[0].after_s, 4);
   EXPECT_EQ(sut[0].min_interval_s, 7);
-  EXPECT_EQ(sut[1].is, Is::above);
-  EXPECT_EQ(sut[1].limit, 0.5);
+  EXPECT_EQ(sut[1].above, 0.5);
   EXPECT_THAT(sut[1].topics, ElementsAre("odom", "camera/image"));
   EXPECT_EQ(sut[1].before_s, 10);
-  EXPECT_EQ(sut[2].is, Is::below);
-  EXPECT_EQ(sut[2].limit, -1);
-  EXPECT_EQ(sut[3].is, Is::any);
+  EXPECT_EQ(sut[2].above, -9);
+  EXPECT_EQ(sut[2].below, -1);
+  EXPECT_EQ(sut[3].field, "");
   EXPECT_EQ(sut[3].name, "uxv.fetch[3]");
 }
 
@@ -67,11 +65,8 @@ TEST(FetchRules, ThatSayTooLittleOrTooMuchAreOneErrorWithItsPlace) {
       {"bump", "uxv.fetch: is no list of rules"},
       {"[{topics: [odom]}]", "uxv.fetch[0].when: a topic is to be named here"},
       {"[{when: bump}]", "uxv.fetch[0].topics: topics that cross are to be named here"},
-      {"[{when: bump, field: x, topics: [odom]}]",
-       "uxv.fetch[0].field: needs one of above, below, equals"},
-      {"[{when: bump, above: 1, topics: [odom]}]", "uxv.fetch[0].above: of which field"},
-      {"[{when: bump, field: x, above: 1, below: 3, topics: [odom]}]",
-       "uxv.fetch[0]: has above, below; a rule has one of them"},
+      {"[{when: bump, field: x, below: 0, topics: [odom]}]",
+       "uxv.fetch[0].above: is not less than below"},
       {"[{when: bump, topics: [odom], before_s: 0, after_s: 0}]", "nothing is between them"},
       {"[{when: bump, topics: [odom], before_s: 601}]",
        "uxv.fetch[0].before_s: 601 is outside [0, 600]"},

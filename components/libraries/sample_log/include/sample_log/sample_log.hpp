@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "foundation/time.hpp"
+#include "foundation/instant.hpp"
 #include "mcap/format.hpp"
 #include "sample_log/ledger.hpp"
 #include "sample_log/log_files.hpp"
@@ -84,9 +84,8 @@ enum class Logged : std::uint8_t {
 /// a set clock takes nothing away. Nothing throws. One thread.
 class SampleLog {
  public:
-  /// Reads what earlier lives left. `wall_ns` [ns] since the Unix epoch, `now` of the same moment.
-  SampleLog(LogFiles& files, const LogLimits& limits, Time now, std::int64_t wall_ns,
-            LogUse use = LogUse::queue);
+  /// Reads what earlier instances left.
+  SampleLog(LogFiles& files, const LogLimits& limits, Instant at, LogUse use = LogUse::queue);
   ~SampleLog();
   SampleLog(const SampleLog&) = delete;
   SampleLog& operator=(const SampleLog&) = delete;
@@ -97,8 +96,7 @@ class SampleLog {
   [[nodiscard]] const std::map<std::uint64_t, LoggedStream>& streams() const { return streams_; }
 
   /// In the order of the entries. All or none of those that are new are kept.
-  [[nodiscard]] std::vector<Logged> append(const std::vector<LogEntry>& entries, Time now,
-                                           std::int64_t wall_ns);
+  [[nodiscard]] std::vector<Logged> append(const std::vector<LogEntry>& entries, Instant at);
   /// These are on the other side. They stay in their segments, but are not waited for any more.
   void confirm(const std::vector<SampleId>& ids);
   /// Those of a query that are not confirmed; they wait from then on. Reads files.
@@ -135,7 +133,7 @@ class SampleLog {
     std::uint64_t log_time_ns = 0;  ///< rises from sample to sample, over all segments
   };
   class Active;
-  void recover(const std::string& file, std::uint64_t number, Time now, std::int64_t wall_ns);
+  void recover(const std::string& file, std::uint64_t number, Instant at);
   /// Throws ConfigError when it is no MCAP file.
   void index(std::unique_ptr<mcap::ByteSource> source, Segment& segment);
   [[nodiscard]] bool begin_segment();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,13 +10,12 @@ namespace tocsin {
 /// When which part of a host's log crosses without anybody asking. One of the list `fetch` of a
 /// role in a traffic file.
 struct FetchRule {
-  /// What is asked of the field.
-  enum class Is : std::uint8_t { any, above, below, equal };
-  std::string when;   ///< topic whose samples are looked at
-  std::string field;  ///< of its type, with dots: `twist.twist.linear.x`; empty with Is::any
-  Is is = Is::any;
-  double limit = 0;                 ///< of above and below
-  std::string value;                ///< of equal: a number, true or false, or a text
+  std::string when;  ///< topic whose samples are looked at
+  /// A number or truth (0 or 1) of its type, with dots: `twist.twist.linear.x`; a sample fulfils
+  /// the rule when it is above `above` and below `below`. Empty: every sample does.
+  std::string field;
+  double above = 0;
+  double below = std::numeric_limits<double>::infinity();
   std::vector<std::string> topics;  ///< what crosses: logged topics, or patterns
   double before_s = 10;             ///< [s] [0, 600] of the log before that sample
   double after_s = 10;              ///< [s] [0, 600] and after it

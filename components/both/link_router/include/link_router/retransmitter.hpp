@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <list>
+#include <optional>
+#include <vector>
+
+#include "link_router/delivery_log.hpp"
+#include "link_router/link_budget.hpp"
+#include "link_router/link_gate.hpp"
+#include "link_router/link_pacer.hpp"
+#include "link_router/link_router_params.hpp"
+#include "link_router/peer_paths.hpp"
+
+namespace tocsin::router {
+
+/// The samples whose fate is open, and when one of them is sent again: at growing intervals, within
+/// its lifespan, never when as many newer ones of its source were sent as the stream keeps, and
+/// together within a share of the capacity (a token bucket). Pure; `now` never decreases.
+class Retransmitter {
+ public:
+  /// The references outlive it.
+  Retransmitter(const LinkRouterParams& params, const PeerPaths& paths, const LinkPacer& pacer,
+                const LinkGate& gate)
+      : params_(params), paths_(paths), pacer_(pacer), gate_(gate) {}
+
+  /// In the order of their sending.
+  void add(const SentSamplePtr& sent) { open_.push_back(sent); }
+  /// A newer sample of its source is sent for the first time; its stream keeps `depth`.
+  void supersede(const SentSample& newer, std::size_t depth);
+  /// The peer does not want them any more; of one stream, or of all.
+  void forget_reader(PeerIndex peer, std::optional<StreamId> stream);
+  /// Ends those of a stream; they are open until conclude(). Returns them.
+  std::vector<SentSamplePtr> end_stream(StreamId stream);
+  /// The link is back: all that is still wanted is due at once.
+  void revive(Time now);
+  /// Takes out those whose fate is decided.
+  [[nodiscard]] std::vector<SentSamplePtr> conclude(Time now);
+
+  /// A sample was sent once more; `expected` is its wait in queues.
+  void schedule(SentSample& sent, Duration expected, Time now) const;
+  /// That was a repair of so many bytes.
+  void spend(std::size_t bytes, Time now);
+  /// The repair of the class that is due first; null when none may go.
+  [[nodiscard]] SentSamplePtr due(TrafficClass traffic_class, Time now) const;
+  /// When due() has something, or a sample expires; `never` when neither.
+  [[nodiscard]] Time deadline(Time now) const;
+  /// [0, 1] of the capacity, recently spent on repairs.
+  [[nodiscard]] double share(Time now) const;
+
+ private:
+  [[nodiscard]] static bool can_repair(const SentSample& sent, Time now);
+  [[nodiscard]] bool may_repair(const SentSample& sent, Time now) const;
+  [[nodiscard]] double allowance(Time now) const;
+  [[nodiscard]] Time ready(Time now) const;
+
+  const LinkRouterParams params_;
+  const PeerPaths& paths_;
+  const LinkPacer& pacer_;
+  const LinkGate& gate_;
+  std::list<SentSamplePtr> open_;
+  RateMeter rate_;    ///< on the wire
+  double bytes_ = 0;  ///< that may be repaired at filled_
+  Time filled_{};
+};
+
+}  // namespace tocsin::router

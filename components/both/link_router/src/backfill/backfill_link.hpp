@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "backfill/arrival_log.hpp"
+#include "backfill/backfill_incoming.hpp"
+#include "backfill/backfill_outgoing.hpp"
+#include "backfill/fetch_trigger.hpp"
+#include "backfill/log_history.hpp"
+#include "backfill/router_store.hpp"
+#include "deliveries.hpp"
+#include "link_router/history_requests.hpp"
+#include "link_service.hpp"
+#include "runtime/component.hpp"
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// Stored, logged and kept topics: what of them crosses later than live, both ways.
+class BackfillLink final : public LinkService, public Deliveries {
+ public:
+  struct Params {
+    StorePlace store;
+    StorePlace history;
+    router::LinkRouterParams link;
+    double fetch_around_stop_s = 0;
+  };
+  /// All outlive it.
+  BackfillLink(Component& owner, const LinkParts& parts, Devices& devices, const Params& params);
+
+  void begin(Instant at) override;
+  void on_peer_gone(const LinkPeer& peer, Instant at) override;
+  void on_local_flow(const LocalFlow& flow, Instant at) override;
+  void on_local_flow_gone(const LocalFlow& flow, Instant at) override;
+  void on_local(const LocalFlow& flow, const CarriedSample& sample, bool is_live,
+                Instant at) override;
+  void on_local_reader(FlowId flow, Time now) override { incoming_.on_local_reader(flow, now); }
+  [[nodiscard]] bool takes(const std::string& topic) const override;
+  void on_remote_flow(const RemoteFlow& flow, Instant) override { parts_.expect(flow); }
+  void on_remote_flow_gone(const RemoteFlow& flow) override { parts_.forget(flow); }
+  void on_remote(const RemoteFlow& flow, const link_event::LinkSample& event, Instant at) override;
+  void on_remote_reader(const LinkPeer& peer, FlowId flow, Time now) override;
+  void on_acknowledgement(const LinkPeer& peer, const AcknowledgementMessage& message,
+                          Time now) override;
+  void add_to(AcknowledgementMessage& message, const LinkPeer& peer, Time now) override;
+  void follow(Instant at) override;
+  void send(Instant at) override { outgoing_.send(at.now); }
+  void add_to(tocsin_msgs::msg::LinkState& message, Time now) const override;
+  [[nodiscard]] Time deadline(Time now) const override;
+
+  void expect(Instant at) override { store_.open(at); }
+  [[nodiscard]] bool on_live(const LinkPeer& peer, const RemoteFlow& flow,
+                             const CarriedSample& sample) override;
+  void on_delivery(const Flow& what, const CarriedSample& sample, Instant at) override;
+
+ private:
+  void keep_stores(Instant at);
+  void fetch_around(const FetchTrigger& trigger, Time event, Instant at);
+  void take_answers(Instant at);
+
+  OptionalInput<topic::LogRequest> requests_;
+  Component& owner_;
+  const LinkParts parts_;
+  RouterStore store_;          ///< of stored topics
+  RouterStore history_store_;  ///< of logged and kept ones
+  ArrivalLog arrivals_;
+  StreamFlows flows_;
+  router::BackfillSender sender_;
+  LogHistory history_;
+  BackfillOutgoing outgoing_;
+  BackfillIncoming incoming_;
+  router::StandingRequests standing_;  ///< of this host, for logs of peers
+  std::vector<std::unique_ptr<FetchTrigger>> triggers_;
+  Time next_keep_{};
+};
+
+}  // namespace tocsin

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "foundation/time.hpp"
+#include "runtime/middleware/fetch_rule.hpp"
+#include "runtime/port.hpp"
+
+namespace tocsin {
+
+/// Waits for the events that a rule of the list `fetch` names.
+class FetchTrigger {
+ public:
+  /// Throws ConfigError with the rule's name when no installed package knows its topic, or the
+  /// topic has no such field.
+  FetchTrigger(Component& owner, const FetchRule& rule);
+
+  [[nodiscard]] const FetchRule& rule() const { return rule_; }
+  /// When an event began since the last call: a sample that fulfils the rule, `min_interval_s`
+  /// after the last one that did, and of a rule with a field after one that did not.
+  [[nodiscard]] std::optional<Time> take();
+  /// An event of an earlier instance goes on.
+  void resume(Time now) { last_ = now; }
+
+ private:
+  [[nodiscard]] bool holds(const void* message) const;
+  const FetchRule rule_;
+  const TypeInfo& type_;
+  InputPort input_;
+  std::optional<Time> last_;  ///< sample that fulfilled it
+  bool holds_ = false;        ///< the rule, by the last sample
+};
+
+/// The rule that `fetch_around_stop_s` stands for.
+[[nodiscard]] FetchRule around_stop(double s);
+/// Of these rules, and of a stop when `around_stop_s` is above 0. Throws like FetchTrigger.
+[[nodiscard]] std::vector<std::unique_ptr<FetchTrigger>> make_triggers(
+    Component& owner, const std::vector<FetchRule>& rules, double around_stop_s);
+
+}  // namespace tocsin

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link_events.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "router_messages.hpp"
+
+namespace tocsin {
+
+void LinkEvents::take(Instant at) {
+  while (const auto event = link_.take()) {
+    std::visit([this, at](const auto& what) { on(what, at); }, *event);
+  }
+}
+
+template <class Call>
+void LinkEvents::each(const Call& call) {
+  for (const auto& service : services_) call(*service);
+}
+
+void LinkEvents::on(const link_event::HostFlow& event, Instant at) {
+  const TrafficRule& rule = link_.rules().of(event.what.topic);
+  LocalFlow flow{event.flow, event.what, rule.stored, rule.logged || !rule.live, {}, {}};
+  if (rule.live) {
+    const Flow sent = on_link(event.what, rule);
+    flow.on_link = link_.open(sent, rule.traffic_class);
+    flow.rule = stream_rule(sent, rule);
+    if (rule.max_rate_hz > 0) limits_.emplace(event.flow, seconds(1 / rule.max_rate_hz));
+  }
+  const LocalFlow& known = local_.insert_or_assign(event.flow, flow).first->second;
+  each([&](LinkService& one) { one.on_local_flow(known, at); });
+}
+
+void LinkEvents::on(const link_event::HostFlowGone& event, Instant at) {
+  const auto found = local_.find(event.flow);
+  if (found == local_.end()) return;
+  const LocalFlow& flow = found->second;
+  if (flow.on_link) each([at](LinkService& one) { one.send(at); });  // the last of who left
+  each([&](LinkService& one) { one.on_local_flow_gone(flow, at); });
+  if (flow.on_link) link_.close(*flow.on_link);
+  limits_.erase(event.flow);
+  local_.erase(found);
+}
+
+void LinkEvents::on(const link_event::HostSample& event, Instant at) {
+  const auto found = local_.find(event.flow);
+  if (found == local_.end()) return;
+  const auto limits = limits_.find(event.flow);
+  const bool passes = limits == limits_.end() || limits->second.pass(event.sample.source, at.now);
+  const bool is_live = found->second.on_link && passes;
+  each([&](LinkService& one) { one.on_local(found->second, event.sample, is_live, at); });
+}
+
+void LinkEvents::on(const link_event::HostListens& event, Instant at) {
+  each([&](LinkService& one) { one.on_local_reader(event.flow, at.now); });
+}
+
+void LinkEvents::on(const link_event::PeerFound& event, Instant at) {
+  const LinkPeer peer{event.name, event.peer};
+  peers_.add(peer);
+  each([&](LinkService& one) { one.on_peer(peer, at); });
+}
+
+void LinkEvents::on(const link_event::PeerLost& event, Instant at) {
+  const LinkPeer* const peer = peers_.find(event.peer);
+  if (peer == nullptr) return;
+  each([&](LinkService& one) { one.on_peer_gone(*peer, at); });
+  peers_.remove(event.peer);
+}
+
+void LinkEvents::on(const link_event::PeerFlow& event, Instant at) {
+  if (peers_.find(event.peer) == nullptr) return;
+  RemoteFlow& flow = remote_[event.flow];
+  flow = {event.flow, event.peer, event.wire_id, event.what, stream_rule(event.what, {}), nullptr};
+  const auto service = std::find_if(services_.rbegin(), services_.rend(),
+                                    [&](const auto& one) { return one->takes(event.what.topic); });
+  flow.service = service->get();
+  flow.service->on_remote_flow(flow, at);
+}
+
+void LinkEvents::on(const link_event::PeerFlowGone& event, Instant) {
+  const auto found = remote_.find(event.flow);
+  if (found == remote_.end()) return;
+  found->second.service->on_remote_flow_gone(found->second);
+  remote_.erase(found);
+}
+
+void LinkEvents::on(const link_event::PeerListens& event, Instant at) {
+  const LinkPeer* const peer = peers_.find(event.peer);
+  if (peer == nullptr) return;
+  each([&](LinkService& one) { one.on_remote_reader(*peer, event.flow, at.now); });
+}
+
+void LinkEvents::on(const link_event::LinkSample& event, Instant at) {
+  const auto found = remote_.find(event.flow);
+  if (found == remote_.end() || peers_.find(found->second.peer) == nullptr) return;
+  found->second.service->on_remote(found->second, event, at);
+}
+
+}  // namespace tocsin

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "link_service.hpp"
+
+namespace tocsin {
+
+/// Tells the services what happens at the link, and keeps the tables of peers and flows: a flow of
+/// the host goes to all, a flow of a peer to the service that takes it.
+class LinkEvents {
+ public:
+  using Services = std::vector<std::unique_ptr<LinkService>>;
+  /// Both outlive it.
+  LinkEvents(LinkBus& link, const Services& services) : link_(link), services_(services) {}
+  /// All that has happened since the last call.
+  void take(Instant at);
+
+  [[nodiscard]] const LinkPeers& peers() const { return peers_; }
+  [[nodiscard]] const std::map<FlowId, LocalFlow>& local() const { return local_; }
+  [[nodiscard]] const std::map<FlowId, RemoteFlow>& remote() const { return remote_; }
+
+ private:
+  template <class Call>
+  void each(const Call& call);
+  void on(const link_event::HostFlow& event, Instant at);
+  void on(const link_event::HostFlowGone& event, Instant at);
+  void on(const link_event::HostSample& event, Instant at);
+  void on(const link_event::HostListens& event, Instant at);
+  void on(const link_event::PeerFound& event, Instant at);
+  void on(const link_event::PeerLost& event, Instant at);
+  void on(const link_event::PeerFlow& event, Instant at);
+  void on(const link_event::PeerFlowGone& event, Instant at);
+  void on(const link_event::PeerListens& event, Instant at);
+  void on(const link_event::LinkSample& event, Instant at);
+
+  LinkBus& link_;
+  const Services& services_;
+  LinkPeers peers_;
+  std::map<FlowId, LocalFlow> local_;
+  std::map<FlowId, RemoteFlow> remote_;
+  std::map<FlowId, WriterLimits> limits_;  ///< of flows of the host with `max_rate_hz`
+};
+
+}  // namespace tocsin

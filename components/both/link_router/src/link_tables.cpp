@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link_tables.hpp"
+
+#include "router_messages.hpp"
+
+namespace tocsin {
+
+void LinkPeers::add(const LinkPeer& peer) {
+  all_[peer.instance] = peer;
+  present_[peer.name] = peer.instance;
+}
+
+void LinkPeers::remove(PeerId instance) {
+  const auto found = all_.find(instance);
+  if (found == all_.end()) return;
+  if (is_present(found->second)) present_.erase(found->second.name);
+  all_.erase(found);
+}
+
+const LinkPeer* LinkPeers::find(PeerId instance) const {
+  const auto found = all_.find(instance);
+  return found == all_.end() ? nullptr : &found->second;
+}
+
+const LinkPeer* LinkPeers::find(const std::string& name) const {
+  const auto found = present_.find(name);
+  return found == present_.end() ? nullptr : find(found->second);
+}
+
+bool LinkPeers::is_present(const LinkPeer& peer) const {
+  const auto found = present_.find(peer.name);
+  return found != present_.end() && found->second == peer.instance;
+}
+
+void LinkStreams::add(FlowId flow, const router::StreamRule& rule) {
+  sent_bytes_[flow] = 0;
+  sender_.add_stream(flow, rule);
+}
+
+void LinkStreams::remove(FlowId flow) {
+  sent_bytes_.erase(flow);
+  sender_.remove_stream(flow);
+}
+
+std::optional<router::StreamId> LinkStreams::find(std::uint32_t wire_id) const {
+  for (const auto& entry : sent_bytes_) {
+    if (link_.wire_id(entry.first) == wire_id) return entry.first;
+  }
+  return std::nullopt;
+}
+
+void LinkStreams::send(Time now) {
+  while (const auto transmission = sender_.next(now)) {
+    const auto number = link_.send(transmission->stream, carried(transmission->sample));
+    if (!number) continue;
+    sender_.on_written(*transmission, *number);
+    sent_bytes_.at(transmission->stream) += transmission->sample.bytes;
+  }
+}
+
+}  // namespace tocsin

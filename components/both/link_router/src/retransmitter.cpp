@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link_router/retransmitter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tocsin::router {
+namespace {
+
+/// Repairs that may follow each other at once.
+constexpr double burst_bytes = 4000;
+
+}  // namespace
+
+void Retransmitter::supersede(const SentSample& newer, std::size_t depth) {
+  for (const SentSamplePtr& older : open_) {
+    if (older->stream != newer.stream ||
+        older->sample.origin.source != newer.sample.origin.source) {
+      continue;
+    }
+    // What is sent for a peer that came later is the newest one, or it is none.
+    older->superseded = ++older->newer >= (older->counted ? depth : 1);
+  }
+}
+
+void Retransmitter::forget_reader(PeerIndex peer, std::optional<StreamId> stream) {
+  for (const SentSamplePtr& sent : open_) {
+    if (stream && sent->stream != *stream) continue;
+    auto& missing = sent->missing;
+    missing.erase(std::remove(missing.begin(), missing.end(), peer), missing.end());
+  }
+}
+
+std::vector<SentSamplePtr> Retransmitter::end_stream(StreamId stream) {
+  std::vector<SentSamplePtr> ended;
+  for (const SentSamplePtr& sent : open_) {
+    if (sent->stream != stream) continue;
+    sent->superseded = true;
+    sent->under_way = 0;
+    ended.push_back(sent);
+  }
+  return ended;
+}
+
+void Retransmitter::revive(Time now) {
+  for (const SentSamplePtr& sent : open_) {
+    sent->repair_at = std::min(sent->repair_at, now);
+    sent->transmissions = std::min(sent->transmissions, 1U);
+  }
+}
+
+std::vector<SentSamplePtr> Retransmitter::conclude(Time now) {
+  std::vector<SentSamplePtr> concluded;
+  for (auto it = open_.begin(); it != open_.end();) {
+    const SentSample& sent = **it;
+    if (!sent.missing.empty() && (sent.under_way > 0 || can_repair(sent, now))) {
+      ++it;
+      continue;
+    }
+    concluded.push_back(*it);
+    it = open_.erase(it);
+  }
+  return concluded;
+}
+
+void Retransmitter::schedule(SentSample& sent, Duration expected, Time now) const {
+  if (sent.transmissions == 0) sent.first_sent = now;
+  const double growth = std::pow(params_.repair_backoff, sent.transmissions);
+  ++sent.transmissions;
+  sent.repair_at =
+      now + (expected + seconds(std::min(params_.repair_first_s * growth, params_.repair_max_s)));
+}
+
+void Retransmitter::spend(std::size_t bytes, Time now) {
+  rate_.add(bytes, now);
+  bytes_ = allowance(now) - static_cast<double>(bytes);
+  filled_ = now;
+}
+
+double Retransmitter::allowance(Time now) const {
+  const double since_s = to_seconds(now - filled_);
+  return std::min(bytes_ + params_.repair_share * paths_.capacity_bytes_per_s(now) * since_s,
+                  burst_bytes);
+}
+
+bool Retransmitter::can_repair(const SentSample& sent, Time now) {
+  if (sent.missing.empty() || sent.superseded || now > sent.expires) return false;
+  return !sent.counted || sent.is_repaired;
+}
+
+bool Retransmitter::may_repair(const SentSample& sent, Time now) const {
+  return can_repair(sent, now) && !gate_.stops(sent.while_paused);
+}
+
+SentSamplePtr Retransmitter::due(TrafficClass traffic_class, Time now) const {
+  if (open_.empty() || allowance(now) <= 0 || pacer_.repairs_open(now) > now) return nullptr;
+  SentSamplePtr due;
+  for (const SentSamplePtr& sent : open_) {
+    if (sent->traffic_class != traffic_class || sent->repair_at > now || !may_repair(*sent, now))
+      continue;
+    if (!due || sent->repair_at < due->repair_at) due = sent;
+  }
+  return due;
+}
+
+Time Retransmitter::deadline(Time now) const {
+  Time next = never;
+  if (open_.empty()) return next;
+  const Time from = ready(now);
+  for (const SentSamplePtr& sent : open_) {
+    if (!can_repair(*sent, now)) continue;
+    if (sent->expires != never) next = std::min(next, sent->expires + Duration{1});
+    if (may_repair(*sent, now)) next = std::min(next, std::max(sent->repair_at, from));
+  }
+  return next;
+}
+
+Time Retransmitter::ready(Time now) const {
+  const Time opens = pacer_.repairs_open(now);
+  const double lacking = -allowance(now);
+  if (lacking < 0) return opens;
+  const double rate_bytes_per_s =
+      std::max(params_.repair_share * paths_.capacity_bytes_per_s(now), 1.0);
+  return std::max(opens, now + seconds((lacking + 1) / rate_bytes_per_s));
+}
+
+double Retransmitter::share(Time now) const {
+  return std::min(rate_.bytes_per_s(now) / paths_.capacity_bytes_per_s(now), 1.0);
+}
+
+}  // namespace tocsin::router
