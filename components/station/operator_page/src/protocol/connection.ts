@@ -155,8 +155,12 @@ export class Connection {
       this.#lose(String(error));
       return;
     }
-    const client = new FoxgloveClient({ ws: socket });
-    this.#client = client;
+    this.#client = new FoxgloveClient({ ws: socket });
+    this.#listen(this.#client);
+  }
+
+  #listen(client: FoxgloveClient): void {
+    const { options } = this;
     const mine = <Arguments extends unknown[]>(handle: (...args: Arguments) => void) => {
       return (...args: Arguments): void => {
         if (this.#client !== client) return; // of a connection that was given up
