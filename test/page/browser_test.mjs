@@ -102,14 +102,14 @@ describe("Page in Chromium", { concurrency: false }, () => {
     await reads(".stop", "No stop stands");
   });
 
-  it("drives by held keys after the wheel was taken, and stops at release", async () => {
+  it("drives by held keys after control was taken, and stops at release", async () => {
     await page.click(".by-sight"); // sees the vehicle itself: the camera is paused
     await page.keyboard.down("w");
     await wait(200);
     await page.keyboard.up("w");
-    assert.equal(commands("/teleop/cmd_vel").length, 0, "nobody had taken the wheel");
+    assert.equal(commands("/teleop/cmd_vel").length, 0, "nobody had taken control");
     await page.keyboard.press("m");
-    await reads(".seat", "You drive");
+    await reads(".authority", "You drive");
     await page.keyboard.down("w");
     await eventually("three commands", () => commands("/teleop/cmd_vel").length >= 3);
     await page.keyboard.up("w");
@@ -126,7 +126,7 @@ describe("Page in Chromium", { concurrency: false }, () => {
     await until("a picture", () => document.querySelector(".picture img") !== null);
     standIn.state.withoutImages = true;
     await page.keyboard.press("m");
-    await reads(".seat", "Not by hand now: the picture is ");
+    await reads(".authority", "Not by hand now: the picture is ");
     const count = commands("/teleop/cmd_vel").length;
     await page.keyboard.down("w");
     await wait(300);
@@ -287,24 +287,24 @@ describe("Page in Chromium", { concurrency: false }, () => {
     operator.complaints = operator.complaints.filter((one) => !/WebSocket connection|ERR_CONNECTION/.test(one));
   });
 
-  it("asks for the wheel while another drives, gets it, and is asked for it", async () => {
+  it("asks for control while another drives, gets it, and is asked for it", async () => {
     standIn.sayDriver("page_other");
-    await reads(".seat", "page_other drives");
-    await press("Ask for the wheel");
+    await reads(".authority", "page_other drives");
+    await press("Ask for control");
     await eventually("a request", () => commands("/teleop/request").at(-1)?.message.verb === "ask");
     const me = commands("/teleop/request").at(-1).message.name;
     standIn.sayDriver("page_other", me);
-    await reads(".seat", "page_other was asked for the wheel");
+    await reads(".authority", "page_other was asked for control");
     standIn.sayDriver(me);
     await reads(".drive button", "Let go");
     standIn.sayDriver(me, "page_other");
-    await reads(".seat", "page_other asks for the wheel");
+    await reads(".authority", "page_other asks for control");
     await press("Keep it");
     await eventually("keep", () => commands("/teleop/request").at(-1).message.verb === "keep");
     standIn.sayDriver("page_other");
-    await reads(".seat", "page_other has taken over");
+    await reads(".authority", "page_other has taken over");
     standIn.sayDriver("");
-    await reads(".drive button", "Take the wheel");
+    await reads(".drive button", "Take control");
   });
 
   it("sends no mission while another drives by hand, or without a place", async () => {
@@ -336,7 +336,7 @@ describe("Page in Chromium", { concurrency: false }, () => {
     });
     await reads(".replay .position", "0:30 of");
     await reads(".mission", "4 of 9");
-    await reads(".seat", "a recording is shown");
+    await reads(".authority", "a recording is shown");
     await operator.picture("replay");
     standIn.state.commands.length = 0;
     await page.keyboard.press("Space");

@@ -156,7 +156,7 @@ describe("Mission led from the page", { concurrency: false }, () => {
     await eventually("a vehicle that stands", () => now().speed < 0.01);
     await operator.page.click(".by-sight"); // the picture may be late on a busy computer
     await operator.page.keyboard.press("m");
-    await reads(".seat", "You drive");
+    await reads(".authority", "You drive");
     await operator.page.keyboard.down("s");
     await eventually("a vehicle that drives", () => now().speed > 0.1);
     await operator.page.keyboard.up("s");

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "emergency_stop_input/stop_state_words.hpp"
+#include "foundation/enum_words.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -19,7 +21,7 @@ bool is_by_station(const std::vector<std::string>& names) {
 
 EmergencyStopComponent::EmergencyStopComponent(Context& context, const Params& params)
     : Component(context), file_(context.state_path(".request")), keeper_(params) {
-  known_.vehicle("unheard");
+  known_.vehicle(word_of(VehicleStop::unheard));
   if (!file_.load()) return;
   keeper_.restore();
   log().warn("emergency stop ON, as before the restart");
@@ -59,7 +61,7 @@ void EmergencyStopComponent::take_vehicle(Time now) {
 
 void EmergencyStopComponent::see(const VehicleStopView::Report& vehicle) {
   keeper_.on_vehicle(vehicle.stands, is_by_station(vehicle.stopped_by));
-  const char* state = vehicle.stands ? "stands" : "may_drive";
+  const char* const state = word_of(vehicle.stands ? VehicleStop::stands : VehicleStop::may_drive);
   if (known_.vehicle() == state && known_.stopped_by() == vehicle.stopped_by) return;
   known_.vehicle(state);
   known_.stopped_by(vehicle.stopped_by);
@@ -83,7 +85,9 @@ void EmergencyStopComponent::keep() {
 
 void EmergencyStopComponent::tell(Time now) {
   const auto wanted = keeper_.wanted();
-  const char* asked = !wanted ? "never" : *wanted ? "on" : "off";
+  const char* const asked = word_of(!wanted   ? StopAsked::never
+                                    : *wanted ? StopAsked::on
+                                              : StopAsked::off);
   if (told_ && known_.asked() == asked) return;
   known_.asked(asked);
   known_.stamp(wall(now));

@@ -236,22 +236,4 @@ MissionControl::Progress MissionControl::progress(Time now) const {
   return progress;
 }
 
-const char* to_string(MissionControl::State state) {
-  switch (state) {
-    case MissionControl::State::idle:
-      return "idle";
-    case MissionControl::State::waiting:
-      return "waiting";
-    case MissionControl::State::running:
-      return "running";
-    case MissionControl::State::paused:
-      return "paused";
-    case MissionControl::State::done:
-      return "done";
-    case MissionControl::State::aborted:
-      return "aborted";
-  }
-  return "";
-}
-
 }  // namespace tocsin

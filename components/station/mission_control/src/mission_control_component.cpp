@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "foundation/enum_words.hpp"
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
 #include "navigation/map_loader.hpp"
@@ -146,14 +147,14 @@ void MissionControlComponent::report(Time now) {
   topic::MissionStatus::Message message;
   message.stamp(wall(now));
   message.mission(mission_name());
-  message.state(to_string(progress.state));
+  message.state(word_of(progress.state));
   message.waypoint(progress.waypoint);
   message.waypoints(progress.waypoints);
   message.goals_sent(progress.goals_sent);
   message.elapsed_s(progress.elapsed_s);
   if (status_.write(std::move(message)) == Status::failed) return;
   if (progress.state != reported_.state) {
-    log().info("mission {}: {} {}", mission_name(), to_string(progress.state), progress.reason);
+    log().info("mission {}: {} {}", mission_name(), word_of(progress.state), progress.reason);
     end_when_over(progress.state);
   }
   waypoints_.tell(control_, now);

@@ -50,11 +50,6 @@ class MissionActionTest : public ::testing::Test {
   MissionAction sut;
 };
 
-TEST_F(MissionActionTest, WithoutAGoalTheMissionIsIdle) {
-  EXPECT_FALSE(after(1000));
-  EXPECT_EQ(state(), State::idle);
-}
-
 TEST_F(MissionActionTest, LeadsThroughItsPosesAtOnceAndEndsWithTheLast) {
   EXPECT_EQ(begin(goal_at({1, 5})), "");
   const auto first = after(0.2).value();
@@ -245,26 +240,16 @@ class RefusedGoalTest : public MissionActionTest {
   }
 };
 
-TEST_F(RefusedGoalTest, HasNoPose) { expect({}, "poses: there is none"); }
-
-TEST_F(RefusedGoalTest, BeginsBehindItsLastPose) {
+TEST_F(RefusedGoalTest, HasNoPoseOneThatIsNotFiniteOfAnotherFrameOrTooMany) {
+  expect({}, "poses: there is none");
   auto goal = goal_at({1, 5});
   goal.first = 2;
   expect(goal, "goal_index: 2 is outside [0, 1]");
-}
-
-TEST_F(RefusedGoalTest, IsOfAnotherFrame) {
-  auto goal = goal_at({1});
+  goal = goal_at({1});
   goal.poses[0].frame = "odom";
   expect(goal, "frame_id: odom is not map");
-}
-
-TEST_F(RefusedGoalTest, HasAPoseThatIsNotFinite) {
   expect(goal_at({1, std::numeric_limits<double>::quiet_NaN()}), "poses: one is not finite");
-}
-
-TEST_F(RefusedGoalTest, GoesRoundTooOften) {
-  auto goal = goal_at({1});
+  goal = goal_at({1});
   goal.loops = 4095;
   expect(goal, "poses: with all loops 4096, more than 4095");
   goal.loops = 4294967295;

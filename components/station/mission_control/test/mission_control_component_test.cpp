@@ -4,20 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "foundation/parameters.hpp"
 #include "mission_control_component_fixture.hpp"
 
 namespace tocsin {
 namespace {
 
 using ::testing::HasSubstr;
-
-TEST_F(MissionControlComponentTest, WaitsForTheVehicle) {
-  start();
-  run(10);
-  EXPECT_TRUE(goals_.take().empty());
-  EXPECT_EQ(state(), "waiting");
-}
 
 TEST_F(MissionControlComponentTest, PublishesAllWaypointsOnceForEachMission) {
   start();
@@ -61,14 +53,6 @@ TEST_F(MissionControlComponentTest, LeadsThroughTheMissionByLocationAndStatus) {
   run(0.3);
   EXPECT_EQ(state(), "done");
   EXPECT_TRUE(goals_.take().empty());
-}
-
-TEST_F(MissionControlComponentTest, RepeatsAGoalWithoutAnswer) {
-  const auto goal = first_goal();
-  run(3);
-  const auto again = goals_.take().at(0);
-  EXPECT_EQ(again.id(), goal.id());
-  EXPECT_EQ(again.mission(), goal.mission());
 }
 
 TEST_F(MissionControlComponentTest, PausesAndResumesWhenPeopleSaySo) {
@@ -130,16 +114,6 @@ TEST_F(MissionControlComponentTest, EndsTheProcessWithOneWhenAborted) {
   EXPECT_EQ(exit_code_, 1);
 }
 
-TEST_F(MissionControlComponentTest, RunsOnAfterTheMissionByDefault) {
-  (void)first_goal();
-  locate(1);
-  run(0.3);
-  locate(3);
-  run(0.3);
-  EXPECT_EQ(state(), "done");
-  EXPECT_FALSE(exit_code_);
-}
-
 TEST_F(MissionControlComponentTest, RefusesAWaypointInAWall) {
   params_.map_file = write_map(true);
   EXPECT_THAT(error_of_start(), HasSubstr("waypoint 1 at (1, 0.5) is inside a wall"));
@@ -165,10 +139,6 @@ TEST_F(MissionControlComponentTest, IsIdleWithoutAMission) {
   EXPECT_EQ(statuses.back().state(), "idle");
   EXPECT_EQ(statuses.back().mission(), "none");
   EXPECT_EQ(statuses.back().waypoints(), 0U);
-}
-
-TEST_F(MissionControlComponentTest, ParametersPrintAsYaml) {
-  EXPECT_THAT(default_yaml<MissionControlComponent::Params>(), HasSubstr("goal_lifetime_s: 60"));
 }
 
 }  // namespace

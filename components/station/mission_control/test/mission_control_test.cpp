@@ -37,13 +37,6 @@ TEST_F(MissionControlTest, StartsWhenTheVehicleWasHeardForTheResumeWait) {
   EXPECT_EQ(progress().state, MissionControl::State::running);
 }
 
-TEST_F(MissionControlTest, StartsAfterAStatusWithoutGoalToo) {
-  (void)at(0);
-  hear(GoalName{}, "idle");
-  EXPECT_FALSE(at(1.999));
-  EXPECT_TRUE(at(2));
-}
-
 TEST_F(MissionControlTest, IgnoresALocationThatIsNotFinite) {
   (void)at(0);
   hear(std::numeric_limits<double>::quiet_NaN());

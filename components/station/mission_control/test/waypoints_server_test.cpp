@@ -163,14 +163,6 @@ TEST_F(WaypointsServerTest, ARefusedGoalLeavesTheOneThatIsUnderWay) {
   EXPECT_EQ(end(first).state, GoalState::succeeded);
 }
 
-TEST_F(WaypointsServerTest, APoseInAWallIsRefused) {
-  params_.map_file = write_map(true);
-  begin();
-  const GoalId id = send(goal({3, 1}));
-  EXPECT_THAT(steps(id), ElementsAre(What::rejected));
-  EXPECT_TRUE(goals_.take().empty());
-}
-
 TEST_F(WaypointsServerTest, TakesThePlaceOfTheMissionOfTheFile) {
   params_.mission_file = folder_ / "two.yaml";
   begin();

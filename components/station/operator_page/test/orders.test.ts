@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 
-import { type DriveConditions, DriverSeat, cameraLimitMs, vehicleLimitMs, whyNotDrive } from "../src/orders/driver_seat.ts";
+import { ControlAuthority, type DriveConditions, cameraLimitMs, vehicleLimitMs, whyNotDrive } from "../src/orders/control_authority.ts";
 import { EmergencyStopOrder, type StopHeard } from "../src/orders/emergency_stop.ts";
 import { MissionOrder, leads } from "../src/orders/mission_order.ts";
 import { isDrivingKey, keysVelocity, padVelocity, stickVelocity } from "../src/orders/stick.ts";
@@ -18,11 +18,9 @@ describe("EmergencyStopOrder", () => {
   const stands = { value: make.safety({ emergency_stop: true }), at: 0 };
   const free = { value: make.safety(), at: 0 };
 
-  it("says nothing before it is pressed", () => {
-    assert.equal(new EmergencyStopOrder().due(heard({}), 1000), undefined);
-  });
   it("says a stop at once and again until the vehicle confirms, however long that takes", () => {
     const sut = new EmergencyStopOrder();
+    assert.equal(sut.due(heard({}), 1000), undefined, "not pressed");
     sut.press(1000);
     assert.equal(sut.due(heard({ safety: free }), 1000), true);
     assert.equal(sut.due(heard({ safety: free }), 1299), undefined);
@@ -97,11 +95,6 @@ describe("TeleopSender", () => {
     assert.equal(sut.update(310), undefined);
     assert.equal(sut.driving, false);
   });
-  it("says nothing while nothing was ever held", () => {
-    const sut = new TeleopSender();
-    sut.hold(standing);
-    assert.equal(sut.update(0), undefined);
-  });
 });
 
 describe("Driving by hand", () => {
@@ -130,67 +123,51 @@ describe("Driving by hand", () => {
   });
 });
 
-describe("DriverSeat", () => {
+describe("ControlAuthority", () => {
   const ahead = { linear: 0.3, angular: 0 };
-  it("heeds nobody who has not taken it", () => {
-    const sut = new DriverSeat("me");
-    sut.heed(standing, false);
-    assert.deepEqual(sut.heed(ahead, false), standing);
-  });
-  it("wants the hands to rest first, after it was taken and after a refusal", () => {
-    const sut = new DriverSeat("me");
+  const drives = (driver: string, askedBy = "") => ({ driver, askedBy });
+  it("wants the hands to rest first, after control was taken and after a refusal", () => {
+    const sut = new ControlAuthority("me");
+    assert.deepEqual(sut.command(ahead, false), standing, "nobody has taken it");
     sut.take();
-    assert.deepEqual(sut.heed(ahead, false), standing);
-    sut.heed(standing, false);
-    assert.deepEqual(sut.heed(ahead, false), ahead);
-    assert.deepEqual(sut.heed(ahead, true), standing);
-    assert.deepEqual(sut.heed(ahead, false), standing);
-    sut.heed(standing, false);
-    assert.deepEqual(sut.heed(ahead, false), ahead);
+    assert.deepEqual([sut.taken, sut.takeRequest()], [true, undefined]);
+    assert.deepEqual(sut.command(ahead, false), standing);
+    sut.command(standing, false);
+    assert.deepEqual(sut.command(ahead, false), ahead);
+    assert.deepEqual(sut.command(ahead, true), standing);
+    assert.deepEqual(sut.command(ahead, false), standing);
+    sut.command(standing, false);
+    assert.deepEqual(sut.command(ahead, false), ahead);
   });
-  const wheel = (driver: string, askedBy = "") => ({ driver, askedBy });
-  it("is taken at once while nobody drives", () => {
-    const sut = new DriverSeat("me");
-    sut.take();
-    assert.equal(sut.taken, true);
-    assert.equal(sut.takeRequest(), undefined);
-  });
-  it("is asked for while another drives, and taken when the vehicle follows us", () => {
-    const sut = new DriverSeat("me");
-    sut.onWheel(wheel("other"));
-    sut.take();
-    assert.deepEqual([sut.taken, sut.asks, sut.takeRequest(), sut.takeRequest()], [false, true, "ask", undefined]);
-    sut.onWheel(wheel("other", "me"));
-    assert.equal(sut.taken, false);
-    sut.onWheel(wheel("me"));
-    assert.deepEqual([sut.taken, sut.asks, sut.waitsForRest], [true, false, true]);
-  });
-  it("is taken when the wheel that was asked for becomes free", () => {
-    const sut = new DriverSeat("me");
-    sut.onWheel(wheel("other"));
-    sut.take();
-    sut.onWheel(wheel(""));
-    assert.equal(sut.taken, true);
+  it("is asked for while another drives, and taken when the vehicle follows us or nobody", () => {
+    for (const then of ["me", ""]) {
+      const sut = new ControlAuthority("me");
+      sut.onReport(drives("other"));
+      sut.take();
+      assert.deepEqual([sut.taken, sut.asks, sut.takeRequest(), sut.takeRequest()], [false, true, "ask", undefined]);
+      sut.onReport(drives("other", "me"));
+      assert.equal(sut.taken, false);
+      sut.onReport(drives(then));
+      assert.deepEqual([sut.taken, sut.asks, sut.waitsForRest], [true, false, true]);
+    }
   });
   it("is lost when the vehicle follows another", () => {
-    const sut = new DriverSeat("me");
+    const sut = new ControlAuthority("me");
     sut.take();
-    sut.onWheel(wheel("me"));
-    sut.onWheel(wheel("other"));
-    assert.deepEqual([sut.taken, sut.lostTo], [false, "other"]);
-    sut.onWheel(wheel(""));
-    assert.deepEqual([sut.taken, sut.lostTo], [false, ""]);
+    for (const [driver, ...state] of [["me", true, ""], ["other", false, "other"], ["", false, ""]] as const) {
+      sut.onReport(drives(driver));
+      assert.deepEqual([sut.taken, sut.lostTo], state);
+    }
   });
   it("tells who asks for it, and gives or keeps it", () => {
-    const sut = new DriverSeat("me");
+    const sut = new ControlAuthority("me");
     sut.take();
-    sut.onWheel(wheel("me", "other"));
+    sut.onReport(drives("me", "other"));
     assert.equal(sut.askedBy, "other");
     sut.keep();
     assert.equal(sut.takeRequest(), "keep");
-    sut.leave();
-    assert.equal(sut.takeRequest(), "give");
-    assert.equal(sut.taken, false);
+    sut.toggle();
+    assert.deepEqual([sut.takeRequest(), sut.taken], ["give", false]);
   });
 });
 
@@ -223,7 +200,7 @@ describe("Stick", () => {
 });
 
 describe("MissionOrder", () => {
-  it("asks for a pause until the status shows it", () => {
+  it("asks for a pause, and for its end, until the status shows it", () => {
     const sut = new MissionOrder();
     sut.pause(0);
     const running = make.mission({ state: "running" });
@@ -231,8 +208,10 @@ describe("MissionOrder", () => {
     assert.equal(sut.due(running, 499), undefined);
     assert.equal(sut.due(running, 500), "pause");
     assert.equal(sut.due(make.mission({ state: "paused" }), 1000), undefined);
-    assert.equal(sut.pending, false);
-    assert.equal(sut.unheeded, false);
+    assert.deepEqual([sut.pending, sut.unheeded], [false, false]);
+    sut.resume(2000);
+    assert.equal(sut.due(make.mission({ state: "paused" }), 2000), "resume");
+    assert.equal(sut.due(running, 2500), undefined);
   });
   it("gives up after 5 s and says so", () => {
     const sut = new MissionOrder();
@@ -247,12 +226,6 @@ describe("MissionOrder", () => {
     assert.equal(sut.due(make.mission({ waypoint: 3 }), 0), "skip 4");
     assert.equal(sut.due(make.mission({ waypoint: 4 }), 500), undefined);
     assert.equal(sut.unheeded, false);
-  });
-  it("resumes", () => {
-    const sut = new MissionOrder();
-    sut.resume(0);
-    assert.equal(sut.due(make.mission({ state: "paused" }), 0), "resume");
-    assert.equal(sut.due(make.mission({ state: "running" }), 500), undefined);
   });
   it("has nobody to ask where no mission is led", () => {
     assert.equal(leads(undefined), false);

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <atomic>
-#include <boost/beast/http.hpp>
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/http/string_body.hpp>
 #include <functional>
 #include <string>
 #include <variant>

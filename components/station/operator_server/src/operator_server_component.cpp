@@ -23,6 +23,7 @@ constexpr Duration try_again_period = std::chrono::seconds(5);
 constexpr Duration look_period = std::chrono::milliseconds(500);
 constexpr Duration report_period = std::chrono::seconds(1);
 constexpr std::size_t bytes_at_once = std::size_t{64} << 10U;  ///< under way to a client
+constexpr std::size_t longest_operator = 60;  ///< of a name, as the vehicle reports it
 
 /// What `ros2 param` hears of changes, in no namespace.
 constexpr TopicInfo parameter_events{"/parameter_events", "event", Scope::host};
@@ -114,6 +115,7 @@ void OperatorServerComponent::on_closed(ClientId client, const std::string& why)
   open_.erase(client);
   busy_.erase(client);
   hub_.remove_client(client);
+  guard_.forget(client);
 }
 
 /// Does what clients want of the host.
@@ -125,8 +127,10 @@ struct OperatorServerComponent::Obey {
     if (!fault.empty()) self.hub_.refuse_topic(order.client, order.channel.id, fault);
   }
   void operator()(const foxglove::WriteMessage& order) const {
-    const std::string fault = self.topics_.write(order);
-    if (!fault.empty()) self.hub_.tell(order.client, Level::error, fault);
+    const auto written = self.topics_.write(order);
+    if (!written.fault.empty()) self.hub_.tell(order.client, Level::error, written.fault);
+    if (!written.by_operator) return;
+    self.guard_.on_operator(order.client, printable(*written.by_operator, longest_operator));
   }
   void operator()(const foxglove::AskParameters& order) const {
     self.parameters_.ask(order, self.hub_, now);
@@ -135,6 +139,8 @@ struct OperatorServerComponent::Obey {
     self.parameters_.change(order, self.hub_, now);
   }
   void operator()(const foxglove::AskService& order) const {
+    const std::string refusal = self.guard_.refusal(order.client, order.name, now);
+    if (!refusal.empty()) return self.hub_.fail_service(order.client, order.call, refusal);
     self.services_.call(order, self.hub_, now);
   }
 };
@@ -145,7 +151,8 @@ void OperatorServerComponent::obey(const std::vector<foxglove::Order>& orders, T
 
 void OperatorServerComponent::tick(Time now) {
   serve(now);
-  take_states();
+  take_states(now);
+  take_parameter_events();
   services_.take(hub_, now);
   parameters_.take(hub_, now);
   if (hub_.clients() > 0) do_periodic(now);
@@ -154,7 +161,10 @@ void OperatorServerComponent::tick(Time now) {
   send_waiting();
 }
 
-void OperatorServerComponent::take_states() {
+void OperatorServerComponent::take_states(Time now) {
+  while (const auto state = driver_ ? driver_->take() : nullptr) {
+    guard_.on_driver(printable(state->driver(), longest_operator), now);
+  }
   while (const auto state = containers_.take()) {
     std::set<std::string>& nodes = nodes_[state->host() + "/" + state->container()];
     nodes.clear();
@@ -163,6 +173,9 @@ void OperatorServerComponent::take_states() {
     for (const auto& entry : nodes_) all.insert(entry.second.begin(), entry.second.end());
     parameters_.set_nodes(all);
   }
+}
+
+void OperatorServerComponent::take_parameter_events() {
   if (!parameter_events_) return;
   while (const auto sample = parameter_events_->take_sample()) {
     const auto event =
@@ -210,6 +223,8 @@ void OperatorServerComponent::follow_clients() {
   topics_.read(hub_.heard(), faults);
   for (const std::string& fault : faults) log().warn("not read: {}", fault);
   topics_.keep(hub_.written());
+  if (hub_.clients() == 0) driver_.reset();
+  if (hub_.clients() > 0 && !driver_) driver_.emplace(*this);
   if (hub_.wants_parameters() == (parameter_events_ != nullptr)) return;
   parameter_events_ =
       hub_.wants_parameters()

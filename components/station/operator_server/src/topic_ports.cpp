@@ -13,6 +13,7 @@
 #include "idl_support/topic_registry.hpp"
 #include "idl_support/type_registry.hpp"
 #include "operator_server/message_json.hpp"
+#include "tocsin_idl/topics.hpp"
 
 namespace tocsin::foxglove {
 namespace {
@@ -33,6 +34,17 @@ bool is_topic_name(const std::string& name) {
   const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '/'; };
   return name.size() > 1 && name.size() < 256 && name.front() == '/' && name.back() != '/' &&
          name.find("//") == std::string::npos && std::all_of(name.begin(), name.end(), allowed);
+}
+
+/// Under whose name a person drives, or asks to.
+std::optional<std::string> operator_of(const TypeInfo& type, const void* message) {
+  if (&type == &type_info<topic::TeleopCmdVel::Message>()) {
+    return static_cast<const topic::TeleopCmdVel::Message*>(message)->header().frame_id();
+  }
+  if (&type == &type_info<topic::DriverRequest::Message>()) {
+    return static_cast<const topic::DriverRequest::Message*>(message)->name();
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -113,13 +125,16 @@ std::string TopicPorts::open_new(const ClientChannel& channel, const TypeInfo& t
   return {};
 }
 
-std::string TopicPorts::write(const WriteMessage& message) {
+TopicPorts::Written TopicPorts::write(const WriteMessage& message) {
   const auto writing = writings_.find(message.topic);
-  if (writing == writings_.end()) return message.topic + ": is not open for writing";
-  const MadeMessage made = message_from(*writing->second.type, message.encoding, message.payload);
-  if (made.message == nullptr) return message.topic + ": " + made.fault;
-  if (writing->second.publication->write(made.message) == Status::ok) return {};
-  return message.topic + ": the middleware refused the message";
+  if (writing == writings_.end()) return {message.topic + ": is not open for writing", {}};
+  const TypeInfo& type = *writing->second.type;
+  const MadeMessage made = message_from(type, message.encoding, message.payload);
+  if (made.message == nullptr) return {message.topic + ": " + made.fault, {}};
+  if (writing->second.publication->write(made.message) != Status::ok) {
+    return {message.topic + ": the middleware refused the message", {}};
+  }
+  return {"", operator_of(type, made.message.get())};
 }
 
 void TopicPorts::keep(const std::set<std::string>& written) {

@@ -152,7 +152,7 @@ class WebServer::Core final : public Home {
     boost::system::error_code ignored;
     socket.set_option(tcp::no_delay(true), ignored);
     socket.set_option(asio::socket_base::send_buffer_size(128 * 1024), ignored);
-    begin<HttpConnection>(*this, std::move(socket), lease);
+    serve_http(*this, stream_of(std::move(socket)), lease);
   }
   void turn_away(tcp::socket socket) {
     const std::string why =
@@ -162,18 +162,10 @@ class WebServer::Core final : public Home {
     const Lease lease(nullptr, [this](void*) {
       if (turned_away_-- == most_turned_away && !ends_) asio::post(io_, [this] { accept(); });
     });
-    begin<TurnedAway>(why, std::move(socket), lease);
+    foxglove::turn_away(why, stream_of(std::move(socket)), lease);
   }
-  /// `subject`: what the kind of connection begins with.
-  template <template <class> class Connection, class Subject>
-  void begin(Subject& subject, tcp::socket socket, const Lease& lease) {
-    if (tls_) {
-      TlsStream stream(std::move(socket), *tls_);
-      std::make_shared<Connection<TlsStream>>(subject, std::move(stream), lease)->start();
-    } else {
-      PlainStream stream(std::move(socket));
-      std::make_shared<Connection<PlainStream>>(subject, std::move(stream), lease)->start();
-    }
+  [[nodiscard]] ClientStream stream_of(tcp::socket socket) {
+    return ClientStream(std::move(socket), tls_ ? &*tls_ : nullptr);
   }
 
   /// At once; the kernel's queue holds those that come after them.

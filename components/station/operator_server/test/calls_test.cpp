@@ -9,6 +9,7 @@
 #include "runtime/middleware/ros_parameters.hpp"
 #include "runtime/service_port.hpp"
 #include "served.hpp"
+#include "tocsin_idl/actions.hpp"
 
 namespace tocsin {
 namespace {
@@ -21,6 +22,12 @@ struct Dock {
   using Request = std_srvs::srv::SetBool_Request;
   using Response = std_srvs::srv::SetBool_Response;
   static constexpr const char* name = "dock";
+};
+
+struct SendMission {
+  using Request = nav2_msgs::action::FollowWaypoints_SendGoal_Request;
+  using Response = nav2_msgs::action::FollowWaypoints_SendGoal_Response;
+  static constexpr const char* name = "follow_waypoints/_action/send_goal";
 };
 
 struct Events {
@@ -38,6 +45,10 @@ class Node final : public Component {
       response.success(call->request->data());
       response.message("docked");
       dock_.reply(call->id, response);
+    }
+    while (auto call = missions_.take()) {
+      missions.push_back(*call->request);
+      missions_.reply(call->id, {});
     }
     while (auto call = list_.take()) {
       parameter_service::ListParameters::Response response;
@@ -64,18 +75,24 @@ class Node final : public Component {
     }
   }
   double speed = 0.5;
+  std::vector<SendMission::Request> missions;
 
  private:
   Server<Dock> dock_{*this};
+  Server<SendMission> missions_{*this};
   Server<parameter_service::ListParameters> list_{*this};
   Server<parameter_service::GetParameters> get_{*this};
   Server<parameter_service::SetParameters> set_{*this};
 };
 
+constexpr const char* mission_service = "/follow_waypoints/_action/send_goal";
+
 foxglove::HostPicture picture() {
   foxglove::HostPicture made = foxglove::stated_picture("");
   made.services = {
-      {"/dock", "std_srvs/srv/SetBool", &type_info<Dock::Request>(), &type_info<Dock::Response>()}};
+      {"/dock", "std_srvs/srv/SetBool", &type_info<Dock::Request>(), &type_info<Dock::Response>()},
+      {mission_service, "nav2_msgs/action/FollowWaypoints_SendGoal",
+       &type_info<SendMission::Request>(), &type_info<SendMission::Response>()}};
   return made;
 }
 
@@ -91,9 +108,22 @@ class CallsTest : public ::testing::Test {
     client_ = served_.client();
     EXPECT_TRUE(served_.until([this] { return client_->service("/dock").has_value(); }));
   }
-  std::string call(const std::string& encoding, const std::string& payload) {
-    return "\x02" + bytes_of(client_->service("/dock").value_or(0)) + bytes_of(77) +
-           bytes_of(static_cast<std::uint32_t>(encoding.size())) + encoding + payload;
+  void call(const std::string& encoding, const std::string& payload,
+            const std::string& service = "/dock", std::uint32_t number = 77) {
+    client_->say_bytes("\x02" + bytes_of(client_->service(service).value_or(0)) + bytes_of(number) +
+                       bytes_of(static_cast<std::uint32_t>(encoding.size())) + encoding + payload);
+  }
+  /// The reason why a call of a mission fails; empty: it was answered.
+  std::string refusal_of_mission(const std::string& encoding, const std::string& payload) {
+    const std::size_t failures = client_->heard("serviceCallFailure").size();
+    const std::size_t answers = client_->frames(3).size();
+    call(encoding, payload, mission_service);
+    EXPECT_TRUE(served_.until([&] {
+      return client_->heard("serviceCallFailure").size() + client_->frames(3).size() >
+             failures + answers;
+    }));
+    const auto all = client_->heard("serviceCallFailure");
+    return all.size() == failures ? "" : all.back().at("message").get<std::string>();
   }
   [[nodiscard]] json values(const std::string& id) const {
     for (const json& message : client_->heard("parameterValues")) {
@@ -108,7 +138,7 @@ class CallsTest : public ::testing::Test {
 };
 
 TEST_F(CallsTest, AServiceIsCalledInJson) {
-  client_->say_bytes(call("json", R"({"data": true})"));
+  call("json", R"({"data": true})");
   ASSERT_TRUE(served_.until([&] { return !client_->frames(3).empty(); }));
   const std::string bytes = client_->frames(3).front().bytes;
   EXPECT_EQ(bytes.substr(4, 12), bytes_of(77) + bytes_of(4) + "json");
@@ -117,7 +147,7 @@ TEST_F(CallsTest, AServiceIsCalledInJson) {
 }
 
 TEST_F(CallsTest, AServiceIsCalledInCdr) {
-  client_->say_bytes(call("cdr", "\x00\x01\x00\x00\x01"s));
+  call("cdr", "\x00\x01\x00\x00\x01"s);
   ASSERT_TRUE(served_.until([&] { return !client_->frames(3).empty(); }));
   EXPECT_EQ(client_->frames(3).front().bytes.substr(15),
             "\x00\x01\x00\x00\x01\x00\x00\x00\x07\x00\x00\x00"
@@ -125,11 +155,54 @@ TEST_F(CallsTest, AServiceIsCalledInCdr) {
 }
 
 TEST_F(CallsTest, WhatIsNoRequestFails) {
-  client_->say_bytes(call("json", R"({"date": true})"));
+  call("json", R"({"date": true})");
   ASSERT_TRUE(served_.until([&] { return !client_->heard("serviceCallFailure").empty(); }));
   const json failure = client_->heard("serviceCallFailure").front();
   EXPECT_EQ(failure.at("callId"), 77);
   EXPECT_THAT(failure.at("message").get<std::string>(), HasSubstr("no field 'date'"));
+}
+
+TEST_F(CallsTest, ALyingClientsMissionsAreRefusedEachWithItsReason) {
+  const std::pair<const char*, const char*> lies[] = {
+      {"{", "is not a JSON object"},
+      {R"({"goal": {"poses": 3}})", "goal.poses: must be a list"},
+      {R"({"goal": {"poses": [{"pose": {"position": {"x": "far"}}}]}})", "must be a number"},
+      {R"({"goal": {"number_of_loops": -1}})", "goal.number_of_loops: must be a whole number"},
+      {R"({"goal": {"goal_index": 4294967296}})", "goal.goal_index: must be a whole number"},
+      {R"({"goal_id": {"uuid": [256]}})", "must be a whole number"},
+      {R"({"mission": []})", "there is no field 'mission'"},
+  };
+  for (const auto& [payload, reason] : lies) {
+    EXPECT_THAT(refusal_of_mission("json", payload), HasSubstr(reason)) << payload;
+  }
+  // Of four billion poses in 28 bytes.
+  const std::string header = "\x00\x01\x00\x00"s;
+  EXPECT_THAT(refusal_of_mission("cdr", header + std::string(20, '\0') + "\xff\xff\xff\xff"s),
+              HasSubstr("are not the CDR"));
+  EXPECT_THAT(refusal_of_mission("xml", "<poses/>"), HasSubstr("encoding 'xml'"));
+  EXPECT_TRUE(node_.missions.empty());
+  EXPECT_EQ(refusal_of_mission("json", R"({"goal": {"poses": [{}, {}]}})"), "");
+  ASSERT_EQ(node_.missions.size(), 1U);
+  EXPECT_EQ(node_.missions[0].goal().poses().size(), 2U);
+}
+
+TEST_F(CallsTest, AMissionIsRefusedWhileAnotherDrivesByHand) {
+  served_.settle(*client_);
+  tocsin_msgs::msg::DriverState state;
+  state.driver("anna");
+  served_.bus.publish<topic::DriverState>(state);
+  served_.bus.run_for(std::chrono::milliseconds(1));
+  EXPECT_THAT(refusal_of_mission("json", "{}"), HasSubstr("anna drives by hand"));
+  client_->say({{"op", "advertise"},
+                {"channels",
+                 {{{"id", 5},
+                   {"topic", "/teleop/request"},
+                   {"encoding", "json"},
+                   {"schemaName", "tocsin_msgs/msg/DriverRequest"}}}}});
+  client_->say_bytes("\x01" + bytes_of(5) + R"({"name": "anna", "verb": "keep"})");
+  served_.settle(*client_);
+  EXPECT_EQ(refusal_of_mission("json", "{}"), "") << "she herself may send one";
+  EXPECT_EQ(node_.missions.size(), 1U);
 }
 
 TEST_F(CallsTest, AServiceThatNobodyServesFailsAtItsDeadline) {

@@ -74,13 +74,6 @@ TEST(HostileClientTest, APageOfAnotherOriginIsRefused) {
   EXPECT_EQ(sut.client(facts)->status(), 403);
 }
 
-TEST(HostileClientTest, AnUnknownSubprotocolIsRefused) {
-  Served sut;
-  ClientFacts facts = sut.facts();
-  facts.protocols = "mqtt";
-  EXPECT_EQ(sut.client(facts)->status(), 400);
-}
-
 TEST(HostileClientTest, AFrameThatIsTooLongEndsTheConnectionAndNoOther) {
   Params params;
   params.frame_mib = 0.01;

@@ -70,11 +70,6 @@ class HubTest : public ::testing::Test {
   Hub sut_;
 };
 
-TEST_F(HubTest, ANewClientHearsWhatThereIs) {
-  sut_.add_client(2, 0);
-  EXPECT_THAT(told(2), ElementsAre(HasSubstr("serverInfo"), "data ", HasSubstr("/state")));
-}
-
 TEST_F(HubTest, OnlySubscribersGetAMessage) {
   sut_.add_client(2, 0);
   (void)told(2);
@@ -211,38 +206,6 @@ TEST_F(HubTest, CallsOfServicesAreAnsweredToWhoAsked) {
   EXPECT_TRUE(sut_.on_frame(1, Frame::Kind::binary, "\x02" + request).empty());
   EXPECT_THAT(told(1),
               ElementsAre(HasSubstr("unadvertiseServices"), HasSubstr("serviceCallFailure")));
-}
-
-TEST_F(HubTest, ChangesOfParametersGoToWhoHearsThem) {
-  EXPECT_FALSE(sut_.wants_parameters());
-  (void)say(1, {{"op", "subscribeParameterUpdates"}, {"parameterNames", {"/a.b"}}});
-  EXPECT_TRUE(sut_.wants_parameters());
-  sut_.on_parameters({{"/a.b", 1, ""}, {"/a.c", 2, ""}});
-  EXPECT_THAT(told(1),
-              ElementsAre(R"({"op":"parameterValues","parameters":[{"name":"/a.b","value":1}]})"));
-  (void)say(1, {{"op", "unsubscribeParameterUpdates"}, {"parameterNames", {"/a.b"}}});
-  EXPECT_FALSE(sut_.wants_parameters());
-}
-
-TEST_F(HubTest, TheGraphIsToldAsChanges) {
-  Graph graph;
-  graph.publishers["/a"] = {"/n"};
-  graph.subscribers["/a"] = {"/m"};
-  sut_.set_graph(graph);
-  EXPECT_TRUE(told(1).empty());
-  (void)say(1, {{"op", "subscribeConnectionGraph"}});
-  EXPECT_THAT(told(1), ElementsAre(HasSubstr(R"("publisherIds":["/n"])")));
-  sut_.set_graph(graph);
-  EXPECT_TRUE(told(1).empty());
-  graph.publishers.clear();
-  sut_.set_graph(graph);
-  EXPECT_THAT(
-      told(1),
-      ElementsAre(HasSubstr(
-          R"("publishedTopics":[{"name":"/a","publisherIds":[]}],"removedServices":[],"removedTopics":[])")));
-  graph.subscribers.clear();
-  sut_.set_graph(graph);
-  EXPECT_THAT(told(1), ElementsAre(HasSubstr(R"("removedTopics":["/a"])")));
 }
 
 TEST_F(HubTest, AllClientsHearTheTime) {

@@ -37,11 +37,6 @@ TEST(MessageJsonTest, FillsNestedFieldsListsAndBytes) {
   EXPECT_EQ(made<Image>(R"({"data": [1, 255]})").data().at(1), 255);
 }
 
-TEST(MessageJsonTest, WhatIsLeftOutHasItsDefault) {
-  EXPECT_EQ(made<Pose>("{}").pose().pose().orientation().w(),
-            Pose().pose().pose().orientation().w());
-}
-
 TEST(MessageJsonTest, EachBadValueIsNamed) {
   const std::pair<const char*, const char*> cases[] = {
       {"[]", "not a JSON object"},

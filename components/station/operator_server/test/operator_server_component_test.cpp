@@ -126,29 +126,5 @@ TEST(OperatorServerTest, BadMessagesOfAClientAreAnsweredAndNotPublished) {
   EXPECT_TRUE(client->is_open());
 }
 
-TEST(OperatorServerTest, PublishesOnlyWhatIsWritableAndOfTheTopicsType) {
-  Served sut;
-  const auto client = sut.client();
-  json wish = advertise_goal("cdr");
-  wish["channels"][0]["topic"] = "/cmd_vel";
-  client->say(wish);
-  EXPECT_TRUE(
-      sut.until([&] { return client->was_told("/cmd_vel: clients may not publish here"); }));
-  wish["channels"][0]["topic"] = "/goal";
-  wish["channels"][0]["schemaName"] = "std_msgs/msg/Bool";
-  client->say(wish);
-  EXPECT_TRUE(sut.until(
-      [&] { return client->was_told("/goal: has the type tocsin_msgs/msg/Goal, not std_msgs"); }));
-  wish["channels"][0]["schemaName"] = "no_msgs/msg/Type";
-  client->say(wish);
-  EXPECT_TRUE(sut.until([&] { return client->was_told("has the type 'no_msgs/msg/Type'"); }));
-}
-
-TEST(OperatorServerTest, TellsTheTimeOfTheHost) {
-  Served sut;
-  const auto client = sut.client();
-  ASSERT_TRUE(sut.until([&] { return client->frames(2).size() > 2; }));
-}
-
 }  // namespace
 }  // namespace tocsin

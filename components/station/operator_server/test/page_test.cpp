@@ -49,14 +49,6 @@ TEST_F(PageTest, ServesTheFilesOfAFolder) {
   EXPECT_EQ(answer.headers["Content-Encoding"], "gzip");
 }
 
-TEST_F(PageTest, HeadHasTheLengthAndNoBody) {
-  const Served sut(params_);
-  HttpAnswer answer = fetch(sut.facts(), "HEAD");
-  EXPECT_EQ(answer.status, 200);
-  EXPECT_EQ(answer.headers["Content-Length"], "11");
-  EXPECT_EQ(answer.body, "");
-}
-
 TEST_F(PageTest, NothingOutsideOfTheFolderIsServed) {
   const Served sut(params_);
   for (const char* target : {"/../secret.txt", "/assets/../../secret.txt", "/%2e%2e/secret.txt",
@@ -137,16 +129,6 @@ TEST_F(RunFilesTest, ALargeRecordingComesWhole) {
   HttpAnswer head = fetch(facts, "HEAD");
   EXPECT_EQ(head.headers["Content-Length"], "3000000");
   EXPECT_EQ(head.body, "");
-}
-
-TEST_F(RunFilesTest, APageOfAnotherOriginGetsNone) {
-  const Served sut(params_);
-  for (const char* target : {"/bags", "/bags/gcs/bag_0.mcap", "/what_if?host=uxv"}) {
-    ClientFacts facts = sut.facts();
-    facts.target = target;
-    facts.headers["Origin"] = "https://evil.example";
-    EXPECT_EQ(fetch(facts).status, 403) << target;
-  }
 }
 
 TEST_F(RunFilesTest, WithoutARunThereIsNothingToDecideAgain) {

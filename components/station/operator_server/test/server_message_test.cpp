@@ -72,18 +72,6 @@ TEST(ServerMessageTest, BinaryFramesAreLittleEndian) {
 /// The lists of an update, by their keys.
 json update_of(const Graph& before, const Graph& now) { return parsed(graph_update(before, now)); }
 
-TEST(GraphUpdateTest, TellsAllToWhoKnowsNothing) {
-  Graph now;
-  now.publishers["/odom"] = {"/driver"};
-  now.subscribers["/odom"] = {"/navigator", "/recorder"};
-  now.servers["/dock"] = {"/driver"};
-  EXPECT_EQ(update_of({}, now), json::parse(R"({"op": "connectionGraphUpdate",
-              "publishedTopics": [{"name": "/odom", "publisherIds": ["/driver"]}],
-              "subscribedTopics": [{"name": "/odom", "subscriberIds": ["/navigator", "/recorder"]}],
-              "advertisedServices": [{"name": "/dock", "providerIds": ["/driver"]}],
-              "removedTopics": [], "removedServices": []})"));
-}
-
 TEST(GraphUpdateTest, TellsOnlyWhatHasChanged) {
   Graph before;
   before.publishers["/odom"] = {"/driver"};

@@ -79,26 +79,6 @@ TEST_F(StudioClientTest, AClickThatNobodyTakesIsOneWarning) {
   EXPECT_THAT(told(sut), ElementsAre(HasSubstr("/move_base_simple/goal: nobody here takes it")));
 }
 
-TEST_F(StudioClientTest, ATopicThatIsWritableIsOpenedAsAnyOther) {
-  Hub sut(settings({"/clicked_point"}));
-  sut.add_client(1, noon_ns);
-  EXPECT_EQ(open_customary(sut).size(), 1U);
-  EXPECT_THAT(sut.written(), ElementsAre("/clicked_point"));
-  EXPECT_EQ(publish(sut, '\x02').size(), 1U);
-}
-
-TEST_F(StudioClientTest, ClosesWhatItHadOpen) {
-  Hub sut(settings({}));
-  sut.add_client(1, noon_ns);
-  (void)open_customary(sut);
-  (void)told(sut);
-  const std::string close = R"({"op": "unadvertise", "channelIds": [1, 2, 3]})";
-  EXPECT_THAT(sut.on_frame(1, Frame::Kind::text, close), IsEmpty());
-  EXPECT_THAT(told(sut), IsEmpty());
-  (void)sut.on_frame(1, Frame::Kind::text, close);
-  EXPECT_EQ(told(sut).size(), 3U);
-}
-
 TEST_F(StudioClientTest, CannotMakeTheServerRememberMoreAndMoreTopics) {
   Hub sut(settings({}));
   sut.add_client(1, noon_ns);

@@ -33,7 +33,7 @@ class TopicPortsTest : public ::testing::Test {
   }
   [[nodiscard]] std::size_t readings() const { return owner_.port_health().size(); }
   [[nodiscard]] std::string write(const std::string& topic, const std::string& payload) {
-    return sut_.write({1, topic, "json", payload});
+    return sut_.write({1, topic, "json", payload}).fault;
   }
   SimBus bus_;
   Context context_{bus_, "owner", Role::gcs};
@@ -81,6 +81,17 @@ TEST_F(TopicPortsTest, WritesATopicThatALibraryStatesByItsType) {
   EXPECT_EQ(came[0].id(), 3U);
 }
 
+TEST_F(TopicPortsTest, SaysUnderWhoseNameAPersonDrivesOrAsksTo) {
+  EXPECT_EQ(sut_.open(channel("/teleop/cmd_vel", "geometry_msgs/msg/TwistStamped")), "");
+  EXPECT_EQ(sut_.open(channel("/teleop/request", "tocsin_msgs/msg/DriverRequest")), "");
+  EXPECT_EQ(sut_.open(channel("/goal", "tocsin_msgs/msg/Goal")), "");
+  EXPECT_EQ(
+      sut_.write({1, "/teleop/cmd_vel", "json", R"({"header": {"frame_id": "anna"}})"}).by_operator,
+      "anna");
+  EXPECT_EQ(sut_.write({1, "/teleop/request", "json", R"({"name": "ben"})"}).by_operator, "ben");
+  EXPECT_FALSE(sut_.write({1, "/goal", "json", "{}"}).by_operator);
+}
+
 TEST_F(TopicPortsTest, WritesATopicThatNobodyStates) {
   EXPECT_EQ(sut_.open(channel("/crew/remark", "std_msgs/msg/String")), "");
   EXPECT_EQ(write("/crew/remark", R"({"data": "fog"})"), "");
@@ -115,7 +126,7 @@ TEST_F(TopicPortsTest, ABadMessageIsNotWritten) {
   SimReader<topic::Goal> goals(bus_);
   EXPECT_EQ(sut_.open(channel("/goal", "tocsin_msgs/msg/Goal")), "");
   EXPECT_THAT(write("/goal", R"({"id": -1})"), HasSubstr("/goal: id: must be a whole number"));
-  EXPECT_THAT(sut_.write({1, "/goal", "cdr", "abc"}), HasSubstr("3 bytes are not the CDR"));
+  EXPECT_THAT(sut_.write({1, "/goal", "cdr", "abc"}).fault, HasSubstr("3 bytes are not the CDR"));
   EXPECT_THAT(goals.take(), IsEmpty());
 }
 

@@ -102,22 +102,6 @@ TEST_F(WebServerTest, WhatIsNoHttpIsClosed) {
   EXPECT_EQ(rest_of(socket), "");
 }
 
-TEST_F(WebServerTest, HundredsOfConnectionsLeaveRoomForThoseThatCameFirst) {
-  settings_.request_s = 60;
-  settings_.most_connections = 50;
-  start();
-  tcp::socket first = connect();
-  std::vector<tcp::socket> many;
-  for (int i = 0; i < 200; ++i) many.push_back(connect());
-  EXPECT_TRUE(heard_.wait_for("refused more than 50 connections"));
-  EXPECT_THAT(rest_of(many.back()), ::testing::EndsWith("more than 50 connections\n"));
-  beast::flat_buffer buffer;
-  http::write(first, request_for(host(), "/"));
-  http::response<http::string_body> response;
-  http::read(first, buffer, response);
-  EXPECT_EQ(response.result_int(), 404U);
-}
-
 TEST_F(WebServerTest, EndsWithConnectionsOpen) {
   start();
   tcp::socket socket = connect();

@@ -65,7 +65,7 @@ void KeyboardTeleop::on_bytes(std::string_view bytes, Time now) {
 
 void KeyboardTeleop::on_key(const Key& key, Time now) {
   if (key.kind == Key::Kind::character && (key.character == 'h' || key.character == 'n')) {
-    wheel_key_ = key.character;
+    control_key_ = key.character == 'h' ? ControlKey::hand_over : ControlKey::keep;
     return;
   }
   if (const auto direction = direction_of(key)) {
@@ -127,12 +127,13 @@ std::string KeyboardTeleop::help() const {
     return "  u i o    q z  both speeds up, down\n"
            "  j k l    w x  speed\n"
            "  m , .    e c  turn rate\n"
-           "arrows too; k, space or any other key stops; h, n: wheel of several; Ctrl-C ends\n";
+           "arrows too; k, space or any other key stops; h, n: control among several; Ctrl-C "
+           "ends\n";
   }
   return "  q w e    + -  both speeds up, down\n"
          "  a s d    r f  speed\n"
          "  z   c    t g  turn rate\n"
-         "arrows too; space or any other key stops; h, n: wheel of several; Ctrl-C ends\n";
+         "arrows too; space or any other key stops; h, n: control among several; Ctrl-C ends\n";
 }
 
 }  // namespace tocsin

@@ -3,84 +3,55 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "emergency_stop_input/hindrances.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
 namespace {
 
-/// What keeps the vehicle from driving, in a word; empty when nothing does.
-std::string hindrance(const topic::SafetyStatus::Message& status) {
-  if (status.emergency_stop()) return "  EMERGENCY STOP";
-  if (status.wheel_drop() != 0) return "  wheel drop";
-  if (status.cliff() != 0) return "  cliff";
-  return status.bumper() != 0 ? "  bumper" : "";
-}
+constexpr std::size_t longest_hindrance = 120;  // [1] characters
 
 }  // namespace
 
 TeleopKeyboardComponent::TeleopKeyboardComponent(Context& context, const Params& params)
-    : Component(context),
+    : TeleopComponent(context, params.common, "keyboard"),
       terminal_(context.devices.get().open_terminal()),
-      teleop_(params.keys),
-      sender_(params.sender),
-      name_(operator_name(params.name, "keyboard")) {
+      teleop_(params.keys) {
   if (!terminal_) return;
   wake_on(terminal_->descriptor());
   terminal_->print(teleop_.help());
 }
 
-TeleopKeyboardComponent::~TeleopKeyboardComponent() {
-  if (sender_.driving()) send({}, bus().now());
-}
+TeleopKeyboardComponent::~TeleopKeyboardComponent() { stop(); }
 
 void TeleopKeyboardComponent::tick(Time now) {
+  take_authority();
   if (terminal_) read_keys(now);
   if (auto safety = safety_.take_latest()) safety_seen_ = std::move(safety);
-  if (const auto driver = driver_.take_latest()) {
-    wheel_ = {printable(driver->driver(), 60), printable(driver->asked_by(), 60)};
-  }
   if (auto location = location_.take_latest()) location_seen_ = std::move(location);
   const geometry::Twist velocity = teleop_.velocity(now);
-  sender_.hold(velocity);
-  if (const auto command = sender_.update(now)) send(*command, now);
+  drive(velocity, now);
   if (terminal_) show(velocity);
-  wake_at(std::min(sender_.next_deadline(), teleop_.next_deadline(now)));
+  wake_at(std::min(next_command(), teleop_.next_deadline(now)));
 }
 
 void TeleopKeyboardComponent::read_keys(Time now) {
-  const auto bytes = terminal_->read();
-  if (bytes) {
+  if (const auto bytes = terminal_->read()) {
     teleop_.on_bytes(*bytes, now);
-    const auto key = teleop_.take_wheel_key();
-    if (key == 'n') return request("keep", now);
-    const auto verb = key ? handover_verb(wheel_, name_) : std::nullopt;
-    if (verb) request(*verb, now);
+    const auto key = teleop_.take_control_key();
+    if (key == KeyboardTeleop::ControlKey::hand_over) hand_over(now);
+    if (key == KeyboardTeleop::ControlKey::keep) keep_control(now);
     return;
   }
   log().warn("no keys come any more");
   teleop_.on_end();
   forget(terminal_->descriptor());
   terminal_.reset();
-}
-
-void TeleopKeyboardComponent::request(const std::string& verb, Time now) {
-  topic::DriverRequest::Message message;
-  message.stamp(wall(now));
-  message.name(name_);
-  message.verb(verb);
-  if (request_.write(std::move(message)) == Status::failed) log().warn("a request was not sent");
-}
-
-void TeleopKeyboardComponent::send(const geometry::Twist& velocity, Time now) {
-  topic::TeleopCmdVel::Message message;
-  message.header().stamp(wall(now));
-  message.header().frame_id(name_);
-  message.twist().linear().x(velocity.linear_mps);
-  message.twist().angular().z(velocity.angular_rad_s);
-  if (command_.write(std::move(message)) == Status::failed) log().warn("a velocity was not sent");
 }
 
 void TeleopKeyboardComponent::show(const geometry::Twist& velocity) {
@@ -91,9 +62,12 @@ void TeleopKeyboardComponent::show(const geometry::Twist& velocity) {
     const auto& at = location_seen_->pose().pose().position();
     line += fmt::format("   at ({:.2f}, {:.2f}) m", at.x(), at.y());
   }
-  line += safety_seen_ ? hindrance(*safety_seen_) : "  vehicle not heard";
-  const std::string of_wheel = wheel_text(wheel_, name_);
-  if (!of_wheel.empty()) line += "  " + of_wheel;
+  const auto append = [&line](const std::string& text) {
+    if (!text.empty()) line += "  " + text;
+  };
+  append(safety_seen_ ? printable(joined(hindrances(*safety_seen_)), longest_hindrance)
+                      : "vehicle not received");
+  append(authority_text());
   if (line == shown_) return;
   terminal_->show(line);
   shown_ = line;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "teleop_sender/teleop_sender.hpp"
+#include "teleop/teleop_sender.hpp"
 
 namespace tocsin {
 

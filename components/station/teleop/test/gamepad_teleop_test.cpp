@@ -14,7 +14,7 @@ const PadAxes ps3_axes{{ABS_X, {0, 255}}, {ABS_Y, {0, 255}}, {ABS_RX, {0, 255}}}
 const PadAxes xbox_axes{
     {ABS_X, {-32768, 32767}}, {ABS_Y, {-32768, 32767}}, {ABS_HAT0X, {-1, 1}}, {ABS_HAT0Y, {-1, 1}}};
 
-GamepadTeleop pad(const char* layout, const PadAxes& axes) {
+GamepadTeleop pad(PadLayout layout, const PadAxes& axes) {
   GamepadTeleop::Params params;
   params.layout = layout;
   GamepadTeleop sut(params);
@@ -35,7 +35,7 @@ const std::vector<PadEvent> l1_and_stick_up{
     {EV_ABS, ABS_RX, 127}, {EV_SYN, SYN_REPORT, 0}};
 
 TEST(GamepadTeleop, DrivesAPs3PadByTheLeftStickWhileL1IsHeld) {
-  GamepadTeleop sut = pad("ps3", ps3_axes);
+  GamepadTeleop sut = pad(PadLayout::ps3, ps3_axes);
   feed(sut, l1_and_stick_up);
   EXPECT_DOUBLE_EQ(sut.velocity().linear_mps, 0.5);
   EXPECT_EQ(sut.velocity().angular_rad_s, 0);
@@ -45,7 +45,7 @@ TEST(GamepadTeleop, DrivesAPs3PadByTheLeftStickWhileL1IsHeld) {
 }
 
 TEST(GamepadTeleop, StopsWhenTheDeadManButtonIsReleased) {
-  GamepadTeleop sut = pad("ps3", ps3_axes);
+  GamepadTeleop sut = pad(PadLayout::ps3, ps3_axes);
   feed(sut, l1_and_stick_up);
   feed(sut, {{EV_KEY, BTN_TL, 2}});
   EXPECT_GT(sut.velocity().linear_mps, 0);
@@ -54,19 +54,19 @@ TEST(GamepadTeleop, StopsWhenTheDeadManButtonIsReleased) {
 }
 
 TEST(GamepadTeleop, DoesNothingWithoutTheDeadManButton) {
-  GamepadTeleop sut = pad("ps3", ps3_axes);
+  GamepadTeleop sut = pad(PadLayout::ps3, ps3_axes);
   feed(sut, {{EV_ABS, ABS_Y, 0}, {EV_KEY, BTN_SOUTH, 1}, {EV_KEY, BTN_TR, 1}});
   EXPECT_EQ(sut.velocity().linear_mps, 0);
 }
 
 TEST(GamepadTeleop, KnowsL1OfOldKernels) {
-  GamepadTeleop sut = pad("ps3", ps3_axes);
+  GamepadTeleop sut = pad(PadLayout::ps3, ps3_axes);
   feed(sut, {{EV_KEY, old_l1, 1}, {EV_ABS, ABS_Y, 255}});
   EXPECT_DOUBLE_EQ(sut.velocity().linear_mps, -0.5);
 }
 
 TEST(GamepadTeleop, RestsInTheDeadZoneAndGrowsFromZeroBeyondIt) {
-  GamepadTeleop sut = pad("ps3", ps3_axes);
+  GamepadTeleop sut = pad(PadLayout::ps3, ps3_axes);
   feed(sut, {{EV_KEY, BTN_TL, 1}, {EV_ABS, ABS_Y, 113}});  // 0.114 of the way
   EXPECT_EQ(sut.velocity().linear_mps, 0);
   feed(sut, {{EV_ABS, ABS_Y, 112}});  // 0.122
@@ -76,7 +76,7 @@ TEST(GamepadTeleop, RestsInTheDeadZoneAndGrowsFromZeroBeyondIt) {
 
 TEST(GamepadTeleop, DrivesAGenericPadByStickOrCross) {
   for (const std::uint16_t shoulder : {std::uint16_t{BTN_TL}, std::uint16_t{BTN_TR}}) {
-    GamepadTeleop sut = pad("generic", xbox_axes);
+    GamepadTeleop sut = pad(PadLayout::generic, xbox_axes);
     feed(sut, {{EV_KEY, shoulder, 1}, {EV_ABS, ABS_Y, -32768}});
     EXPECT_DOUBLE_EQ(sut.velocity().linear_mps, 0.5);
     feed(sut, {{EV_ABS, ABS_Y, 0}, {EV_ABS, ABS_HAT0X, 1}});
@@ -85,7 +85,7 @@ TEST(GamepadTeleop, DrivesAGenericPadByStickOrCross) {
 }
 
 TEST(GamepadTeleop, TheButtonMustBePressedAnewAfterAReconnection) {
-  GamepadTeleop sut = pad("ps3", ps3_axes);
+  GamepadTeleop sut = pad(PadLayout::ps3, ps3_axes);
   feed(sut, l1_and_stick_up);
   sut.on_disconnect();
   EXPECT_EQ(sut.velocity().linear_mps, 0);
@@ -95,21 +95,21 @@ TEST(GamepadTeleop, TheButtonMustBePressedAnewAfterAReconnection) {
 }
 
 TEST(GamepadTeleop, TheButtonCountsAsReleasedWhenEventsWereLost) {
-  GamepadTeleop sut = pad("ps3", ps3_axes);
+  GamepadTeleop sut = pad(PadLayout::ps3, ps3_axes);
   feed(sut, l1_and_stick_up);
   feed(sut, {{EV_SYN, SYN_DROPPED, 0}});
   EXPECT_EQ(sut.velocity().linear_mps, 0);
 }
 
 TEST(GamepadTeleop, LivesWithAnAxisWithoutRangeAndWithoutAnyAxis) {
-  GamepadTeleop sut = pad("ps3", {{ABS_Y, {5, 5}}});
+  GamepadTeleop sut = pad(PadLayout::ps3, {{ABS_Y, {5, 5}}});
   feed(sut, {{EV_KEY, BTN_TL, 1}, {EV_ABS, ABS_Y, 0}, {EV_ABS, ABS_X, 0}});
   EXPECT_EQ(sut.velocity().linear_mps, 0);
   EXPECT_EQ(sut.velocity().angular_rad_s, 0);
 }
 
 TEST(GamepadTeleop, IsNeverFasterThanItsLimits) {
-  GamepadTeleop sut = pad("ps3", ps3_axes);
+  GamepadTeleop sut = pad(PadLayout::ps3, ps3_axes);
   feed(sut, {{EV_KEY, BTN_TL, 1}, {EV_ABS, ABS_Y, -100'000}});
   EXPECT_DOUBLE_EQ(sut.velocity().linear_mps, 0.5);
 }

@@ -12,47 +12,35 @@ const Time t0 = Time{} + seconds(100);
 
 KeyboardTeleop turtlebot() {
   KeyboardTeleop::Params params;
-  params.layout = "turtlebot";
+  params.layout = KeyLayout::turtlebot;
   return KeyboardTeleop(params);
 }
 
-void expect_velocity(KeyboardTeleop sut, const char* key, double linear, double angular) {
-  sut.on_bytes(key, t0);
-  EXPECT_DOUBLE_EQ(sut.velocity(t0).linear_mps, linear) << key;
-  EXPECT_DOUBLE_EQ(sut.velocity(t0).angular_rad_s, angular) << key;
+void expect_velocity(KeyboardTeleop sut, const std::string& keys, double linear, double angular) {
+  sut.on_bytes(keys, t0);
+  EXPECT_DOUBLE_EQ(sut.velocity(t0).linear_mps, linear) << keys;
+  EXPECT_DOUBLE_EQ(sut.velocity(t0).angular_rad_s, angular) << keys;
 }
 
-TEST(KeyboardTeleop, DrivesByWasd) {
-  const KeyboardTeleop sut{KeyboardTeleop::Params{}};
-  expect_velocity(sut, "w", 0.3, 0);
-  expect_velocity(sut, "s", -0.3, 0);
-  expect_velocity(sut, "a", 0, 1);
-  expect_velocity(sut, "d", 0, -1);
-  expect_velocity(sut, "q", 0.3, 1);
-  expect_velocity(sut, "e", 0.3, -1);
-  expect_velocity(sut, "z", -0.3, -1);
-  expect_velocity(sut, "c", -0.3, 1);
-  expect_velocity(sut, "W", 0.3, 0);
-}
-
-TEST(KeyboardTeleop, DrivesByTheTurtlebotLayout) {
-  expect_velocity(turtlebot(), "i", 0.3, 0);
-  expect_velocity(turtlebot(), ",", -0.3, 0);
-  expect_velocity(turtlebot(), "j", 0, 1);
-  expect_velocity(turtlebot(), "l", 0, -1);
-  expect_velocity(turtlebot(), "u", 0.3, 1);
-  expect_velocity(turtlebot(), "o", 0.3, -1);
-  expect_velocity(turtlebot(), "m", -0.3, -1);
-  expect_velocity(turtlebot(), ".", -0.3, 1);
+TEST(KeyboardTeleop, DrivesByTheLettersOfItsLayoutAndByArrows) {
+  const auto drives_by = [](const KeyboardTeleop& sut, const std::vector<std::string>& keys) {
+    expect_velocity(sut, keys[0], 0.3, 0);
+    expect_velocity(sut, keys[1], -0.3, 0);
+    expect_velocity(sut, keys[2], 0, 1);
+    expect_velocity(sut, keys[3], 0, -1);
+    if (keys.size() == 4) return;
+    expect_velocity(sut, keys[4], 0.3, 1);
+    expect_velocity(sut, keys[5], 0.3, -1);
+    expect_velocity(sut, keys[6], -0.3, -1);
+    expect_velocity(sut, keys[7], -0.3, 1);
+  };
+  const KeyboardTeleop wasd{KeyboardTeleop::Params{}};
+  drives_by(wasd, {"w", "s", "a", "d", "q", "e", "z", "c"});
+  drives_by(wasd, {"W", "S", "A", "D"});
+  drives_by(turtlebot(), {"i", ",", "j", "l", "u", "o", "m", "."});
   expect_velocity(turtlebot(), "ik", 0, 0);
-}
-
-TEST(KeyboardTeleop, DrivesByArrowsInBothLayouts) {
-  for (const KeyboardTeleop& sut : {KeyboardTeleop{KeyboardTeleop::Params{}}, turtlebot()}) {
-    expect_velocity(sut, "\x1b[A", 0.3, 0);
-    expect_velocity(sut, "\x1b[B", -0.3, 0);
-    expect_velocity(sut, "\x1b[D", 0, 1);
-    expect_velocity(sut, "\x1b[C", 0, -1);
+  for (const KeyboardTeleop& sut : {wasd, turtlebot()}) {
+    drives_by(sut, {"\x1b[A", "\x1b[B", "\x1b[D", "\x1b[C"});
   }
 }
 
@@ -105,12 +93,8 @@ TEST(KeyboardTeleop, StepsTheSpeedsWithinTheirLimits) {
   sut.on_bytes("++++++++++++++++++++++", t0);
   EXPECT_EQ(sut.linear_mps(), 0.7);
   EXPECT_EQ(sut.angular_rad_s(), 1.9);
-}
-
-TEST(KeyboardTeleop, AStepOfSpeedDoesNotStop) {
-  KeyboardTeleop sut{KeyboardTeleop::Params{}};
-  sut.on_bytes("w+", t0);
-  EXPECT_DOUBLE_EQ(sut.velocity(t0).linear_mps, 0.33);
+  sut.on_bytes("w-", t0);
+  EXPECT_DOUBLE_EQ(sut.velocity(t0).linear_mps, 0.7 / 1.1) << "a step does not stop";
 }
 
 TEST(KeyboardTeleop, TurtlebotStepsByItsOwnKeys) {

@@ -6,8 +6,7 @@
 
 #include <deque>
 
-#include "devices/absent_devices.hpp"
-#include "runtime/sim_bus.hpp"
+#include "teleop_fixture.hpp"
 
 namespace tocsin {
 namespace {
@@ -48,42 +47,19 @@ class PadDevices final : public AbsentDevices {
   Pad& pad_;
 };
 
-class TeleopGamepadComponentTest : public ::testing::Test {
+struct WithPad {
+  Pad pad_;
+  PadDevices devices_{pad_};
+};
+
+class TeleopGamepadComponentTest : protected WithPad, public TeleopFixture<TeleopGamepadComponent> {
  protected:
-  TeleopGamepadComponentTest() {
-    sut_ = std::make_unique<TeleopGamepadComponent>(context_, TeleopGamepadComponent::Params{});
-  }
-  /// Ticks as the runner would for `s` and returns the speeds that were sent.
-  std::vector<double> run(double s) {
-    const Time end = bus_.now() + seconds(s);
-    for (Time next = bus_.now(); next <= end;) {
-      bus_.run_until(next);
-      sut_->schedule().begin_tick(next);
-      sut_->tick(next);
-      next = sut_->schedule().due();
-    }
-    bus_.run_until(end);
-    return sent();
-  }
-  std::vector<double> sent() {
-    std::vector<double> speeds;
-    for (const auto& command : commands_.take()) speeds.push_back(command.twist().linear().x());
-    return speeds;
-  }
-  std::vector<double> drive(double s) {
+  TeleopGamepadComponentTest() : TeleopFixture("teleop_gamepad", devices_) {}
+  Speeds drive(double s) {
     pad_.events = {{EV_KEY, BTN_TL, 1}, {EV_ABS, ABS_Y, 0}};
     return run(s);
   }
-
-  SimBus bus_;
-  Pad pad_;
-  PadDevices devices_{pad_};
-  Context context_ = Context(bus_, "teleop_gamepad", Role::gcs).with_devices(devices_);
-  SimReader<topic::TeleopCmdVel> commands_{bus_};
-  std::unique_ptr<TeleopGamepadComponent> sut_;
 };
-
-using Speeds = std::vector<double>;
 
 TEST_F(TeleopGamepadComponentTest, SendsNothingWhileNothingIsHeld) {
   EXPECT_TRUE(run(5).empty());
@@ -106,20 +82,15 @@ TEST_F(TeleopGamepadComponentTest, SendsZeroWhenThePadIsPulledAndTakesItBack) {
   EXPECT_EQ(drive(0), (Speeds{0.5}));
 }
 
-TEST_F(TeleopGamepadComponentTest, TheStartButtonAsksForTheWheelOfWhoDrives) {
-  SimReader<topic::DriverRequest> requests(bus_);
+TEST_F(TeleopGamepadComponentTest, TheStartButtonAsksForControlOfWhoDrives) {
+  const std::string me = operator_name("", "gamepad");
   pad_.events = {{EV_KEY, BTN_START, 1}, {EV_KEY, BTN_START, 0}};
   run(0);
-  EXPECT_TRUE(requests.take().empty()) << "nobody drives";
-  topic::DriverState::Message state;
-  state.driver("anna");
-  bus_.publish<topic::DriverState>(state);
+  EXPECT_TRUE(requests(me).empty()) << "nobody drives";
+  report_driver("anna");
   pad_.events = {{EV_KEY, BTN_START, 1}, {EV_KEY, BTN_START, 2}, {EV_KEY, BTN_START, 0}};
   run(0);
-  const auto sent = requests.take();
-  ASSERT_EQ(sent.size(), 1U);
-  EXPECT_EQ(sent[0].verb(), "ask");
-  EXPECT_EQ(sent[0].name(), operator_name("", "gamepad"));
+  EXPECT_EQ(requests(me), std::vector<std::string>{"ask"});
 }
 
 TEST_F(TeleopGamepadComponentTest, LooksForAnAbsentPadOnceASecond) {

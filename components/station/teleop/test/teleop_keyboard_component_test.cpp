@@ -4,8 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "devices/absent_devices.hpp"
-#include "runtime/sim_bus.hpp"
+#include "teleop_fixture.hpp"
 
 namespace tocsin {
 namespace {
@@ -45,49 +44,20 @@ class TypedDevices final : public AbsentDevices {
   Typed& typed_;
 };
 
-class TeleopKeyboardComponentTest : public ::testing::Test {
+struct WithTerminal {
+  Typed typed_;
+  TypedDevices devices_{typed_};
+};
+
+class TeleopKeyboardComponentTest : protected WithTerminal,
+                                    public TeleopFixture<TeleopKeyboardComponent> {
  protected:
-  TeleopKeyboardComponentTest() {
-    sut_ = std::make_unique<TeleopKeyboardComponent>(context_, TeleopKeyboardComponent::Params{});
-  }
-  /// Ticks as the runner would for `s` and returns the speeds that were sent.
-  std::vector<double> run(double s) {
-    const Time end = bus_.now() + seconds(s);
-    for (Time next = bus_.now(); next <= end;) {
-      bus_.run_until(next);
-      sut_->schedule().begin_tick(next);
-      sut_->tick(next);
-      next = sut_->schedule().due();
-    }
-    bus_.run_until(end);
-    return sent();
-  }
-  std::vector<double> sent() {
-    std::vector<double> speeds;
-    for (const auto& command : commands_.take()) speeds.push_back(command.twist().linear().x());
-    return speeds;
-  }
-  std::vector<double> type(const std::string& keys, double s = 0) {
+  TeleopKeyboardComponentTest() : TeleopFixture("teleop_keyboard", devices_) {}
+  Speeds type(const std::string& keys, double s = 0) {
     typed_.waiting = keys;
     return run(s);
   }
-
-  void tell_driver(const std::string& name, const std::string& asked_by) {
-    topic::DriverState::Message state;
-    state.driver(name);
-    state.asked_by(asked_by);
-    bus_.publish<topic::DriverState>(state);
-  }
-
-  SimBus bus_;
-  Typed typed_;
-  TypedDevices devices_{typed_};
-  Context context_ = Context(bus_, "teleop_keyboard", Role::gcs).with_devices(devices_);
-  SimReader<topic::TeleopCmdVel> commands_{bus_};
-  std::unique_ptr<TeleopKeyboardComponent> sut_;
 };
-
-using Speeds = std::vector<double>;
 
 TEST_F(TeleopKeyboardComponentTest, SendsNothingWhileNothingIsPressed) {
   EXPECT_TRUE(run(5).empty());
@@ -100,11 +70,6 @@ TEST_F(TeleopKeyboardComponentTest, SendsAPressAtOnceAndZeroWhenNoRepeatComes) {
   EXPECT_EQ(run(0.06), (Speeds{0}));
   EXPECT_EQ(run(5), (Speeds{0, 0}));
   EXPECT_EQ(sut_->schedule().due(), never);
-}
-
-TEST_F(TeleopKeyboardComponentTest, SpaceStopsAtOnce) {
-  type("w", 0.05);
-  EXPECT_EQ(type(" "), (Speeds{0}));
 }
 
 TEST_F(TeleopKeyboardComponentTest, SendsZeroWhenTheTerminalGoes) {
@@ -131,7 +96,7 @@ TEST_F(TeleopKeyboardComponentTest, StampsEveryCommand) {
 TEST_F(TeleopKeyboardComponentTest, ShowsSpeedsAndWhatHindersTheVehicle) {
   type("r");
   EXPECT_THAT(typed_.line, HasSubstr("speeds 0.33 m/s"));
-  EXPECT_THAT(typed_.line, HasSubstr("vehicle not heard"));
+  EXPECT_THAT(typed_.line, HasSubstr("vehicle not received"));
   topic::SafetyStatus::Message status;
   status.emergency_stop(true);
   bus_.publish<topic::SafetyStatus>(status);
@@ -139,28 +104,20 @@ TEST_F(TeleopKeyboardComponentTest, ShowsSpeedsAndWhatHindersTheVehicle) {
   EXPECT_THAT(typed_.line, HasSubstr("EMERGENCY STOP"));
 }
 
-TEST_F(TeleopKeyboardComponentTest, AsksForTheWheelAndGivesIt) {
-  SimReader<topic::DriverRequest> requests(bus_);
+TEST_F(TeleopKeyboardComponentTest, AsksForControlAndGivesOrKeepsIt) {
+  using Verbs = std::vector<std::string>;
   const std::string me = operator_name("", "keyboard");
   EXPECT_TRUE(type("h").empty());
-  EXPECT_TRUE(requests.take().empty()) << "nobody drives";
-  tell_driver("anna", "");
-  run(0);
-  EXPECT_THAT(typed_.line, HasSubstr("anna drives: h asks for the wheel"));
+  EXPECT_TRUE(requests(me).empty()) << "nobody drives";
+  report_driver("anna");
+  EXPECT_THAT(typed_.line, HasSubstr("anna drives: h asks for control"));
   type("h");
-  auto sent = requests.take();
-  ASSERT_EQ(sent.size(), 1U);
-  EXPECT_EQ(sent[0].verb(), "ask");
-  EXPECT_EQ(sent[0].name(), me);
-  tell_driver(me, "anna");
-  run(0);
-  EXPECT_THAT(typed_.line, HasSubstr("anna asks for the wheel"));
+  EXPECT_EQ(requests(me), Verbs{"ask"});
+  report_driver(me, "anna");
+  EXPECT_THAT(typed_.line, HasSubstr("anna asks for control"));
   type("n");
   type("h");
-  sent = requests.take();
-  ASSERT_EQ(sent.size(), 2U);
-  EXPECT_EQ(sent[0].verb(), "keep");
-  EXPECT_EQ(sent[1].verb(), "give");
+  EXPECT_EQ(requests(me), (Verbs{"keep", "give"}));
 }
 
 TEST_F(TeleopKeyboardComponentTest, LivesWithoutATerminal) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "teleop_sender/teleop_sender.hpp"
+#include "teleop/teleop_sender.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,15 +38,6 @@ TEST(TeleopSender, SendsZeroThreeTimesAtReleaseAndThenNothing) {
   }
   EXPECT_FALSE(sut.update(t0 + seconds(10)));
   EXPECT_EQ(sut.next_deadline(), never);
-}
-
-TEST(TeleopSender, TellsWhetherWhatIsHeldMovesTheVehicle) {
-  TeleopSender sut{TeleopSender::Params{}};
-  EXPECT_FALSE(sut.driving());
-  sut.hold({0, 0.5});
-  EXPECT_TRUE(sut.driving());
-  sut.hold({0, 0});
-  EXPECT_FALSE(sut.driving());
 }
 
 TEST(TeleopSender, AsksToBeCalledAtItsRateWhileItDrives) {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "foundation/enum_words.hpp"
 #include "foundation/printable.hpp"
 #include "runtime/component_entry.hpp"
+#include "tocsin_idl/control_verb.hpp"
 
 namespace tocsin {
 namespace {
@@ -15,7 +17,7 @@ std::int64_t to_ns(const builtin_interfaces::msg::Time& stamp) {
   return std::int64_t{stamp.sec()} * 1'000'000'000 + stamp.nanosec();
 }
 
-/// Of an operator, as others are told it.
+/// Of an operator, for other operators.
 std::string name_of(const std::string& given) {
   return given.empty() ? "unnamed" : printable(given, 60);
 }
@@ -27,13 +29,13 @@ void TeleopReceiverComponent::tick(Time now) {
   while (const auto command = command_.take()) follow(*command, now);
   authority_.settle(now);
   const bool changed = authority_.driver() != driver_ || authority_.asked_by() != asked_by_;
-  if (changed || (authority_.driver() && now >= next_telling_)) tell(now);
-  wake_at(authority_.driver() ? std::min(authority_.next_deadline(), next_telling_) : never);
+  if (changed || (authority_.driver() && now >= next_report_)) publish_driver(now);
+  wake_at(authority_.driver() ? std::min(authority_.next_deadline(), next_report_) : never);
 }
 
 void TeleopReceiverComponent::follow(const topic::TeleopCmdVel::Message& command, Time now) {
   const bool fresh = is_fresh(command, now);
-  if (!fresh && !was_late_) log().warn("velocities from the operator come too late");
+  if (!fresh && !was_late_) log().warn("velocities from the operator are too late");
   was_late_ = !fresh;
   if (!fresh || !authority_.follows(name_of(command.header().frame_id()), now)) return;
   if (cmd_vel_.write(command.twist()) == Status::failed) log().warn("a velocity was not sent");
@@ -41,15 +43,16 @@ void TeleopReceiverComponent::follow(const topic::TeleopCmdVel::Message& command
 
 void TeleopReceiverComponent::obey(const topic::DriverRequest::Message& request, Time now) {
   const std::string name = name_of(request.name());
-  if (request.verb() == "ask") return authority_.ask(name, now);
-  if (request.verb() == "give") return authority_.give(name, now);
-  if (request.verb() == "keep") return authority_.keep(name);
+  const auto verb = value_of<ControlVerb>(request.verb());
+  if (verb == ControlVerb::ask) return authority_.ask(name, now);
+  if (verb == ControlVerb::give) return authority_.give(name, now);
+  if (verb == ControlVerb::keep) return authority_.keep(name);
   log().warn("{} asks for '{}', which is none of ask, give, keep", name,
              printable(request.verb(), 20));
 }
 
-/// Leaves the vehicle standing when another takes the wheel, whatever the one before wanted last.
-void TeleopReceiverComponent::tell(Time now) {
+/// Leaves the vehicle standing when another takes control, whatever the one before wanted last.
+void TeleopReceiverComponent::publish_driver(Time now) {
   if (driver_ && authority_.driver() && authority_.driver() != driver_) {
     if (cmd_vel_.write(topic::CmdVelTeleop::Message{}) == Status::failed)
       log().warn("a velocity was not sent");
@@ -59,13 +62,13 @@ void TeleopReceiverComponent::tell(Time now) {
   }
   driver_ = authority_.driver();
   asked_by_ = authority_.asked_by();
-  next_telling_ = now + seconds(1);
+  next_report_ = now + seconds(1);
   topic::DriverState::Message state;
   state.stamp(wall(now));
   state.driver(driver_.value_or(""));
   state.asked_by(asked_by_.value_or(""));
   state.refused(authority_.refused());
-  if (state_.write(std::move(state)) == Status::failed) log().warn("its driver was not told");
+  if (state_.write(std::move(state)) == Status::failed) log().warn("the driver was not published");
 }
 
 bool TeleopReceiverComponent::is_fresh(const topic::TeleopCmdVel::Message& command, Time now) {

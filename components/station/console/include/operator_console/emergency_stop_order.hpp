@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "emergency_stop_input/stop_state_words.hpp"
 #include "foundation/time.hpp"
 #include "operator_console/order_result.hpp"
 
@@ -24,7 +25,7 @@ class EmergencyStopOrder {
   static constexpr const char* process = "estop";
   enum class Wish { on, off, status };
   /// What the ground station's component said last that a person asked it for.
-  enum class Asked { nothing, on, off };
+  using Asked = StopAsked;
   /// On whose host the order is given.
   enum class Place { station, vehicle };
   static constexpr Duration direct_after = std::chrono::seconds(1);

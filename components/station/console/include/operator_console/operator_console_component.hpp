@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
 #include <variant>
 
 #include "emergency_stop_input/vehicle_stop_view.hpp"
+#include "foundation/enum_words.hpp"
+#include "foundation/parameters.hpp"
 #include "operator_console/dock_order.hpp"
 #include "operator_console/emergency_stop_order.hpp"
 #include "runtime/component.hpp"
@@ -15,18 +18,32 @@
 
 namespace tocsin {
 
+/// What a person orders.
+enum class ConsoleOrder {
+  estop_on,
+  estop_off,
+  estop_status,
+  dock_start,
+  dock_cancel,
+  dock_status,
+};
+constexpr std::array<const char*, 6> words_of(ConsoleOrder) {
+  return {"estop_on", "estop_off", "estop_status", "dock_start", "dock_cancel", "dock_status"};
+}
+
 /// Gives one order, prints what comes of it and ends its process. For tocsin estop and tocsin dock.
 class OperatorConsoleComponent final : public Component {
  public:
   struct Params {
-    std::string order = "estop_status";
+    ConsoleOrder order = ConsoleOrder::estop_status;
     double wait_s = 5;
     bool direct = false;
     template <class Visitor>
     void visit(Visitor& v) {
-      v("order", order,
-        {"estop_on", "estop_off", "estop_status", "dock_start", "dock_cancel", "dock_status"},
-        "what to do");
+      visit_enum(v, "order", order,
+                 Choices{"estop_on", "estop_off", "estop_status", "dock_start", "dock_cancel",
+                         "dock_status"},
+                 "what to do");
       v("wait_s", wait_s, {0.5, 600}, "[s] for an answer");
       v("direct", direct, "the vehicle itself is told to stop when nobody at the station takes it");
     }
@@ -38,6 +55,7 @@ class OperatorConsoleComponent final : public Component {
   void tick(Time now) override;
 
  private:
+  void begin(Time now);
   void give(EmergencyStopOrder& order, Time now);
   void hear(EmergencyStopOrder& order, Time now);
   [[nodiscard]] bool is_at_vehicle() const { return context().role == Role::uxv; }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "emergency_stop_input/hindrances.hpp"
 #include "link_state_text/link_state_text.hpp"
 #include "terminal/aged.hpp"
 #include "traffic_page.hpp"
@@ -72,7 +73,7 @@ Line vehicle_line(const ViewState& state, const Viewing& viewing) {
 bool safety_matters(const ViewState& state, const Viewing& viewing) {
   if (!state.safety) return false;
   return viewing.freshness_of(*state.safety) != Freshness::fresh ||
-         !view::hindrances(state.safety->value).empty();
+         !hindrances(state.safety->value).empty();
 }
 
 /// What the router of one side says of its way over the link.

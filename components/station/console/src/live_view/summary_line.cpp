@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "emergency_stop_input/hindrances.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
 #include "link_state_text/link_state_text.hpp"
 #include "live_view/screen.hpp"
@@ -43,7 +45,9 @@ std::string decision(const char* side, const tocsin_msgs::msg::TransmissionState
 
 std::string summary_line(const ViewState& state, Time now, const FreshnessLimits& limits) {
   Summary summary(now, limits);
-  summary.tell("safety", state.safety, view::hindrances);
+  summary.tell("safety", state.safety, [](const tocsin_msgs::msg::SafetyStatus& safety) {
+    return joined(hindrances(safety));
+  });
   if (state.disk && state.disk->value.is_full()) {
     summary.tell("disk", state.disk,
                  [](const Disk& disk) { return "disk " + view::trouble(disk); });

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "emergency_stop_input/hindrances.hpp"
+#include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
 
 namespace tocsin::view {
@@ -96,25 +98,8 @@ std::string trouble(const Disk& disk) {
 
 Line words(const Disk& disk, Duration) { return {{trouble(disk), Style::bad}}; }
 
-std::string hindrances(const tocsin_msgs::msg::SafetyStatus& status) {
-  std::string text;
-  const auto add = [&text](bool holds, const char* name) {
-    if (holds) text += (text.empty() ? "" : ", ") + std::string(name);
-  };
-  std::string stop = "EMERGENCY STOP";
-  for (const std::string& name : status.stopped_by()) {
-    stop += (&name == &status.stopped_by().front() ? " of " : " and ") + name;
-  }
-  add(status.emergency_stop(), stop.c_str());
-  add(status.bumper() != 0, "bumper");
-  add(status.cliff() != 0, "cliff");
-  add(status.wheel_drop() != 0, "wheel drop");
-  add(!status.enabled(), "bumper, cliff and wheel drop are not looked at");
-  return text;
-}
-
 Line words(const tocsin_msgs::msg::SafetyStatus& status, Duration) {
-  const std::string text = hindrances(status);
+  const std::string text = joined(hindrances(status));
   return {text.empty() ? Span{"nothing hinders"} : Span{text, Style::bad}};
 }
 

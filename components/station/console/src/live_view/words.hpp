@@ -14,8 +14,6 @@ namespace tocsin::view {
 [[nodiscard]] std::string waypoint(const tocsin_msgs::msg::MissionStatus& mission,
                                    const char* between);
 [[nodiscard]] std::string place_text(const Place& place);
-/// What keeps the vehicle from moving; empty when nothing does.
-[[nodiscard]] std::string hindrances(const tocsin_msgs::msg::SafetyStatus& status);
 
 /// Of a full one; empty when it is not.
 [[nodiscard]] std::string trouble(const Disk& disk);

@@ -85,10 +85,10 @@ OrderResult EmergencyStopOrder::failure() const {
 }
 
 OrderResult EmergencyStopOrder::status() const {
-  const char* asked = !asked_                     ? "kept by nobody at the station"
-                      : *asked_ == Asked::nothing ? "never asked for"
-                      : *asked_ == Asked::on      ? "ON"
-                                                  : "off";
+  const char* asked = !asked_                   ? "kept by nobody at the station"
+                      : *asked_ == Asked::never ? "never asked for"
+                      : *asked_ == Asked::on    ? "ON"
+                                                : "off";
   std::string vehicle = "not heard";
   if (stands_) vehicle = *stands_ ? "stands by emergency stop" : "may drive";
   if (!stopped_by_.empty()) vehicle += " of: " + joined(stopped_by_);

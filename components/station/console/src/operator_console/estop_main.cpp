@@ -116,7 +116,7 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   options.declare(app);
   return run_command(app, argc, argv, [&] {
-    params.order = "estop_" + order;
+    params.order = value_of<ConsoleOrder>("estop_" + order).value();
     // When it is not clear which vehicle is meant, all stand, and none drives.
     const Among among = order == "off" ? Among::only_one : Among::all;
     return give_all(find_targets(options, among, deployment::running_hosts()), params);

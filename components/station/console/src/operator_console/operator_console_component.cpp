@@ -18,26 +18,6 @@ void print_line(const std::string& line) {
   std::fflush(stdout);
 }
 
-template <class Order>
-std::optional<typename Order::Wish> wish_of(const std::string& order) {
-  using Wish = typename Order::Wish;
-  if constexpr (std::is_same_v<Order, DockOrder>) {
-    if (order == "dock_start") return Wish::start;
-    if (order == "dock_cancel") return Wish::cancel;
-    if (order == "dock_status") return Wish::status;
-  } else {
-    if (order == "estop_on") return Wish::on;
-    if (order == "estop_off") return Wish::off;
-    if (order == "estop_status") return Wish::status;
-  }
-  return std::nullopt;
-}
-
-EmergencyStopOrder::Asked asked_of(const std::string& word) {
-  if (word == "on") return EmergencyStopOrder::Asked::on;
-  return word == "off" ? EmergencyStopOrder::Asked::off : EmergencyStopOrder::Asked::nothing;
-}
-
 }  // namespace
 
 OperatorConsoleComponent::OperatorConsoleComponent(Context& context, const Params& params)
@@ -53,26 +33,44 @@ OperatorConsoleComponent::OperatorConsoleComponent(Context& context, const Param
 
 void OperatorConsoleComponent::tick(Time now) {
   if (ended_) return;
-  if (std::holds_alternative<std::monostate>(order_)) {
-    const Duration wait = seconds(params_.wait_s);
-    if (const auto stop = wish_of<EmergencyStopOrder>(params_.order)) {
-      using Place = EmergencyStopOrder::Place;
-      order_.emplace<EmergencyStopOrder>(*stop, now, wait,
-                                         is_at_vehicle() ? Place::vehicle : Place::station);
-    } else if (const auto dock = wish_of<DockOrder>(params_.order)) {
-      order_.emplace<DockOrder>(*dock, now, wait);
-    }
-  }
+  if (std::holds_alternative<std::monostate>(order_)) begin(now);
   if (auto* stop = std::get_if<EmergencyStopOrder>(&order_)) give(*stop, now);
   if (auto* dock = std::get_if<DockOrder>(&order_)) give(*dock, now);
   wake_at(now + look_again);
 }
 
+void OperatorConsoleComponent::begin(Time now) {
+  using Place = EmergencyStopOrder::Place;
+  using Stop = EmergencyStopOrder::Wish;
+  using Dock = DockOrder::Wish;
+  const Duration wait = seconds(params_.wait_s);
+  const auto stop = [&](Stop wish) {
+    order_.emplace<EmergencyStopOrder>(wish, now, wait,
+                                       is_at_vehicle() ? Place::vehicle : Place::station);
+  };
+  const auto dock = [&](Dock wish) { order_.emplace<DockOrder>(wish, now, wait); };
+  switch (params_.order) {
+    case ConsoleOrder::estop_on:
+      return stop(Stop::on);
+    case ConsoleOrder::estop_off:
+      return stop(Stop::off);
+    case ConsoleOrder::estop_status:
+      return stop(Stop::status);
+    case ConsoleOrder::dock_start:
+      return dock(Dock::start);
+    case ConsoleOrder::dock_cancel:
+      return dock(Dock::cancel);
+    case ConsoleOrder::dock_status:
+      return dock(Dock::status);
+  }
+}
+
 void OperatorConsoleComponent::hear(EmergencyStopOrder& order, Time now) {
   while (const auto state = station_.take()) {
-    order.on_station(asked_of(state->asked()));
-    if (state->vehicle() != "unheard") {
-      order.on_vehicle(state->vehicle() == "stands", state->stopped_by());
+    order.on_station(value_of<StopAsked>(state->asked()).value_or(StopAsked::never));
+    const auto vehicle = value_of<VehicleStop>(state->vehicle());
+    if (vehicle && vehicle != VehicleStop::unheard) {
+      order.on_vehicle(vehicle == VehicleStop::stands, state->stopped_by());
     }
   }
   bool any = false;

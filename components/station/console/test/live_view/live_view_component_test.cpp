@@ -38,21 +38,6 @@ TEST_F(LiveViewTest, TellsTheTwoRolesApart) {
   ASSERT_TRUE(sut_.state(bus_.now()).gcs.has_value());
 }
 
-TEST_F(LiveViewTest, TellsTheWaysOfTheTwoRoutersApart) {
-  tocsin_msgs::msg::LinkState link;
-  link.role("gcs");
-  link.packets(7);
-  bus_.publish<topic::LinkState>(link);
-  bus_.run_for(seconds(0.1));
-  EXPECT_FALSE(sut_.state(bus_.now()).uplink.has_value());
-  ASSERT_TRUE(sut_.state(bus_.now()).downlink.has_value());
-  EXPECT_EQ(sut_.state(bus_.now()).downlink->value.packets(), 7U);
-  link.role("uxv");
-  bus_.publish<topic::LinkState>(link);
-  bus_.run_for(seconds(0.1));
-  EXPECT_TRUE(sut_.state(bus_.now()).uplink.has_value());
-}
-
 TEST_F(LiveViewTest, KnowsTheRoomOnTheDiskFromTheContainersOfItsHost) {
   EXPECT_FALSE(sut_.state(bus_.now()).disk);
   diagnostic_msgs::msg::DiagnosticArray health;
@@ -80,17 +65,6 @@ TEST_F(LiveViewTest, IgnoresTheReportsOfItsOwnSide) {
   EXPECT_EQ(sut_.state(bus_.now()).traffic.size(), 1U);
 }
 
-TEST_F(LiveViewTest, CountsTopicsWhoseContentItDoesNotShow) {
-  tocsin_msgs::msg::TrafficReport report;
-  report.role("uxv");
-  report.topics().resize(1);
-  report.topics()[0].topic("battery_state");
-  bus_.publish<topic::TrafficReport>(report);
-  bus_.publish<topic::BatteryState>({});
-  bus_.run_for(seconds(0.1));
-  EXPECT_GT(sut_.state(bus_.now()).traffic.at(0).rate_hz, 0.0);
-}
-
 tocsin_msgs::msg::TrafficReport report_of(const std::string& topic) {
   tocsin_msgs::msg::TrafficReport report;
   report.role("uxv");
@@ -111,12 +85,6 @@ TEST_F(LiveViewTest, AStateOnChangeHoldsWhileItsWriterTellsThatItLives) {
   bus_.publish<topic::TrafficReport>(report_of("safety_status"));
   bus_.run_for(seconds(1));
   EXPECT_EQ(bus_.now() - sut_.state(bus_.now()).safety->at, seconds(1));
-}
-
-TEST_F(LiveViewTest, KnowsWhichTopicsItDoesNotRead) {
-  bus_.publish<topic::TrafficReport>(report_of("my_topic"));
-  bus_.run_for(seconds(0.1));
-  EXPECT_EQ(sut_.state(bus_.now()).traffic.at(0).counting, Counting::not_read);
 }
 
 template <class Message>

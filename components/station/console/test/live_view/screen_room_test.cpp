@@ -49,11 +49,5 @@ TEST(ScreenRoom, ATopicThatIsPausedOrLosesSamplesIsNotIdle) {
   EXPECT_THAT(lines[7], HasSubstr("topic_18"));
 }
 
-TEST(ScreenRoom, WhereThereIsRoomTopicsStayInTheOrderOfTheirClasses) {
-  const auto lines = lines_of(with_idle_topics(), {200, 60});
-  EXPECT_THAT(lines[8], HasSubstr("topic_00"));
-  EXPECT_THAT(lines[27], HasSubstr("camera/image_raw"));
-}
-
 }  // namespace
 }  // namespace tocsin

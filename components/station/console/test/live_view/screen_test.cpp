@@ -88,13 +88,6 @@ TEST(Screen, SaysThatTheDiskIsFullBeforeAllElse) {
   EXPECT_THAT(summary_line(state, t0, limits), HasSubstr("disk FULL"));
 }
 
-TEST(Screen, NamesThoseWhoseEmergencyStopsStand) {
-  ViewState state = full_state();
-  state.safety->value.emergency_stop(true);
-  state.safety->value.stopped_by({"station", "button (7)"});
-  EXPECT_THAT(text_of(state), HasSubstr("EMERGENCY STOP of station and button (7)"));
-}
-
 TEST(Screen, TellsOfEachSidesWayOverTheLinkBelowTheDecisions) {
   const auto lines = lines_of(routed(full_state()), t0, {80, 24});
   EXPECT_EQ(lines[6],
@@ -111,10 +104,6 @@ TEST(Screen, AStaleStateOfTheLinkIsGreyAndAnUnknownOneIsNotShown) {
   EXPECT_THAT(text_of(state), ::testing::ContainsRegex("Downlink [^\n]*, 12 s ago"));
   state.downlink->at = t0 - seconds(31);
   EXPECT_THAT(text_of(state), HasSubstr("Downlink  unknown for 31 s\n"));
-}
-
-TEST(Screen, AFreshValueHasNoAge) {
-  EXPECT_THAT(text_of(full_state(), t0 + seconds(3)), Not(HasSubstr("ago")));
 }
 
 TEST(Screen, AStaleValueIsGreyAndSaysItsAge) {
@@ -152,12 +141,6 @@ TEST(Screen, SafetyHasTheFirstLineWhenItHindersTheVehicle) {
   state.safety->value.emergency_stop(true);
   state.safety->value.bumper(2);
   EXPECT_EQ(lines_of(state, t0, {80, 5})[0], "Safety    EMERGENCY STOP, bumper");
-}
-
-TEST(Screen, ATopicWhoseWriterFellSilentIsGrey) {
-  ViewState state = full_state();
-  state.traffic[0].age = seconds(4);
-  EXPECT_THAT(coloured(state, t0), HasSubstr("\x1b[2mcamera/image_raw/compressed"));
 }
 
 TEST(Screen, WhatAnOldReportToldIsGreyThenUnknown) {
@@ -226,13 +209,6 @@ TEST(Screen, APolicyWithoutAThresholdShowsItsStatisticAlone) {
   EXPECT_THAT(text_of(state), HasSubstr("] 42.5/5.5, resumes in"));
 }
 
-TEST(Screen, ShowsAllTopicsWhereThereIsRoom) {
-  const auto lines = lines_of(with_topics(20), t0, {200, 60});
-  ASSERT_EQ(lines.size(), 28U);  // name, five lines, blank, head, topics
-  EXPECT_EQ(lines[0], "Tocsin");
-  EXPECT_THAT(lines[27], HasSubstr("topic_19"));
-}
-
 TEST(Screen, KeepsWhatMattersMostInASmallTerminal) {
   const auto lines = lines_of(with_topics(20), t0, {40, 10});
   ASSERT_EQ(lines.size(), 10U);
@@ -244,11 +220,6 @@ TEST(Screen, KeepsWhatMattersMostInASmallTerminal) {
   EXPECT_THAT(lines[6], HasSubstr("0.1 s"));
   EXPECT_THAT(lines[6], HasSubstr("PAUSED"));
   EXPECT_EQ(lines[9], "and 17 topics more");
-}
-
-TEST(Screen, TheHeadStaysWhereThereIsNoRoomForTopics) {
-  EXPECT_EQ(lines_of(full_state(), t0, {80, 5}).size(), 5U);
-  EXPECT_THAT(lines_of(full_state(), t0, {80, 1})[0], HasSubstr("Mission"));
 }
 
 TEST(Screen, TextOfOthersCannotMoveTheCursor) {

@@ -12,13 +12,6 @@ TEST(SummaryLine, IsOneLine) {
             "station active (cusum_alarm)");
 }
 
-TEST(SummaryLine, TellsOfTheWaysOverTheLink) {
-  ViewState state = routed({});
-  state.downlink->at = t0 - seconds(5);
-  EXPECT_EQ(summary_line(state, t0, limits),
-            "uplink 180 kB/s, loss 3 %  downlink 180 kB/s, loss 3 % 5 s ago");
-}
-
 TEST(SummaryLine, TellsAgesAndWhatHindersTheVehicle) {
   ViewState state = full_state();
   state.safety->value.emergency_stop(true);

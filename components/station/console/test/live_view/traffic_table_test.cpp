@@ -63,12 +63,6 @@ TEST(TrafficTable, RateCountsTheLastFiveSeconds) {
   EXPECT_EQ(sut.rows(t0 + seconds(30))[0].age, seconds(21));
 }
 
-TEST(TrafficTable, AgeIsUnknownBeforeTheFirstSample) {
-  TrafficTable sut;
-  sut.on_report(report("camera", "low", 0), t0);
-  EXPECT_EQ(sut.rows(t0)[0].age, std::nullopt);
-}
-
 TEST(TrafficTable, OrdersByClass) {
   TrafficTable sut;
   sut.on_report(report("a", "low", 0), t0);

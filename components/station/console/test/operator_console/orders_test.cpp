@@ -40,7 +40,7 @@ TEST_F(EmergencyStopOrderTest, IsObeyedWhenTheStationHasTakenItAndTheVehicleStan
 
 TEST_F(EmergencyStopOrderTest, AnOlderStopIsNotTheAnswerBeforeTheStationHasTakenTheOrder) {
   on_.on_vehicle(true, {"button"});
-  on_.on_station(Asked::nothing);
+  on_.on_station(Asked::never);
   EXPECT_FALSE(on_.result(late_ - tick));
   on_.on_station(Asked::on);
   EXPECT_EQ(on_.result(late_ - tick)->code, 0);
@@ -94,7 +94,7 @@ TEST_F(EmergencyStopOrderTest, StatusAsksForNothingAndTellsBothSides) {
   status_.on_station(Asked::on);
   EXPECT_EQ(status_.result(t0)->text,
             "emergency stop ON; vehicle stands by emergency stop of: station");
-  status_.on_station(Asked::nothing);
+  status_.on_station(Asked::never);
   status_.on_vehicle(false, {});
   EXPECT_EQ(status_.result(t0)->text, "emergency stop never asked for; vehicle may drive");
 }
@@ -206,21 +206,6 @@ TEST_F(Docking, IsCancelledUntilItStands) {
   EXPECT_FALSE(sut.result(now));
   (void)hear(1, "done", "cancelled");
   EXPECT_EQ(sut.result(now)->text, "docking cancelled");
-}
-
-TEST_F(Docking, StatusTellsTheStateAtOnce) {
-  sut = DockOrder(DockWish::status, t0, seconds(10));
-  EXPECT_EQ(sut.command(), nullptr);
-  (void)hear(1, "aligned_far");
-  EXPECT_EQ(sut.result(now)->text, "docking aligned_far");
-}
-
-TEST_F(Docking, OneThatRunsAlreadyIsFollowedAndNotOrderedAgain) {
-  EXPECT_EQ(hear(4, "scan"), "3 s: scan");
-  EXPECT_EQ(sut.command(), nullptr);
-  EXPECT_FALSE(sut.result(now));
-  (void)hear(4, "done", "docked");
-  EXPECT_EQ(sut.result(now)->code, 0);
 }
 
 TEST_F(Docking, ToCancelWhatDoesNotRunIsDoneAtOnce) {

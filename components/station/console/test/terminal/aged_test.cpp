@@ -27,9 +27,5 @@ TEST(Aged, OfAnUnknownValueOnlyTheAgeIsLeft) {
   EXPECT_EQ(text_of(180), "unknown for 3 min");
 }
 
-TEST(Aged, FollowsItsLimits) {
-  EXPECT_EQ(to_text(aged(words, seconds(5), {10, 20}), 80, false), "12 %, well");
-}
-
 }  // namespace
 }  // namespace tocsin::terminal

@@ -11,10 +11,6 @@ using ::testing::ElementsAre;
 
 std::string plain(const Line& line, std::size_t width) { return to_text(line, width, false); }
 
-TEST(Line, StaysWholeWhereItFits) {
-  EXPECT_EQ(plain({{"abc"}, {"def", Style::plain, 2}}, 6), "abcdef");
-}
-
 TEST(Line, LeavesOutTheHighestRankFirst) {
   const Line line{
       {"aa"}, {"bb", Style::plain, 1}, {"cc", Style::plain, 3}, {"dd", Style::plain, 2}};
@@ -58,11 +54,6 @@ Table table_of_three() {
   return table;
 }
 
-TEST(Table, AlignsItsColumns) {
-  EXPECT_THAT(texts(table_of_three(), 80),
-              ElementsAre("name      note   n", "long_name x      1", "b         yy   200"));
-}
-
 TEST(Table, GivesUpColumnsByRank) {
   EXPECT_THAT(texts(table_of_three(), 17), ElementsAre("name        n",  //
                                                        "long_name   1",  //
@@ -87,23 +78,6 @@ TEST(Table, CutsItsLinesWhenNothingElseIsLeft) {
       EXPECT_LE(width_of(line), width) << line;
     }
   }
-}
-
-TEST(Table, CountsColumnsOfWideCharacters) {
-  Table table({{"name"}, {"n"}});
-  table.add({{"地図"}, {"1"}});
-  table.add({{"abcde"}, {"2"}});
-  EXPECT_THAT(texts(table, 20), ElementsAre("name  n", "地図  1", "abcde 2"));
-}
-
-TEST(Table, AColumnMayHaveALeastWidth) {
-  Table table({{"name"}, {"n", Align::right, 0, 4}, {"m"}});
-  table.add({{"a"}, {"1"}, {"2"}});
-  EXPECT_THAT(texts(table, 20), ElementsAre("name    n m", "a       1 2"));
-}
-
-TEST(Table, WithoutRowsIsItsHead) {
-  EXPECT_THAT(texts(Table({{"name"}, {"n"}}), 20), ElementsAre("name n"));
 }
 
 }  // namespace

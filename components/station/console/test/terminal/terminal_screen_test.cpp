@@ -50,14 +50,6 @@ TEST(SizeOf, IsTheUsualOneWhereTheTerminalDoesNotKnow) {
   EXPECT_EQ(size(terminal), std::make_pair(std::size_t{80}, std::size_t{24}));
 }
 
-TEST(SizeOf, IsTheUsualOneOfWhatIsNoTerminal) {
-  const int file = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  const Size told = size_of(file);
-  ::close(file);
-  EXPECT_EQ(told.columns, 80U);
-  EXPECT_EQ(told.rows, 24U);
-}
-
 TEST(Shortened, TellsHowManyAreMissing) {
   const std::vector<Line> lines{{{"head"}}, {{"a"}}, {{"b"}}, {{"c"}}};
   EXPECT_THAT(to_texts(shortened(lines, 4, "rows"), {80, 24}, false),

@@ -112,14 +112,6 @@ TEST(HealthTable, WhatALivingWriterNoLongerReportsHasEnded) {
   EXPECT_EQ(rows[1].name, "drive");
 }
 
-TEST(HealthTable, ANewStatusReplacesTheOld) {
-  HealthTable sut;
-  sut.add(array("drive/a", 2), 7, t0);
-  sut.add(array("drive/a", 0), 7, t0 + seconds(1));
-  ASSERT_EQ(sut.rows(t0 + seconds(1)).size(), 1U);
-  EXPECT_EQ(sut.rows(t0 + seconds(1))[0].level, "OK");
-}
-
 TEST(HealthTable, SumsUpTheInputs) {
   HealthTable sut;
   sut.add(array("drive/a", 0,
@@ -136,12 +128,6 @@ TEST(HealthTable, SumsUpTheInputs) {
   EXPECT_EQ(row.depth, "3");
   EXPECT_EQ(row.dropped, "7");
   EXPECT_EQ(row.oldest_age, "12.5");
-}
-
-TEST(HealthTable, AnInputThatNeverCameIsOlderThanAll) {
-  HealthTable sut;
-  sut.add(array("drive/a", 0, {{"odom.age_s", "9"}, {"goal.age_s", "never"}}), 7, t0);
-  EXPECT_EQ(sut.rows(t0)[0].oldest_age, "never");
 }
 
 TEST(HealthTable, ALevelThatIsNoneIsStale) {

@@ -63,30 +63,5 @@ TEST(LinkTable, ForgetsAWayAfterTenMinutes) {
   EXPECT_EQ(sut.lines(t0 + seconds(601)).size(), 1U);
 }
 
-TEST(LinkTable, TheWayOfASilentPeerIsRedAndOfAnotherRoleHasAName) {
-  LinkTable sut;
-  auto state = state_of("relay");
-  state.live_peers(0);
-  state.silent_peers(1);
-  sut.add(state, t0);
-  EXPECT_THAT(text_of(sut.lines(t0), true), HasSubstr("Link      \x1b[31mpeer SILENT, "));
-}
-
-TEST(LinkTable, FitsItsWidth) {
-  LinkTable sut;
-  sut.add(state_of("uxv"), t0);
-  for (const std::size_t width : {80U, 40U}) {
-    for (const auto& line : sut.classes(t0, width)) {
-      EXPECT_LE(terminal::to_text(line, 500, false).size(), width);
-    }
-  }
-}
-
-TEST(LinkTable, ClassesThatTheHostDoesNotUseHaveNoRow) {
-  LinkTable sut;
-  sut.add(state_of("uxv"), t0);
-  EXPECT_THAT(text_of(sut.classes(t0, 80)), Not(HasSubstr("low")));
-}
-
 }  // namespace
 }  // namespace tocsin::top

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -192,7 +193,9 @@ class MissionControl {
   std::optional<Time> blocked_since_;
 };
 
-/// The word of MissionStatus.state.
-[[nodiscard]] const char* to_string(MissionControl::State state);
+/// As MissionStatus.state has it.
+constexpr std::array<const char*, 6> words_of(MissionControl::State) {
+  return {"idle", "waiting", "running", "paused", "done", "aborted"};
+}
 
 }  // namespace tocsin

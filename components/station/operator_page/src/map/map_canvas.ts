@@ -125,7 +125,8 @@ export class MapCanvas {
     const size = this.size();
     if (size.width === 0 || size.height === 0) return;
     this.#fitCanvas(size);
-    const { station, map, draft } = this.operator;
+    const { station, map } = this.operator;
+    const { draft } = this.operator.mission;
     if (this.#showsAll) this.#showAll();
     if (this.follows && station.location) this.#view = this.#view.centredAt(station.location.value);
     const sheet = { context: this.#context, view: this.#view, size, theme: this.#theme };

@@ -55,7 +55,8 @@ export class MapHands {
     const pixel = this.#pixelOf(event);
     this.canvas.setPointerCapture(event.pointerId);
     this.#pointers.set(event.pointerId, pixel);
-    const { draft, station } = this.operator;
+    const { station } = this.operator;
+    const { draft } = this.operator.mission;
     if (this.#pointers.size > 1) return this.#takeBack();
     if (draft === undefined) return;
     const place = this.map.view.toMap(pixel, this.map.size());
@@ -66,7 +67,7 @@ export class MapHands {
 
   /** Two fingers move the map: the first one has edited nothing. */
   #takeBack(): void {
-    if (this.#edit && this.operator.draft) this.#setDraft(this.#edit.before);
+    if (this.#edit && this.operator.mission.draft) this.#setDraft(this.#edit.before);
     this.#edit = undefined;
   }
 
@@ -75,7 +76,7 @@ export class MapHands {
     if (before === undefined) return;
     const pixel = this.#pixelOf(event);
     const others = [...this.#pointers].filter(([id]) => id !== event.pointerId);
-    if (this.#edit && this.operator.draft) return this.#edited(this.#edit.kind, this.operator.draft, pixel);
+    if (this.#edit && this.operator.mission.draft) return this.#edited(this.#edit.kind, this.operator.mission.draft, pixel);
     this.#pointers.set(event.pointerId, pixel);
     const other = others[0]?.[1];
     if (other !== undefined) this.#pinch(other, before, pixel);
@@ -112,7 +113,7 @@ export class MapHands {
   }
 
   #setDraft(draft: MissionDraft | undefined): void {
-    this.operator.draft = draft;
+    this.operator.mission.draft = draft;
     this.map.touch();
     this.map.onChange();
   }
@@ -135,9 +136,9 @@ export class MapHands {
       "-": () => this.map.zoom(1 / 1.4),
       "0": () => this.map.fit(),
       f: () => this.map.follow(!this.map.follows),
-      g: () => (operator.draft = operator.draft ? undefined : this.#firstDraft()),
+      g: () => (operator.mission.draft = operator.mission.draft ? undefined : this.#firstDraft()),
     };
-    const action = actions[event.key] ?? (operator.draft ? this.#draftAction(event.key, operator.draft) : undefined);
+    const action = actions[event.key] ?? (operator.mission.draft ? this.#draftAction(event.key, operator.mission.draft) : undefined);
     action?.();
     return action !== undefined;
   }
@@ -152,7 +153,7 @@ export class MapHands {
     const step = 12 / this.map.view.scale;
     const selected = draft.selected ?? -1;
     const { x, y } = draft.places[selected] ?? this.map.view.centre;
-    const becomes = (next: MissionDraft) => (): void => void (this.operator.draft = next);
+    const becomes = (next: MissionDraft) => (): void => void (this.operator.mission.draft = next);
     const actions: Record<string, () => void> = {
       ArrowUp: becomes(moveBy(draft, 0, step)),
       ArrowDown: becomes(moveBy(draft, 0, -step)),
@@ -167,10 +168,10 @@ export class MapHands {
       PageDown: becomes(reorder(draft, 1)),
       ",": becomes(select(draft, selected - 1)),
       ".": becomes(select(draft, selected + 1)),
-      Escape: () => (this.operator.draft = undefined),
-      Enter: () => void this.operator.sendDraft(),
+      Escape: () => (this.operator.mission.draft = undefined),
+      Enter: () => void this.operator.mission.send(),
     };
-    const isTaken = this.operator.seat.taken && key.startsWith("Arrow");
+    const isTaken = this.operator.driving.authority.taken && key.startsWith("Arrow");
     return isTaken ? undefined : actions[key];
   }
 }

@@ -15,7 +15,7 @@ export interface Published {
 export const emergencyStopRequest: Published = { topic: "emergency_stop/request", ...Bool };
 export const teleopVelocity: Published = { topic: "teleop/cmd_vel", ...TwistStamped };
 export const missionCommand: Published = { topic: "mission/command", ...Text };
-/** Asks for the wheel, gives it, keeps it. */
+/** Asks for control, gives it, keeps it. */
 export const driverRequest: Published = { topic: "teleop/request", ...DriverRequest };
 
 export const allPublished: readonly Published[] = [emergencyStopRequest, teleopVelocity, missionCommand, driverRequest];

@@ -3,7 +3,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 
 import { ageText } from "../model/freshness.ts";
 import { camera } from "../model/messages.ts";
-import { cameraLimitMs } from "../orders/driver_seat.ts";
+import { cameraLimitMs } from "../orders/control_authority.ts";
 import type { Operator } from "../operator.ts";
 import { Panel } from "./parts.tsx";
 

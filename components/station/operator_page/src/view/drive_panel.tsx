@@ -3,39 +3,39 @@ import type { TargetedPointerEvent } from "preact";
 import { useState } from "preact/hooks";
 
 import { type Operator, pageNow } from "../operator.ts";
-import { whyNotDrive } from "../orders/driver_seat.ts";
+import { whyNotDrive } from "../orders/control_authority.ts";
 import { speedChoices } from "../orders/stick.ts";
 import { Panel } from "./parts.tsx";
 
 /** Driving by hand: who drives, why not, how fast, and the stick for a finger. */
 export function DrivePanel({ operator }: { operator: Operator; now: number }) {
-  const { seat } = operator;
+  const { authority } = operator.driving;
   const [, redraw] = useState(0);
   const change = (act: () => void) => (): void => {
     act();
     redraw((count) => count + 1);
   };
-  const take = change(() => (seat.taken ? seat.leave() : seat.take()));
-  const isRefused = whyNotDrive(operator.driveConditions(pageNow())) !== undefined;
-  const label = seat.taken ? "Let go" : seat.other ? "Ask for the wheel" : "Take the wheel";
+  const take = change(() => authority.toggle());
+  const isRefused = whyNotDrive(operator.driving.conditions(pageNow())) !== undefined;
+  const label = authority.taken ? "Let go" : authority.other ? "Ask for control" : "Take control";
   return (
     <Panel name="drive" title="Drive by hand">
       <div class="drive-body">
         <div class="drive-words">
-          <p class={`seat ${seatState(operator).kind}`} role="status">{seatState(operator).text}</p>
+          <p class={`authority ${stateOf(operator).kind}`} role="status">{stateOf(operator).text}</p>
           <span class="buttons">
-            <button type="button" class={seat.taken || isRefused ? "" : "go"} aria-pressed={seat.taken} disabled={seat.asks}
+            <button type="button" class={authority.taken || isRefused ? "" : "go"} aria-pressed={authority.taken} disabled={authority.asks}
               title="Driving by hand (M)" onClick={take}>
               {label} <kbd>M</kbd>
             </button>
-            {seat.askedBy && <button type="button" onClick={change(() => seat.keep())}>Keep it</button>}
+            {authority.askedBy && <button type="button" onClick={change(() => authority.keep())}>Keep it</button>}
           </span>
           <button
             type="button"
             class="by-sight"
-            aria-pressed={operator.bySight}
+            aria-pressed={operator.driving.bySight}
             title="Drive without a fresh picture"
-            onClick={change(() => (operator.bySight = !operator.bySight))}
+            onClick={change(() => (operator.driving.bySight = !operator.driving.bySight))}
           >
             I see the vehicle myself
           </button>
@@ -54,8 +54,8 @@ function Speeds({ operator, change }: { operator: Operator; change: (act: () => 
         <button
           type="button"
           key={speeds.linear}
-          aria-pressed={speeds === operator.speeds}
-          onClick={change(() => (operator.speeds = speeds))}
+          aria-pressed={speeds === operator.driving.speeds}
+          onClick={change(() => (operator.driving.speeds = speeds))}
         >
           {speeds.linear.toFixed(1)}
         </button>
@@ -65,16 +65,16 @@ function Speeds({ operator, change }: { operator: Operator; change: (act: () => 
   );
 }
 
-function seatState(operator: Operator): { kind: "idle" | "ready" | "refused"; text: string } {
-  const { seat } = operator;
-  const refusal = whyNotDrive(operator.driveConditions(pageNow()));
-  if (seat.askedBy) return { kind: "refused", text: `${seat.askedBy} asks for the wheel. Let go, or keep it.` };
-  if (seat.asks) return { kind: "refused", text: `${seat.other} was asked for the wheel.` };
-  if (!seat.taken && seat.lostTo) return { kind: "refused", text: `${seat.lostTo} has taken over.` };
-  if (!seat.taken && seat.other) return { kind: "refused", text: `${seat.other} drives.` };
+function stateOf(operator: Operator): { kind: "idle" | "ready" | "refused"; text: string } {
+  const { authority } = operator.driving;
+  const refusal = whyNotDrive(operator.driving.conditions(pageNow()));
+  if (authority.askedBy) return { kind: "refused", text: `${authority.askedBy} asks for control. Let go, or keep it.` };
+  if (authority.asks) return { kind: "refused", text: `${authority.other} was asked for control.` };
+  if (!authority.taken && authority.lostTo) return { kind: "refused", text: `${authority.lostTo} has taken over.` };
+  if (!authority.taken && authority.other) return { kind: "refused", text: `${authority.other} drives.` };
   if (refusal) return { kind: "refused", text: `Not by hand now: ${refusal}.` };
-  if (!seat.taken) return { kind: "idle", text: "Take the wheel, then hold keys, stick or a pad's shoulder button." };
-  if (seat.waitsForRest) return { kind: "refused", text: "Let go of keys and stick first." };
+  if (!authority.taken) return { kind: "idle", text: "Take control, then hold keys, stick or a pad's shoulder button." };
+  if (authority.waitsForRest) return { kind: "refused", text: "Let go of keys and stick first." };
   return { kind: "ready", text: "You drive: W A S D, arrows, stick or gamepad. Letting go stops." };
 }
 
@@ -88,16 +88,16 @@ function Stick({ operator }: { operator: Operator }) {
     const x = (2 * (event.clientX - box.left)) / box.width - 1;
     const y = 1 - (2 * (event.clientY - box.top)) / box.height;
     const length = Math.max(1, Math.hypot(x, y));
-    operator.touch = { x: x / length, y: y / length };
-    setKnob(operator.touch);
+    operator.driving.touch = { x: x / length, y: y / length };
+    setKnob(operator.driving.touch);
   };
   const letGo = (): void => {
-    operator.touch = undefined;
+    operator.driving.touch = undefined;
     setKnob({ x: 0, y: 0 });
   };
   return (
     <div
-      class={`stick${operator.seat.taken ? " taken" : ""}`}
+      class={`stick${operator.driving.authority.taken ? " taken" : ""}`}
       aria-label="Stick: forward and back, left and right"
       onPointerDown={hold}
       onPointerMove={hold}

@@ -29,8 +29,8 @@ const recordingAlert = (name: string): Alert => ({
 
 /** The one line that tells the worst. It takes its room always, so that nothing jumps. */
 export function AlertLine({ operator, now }: { operator: Operator; now: number }) {
-  const alert = operator.player
-    ? recordingAlert(operator.player.name)
+  const alert = operator.recordings.player
+    ? recordingAlert(operator.recordings.player.name)
     : alertOf(operator.connection.state, operator.station, now);
   return (
     <p class={`alert ${alert.severity}`} role="status">{alert.text}</p>

@@ -16,7 +16,7 @@ import { WhatIfBar } from "./what_if_bar.tsx";
 export function LinkPanel({ operator, now }: { operator: Operator; now: number }) {
   const { quality, uxv, gcs } = operator.station;
   const time = useCallback(() => operator.now(), [operator]);
-  const whatIf = useCallback(() => (operator.player ? undefined : operator.whatIf.result), [operator]);
+  const whatIf = useCallback(() => (operator.recordings.player ? undefined : operator.whatIf.result), [operator]);
   return (
     <Panel name="link" title="Link">
       <dl class="values">

@@ -18,9 +18,9 @@ export function MapPanel({ operator }: { operator: Operator }) {
     map.current = canvas;
     return () => canvas.dispose();
   }, [operator]);
-  const { draft } = operator;
+  const { draft } = operator.mission;
   const setDraft = (next: typeof draft): void => {
-    operator.draft = next;
+    operator.mission.draft = next;
     map.current?.touch();
     redraw((count) => count + 1);
   };
@@ -55,13 +55,13 @@ function Tools({ map, drafts, onMission }: { map: RefObject<MapCanvas | undefine
 }
 
 /** What is edited, with buttons for fingers and for who has no pointer. */
-function MissionBar({ operator, setDraft }: { operator: Operator; setDraft: (draft: Operator["draft"]) => void }) {
-  const draft = operator.draft ?? emptyDraft;
-  const fault = operator.whyNotSend();
+function MissionBar({ operator, setDraft }: { operator: Operator; setDraft: (draft: Operator["mission"]["draft"]) => void }) {
+  const draft = operator.mission.draft ?? emptyDraft;
+  const fault = operator.mission.whyNotSend();
   const count = draft.places.length;
   const selected = draft.selected ?? -1;
-  const { phase } = operator.missionRequest;
-  const refusal = fault ?? (phase.kind === "failed" && draft === operator.refused ? `Place ${selected + 1} of ${count}. Refused: ${phase.reason}` : undefined);
+  const { phase } = operator.mission;
+  const refusal = fault ?? (phase.kind === "failed" && draft === operator.mission.refused ? `Place ${selected + 1} of ${count}. Refused: ${phase.reason}` : undefined);
   const step = (label: string, title: string, next: MissionDraft, disabled = selected < 0) => (
     <button type="button" title={title} aria-label={title} disabled={disabled} onClick={() => setDraft(next)}>{label}</button>
   );
@@ -81,11 +81,11 @@ function MissionBar({ operator, setDraft }: { operator: Operator; setDraft: (dra
         {step("↻", "Turn right (])", turnBy(draft, -Math.PI / 12))}
         {step("Remove", "Remove the place (Delete)", remove(draft))}
         {count === 0 && operator.station.route.points().length > 0 &&
-          <button type="button" onClick={() => { operator.editMission(); setDraft(operator.draft); }}>Edit the present one</button>}
+          <button type="button" onClick={() => { operator.mission.edit(); setDraft(operator.mission.draft); }}>Edit the present one</button>}
       </span>
       <span class="buttons">
         <button type="button" onClick={() => setDraft(undefined)}>Leave <kbd>Esc</kbd></button>
-        <button type="button" class="go" disabled={fault !== undefined} onClick={() => void operator.sendDraft()}>
+        <button type="button" class="go" disabled={fault !== undefined} onClick={() => void operator.mission.send()}>
           {count > 1 ? `Send ${count} places` : "Drive there"} <kbd>Enter</kbd>
         </button>
       </span>

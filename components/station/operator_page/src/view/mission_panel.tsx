@@ -9,22 +9,22 @@ import { Panel, Value, number } from "./parts.tsx";
 export function MissionPanel({ operator, now }: { operator: Operator; now: number }) {
   const { station } = operator;
   const state = station.mission?.value.state;
-  const isLive = operator.player === undefined;
+  const isLive = operator.recordings.player === undefined;
   const runs = isLive && leads(station.mission?.value);
   return (
     <Panel name="mission" title="Mission">
       <div class="buttons">
-        <button type="button" disabled={!runs} onClick={() => operator.pauseMission(pageNow())}>Pause</button>
+        <button type="button" disabled={!runs} onClick={() => operator.mission.pause(pageNow())}>Pause</button>
         <button type="button" class={state === "paused" ? "go" : ""} disabled={!isLive || state !== "paused"}
-          onClick={() => operator.resumeMission(pageNow())}>
+          onClick={() => operator.mission.resume(pageNow())}>
           Resume
         </button>
         <button type="button" disabled={!runs} title="Leave out the present waypoint"
-          onClick={() => operator.skipWaypoint(pageNow())}>
+          onClick={() => operator.mission.skipWaypoint(pageNow())}>
           Skip waypoint
         </button>
-        <button type="button" disabled={!isLive || !canCancel(station.mission?.value) || operator.missionRequest.isPending}
-          title="End the mission: the vehicle halts" onClick={() => void operator.cancelMission()}>
+        <button type="button" disabled={!isLive || !canCancel(station.mission?.value) || operator.mission.isPending}
+          title="End the mission: the vehicle halts" onClick={() => void operator.mission.cancel()}>
           Cancel mission
         </button>
       </div>
@@ -40,7 +40,7 @@ export function MissionPanel({ operator, now }: { operator: Operator; now: numbe
           show={({ x, y }) => `${x.toFixed(2)}, ${y.toFixed(2)}\u202fm`} />
       </dl>
       {station.mission && <Progress mission={station.mission.value} />}
-      <Answer phase={operator.missionRequest.phase} />
+      <Answer phase={operator.mission.phase} />
     </Panel>
   );
 }

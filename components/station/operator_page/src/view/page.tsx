@@ -35,8 +35,8 @@ export function Page({ operator }: { operator: Operator }) {
     <>
       <PageHeader {...looks} />
       <AlertLine {...looks} />
-      {operator.bags.shown && <RecordingsBar operator={operator} />}
-      {operator.player && <ReplayBar operator={operator} player={operator.player} />}
+      {operator.recordings.list.shown && <RecordingsBar operator={operator} />}
+      {operator.recordings.player && <ReplayBar operator={operator} player={operator.recordings.player} />}
       <main class={`board tab-${tab.toLowerCase()}`}>
         <MapPanel operator={operator} />
         <CameraPanel {...looks} />
@@ -56,8 +56,9 @@ export function Page({ operator }: { operator: Operator }) {
   );
 }
 
-/** Space stops, wherever the focus is; M takes the wheel; keys that are held drive. */
+/** Space stops, wherever the focus is; M takes control; keys that are held drive. */
 function listenToKeys(operator: Operator): () => void {
+  const { driving } = operator;
   const down = (event: KeyboardEvent): void => {
     if (event.code === "Space") {
       event.preventDefault();
@@ -66,21 +67,17 @@ function listenToKeys(operator: Operator): () => void {
     } else if (isWriting(event.target)) {
       return; // letters are letters there
     } else if (event.code === "KeyM" && !event.repeat && !event.ctrlKey && !event.metaKey) {
-      if (operator.seat.taken) operator.seat.leave();
-      else operator.seat.take();
-    } else if (operator.seat.taken && isDrivingKey(event.code)) {
+      driving.authority.toggle();
+    } else if (driving.authority.taken && isDrivingKey(event.code)) {
       event.preventDefault();
-      operator.heldKeys.add(event.code);
+      driving.heldKeys.add(event.code);
     }
   };
   const up = (event: KeyboardEvent): void => {
     if (event.code === "Space") event.preventDefault(); // it would press the button in focus
-    operator.heldKeys.delete(event.code);
+    driving.heldKeys.delete(event.code);
   };
-  const letGo = (): void => {
-    operator.heldKeys.clear();
-    operator.touch = undefined;
-  };
+  const letGo = (): void => driving.letGo();
   window.addEventListener("keydown", down, { capture: true });
   window.addEventListener("keyup", up, { capture: true });
   window.addEventListener("blur", letGo);

@@ -8,26 +8,26 @@ import { sourceOfFile } from "../replay/bag_source.ts";
 
 /** Opens the list; says when the station records. */
 export function RecordingsButton({ operator }: { operator: Operator }) {
-  const { bags, record } = operator;
+  const { list, order } = operator.recordings;
   return (
-    <button type="button" class="recordings-button" aria-expanded={bags.shown} onClick={() => bags.show(!bags.shown)}>
-      {record.recording && <i class="rec" aria-hidden="true">●</i>}
-      {record.recording ? "Recording" : "Recordings"}
+    <button type="button" class="recordings-button" aria-expanded={list.shown} onClick={() => list.show(!list.shown)}>
+      {order.recording && <i class="rec" aria-hidden="true">●</i>}
+      {order.recording ? "Recording" : "Recordings"}
     </button>
   );
 }
 
 /** Record now, the station's recordings, and files of this computer. */
 export function RecordingsBar({ operator }: { operator: Operator }) {
-  const { bags } = operator.bags;
+  const { bags } = operator.recordings.list;
   return (
     <section class="recordings" aria-label="Recordings">
       <div class="buttons">
         <RecordNow operator={operator} />
         <OpenFile operator={operator} />
-        <button type="button" onClick={() => operator.bags.show(false)}>Close</button>
+        <button type="button" onClick={() => operator.recordings.list.show(false)}>Close</button>
       </div>
-      {operator.bags.trouble && <p class="refused">The station's recordings: {operator.bags.trouble}</p>}
+      {operator.recordings.list.trouble && <p class="refused">The station's recordings: {operator.recordings.list.trouble}</p>}
       <ul>
         {bags?.map((bag) => <BagLine key={bag.path} bag={bag} operator={operator} />)}
         {bags?.length === 0 && <li class="muted">The station has no recording.</li>}
@@ -36,12 +36,12 @@ export function RecordingsBar({ operator }: { operator: Operator }) {
   );
 }
 
-function RecordNow({ operator: { record } }: { operator: Operator }) {
-  const { recording, pending } = record;
+function RecordNow({ operator: { recordings: { order } } }: { operator: Operator }) {
+  const { recording, pending } = order;
   if (recording === undefined) return <span class="muted">No recorder of the station can be told to record.</span>;
   return (
     <button type="button" class={recording ? "stop-recording" : "go"} disabled={pending}
-      onClick={() => record.ask(!recording, pageNow())}>
+      onClick={() => order.ask(!recording, pageNow())}>
       {recording ? "End recording" : "Record now"}
     </button>
   );
@@ -67,7 +67,7 @@ function BagLine({ bag, operator }: { bag: StationBag; operator: Operator }) {
   return (
     <li>
       <button type="button" disabled={!isWhole} title={isWhole ? "Show it" : "It can be shown when it has ended"}
-        onClick={() => void operator.openStationBag(bag)}>
+        onClick={() => void operator.openBag(operator.recordings.sourceOf(bag))}>
         Open
       </button>
       <span>

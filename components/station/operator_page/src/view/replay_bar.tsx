@@ -34,7 +34,7 @@ export function ReplayBar({ operator, player }: { operator: Operator; player: Ba
           </button>
         ))}
       </span>
-      <button type="button" class="go" onClick={() => operator.closeBag()}>Back to the vehicle</button>
+      <button type="button" class="go" onClick={() => operator.recordings.close()}>Back to the vehicle</button>
       {player.seeking && <span class="muted">seeking</span>}
       {player.trouble && <span class="refused">{player.trouble}</span>}
     </div>

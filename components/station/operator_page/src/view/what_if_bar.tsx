@@ -14,7 +14,7 @@ export function WhatIfBar({ operator }: { operator: Operator }) {
   const [host, setHost] = useState<Role>("uxv");
   const [policy, setPolicy] = useState("tocp");
   const [changes, setChanges] = useState("");
-  const isLive = operator.player === undefined;
+  const isLive = operator.recordings.player === undefined;
   return (
     <form
       class="what-if"

@@ -3,12 +3,14 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "operator_server/host_picture.hpp"
 #include "operator_server/hub.hpp"
+#include "operator_server/mission_guard.hpp"
 #include "operator_server/parameter_calls.hpp"
 #include "operator_server/service_calls.hpp"
 #include "operator_server/topic_ports.hpp"
@@ -86,7 +88,8 @@ class OperatorServerComponent final : public Component {
  private:
   void serve(Time now);
   void look(Time now);
-  void take_states();
+  void take_states(Time now);
+  void take_parameter_events();
   void do_periodic(Time now);
   void follow_clients();
   void send_waiting();
@@ -104,9 +107,11 @@ class OperatorServerComponent final : public Component {
   foxglove::ServiceCalls services_;
   foxglove::ParameterCalls parameters_;
   OptionalInput<topic::ContainerState> containers_{*this};
-  std::unique_ptr<InputPort> parameter_events_;         ///< while a client hears parameters
-  std::map<std::string, std::set<std::string>> nodes_;  ///< by container
-  std::set<foxglove::ClientId> busy_;                   ///< with what was sent before
+  foxglove::MissionGuard guard_;
+  std::optional<OptionalInput<topic::DriverState>> driver_;  ///< while there are clients
+  std::unique_ptr<InputPort> parameter_events_;              ///< while a client hears parameters
+  std::map<std::string, std::set<std::string>> nodes_;       ///< by container
+  std::set<foxglove::ClientId> busy_;                        ///< with what was sent before
   std::set<foxglove::ClientId> open_;
   int port_ = 0;
   bool said_fault_ = false;

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,8 +28,11 @@ class TopicPorts {
 
   /// Why the channel cannot be written; empty: it can, from now on.
   [[nodiscard]] std::string open(const ClientChannel& channel);
-  /// Why nothing was written; empty: it was.
-  [[nodiscard]] std::string write(const WriteMessage& message);
+  struct Written {
+    std::string fault;                       ///< why nothing was written; empty: it was
+    std::optional<std::string> by_operator;  ///< of a message that names its operator: who
+  };
+  [[nodiscard]] Written write(const WriteMessage& message);
   /// Ends the writing of all other topics.
   void keep(const std::set<std::string>& written);
 

@@ -4,32 +4,25 @@
 #include <memory>
 #include <string>
 
-#include "geometry/twist.hpp"
-#include "runtime/component.hpp"
-#include "runtime/port.hpp"
+#include "teleop/teleop_component.hpp"
 #include "teleop_gamepad/gamepad_teleop.hpp"
-#include "teleop_sender/teleop_sender.hpp"
-#include "teleop_sender/wheel.hpp"
-#include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
 
 /// Manual driving with a gamepad, which may be plugged in and out at any time.
-class TeleopGamepadComponent final : public Component {
+class TeleopGamepadComponent final : public TeleopComponent {
  public:
   struct Params {
     std::string device;
     double retry_s = 1;
     GamepadTeleop::Params pad;
-    TeleopSender::Params sender;
-    std::string name;
+    TeleopComponent::Params common;
     template <class Visitor>
     void visit(Visitor& v) {
       v("device", device, "path of the gamepad; empty: the first that is there");
       v("retry_s", retry_s, {0.1, 60}, "[s] between looks for an absent gamepad");
-      v("name", name, "who drives, as others are told; empty: gamepad@computer:process");
       pad.visit(v);
-      sender.visit(v);
+      common.visit(v);
     }
   };
 
@@ -42,23 +35,15 @@ class TeleopGamepadComponent final : public Component {
   void look_for_pad(Time now);
   void read_events();
   void lose_pad();
-  void watch_wheel();
-  void hand_over(Time now);
-  void send(const geometry::Twist& velocity, Time now);
+  void log_authority();
 
-  OptionalInput<topic::DriverState> driver_{*this};
-  Output<topic::TeleopCmdVel> command_{*this};
-  Output<topic::DriverRequest> request_{*this};
-  Params params_;
+  const Params params_;
   Devices& devices_;
   std::unique_ptr<GamepadDevice> pad_;
   GamepadTeleop teleop_;
-  TeleopSender sender_;
-  const std::string name_;
-  Wheel wheel_;
-  std::string said_;  ///< of the wheel
+  std::string logged_;  ///< of who drives
   Time next_look_ = Time::min();
-  bool told_ = false;  ///< that there is no gamepad
+  bool is_missed_ = false;  ///< it is logged that there is no gamepad
 };
 
 }  // namespace tocsin

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "foundation/enum_words.hpp"
+#include "foundation/parameters.hpp"
 #include "foundation/time.hpp"
 #include "geometry/twist.hpp"
 #include "teleop_keyboard/key_reader.hpp"
 
 namespace tocsin {
+
+/// Which letters drive.
+enum class KeyLayout { wasd, turtlebot };
+constexpr std::array<const char*, 2> words_of(KeyLayout) { return {"wasd", "turtlebot"}; }
 
 /// Drives by the keys of a terminal, which tells presses and repeats but no releases.
 ///
@@ -20,7 +27,7 @@ namespace tocsin {
 class KeyboardTeleop {
  public:
   struct Params {
-    std::string layout = "wasd";
+    KeyLayout layout = KeyLayout::wasd;
     double linear_mps = 0.3;
     double angular_rad_s = 1.0;
     double step = 1.1;
@@ -30,7 +37,8 @@ class KeyboardTeleop {
     double repeat_period_s = 0.25;
     template <class Visitor>
     void visit(Visitor& v) {
-      v("layout", layout, {"wasd", "turtlebot"}, "keys beside the arrows and space");
+      visit_enum(v, "layout", layout, Choices{"wasd", "turtlebot"},
+                 "keys beside the arrows and space");
       v("linear_mps", linear_mps, {0.01, 2}, "[m/s] speed at the start");
       v("angular_rad_s", angular_rad_s, {0.05, 6}, "[rad/s] turn rate at the start");
       v("step", step, {1.01, 2}, "[1] factor of one step of speed");
@@ -42,11 +50,18 @@ class KeyboardTeleop {
     }
   };
 
+  enum class ControlKey {
+    hand_over,  ///< h: ask for control, or give it
+    keep,       ///< n
+  };
+
   /// Throws ConfigError when a speed is above its greatest.
   explicit KeyboardTeleop(const Params& params);
   void on_bytes(std::string_view bytes, Time now);
-  /// What was last typed of the wheel, once: 'h' (hand over) or 'n' (no).
-  [[nodiscard]] std::optional<char> take_wheel_key() { return std::exchange(wheel_key_, {}); }
+  /// What was last typed about control authority, once.
+  [[nodiscard]] std::optional<ControlKey> take_control_key() {
+    return std::exchange(control_key_, {});
+  }
   /// Nobody can press a key any more: stand.
   void on_end() { held_.reset(); }
 
@@ -69,7 +84,7 @@ class KeyboardTeleop {
   void press(const Key& key, const Direction& direction, Time now);
   [[nodiscard]] std::optional<Direction> direction_of(const Key& key) const;
   [[nodiscard]] bool change_speed(char key);
-  [[nodiscard]] bool is_turtlebot() const { return params_.layout == "turtlebot"; }
+  [[nodiscard]] bool is_turtlebot() const { return params_.layout == KeyLayout::turtlebot; }
 
   struct Held {
     Key key;
@@ -80,7 +95,7 @@ class KeyboardTeleop {
   Params params_;
   KeyReader reader_;
   std::optional<Held> held_;
-  std::optional<char> wheel_key_;
+  std::optional<ControlKey> control_key_;
 };
 
 }  // namespace tocsin

@@ -4,28 +4,22 @@
 #include <memory>
 #include <string>
 
-#include "geometry/twist.hpp"
-#include "runtime/component.hpp"
-#include "runtime/port.hpp"
+#include "teleop/teleop_component.hpp"
 #include "teleop_keyboard/keyboard_teleop.hpp"
-#include "teleop_sender/teleop_sender.hpp"
-#include "teleop_sender/wheel.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
 
 /// Manual driving by the keys of the terminal that its process has.
-class TeleopKeyboardComponent final : public Component {
+class TeleopKeyboardComponent final : public TeleopComponent {
  public:
   struct Params {
     KeyboardTeleop::Params keys;
-    TeleopSender::Params sender;
-    std::string name;
+    TeleopComponent::Params common;
     template <class Visitor>
     void visit(Visitor& v) {
-      v("name", name, "who drives, as others are told; empty: keyboard@computer:process");
       keys.visit(v);
-      sender.visit(v);
+      common.visit(v);
     }
   };
 
@@ -36,21 +30,12 @@ class TeleopKeyboardComponent final : public Component {
 
  private:
   void read_keys(Time now);
-  void request(const std::string& verb, Time now);
-  void send(const geometry::Twist& velocity, Time now);
   void show(const geometry::Twist& velocity);
 
   Input<topic::SafetyStatus> safety_{*this};
   Input<topic::Location> location_{*this};
-  OptionalInput<topic::DriverState> driver_{*this};
-  Output<topic::TeleopCmdVel> command_{*this};
-  Output<topic::DriverRequest> request_{*this};
-
   std::unique_ptr<TerminalDevice> terminal_;  ///< null: nobody can type
   KeyboardTeleop teleop_;
-  TeleopSender sender_;
-  const std::string name_;
-  Wheel wheel_;
   std::shared_ptr<const topic::SafetyStatus::Message> safety_seen_;
   std::shared_ptr<const topic::Location::Message> location_seen_;
   std::string shown_;

@@ -11,9 +11,9 @@ namespace tocsin {
 
 /// Decides which of several operators drives the vehicle: one at a time, known by name.
 ///
-/// The wheel is free until somebody drives, and again when its driver has given no command for
+/// Control is free until somebody drives, and again when the driver has given no command for
 /// `idle_s`. Who asks for it while another drives gets it when the driver gives it, lets go, or
-/// says nothing for `answer_s`; a driver who keeps it is not asked again by that. Of several who
+/// does not answer for `answer_s`; a driver who keeps it is not asked again by that. Of several who
 /// ask, the first waits and the others ask again. Pure; `now` must not decrease.
 class DriverAuthority {
  public:
@@ -24,7 +24,7 @@ class DriverAuthority {
     void visit(Visitor& v) {
       v("idle_s", idle_s, {0.5, 60}, "[s] without a command, and another operator may drive");
       v("answer_s", answer_s, {1, 600},
-        "[s] for the driver's answer to who asks for the wheel; then it is his");
+        "[s] for the driver's answer to who asks for control; then it is his");
     }
   };
 

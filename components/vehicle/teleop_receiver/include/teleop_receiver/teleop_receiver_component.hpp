@@ -34,7 +34,7 @@ class TeleopReceiverComponent final : public Component {
  private:
   void follow(const topic::TeleopCmdVel::Message& command, Time now);
   void obey(const topic::DriverRequest::Message& request, Time now);
-  void tell(Time now);
+  void publish_driver(Time now);
   [[nodiscard]] bool is_fresh(const topic::TeleopCmdVel::Message& command, Time now);
 
   OptionalInput<topic::TeleopCmdVel> command_{*this};
@@ -45,10 +45,10 @@ class TeleopReceiverComponent final : public Component {
   std::map<std::string, CommandLateness> devices_;  ///< by frame_id; each has its clock
   bool was_late_ = false;
   DriverAuthority authority_;
-  /// What was told last, and when it is told again.
+  /// What was published last, and when it is published again.
   std::optional<std::string> driver_;
   std::optional<std::string> asked_by_;
-  Time next_telling_ = Time::min();
+  Time next_report_ = Time::min();
 };
 
 }  // namespace tocsin

@@ -10,7 +10,6 @@
 #include <memory>
 
 #include "foundation/error.hpp"
-#include "foundation/parameters.hpp"
 #include "runtime/sim_bus.hpp"
 
 namespace tocsin {
@@ -59,8 +58,9 @@ class MapServerComponentTest : public ::testing::Test {
   SimWriter<topic::Location> locations_{bus_};
 };
 
-TEST_F(MapServerComponentTest, TellsTheMapRowByRowFromTheOriginUp) {
+TEST_F(MapServerComponentTest, PublishesTheMapOnceRowByRowFromTheOriginUp) {
   start();
+  bus_.run_for(seconds(60));
   const auto maps = maps_.take();
   ASSERT_EQ(maps.size(), 1U);
   const auto& info = maps[0].info();
@@ -74,13 +74,7 @@ TEST_F(MapServerComponentTest, TellsTheMapRowByRowFromTheOriginUp) {
   EXPECT_THAT(maps[0].data(), ElementsAre(0, 0, 100, 100, -1, 0));
 }
 
-TEST_F(MapServerComponentTest, TellsItOnce) {
-  start();
-  bus_.run_for(seconds(60));
-  EXPECT_EQ(maps_.take().size(), 1U);
-}
-
-TEST_F(MapServerComponentTest, TellsEachPositionAsTheVehiclesFrameInItsOwnFrame) {
+TEST_F(MapServerComponentTest, PublishesEachPositionAsTheVehiclesFrame) {
   start();
   topic::Location::Message location;
   location.header().frame_id("map");
@@ -102,7 +96,7 @@ TEST_F(MapServerComponentTest, TellsEachPositionAsTheVehiclesFrameInItsOwnFrame)
   EXPECT_EQ(transform.transform().rotation().z(), 1);
 }
 
-TEST_F(MapServerComponentTest, TellsNoFrameWhereNoneIsWanted) {
+TEST_F(MapServerComponentTest, PublishesNoFrameWhereNoneIsSet) {
   params_.vehicle_frame = "";
   start();
   ASSERT_EQ(locations_.write(topic::Location::Message()), Status::ok);
@@ -115,10 +109,6 @@ TEST_F(MapServerComponentTest, RefusesToStartWithoutAMap) {
   EXPECT_EQ(error_of_start(), "map_server.map_file: is required");
   params_.map_file = "/nowhere/m.yaml";
   EXPECT_THAT(error_of_start(), HasSubstr("/nowhere/m.yaml"));
-}
-
-TEST_F(MapServerComponentTest, ParametersPrintAsYaml) {
-  EXPECT_THAT(default_yaml<MapServerComponent::Params>(), HasSubstr("map_file: \"\""));
 }
 
 }  // namespace

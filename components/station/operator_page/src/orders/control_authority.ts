@@ -34,27 +34,27 @@ export function whyNotDrive(conditions: DriveConditions): string | undefined {
   return cameraAge === undefined ? "there is no picture" : `the picture is ${ageText(cameraAge)} old`;
 }
 
-export type WheelVerb = "ask" | "give" | "keep";
+export type ControlVerb = "ask" | "give" | "keep";
 
-/** What a seat's text and buttons depend on. */
-export interface Wheel {
+/** Who drives by hand, as the vehicle reports (teleop/driver). */
+export interface DriverReport {
   /** Whom the vehicle follows; empty: nobody, the next to drive is. */
   readonly driver: string;
-  /** Who waits for the wheel; empty: nobody. */
+  /** Who waits for control; empty: nobody. */
   readonly askedBy: string;
 }
 
 /**
- * The operator's part of who drives: the vehicle follows one, and tells whom (teleop/driver). The
- * seat is taken by a person's act: at once while nobody drives, else by asking who does, whose it
- * stays until the vehicle says otherwise. It is lost when the vehicle follows another. Pure.
+ * The operator's part of control authority: the vehicle follows one, and reports whom. Control is
+ * taken by a person's act: at once while nobody drives, else by asking who does, whose it stays
+ * until the vehicle says otherwise. It is lost when the vehicle follows another. Pure.
  */
-export class DriverSeat {
+export class ControlAuthority {
   #taken = false;
   #asks = false;
   #mustRest = true;
-  #requests: WheelVerb[] = [];
-  wheel: Wheel = { driver: "", askedBy: "" };
+  #requests: ControlVerb[] = [];
+  #reported: DriverReport = { driver: "", askedBy: "" };
   /** Who drives in our place since; empty: nobody. */
   lostTo = "";
 
@@ -64,45 +64,49 @@ export class DriverSeat {
     return this.#taken;
   }
 
-  /** Whether the wheel was asked for, and is still another's. */
+  /** Whether control was asked for, and is still another's. */
   get asks(): boolean {
     return this.#asks;
   }
 
   /** Who else drives; empty: nobody. */
   get other(): string {
-    return this.wheel.driver === this.name ? "" : this.wheel.driver;
+    return this.#isOurs ? "" : this.#reported.driver;
   }
 
-  /** Who else asks us for the wheel; empty: nobody. */
+  /** Who else asks us for control; empty: nobody. */
   get askedBy(): string {
-    return this.#taken && this.wheel.driver === this.name ? this.wheel.askedBy : "";
+    return this.#taken && this.#isOurs ? this.#reported.askedBy : "";
   }
 
   take(): void {
     this.lostTo = "";
-    if (this.other === "") return this.#sit();
+    if (this.other === "") return this.#begin();
     this.#asks = true;
     this.#requests.push("ask");
   }
 
-  leave(): void {
-    if (this.wheel.driver === this.name) this.#requests.push("give");
+  release(): void {
+    if (this.#isOurs) this.#requests.push("give");
     this.#taken = false;
     this.#asks = false;
+  }
+
+  toggle(): void {
+    if (this.#taken) this.release();
+    else this.take();
   }
 
   keep(): void {
     this.#requests.push("keep");
   }
 
-  /** The vehicle told who drives. */
-  onWheel(wheel: Wheel): void {
-    this.wheel = wheel;
-    if (wheel.driver === this.name && this.#asks) this.#sit();
+  onReport(report: DriverReport): void {
+    this.#reported = report;
+    if (this.#isOurs && this.#asks) this.#begin();
     if (this.other === "") {
       this.lostTo = "";
-      if (this.#asks) this.#sit(); // it has become free
+      if (this.#asks) this.#begin(); // it has become free
     } else if (this.#taken) {
       this.#taken = false;
       this.lostTo = this.other;
@@ -110,15 +114,15 @@ export class DriverSeat {
   }
 
   /** The request to send now, if any. */
-  takeRequest(): WheelVerb | undefined {
+  takeRequest(): ControlVerb | undefined {
     return this.#requests.shift();
   }
 
   /**
-   * What the vehicle is told when the hands want `wanted`. After a refusal, as after taking the
-   * seat, they must rest before they count, so that nothing drives off by itself.
+   * The command when the hands want `wanted`. After a refusal, as after taking control, they must
+   * rest before they count, so that nothing drives off by itself.
    */
-  heed(wanted: Velocity, refused: boolean): Velocity {
+  command(wanted: Velocity, refused: boolean): Velocity {
     if (!this.taken || refused) this.#mustRest = true;
     else if (isStanding(wanted)) this.#mustRest = false;
     return this.#mustRest ? standing : wanted;
@@ -129,7 +133,11 @@ export class DriverSeat {
     return this.#mustRest;
   }
 
-  #sit(): void {
+  get #isOurs(): boolean {
+    return this.#reported.driver === this.name;
+  }
+
+  #begin(): void {
     this.#taken = true;
     this.#asks = false;
     this.#mustRest = true;

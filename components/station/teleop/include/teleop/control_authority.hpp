@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tocsin_idl/control_verb.hpp"
+
+namespace tocsin {
+
+/// Who drives the vehicle by hand and who asks to, as the vehicle reported last.
+struct ControlAuthority {
+  std::string driver;    ///< empty: nobody
+  std::string asked_by;  ///< empty: nobody
+};
+
+/// What one key for all stands for: give control to who asks `me`, else ask who drives. Nothing
+/// when there is nobody to ask or to give to.
+[[nodiscard]] std::optional<ControlVerb> handover_verb(const ControlAuthority& authority,
+                                                       const std::string& me);
+
+/// What `me` has to know of it in a few words; empty: nothing.
+[[nodiscard]] std::string control_text(const ControlAuthority& authority, const std::string& me);
+
+/// `name`, or when that is empty the device with this computer's name and this process, as
+/// keyboard@gcs1:4711.
+[[nodiscard]] std::string operator_name(const std::string& name, const std::string& device);
+
+}  // namespace tocsin
