@@ -72,6 +72,7 @@ bool BackfillLink::request(const router::RuleRequest& request, Time now, std::in
 }
 
 void BackfillLink::resume_requests(Time now, std::int64_t wall_ns) {
+  if (earlier_requests_.empty()) return;
   for (const router::RuleRequest& one : rule_requests_in(std::exchange(earlier_requests_, ""))) {
     const bool is_over = Duration(wall_ns - one.range.to_ns) > rules_stand_for;
     if (is_over || !logs(one.range.topic)) continue;

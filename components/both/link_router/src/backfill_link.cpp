@@ -90,6 +90,7 @@ void BackfillLink::follow_fates() {
 }
 
 void BackfillLink::confirm(const std::vector<sample_log::SampleId>& ids) {
+  if (ids.empty()) return;
   std::vector<sample_log::SampleId> stored;
   std::vector<sample_log::SampleId> logged;
   for (const sample_log::SampleId& id : ids) (is_logged(id) ? logged : stored).push_back(id);

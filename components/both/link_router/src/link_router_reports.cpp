@@ -46,7 +46,7 @@ void LinkRouterComponent::report_traffic(Time now) {
     const Outgoing& flow = entry.second;
     tocsin_msgs::msg::TopicTraffic one;
     one.topic(flow.topic);
-    one.traffic_class(to_string(link_->rules().of(flow.topic).traffic_class));
+    one.traffic_class(to_string(flow.rule.traffic_class));
     one.paused(!open_ && flow.rule.while_paused != router::WhilePaused::send);
     const router::StreamCounts counts = sender_.stream_counts(flow.on_link);
     one.written(counts.offered);

@@ -100,6 +100,7 @@ std::optional<router::LinkAcknowledgement> to_acknowledgement(
   router::LinkAcknowledgement acknowledgement;
   acknowledgement.made = Time(Duration(message.made_ns()));
   acknowledgement.count = message.count();
+  acknowledgement.streams.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto stream = stream_of(message.streams()[i]);
     if (!stream) continue;
