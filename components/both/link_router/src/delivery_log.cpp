@@ -20,6 +20,11 @@ bool names(const StreamAcknowledgement& acknowledgement, TransmissionNumber numb
   return (acknowledgement.before >> (acknowledgement.highest - number - 1) & 1U) != 0;
 }
 
+bool has_come(const DeliveryLog::Record& record) {
+  return std::all_of(record.copies.begin(), record.copies.end(),
+                     [](const DeliveryLog::Copy& copy) { return copy.came; });
+}
+
 bool is_settled(const DeliveryLog::Record& record) {
   return std::all_of(record.copies.begin(), record.copies.end(),
                      [](const DeliveryLog::Copy& copy) { return copy.settled; });
@@ -89,7 +94,8 @@ void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& ackno
                               Time made, std::vector<Settlement>& settled) {
   const auto found = streams_.find(acknowledgement.stream);
   if (found == streams_.end()) return;
-  for (const RecordPtr& record : found->second) {
+  Records& records = found->second;
+  for (const RecordPtr& record : records) {
     if (!names(acknowledgement, record->number)) continue;
     for (Copy& copy : record->copies) {
       if (copy.peer != peer || copy.received) continue;
@@ -99,6 +105,10 @@ void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& ackno
       settled.push_back(std::move(one));
     }
   }
+  // No later acknowledgement changes what has come to every peer.
+  records.erase(std::remove_if(records.begin(), records.end(),
+                               [](const RecordPtr& record) { return has_come(*record); }),
+                records.end());
 }
 
 void DeliveryLog::give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& came,

@@ -111,6 +111,7 @@ std::optional<router::LinkAcknowledgement> to_acknowledgement(
   router::LinkAcknowledgement acknowledgement;
   acknowledgement.made = Time(Duration(message.made_ns()));
   acknowledgement.count = message.count();
+  acknowledgement.streams.reserve(message.streams().size());
   for (std::size_t i = 0; i < message.streams().size(); ++i) {
     const auto stream = stream_of(message.streams()[i]);
     if (!stream) continue;

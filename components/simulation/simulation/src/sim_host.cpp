@@ -95,7 +95,8 @@ void SimHost::give(const Flow& flow, const CarriedSample& carried, const Freight
   sample.sequence = carried.sequence;
   sample.source = carried.source;
   sample.bytes = carried.bytes;
-  all.carried[carried.source] = {freight.from->host, flow.user_data};
+  const auto [writer, is_new] = all.carried.try_emplace(carried.source);
+  if (is_new) writer->second = {freight.from->host, flow.user_data};
   if (network_.core.observer != nullptr) {
     const GivenAs as = flow.topic == freight.from->topic ? GivenAs::live : GivenAs::backfilled;
     network_.core.observer->on_given(

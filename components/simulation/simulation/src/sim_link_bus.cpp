@@ -13,27 +13,37 @@ namespace {
 
 /// Until routers or a new flow know each other; on the real link a few exchanges of packets.
 constexpr Duration meeting_takes = std::chrono::milliseconds(100);
-/// A participant's announcement (458 bytes measured, with IP and UDP) and its period.
-constexpr std::size_t announcement_bytes = 486;
+/// A participant's announcement, with the headers of IP and UDP, and its period.
+constexpr std::size_t announcement_bytes = 458 + 28;
 constexpr Duration announcement_period = std::chrono::seconds(1);
 constexpr std::uint8_t network_control_dscp = 48;  // CS6
 
 /// A transmission on its way to one peer, which gets it when all its packets have come.
 class Transmission final : public Cargo {
  public:
-  Transmission(std::function<void()> on_whole, std::size_t packets)
-      : on_whole_(std::move(on_whole)), missing_(packets, true), left_(packets) {}
+  Transmission(const Network& network, Overheard what, PeerId to, std::size_t packets)
+      : network_(network),
+        what_(std::move(what)),
+        to_(to),
+        missing_(packets, true),
+        left_(packets) {}
   void arrive(std::size_t packet) override {
     if (!missing_[packet]) return;
     missing_[packet] = false;
-    if (--left_ == 0) on_whole_();
+    if (--left_ > 0) return;
+    SimLinkBus* const to = network_.find_router(to_);
+    if (to == nullptr) return;
+    to->on_packet(what_.from, what_.stop);
+    to->on_arrived(what_.from, what_.flow, what_.number, what_.sample);
   }
   [[nodiscard]] bool waits_after(std::size_t packet) const override {
     return left_ > 1 || !missing_[packet];
   }
 
  private:
-  std::function<void()> on_whole_;
+  const Network& network_;
+  const Overheard what_;
+  const PeerId to_;
   std::vector<bool> missing_;
   std::size_t left_;
 };
@@ -192,16 +202,11 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
   const std::uint8_t dscp = host_.rules().dscp(sending.traffic_class);
   const auto stop = packets.size() == 1 ? rider() : nullptr;
   if (stop) stop_sent_ = network_.core.now;
-  if (network_.on_air) network_.on_air({life_, flow, number, sample, stop});
+  const Overheard what{life_, flow, number, sample, stop};
+  if (network_.on_air) network_.on_air(what);
   for (const auto& peer : peers_) {
-    auto on_whole = [&network = network_, own = life_, other = peer.second, flow, number, sample,
-                     stop] {
-      if (SimLinkBus* const to = network.find_router(other)) {
-        to->on_packet(own, stop);
-        to->on_arrived(own, flow, number, sample);
-      }
-    };
-    const auto transmission = std::make_shared<Transmission>(std::move(on_whole), packets.size());
+    const auto transmission =
+        std::make_shared<Transmission>(network_, what, peer.second, packets.size());
     for (std::size_t i = 0; i < packets.size(); ++i) {
       const std::size_t bytes = packets[i] + (stop ? stop_bytes(*stop) : 0);
       network_.link.send({host_.direction(), dscp}, bytes, transmission, i);

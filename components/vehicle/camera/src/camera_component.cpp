@@ -106,9 +106,7 @@ void CameraComponent::fill(Picture& picture, double size) {
   if (renderer_) {
     picture.data(draw(size));
   } else {
-    size_picture(picture.data());
-    picture.data().resize(
-        static_cast<std::size_t>(size * static_cast<double>(picture.data().size())));
+    picture.data().resize(static_cast<std::size_t>(size * static_cast<double>(full_size())));
   }
 }
 
@@ -129,23 +127,19 @@ int CameraComponent::quality_for(double size, const camera::Picture& picture) {
   return qualities_.quality_for(size);
 }
 
-/// With other parameters than those of the law the first one is drawn to fit the size to them.
-void CameraComponent::size_picture(std::vector<std::uint8_t>& data) {
-  if (size_) return data.resize(size_->bytes(*view_));
-  size_.emplace(params_.camera.field_of_view_deg, walls_);
-  if (is_fitted(params_)) {
-    data.resize(size_->bytes(*view_));
-  } else {
-    data = calibrate();
+/// With other parameters than those of the law one picture is drawn to fit the size to them.
+std::size_t CameraComponent::full_size() {
+  if (!size_) {
+    size_.emplace(params_.camera.field_of_view_deg, walls_);
+    if (!is_fitted(params_)) calibrate();
   }
+  return size_->bytes(*view_);
 }
 
-std::vector<std::uint8_t> CameraComponent::calibrate() {
+void CameraComponent::calibrate() {
   renderer_.emplace(params_.camera, walls_);
-  std::vector<std::uint8_t> first = draw(1);
+  size_->calibrate(*view_, draw(1).size());
   renderer_.reset();
-  size_->calibrate(*view_, first.size());
-  return first;
 }
 
 }  // namespace tocsin

@@ -167,10 +167,11 @@ TEST_F(CameraTest, SendsZerosOfTheRightNumberWhereNobodyLooksAtPictures) {
   bus.publish<topic::Location>(location(0, 0));
   const auto images = run(0.2);  // two of each camera
   ASSERT_EQ(images.size(), 4U);
-  EXPECT_EQ(images[1].data(), images[0].data());  // the first is drawn
-  const auto& zeros = images[3].data();
-  EXPECT_EQ(std::count(zeros.begin(), zeros.end(), 0), static_cast<std::ptrdiff_t>(zeros.size()));
-  EXPECT_NEAR(static_cast<double>(zeros.size()), static_cast<double>(images[2].data().size()), 1);
+  for (const std::size_t i : {0U, 2U}) {
+    const auto& zeros = images[i + 1].data();
+    EXPECT_EQ(std::count(zeros.begin(), zeros.end(), 0), static_cast<std::ptrdiff_t>(zeros.size()));
+    EXPECT_NEAR(static_cast<double>(zeros.size()), static_cast<double>(images[i].data().size()), 1);
+  }
 }
 
 TEST(CameraReadme, ShowsTheParameters) {

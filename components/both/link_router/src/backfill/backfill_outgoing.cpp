@@ -95,6 +95,7 @@ void BackfillOutgoing::follow_fates() {
 }
 
 void BackfillOutgoing::confirm(const std::vector<sample_log::SampleId>& ids) {
+  if (ids.empty()) return;
   auto [logged, stored] = parts_.history.split(ids);
   parts_.store.confirm(std::move(stored));
   parts_.history.confirm(std::move(logged));

@@ -93,6 +93,7 @@ bool LogHistory::request(const router::RuleRequest& request, Instant at) {
 }
 
 void LogHistory::resume_requests(Instant at) {
+  if (earlier_requests_.empty()) return;
   for (const router::RuleRequest& one : rule_requests_in(std::exchange(earlier_requests_, ""))) {
     const bool is_over = Duration(at.wall_ns - one.range.to_ns) > rules_stand_for;
     if (is_over || !logs(one.range.topic) || !request(one, at)) continue;

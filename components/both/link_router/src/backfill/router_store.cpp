@@ -163,6 +163,7 @@ void RouterStore::answer(StoreAnswer answer) {
 }
 
 std::optional<StoreAnswer> RouterStore::take() {
+  if (!background_) return std::nullopt;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (answers_.empty()) return std::nullopt;
   StoreAnswer next = std::move(answers_.front());

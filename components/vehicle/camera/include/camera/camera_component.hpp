@@ -53,8 +53,9 @@ class CameraComponent final : public Component {
   using Picture = topic::CameraImage::Message;
   [[nodiscard]] std::shared_ptr<Picture> unused_picture();
   void fill(Picture& picture, double size);
-  void size_picture(std::vector<std::uint8_t>& data);
-  [[nodiscard]] std::vector<std::uint8_t> calibrate();
+  /// [B] of the view's JPEG in full quality, without drawing it.
+  [[nodiscard]] std::size_t full_size();
+  void calibrate();
   [[nodiscard]] std::vector<std::uint8_t> draw(double size);
   [[nodiscard]] int quality_for(double size, const camera::Picture& picture);
 
