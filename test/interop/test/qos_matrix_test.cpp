@@ -207,7 +207,7 @@ TEST(QosMatrix, OfferedAgainstRequestedIsDecidedByBothMakersAsTheSpecificationSa
 }
 
 /// POSIX fnmatch, which the specification names, knows sets of characters; Cyclone DDS 0.10.2 does
-/// not. The README tells it.
+/// not. The README says so.
 TEST(QosMatrix, CycloneDdsTakesNoSetsOfCharactersInPartitions) {
   Case set{"partition", {}, {}};
   set.offered.partition = {"a"};
@@ -223,7 +223,7 @@ TEST(QosMatrix, CycloneDdsTakesNoSetsOfCharactersInPartitions) {
 }
 
 /// By the specification two expressions do not meet. Fast DDS 2.9.1 compares them as names first;
-/// the README tells it.
+/// the README says so.
 TEST(QosMatrix, FastDdsLetsTheSameExpressionMeetItselfAndCycloneDdsDoesNot) {
   Case same{"partition", {}, {}};
   same.offered.partition = same.requested.partition = {"a*"};
@@ -237,8 +237,8 @@ TEST(QosMatrix, FastDdsLetsTheSameExpressionMeetItselfAndCycloneDdsDoesNot) {
   EXPECT_TRUE(eventually([&] { return health_of(*bus).at(sut.written()).matched == 1; }));
 }
 
-TEST(QosMatrix, TheReadmeTellsWhatIsTried) {
-  std::ifstream file(std::string(TOCSIN_SOURCE_DIR) + "/README.md");
+TEST(QosMatrix, ThePageOfFiguresSaysWhatIsTried) {
+  std::ifstream file(std::string(TOCSIN_SOURCE_DIR) + "/../bench/figures/interop.md");
   std::ostringstream text;
   text << file.rdbuf();
   EXPECT_THAT(text.str(), HasSubstr(table(all_cases())));

@@ -9,7 +9,6 @@
 #include <array>
 #include <atomic>
 #include <csignal>
-#include <fstream>
 #include <future>
 #include <sstream>
 #include <thread>
@@ -23,7 +22,6 @@ namespace {
 
 using std::chrono::seconds;
 using std::chrono::steady_clock;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 constexpr int first_domain = 101;
@@ -174,28 +172,6 @@ TEST(Shapes, WhatFastDdsDoesNotHaveIsSaidAsTheSuiteWantsIt) {
       return code_of_publisher(sut.output(), false) == Code::unsupported;
     })) << arguments;
   }
-}
-
-/// What stands in the README.
-std::string table() {
-  std::ostringstream text;
-  text << "| case | expected | we publish | Cyclone publishes |\n| --- | --- | --- | --- |\n";
-  for (const ShapeCase& one : shape_cases()) {
-    text << "| " << one.name << " | " << text_of(one.expected);
-    for (const Side side : {Side::ours, Side::cyclone}) {
-      const Departure other = departure(one, side);
-      text << " | " << (other.why.empty() ? "yes" : text_of(other.codes) + ": " + other.why);
-    }
-    text << " |\n";
-  }
-  return text.str();
-}
-
-TEST(Shapes, TheReadmeHasTheTable) {
-  std::ifstream file(std::string(TOCSIN_SOURCE_DIR) + "/README.md");
-  std::ostringstream text;
-  text << file.rdbuf();
-  EXPECT_THAT(text.str(), HasSubstr(table()));
 }
 
 }  // namespace
