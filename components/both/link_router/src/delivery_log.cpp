@@ -20,9 +20,9 @@ bool names(const StreamAcknowledgement& acknowledgement, TransmissionNumber numb
   return (acknowledgement.before >> (acknowledgement.highest - number - 1) & 1U) != 0;
 }
 
-bool has_come(const DeliveryLog::Record& record) {
+bool is_acknowledged(const DeliveryLog::Record& record) {
   return std::all_of(record.copies.begin(), record.copies.end(),
-                     [](const DeliveryLog::Copy& copy) { return copy.came; });
+                     [](const DeliveryLog::Copy& copy) { return copy.received; });
 }
 
 bool is_settled(const DeliveryLog::Record& record) {
@@ -105,9 +105,9 @@ void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& ackno
       settled.push_back(std::move(one));
     }
   }
-  // No later acknowledgement changes what has come to every peer.
+  // No later acknowledgement changes what every peer has acknowledged.
   records.erase(std::remove_if(records.begin(), records.end(),
-                               [](const RecordPtr& record) { return has_come(*record); }),
+                               [](const RecordPtr& record) { return is_acknowledged(*record); }),
                 records.end());
 }
 
