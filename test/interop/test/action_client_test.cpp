@@ -36,6 +36,14 @@ class Asker : public Component {
   std::vector<ActionClient<Fibonacci>::News> news;
 };
 
+void expect_success(const std::vector<ActionClient<Fibonacci>::News>& news) {
+  EXPECT_EQ(news[0].what, What::accepted);
+  EXPECT_EQ(news[1].what, What::feedback);
+  EXPECT_THAT(news[1].feedback->sequence(), ElementsAre(5));
+  EXPECT_EQ(news[2].state, GoalState::succeeded);
+  EXPECT_THAT(news[2].result->sequence(), ElementsAre(5));
+}
+
 TEST(OurClient, HasAServerOfRmwFastrtpsWorkOnItsGoal) {
   constexpr int domain = 145;
   const auto bus = make_fast_dds_bus(host(domain, "action_client"));
@@ -72,20 +80,16 @@ TEST(OurClient, HasAServerOfRmwFastrtpsWorkOnItsGoal) {
   const Bytes one_number{1, 0, 0, 0, 5, 0, 0, 0};
   ASSERT_TRUE(feedback->write(joined({id, one_number})));  // of another's goal
   ASSERT_TRUE(feedback->write(joined({its_id, one_number})));
-  ASSERT_TRUE(eventually([&] {
-    sut.tick(bus->now());
-    return sut.news.size() == 2;
-  }));
+  const auto has_news = [&](std::size_t wanted_news) {
+    return eventually([&] {
+      sut.tick(bus->now());
+      return sut.news.size() == wanted_news;
+    });
+  };
+  ASSERT_TRUE(has_news(2));
   results.answer(*wanted, joined({{4, 0, 0, 0}, one_number}));
-  ASSERT_TRUE(eventually([&] {
-    sut.tick(bus->now());
-    return sut.news.size() == 3;
-  }));
-  EXPECT_EQ(sut.news[0].what, What::accepted);
-  EXPECT_EQ(sut.news[1].what, What::feedback);
-  EXPECT_THAT(sut.news[1].feedback->sequence(), ElementsAre(5));
-  EXPECT_EQ(sut.news[2].state, GoalState::succeeded);
-  EXPECT_THAT(sut.news[2].result->sequence(), ElementsAre(5));
+  ASSERT_TRUE(has_news(3));
+  expect_success(sut.news);
 }
 
 }  // namespace

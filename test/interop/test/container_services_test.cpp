@@ -138,9 +138,7 @@ TEST(ContainerServices, AreAnsweredAsRmwFastrtpsAsks) {
   EXPECT_TRUE(stopped->success());
 }
 
-TEST(ContainerServices, AreAnsweredAsRmwCycloneddsAsks) {
-  constexpr int domain = 76;
-  const Talker sut(domain);
+void cyclone_lists_nodes(int domain) {
   ask_cyclone<headed_ListNodesResponse>(
       domain, list_nodes, headed_ListNodesRequest_desc, headed_ListNodesResponse_desc,
       headed_ListNodesRequest{}, [](const auto& response) {
@@ -148,16 +146,12 @@ TEST(ContainerServices, AreAnsweredAsRmwCycloneddsAsks) {
         EXPECT_STREQ(response.full_node_names._buffer[0], "/talker");
         EXPECT_EQ(response.unique_ids._buffer[0], 1U);
       });
+}
 
+void cyclone_loads_a_node(int domain, rcl_interfaces_msg_Parameter& parameter) {
   std::string nothing;
   std::string plugin = "talker";
   std::string node = "second";
-  std::string name = "text";
-  std::string value = "from Cyclone DDS";
-  rcl_interfaces_msg_Parameter parameter{};
-  parameter.name = name.data();
-  parameter.value.type = rcl_interfaces::msg::ParameterType_Constants::PARAMETER_STRING;
-  parameter.value.string_value = value.data();
   headed_LoadNodeRequest load{};
   load.body.package_name = load.body.node_namespace = nothing.data();
   load.body.plugin_name = plugin.data();
@@ -171,7 +165,9 @@ TEST(ContainerServices, AreAnsweredAsRmwCycloneddsAsks) {
                                          EXPECT_STREQ(response.full_node_name, "/second");
                                          EXPECT_EQ(response.unique_id, 2U);
                                        });
+}
 
+void cyclone_sets_a_parameter(int domain, rcl_interfaces_msg_Parameter& parameter) {
   headed_SetParametersRequest set{};
   set.body.parameters._length = 1;
   set.body.parameters._buffer = &parameter;
@@ -181,7 +177,20 @@ TEST(ContainerServices, AreAnsweredAsRmwCycloneddsAsks) {
         ASSERT_EQ(response.results._length, 1U);
         EXPECT_TRUE(response.results._buffer[0].successful) << response.results._buffer[0].reason;
       });
+}
 
+TEST(ContainerServices, AreAnsweredAsRmwCycloneddsAsks) {
+  constexpr int domain = 76;
+  const Talker sut(domain);
+  cyclone_lists_nodes(domain);
+  std::string name = "text";
+  std::string value = "from Cyclone DDS";
+  rcl_interfaces_msg_Parameter parameter{};
+  parameter.name = name.data();
+  parameter.value.type = rcl_interfaces::msg::ParameterType_Constants::PARAMETER_STRING;
+  parameter.value.string_value = value.data();
+  cyclone_loads_a_node(domain, parameter);
+  cyclone_sets_a_parameter(domain, parameter);
   std::string deactivate = "deactivate";
   headed_ChangeStateRequest stop{};
   stop.body.transition.label = deactivate.data();

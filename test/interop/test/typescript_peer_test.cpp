@@ -99,6 +99,21 @@ class Vehicle {
   std::unique_ptr<Publication> map_;
 };
 
+void expect_messages(const json& messages) {
+  EXPECT_THAT(messages.at("/uxv/chatter").at(0).at("data").get<std::string>(), HasSubstr("Grüße "));
+  const json& pose = messages.at("/uxv/odom").at(0).at("pose");
+  EXPECT_EQ(pose.at("pose").at("position").at("x"), 1.25);
+  EXPECT_EQ(pose.at("covariance").at(35), 1e-6);
+  const json& image = messages.at("/uxv/camera").at(0);
+  EXPECT_EQ(image.at("format"), "jpeg");
+  EXPECT_EQ(image.at("data").at("bytes"), picture_bytes);
+  EXPECT_EQ(image.at("data").at("sum"), picture_bytes * 7 % 65536);
+  const json& map = messages.at("/uxv/map");
+  ASSERT_EQ(map.size(), 1U);
+  EXPECT_EQ(map.at(0).at("info").at("width"), 3);
+  EXPECT_EQ(map.at(0).at("data"), json({0, 100, -1, 0, 0, 100}));
+}
+
 TEST(TypeScriptPeer, ListsOurNodesAndTopicsAndReadsThem) {
   if (!std::filesystem::exists(peer + "/node_modules/@foxglove/rtps")) {
     GTEST_SKIP() << "@foxglove/rtps is not installed: npm ci in test/rtps_peer";
@@ -130,19 +145,7 @@ TEST(TypeScriptPeer, ListsOurNodesAndTopicsAndReadsThem) {
   const json& topics = seen.at("topics");
   EXPECT_EQ(topics.value("/uxv/odom", ""), "nav_msgs/msg/Odometry");
   EXPECT_EQ(topics.value("/uxv/camera", ""), "sensor_msgs/msg/CompressedImage");
-  const json& messages = seen.at("messages");
-  EXPECT_THAT(messages.at("/uxv/chatter").at(0).at("data").get<std::string>(), HasSubstr("Grüße "));
-  const json& pose = messages.at("/uxv/odom").at(0).at("pose");
-  EXPECT_EQ(pose.at("pose").at("position").at("x"), 1.25);
-  EXPECT_EQ(pose.at("covariance").at(35), 1e-6);
-  const json& image = messages.at("/uxv/camera").at(0);
-  EXPECT_EQ(image.at("format"), "jpeg");
-  EXPECT_EQ(image.at("data").at("bytes"), picture_bytes);
-  EXPECT_EQ(image.at("data").at("sum"), picture_bytes * 7 % 65536);
-  const json& map = messages.at("/uxv/map");
-  ASSERT_EQ(map.size(), 1U);
-  EXPECT_EQ(map.at(0).at("info").at("width"), 3);
-  EXPECT_EQ(map.at(0).at("data"), json({0, 100, -1, 0, 0, 100}));
+  expect_messages(seen.at("messages"));
 }
 
 }  // namespace

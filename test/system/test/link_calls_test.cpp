@@ -57,6 +57,18 @@ class LinkCallsTest : public ::testing::Test {
   [[nodiscard]] Ended at_station(const std::string& tool, const std::string& words) const {
     return run_to_end(command(tool, words), "");
   }
+  /// A goal that is cancelled as soon as the vehicle has sent feedback.
+  [[nodiscard]] Ended cancelled_goal() const {
+    const std::string output = folder_.path("goal.txt");
+    return run_to_end(
+        "timeout 120 bash",
+        fmt::format("-c '{} > {} & until grep -q Feedback {} || ! kill -0 $!; do sleep 0.1; done; "
+                    "kill -INT $!; wait $!; cat {}'",
+                    command("tocsin-action",
+                            "send_goal /navigate_to_pose nav2_msgs/action/NavigateToPose \"{pose: "
+                            "{pose: {position: {x: 2}}}}\" -f --timeout 60"),
+                    output, output, output));
+  }
   [[nodiscard]] std::string command(const std::string& tool, const std::string& words,
                                     const std::string& host = "gcs") const {
     return fmt::format("{} {} --run-dir {} --host {}", Stack::program("topic_tool", tool), words,
@@ -165,16 +177,7 @@ TEST_F(LinkCallsTest, ParametersAndActionsOfTheVehicleWorkAtTheStationAndAnOutag
   const Ended get = at_station("tocsin-param", "get /talker text --timeout 60");
   EXPECT_THAT(get.output, HasSubstr("over-the-radio"));
 
-  // A goal is cancelled as soon as the vehicle has told how it goes.
-  const std::string output = folder_.path("goal.txt");
-  const Ended goal = run_to_end(
-      "timeout 120 bash",
-      fmt::format("-c '{} > {} & until grep -q Feedback {} || ! kill -0 $!; do sleep 0.1; done; "
-                  "kill -INT $!; wait $!; cat {}'",
-                  command("tocsin-action",
-                          "send_goal /navigate_to_pose nav2_msgs/action/NavigateToPose \"{pose: "
-                          "{pose: {position: {x: 2}}}}\" -f --timeout 60"),
-                  output, output, output));
+  const Ended goal = cancelled_goal();
   EXPECT_THAT(goal.output, HasSubstr("Goal accepted"));
   EXPECT_THAT(goal.output, HasSubstr("Feedback:"));
   EXPECT_THAT(goal.output, HasSubstr("Goal canceled."));

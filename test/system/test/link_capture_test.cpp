@@ -200,6 +200,23 @@ void write_all_classes(Bus& bus) {
   }
 }
 
+constexpr std::int64_t half_s = 500'000'000;
+
+/// What of both pausable topics was sent since then.
+std::size_t pausable(const PacketTap& tap, std::int64_t since_ns) {
+  const auto packets = sent(tap, 0);
+  return count(packets, "crossing/latest", since_ns) + count(packets, "crossing/image", since_ns);
+}
+
+/// For five seconds nothing of the pausable topics is sent, and class critical goes on.
+void expect_silence(const PacketTap& tap, std::int64_t paused) {
+  std::this_thread::sleep_for(seconds(5));
+  const auto during = sent(tap, 0);
+  EXPECT_EQ(count(during, "crossing/latest", paused), 0U);
+  EXPECT_EQ(count(during, "crossing/image", paused), 0U);
+  EXPECT_GT(count(during, "crossing/up", paused), 20U) << "class critical is not paused";
+}
+
 TEST(LinkCapture, APausedFlowIsSilentOnTheWireForFiveSecondsAndResumesWithoutDiscovery) {
   const TemporaryFolder folder;
   const std::string without_controller =
@@ -211,7 +228,6 @@ TEST(LinkCapture, APausedFlowIsSilentOnTheWireForFiveSecondsAndResumesWithoutDis
       << stack.output();
   const PacketTap uxv(stack.pid("uxv/drive"));
   if (!uxv.ok()) GTEST_SKIP() << "the namespaces cannot be entered";
-  constexpr std::int64_t half_s = 500'000'000;
   const Shared<std::atomic<bool>> active;
   active->store(true);
   const pid_t there = stack.pid("uxv/drive");
@@ -230,18 +246,10 @@ TEST(LinkCapture, APausedFlowIsSilentOnTheWireForFiveSecondsAndResumesWithoutDis
   ASSERT_TRUE(Stack::eventually(seconds(20), all_is_discovered));
 
   active->store(false);
-  const auto is_silent = [&] {
-    const std::int64_t since = wall_now_ns() - half_s;
-    const auto packets = sent(uxv, 0);
-    return count(packets, "crossing/latest", since) + count(packets, "crossing/image", since) == 0;
-  };
+  const auto is_silent = [&] { return pausable(uxv, wall_now_ns() - half_s) == 0; };
   ASSERT_TRUE(Stack::eventually(seconds(20), is_silent));
   const std::int64_t paused = wall_now_ns();
-  std::this_thread::sleep_for(seconds(5));
-  const auto during = sent(uxv, 0);
-  EXPECT_EQ(count(during, "crossing/latest", paused), 0U);
-  EXPECT_EQ(count(during, "crossing/image", paused), 0U);
-  EXPECT_GT(count(during, "crossing/up", paused), 20U) << "class critical is not paused";
+  expect_silence(uxv, paused);
 
   const std::int64_t resumed = wall_now_ns();
   active->store(true);

@@ -56,7 +56,24 @@ const Bytes after_stamp{30,  0,   0,   0, 8, 0, 0, 0, 'u', 'x', 'v', '.',
 constexpr unsigned warned_in_line = __LINE__ + 1;
 void warn() { Logger("left arm", "arm").warn("{}", "hot"); }
 
-TEST(Rosout, IsOfferedAsRos2DoesAndWhoComesLateHearsTheLastLines) {
+void expect_offer(const GraphEnd& end) {
+  EXPECT_EQ(end.type, "rcl_interfaces::msg::dds_::Log_");
+  EXPECT_EQ(end.qos.reliability, Reliability::reliable);
+  EXPECT_EQ(end.qos.durability, Durability::transient_local);
+  EXPECT_EQ(end.lifespan_s, 10);
+  EXPECT_THAT(end.user_data, ::testing::HasSubstr("typehash=RIHS01_e28ce254"));
+}
+
+void expect_line(const Bytes& encoded) {
+  const auto message = decode(type_info<RosoutTopic::Message>(), encoded);
+  ASSERT_TRUE(message);
+  const auto& log = *static_cast<const RosoutTopic::Message*>(message.get());
+  EXPECT_EQ(log.file(), "rosout_test.cpp");
+  EXPECT_EQ(log.function(), "warn");
+  EXPECT_EQ(log.line(), warned_in_line);
+}
+
+TEST(Rosout, IsOfferedAsRos2DoesAndALateReaderReceivesTheLastLines) {
   const auto bus = make_fast_dds_bus(options("logging"));
   Context context = Context(*bus, "control", Role::uxv).with_node("drive_container");
   Owner owner(context);
@@ -70,11 +87,7 @@ TEST(Rosout, IsOfferedAsRos2DoesAndWhoComesLateHearsTheLastLines) {
   ASSERT_TRUE(eventually([&] { return writer_in(peer->ends()) && peer->nodes().size() == 2; }));
   const auto ends = peer->ends();
   const GraphEnd& end = *writer_in(ends);
-  EXPECT_EQ(end.type, "rcl_interfaces::msg::dds_::Log_");
-  EXPECT_EQ(end.qos.reliability, Reliability::reliable);
-  EXPECT_EQ(end.qos.durability, Durability::transient_local);
-  EXPECT_EQ(end.lifespan_s, 10);
-  EXPECT_THAT(end.user_data, ::testing::HasSubstr("typehash=RIHS01_e28ce254"));
+  expect_offer(end);
   for (const GraphNode& node : peer->nodes()) {
     EXPECT_THAT(node.writers, ::testing::Contains(end.gid)) << node.path();
   }
@@ -94,12 +107,7 @@ TEST(Rosout, IsOfferedAsRos2DoesAndWhoComesLateHearsTheLastLines) {
   EXPECT_EQ(Bytes(heard.begin() + 12,
                   heard.begin() + 12 + static_cast<std::ptrdiff_t>(after_stamp.size())),
             after_stamp);
-  const auto message = decode(type_info<RosoutTopic::Message>(), heard);
-  ASSERT_TRUE(message);
-  const auto& log = *static_cast<const RosoutTopic::Message*>(message.get());
-  EXPECT_EQ(log.file(), "rosout_test.cpp");
-  EXPECT_EQ(log.function(), "warn");
-  EXPECT_EQ(log.line(), warned_in_line);
+  expect_line(heard);
 }
 
 }  // namespace
