@@ -36,6 +36,15 @@ class Asker : public Component {
   std::vector<ActionClient<Fibonacci>::News> news;
 };
 
+std::optional<FastDdsService::Taken> request_to(FastServer& server, Asker& asker, Bus& bus) {
+  std::optional<FastDdsService::Taken> request;
+  EXPECT_TRUE(eventually([&] {
+    asker.tick(bus.now());
+    return (request = server.next()).has_value();
+  }));
+  return request;
+}
+
 void expect_success(const std::vector<ActionClient<Fibonacci>::News>& news) {
   EXPECT_EQ(news[0].what, What::accepted);
   EXPECT_EQ(news[1].what, What::feedback);
@@ -62,19 +71,11 @@ TEST(OurClient, HasAServerOfRmwFastrtpsWorkOnItsGoal) {
   goal.order(3);
   const GoalId sent = sut.client.send(goal, bus->now() + seconds(15), bus->now() + seconds(15));
   const Bytes its_id(sent.begin(), sent.end());
-  const auto take = [&](FastServer& server) {
-    std::optional<FastDdsService::Taken> request;
-    EXPECT_TRUE(eventually([&] {
-      sut.tick(bus->now());
-      return (request = server.next()).has_value();
-    }));
-    return request;
-  };
-  const auto asked = take(goals);
+  const auto asked = request_to(goals, sut, *bus);
   ASSERT_TRUE(asked);
   EXPECT_EQ(asked->bytes, joined({its_id, order_3}));
   goals.answer(*asked, joined({{1, 0, 0, 0}, Bytes(8, 1)}));
-  const auto wanted = take(results);
+  const auto wanted = request_to(results, sut, *bus);
   ASSERT_TRUE(wanted);
   EXPECT_EQ(wanted->bytes, joined({its_id}));
   const Bytes one_number{1, 0, 0, 0, 5, 0, 0, 0};

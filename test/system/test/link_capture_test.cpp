@@ -200,6 +200,10 @@ void write_all_classes(Bus& bus) {
   }
 }
 
+/// A mission in which the test is the vehicle's transmission_controller.
+const std::string without_controller =
+    "  uxv:\n    containers:\n      - name: link\n        components:\n"
+    "          - transmission_controller: ~\n";
 constexpr std::int64_t half_s = 500'000'000;
 
 /// What of both pausable topics was sent since then.
@@ -219,9 +223,6 @@ void expect_silence(const PacketTap& tap, std::int64_t paused) {
 
 TEST(LinkCapture, APausedFlowIsSilentOnTheWireForFiveSecondsAndResumesWithoutDiscovery) {
   const TemporaryFolder folder;
-  const std::string without_controller =
-      "  uxv:\n    containers:\n      - name: link\n        components:\n"
-      "          - transmission_controller: ~\n";
   const Stack stack({standing_mission(folder.path(), without_controller), "--seed", "1",
                      "--without", "uxv/payload"});
   ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack.pid("gcs/recorder") != 0; }))
