@@ -85,7 +85,7 @@ void print_names(const std::vector<std::string>& names) {
 
 /// Every node, when none is named; one that has no parameters, as those of other programs, is left
 /// out.
-int list(const ParamOptions& options) {
+int list_parameters(const ParamOptions& options) {
   const TopicSession session(options);
   if (!options.node.empty()) {
     print_names(NodeParameters(options, session, options.node).names());
@@ -165,12 +165,13 @@ CLI::App* verb(Verbs& verbs, ParamOptions& options, const char* name, const char
   CLI::App* const sub = add_verb(verbs, options, name, text, body);
   sub->add_option("--timeout", options.timeout_s, "[s] for a node, and for its answer [5]")
       ->check(CLI::Range(0.1, 600.0));
-  sub->add_option("node", options.node, "its name, with its namespace")->required(body != list);
+  sub->add_option("node", options.node, "its name, with its namespace")
+      ->required(body != list_parameters);
   return sub;
 }
 
 void declare(Verbs& verbs, ParamOptions& options) {
-  (void)verb(verbs, options, "list", "parameters of a node, or of all", list);
+  (void)verb(verbs, options, "list", "parameters of a node, or of all", list_parameters);
   const char* const which = "name of a parameter";
   CLI::App* const read = verb(verbs, options, "get", "the value of a parameter", get);
   read->add_option("parameter", options.parameter, which)->required();
