@@ -53,10 +53,11 @@ TEST_F(StoredInvariantsTest, OneThatIsNeitherGivenNorInTheLogIsLost) {
 TEST_F(StoredInvariantsTest, OneThatStillWaitsInTheLogIsNotLost) {
   {
     sample_log::FolderFiles files(folder_.path("uxv/store"));
-    sample_log::SampleLog log(files, {}, start_time, 0);
+    sample_log::SampleLog log(files, {}, {start_time, 0});
     log.add({"battery|", "/battery", {}, {}});
-    EXPECT_EQ(log.append({{{sample_log::stream_key("battery|"), 7, 2}, 0, {1}}}, start_time, 0)[0],
-              sample_log::Logged::kept);
+    EXPECT_EQ(
+        log.append({{{sample_log::stream_key("battery|"), 7, 2}, 0, {1}}}, {start_time, 0})[0],
+        sample_log::Logged::kept);
   }
   log(2);
   end();
