@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cyclone.hpp"
+#include "fast_dds_service.hpp"
 
 namespace tocsin::interop {
 
@@ -11,16 +12,14 @@ namespace tocsin::interop {
 template <class Read, class Written>
 class CycloneService {
  public:
-  CycloneService(int domain, const dds_topic_descriptor_t& written,
-                 const std::string& written_topic, const char* written_type,
-                 const dds_topic_descriptor_t& read, const std::string& read_topic,
-                 const char* read_type)
+  CycloneService(int domain, const dds_topic_descriptor_t& written, const FastDdsService::Half& to,
+                 const dds_topic_descriptor_t& read, const FastDdsService::Half& from)
       : participant_(domain) {
     const auto qos = CycloneParticipant::qos();
     dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
     dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, 10);
-    reader_ = participant_.reader(participant_.topic(read, read_topic, read_type), qos);
-    writer_ = participant_.writer(participant_.topic(written, written_topic, written_type), qos);
+    reader_ = participant_.reader(participant_.topic(read, from.topic, from.type.c_str()), qos);
+    writer_ = participant_.writer(participant_.topic(written, to.topic, to.type.c_str()), qos);
   }
   [[nodiscard]] bool is_connected() const {
     dds_publication_matched_status_t readers{};

@@ -24,15 +24,15 @@ inline const Bytes response_bytes{0, 1, 0, 0, 1, 0, 0, 0, 3, 0, 0, 0, 'o', 'n', 
 class CycloneClient : public CycloneService<headed_SetBoolResponse, headed_SetBoolRequest> {
  public:
   explicit CycloneClient(int domain)
-      : CycloneService(domain, headed_SetBoolRequest_desc, requests.topic, requests.type.c_str(),
-                       headed_SetBoolResponse_desc, replies.topic, replies.type.c_str()) {}
+      : CycloneService(domain, headed_SetBoolRequest_desc, requests, headed_SetBoolResponse_desc,
+                       replies) {}
 };
 
 class CycloneServer : public CycloneService<headed_SetBoolRequest, headed_SetBoolResponse> {
  public:
   explicit CycloneServer(int domain)
-      : CycloneService(domain, headed_SetBoolResponse_desc, replies.topic, replies.type.c_str(),
-                       headed_SetBoolRequest_desc, requests.topic, requests.type.c_str()) {}
+      : CycloneService(domain, headed_SetBoolResponse_desc, replies, headed_SetBoolRequest_desc,
+                       requests) {}
 };
 
 }  // namespace tocsin::interop

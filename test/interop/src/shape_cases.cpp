@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shape_cases.hpp"
 
+#include <array>
+#include <string>
 #include <utility>
 
 namespace tocsin::interop {
@@ -18,10 +20,12 @@ ShapeCase pair(const std::string& name, const std::string& publisher, const std:
       name, {"-P -t Square " + publisher, "-S -t Square " + subscriber}, std::move(codes), check};
 }
 
-ShapeCase three(const std::string& name, const std::string& one, const std::string& other,
-                const std::string& subscriber, Codes codes, Check check) {
+/// Options of two publishers and of their subscriber.
+using Three = std::array<std::string, 3>;
+
+ShapeCase three(const std::string& name, const Three& apps, Codes codes, Check check) {
   return {name,
-          {"-P -t Square " + one, "-P -t Square " + other, "-S -t Square " + subscriber},
+          {"-P -t Square " + apps[0], "-P -t Square " + apps[1], "-S -t Square " + apps[2]},
           std::move(codes),
           check};
 }
@@ -42,7 +46,7 @@ void add_matching(std::vector<ShapeCase>& all) {
   all.push_back({"Topic_1", {"-P -t Square", "-S -t Circle"}, strangers, Check::received});
   all.push_back(pair("Partition_0", "-p p1", "-p p1"));
   all.push_back(pair("Partition_1", "-p p1", "-p p2", strangers));
-  all.push_back(three("Partition_2", "-p p1 -c BLUE", "-p x1 -c RED", "-p p*",
+  all.push_back(three("Partition_2", {"-p p1 -c BLUE", "-p x1 -c RED", "-p p*"},
                       {Code::ok, Code::reader_not_matched, Code::receiving_from_one},
                       Check::colors));
   all.push_back(pair("Durability_0", "-D v", "-D v"));
@@ -68,16 +72,21 @@ void add_history_and_ownership(std::vector<ShapeCase>& all) {
   all.push_back(pair("Ownership_2", "-s 3", "-s -1", misfit));
   const Codes one{Code::ok, Code::ok, Code::receiving_from_one};
   const Codes from_both{Code::ok, Code::ok, Code::receiving_from_both};
-  all.push_back(three("Ownership_3", "-s 3 -r -k 0 -c BLUE -z 20", "-s 4 -r -k 0 -c BLUE -z 30",
-                      "-s 1 -r -k 0", one, Check::sizes));
-  all.push_back(three("Ownership_4", "-s 3 -r -k 0 -c BLUE -z 20", "-s 4 -r -k 0 -c RED -z 30",
-                      "-s 1 -r -k 0", from_both, Check::sizes));
-  all.push_back(three("Ownership_5", "-s -1 -r -k 0 -c BLUE -z 20", "-s -1 -r -k 0 -c BLUE -z 30",
-                      "-s -1 -r -k 0", from_both, Check::sizes));
-  all.push_back(three("Ownership_6", "-s -1 -r -k 0 -c BLUE -z 20", "-s -1 -r -k 0 -c RED -z 30",
-                      "-s -1 -r -k 0", from_both, Check::sizes));
+  all.push_back(three("Ownership_3",
+                      {"-s 3 -r -k 0 -c BLUE -z 20", "-s 4 -r -k 0 -c BLUE -z 30", "-s 1 -r -k 0"},
+                      one, Check::sizes));
+  all.push_back(three("Ownership_4",
+                      {"-s 3 -r -k 0 -c BLUE -z 20", "-s 4 -r -k 0 -c RED -z 30", "-s 1 -r -k 0"},
+                      from_both, Check::sizes));
   all.push_back(
-      three("Cft_0", "-r -k 0 -c BLUE", "-r -k 0 -c RED", "-r -k 0 -c RED", one, Check::colors));
+      three("Ownership_5",
+            {"-s -1 -r -k 0 -c BLUE -z 20", "-s -1 -r -k 0 -c BLUE -z 30", "-s -1 -r -k 0"},
+            from_both, Check::sizes));
+  all.push_back(three(
+      "Ownership_6", {"-s -1 -r -k 0 -c BLUE -z 20", "-s -1 -r -k 0 -c RED -z 30", "-s -1 -r -k 0"},
+      from_both, Check::sizes));
+  all.push_back(
+      three("Cft_0", {"-r -k 0 -c BLUE", "-r -k 0 -c RED", "-r -k 0 -c RED"}, one, Check::colors));
   all.push_back({"Cft_1",
                  {"-P -t Square -r -k 0 -z 0 --size-modulo 50", "-S -t Square -r -k 0 --cft"},
                  both_ok,

@@ -160,25 +160,22 @@ TEST_F(OurServer, CancelsAGoalOfRmwFastrtps) {
 class CycloneGoals : public CycloneService<headed_SendGoalResponse, headed_SendGoalRequest> {
  public:
   explicit CycloneGoals(int domain)
-      : CycloneService(domain, headed_SendGoalRequest_desc, goal_request.topic,
-                       goal_request.type.c_str(), headed_SendGoalResponse_desc, goal_reply.topic,
-                       goal_reply.type.c_str()) {}
+      : CycloneService(domain, headed_SendGoalRequest_desc, goal_request,
+                       headed_SendGoalResponse_desc, goal_reply) {}
 };
 
 class CycloneResults : public CycloneService<headed_GetResultResponse, headed_GetResultRequest> {
  public:
   explicit CycloneResults(int domain)
-      : CycloneService(domain, headed_GetResultRequest_desc, result_request.topic,
-                       result_request.type.c_str(), headed_GetResultResponse_desc,
-                       result_reply.topic, result_reply.type.c_str()) {}
+      : CycloneService(domain, headed_GetResultRequest_desc, result_request,
+                       headed_GetResultResponse_desc, result_reply) {}
 };
 
 class CycloneCancels : public CycloneService<headed_CancelGoalResponse, headed_CancelGoalRequest> {
  public:
   explicit CycloneCancels(int domain)
-      : CycloneService(domain, headed_CancelGoalRequest_desc, cancel_request.topic,
-                       cancel_request.type.c_str(), headed_CancelGoalResponse_desc,
-                       cancel_reply.topic, cancel_reply.type.c_str()) {}
+      : CycloneService(domain, headed_CancelGoalRequest_desc, cancel_request,
+                       headed_CancelGoalResponse_desc, cancel_reply) {}
 };
 
 TEST_F(OurServer, CancelsAGoalOfRmwCyclonedds) {

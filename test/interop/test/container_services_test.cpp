@@ -76,13 +76,17 @@ std::shared_ptr<const Response> ask_fast(int domain, const ServiceNames& names,
   return std::static_pointer_cast<const Response>(decode(type_info<Response>(), reply->bytes));
 }
 
+struct CycloneTypes {
+  const dds_topic_descriptor_t& request;
+  const dds_topic_descriptor_t& response;
+};
+
 /// Calls `use` with the answer to one request of rmw_cyclonedds.
 template <class Response, class Request, class Use>
-void ask_cyclone(int domain, const ServiceNames& names, const dds_topic_descriptor_t& request_type,
-                 const dds_topic_descriptor_t& response_type, Request request, const Use& use) {
-  CycloneService<Response, Request> client(domain, request_type, names.request.topic,
-                                           names.request.type.c_str(), response_type,
-                                           names.reply.topic, names.reply.type.c_str());
+void ask_cyclone(int domain, const ServiceNames& names, const CycloneTypes& types, Request request,
+                 const Use& use) {
+  CycloneService<Response, Request> client(domain, types.request, names.request, types.response,
+                                           names.reply);
   ASSERT_TRUE(eventually([&] { return client.is_connected(); })) << names.request.topic;
   request.client = 0x1122334455667788;
   request.number = 42;
@@ -140,7 +144,7 @@ TEST(ContainerServices, AreAnsweredAsRmwFastrtpsAsks) {
 
 void cyclone_lists_nodes(int domain) {
   ask_cyclone<headed_ListNodesResponse>(
-      domain, list_nodes, headed_ListNodesRequest_desc, headed_ListNodesResponse_desc,
+      domain, list_nodes, {headed_ListNodesRequest_desc, headed_ListNodesResponse_desc},
       headed_ListNodesRequest{}, [](const auto& response) {
         ASSERT_EQ(response.full_node_names._length, 1U);
         EXPECT_STREQ(response.full_node_names._buffer[0], "/talker");
@@ -158,9 +162,9 @@ void cyclone_loads_a_node(int domain, rcl_interfaces_msg_Parameter& parameter) {
   load.body.node_name = node.data();
   load.body.parameters._length = 1;
   load.body.parameters._buffer = &parameter;
-  ask_cyclone<headed_LoadNodeResponse>(domain, load_node, headed_LoadNodeRequest_desc,
-                                       headed_LoadNodeResponse_desc, load,
-                                       [](const auto& response) {
+  ask_cyclone<headed_LoadNodeResponse>(domain, load_node,
+                                       {headed_LoadNodeRequest_desc, headed_LoadNodeResponse_desc},
+                                       load, [](const auto& response) {
                                          EXPECT_TRUE(response.success) << response.error_message;
                                          EXPECT_STREQ(response.full_node_name, "/second");
                                          EXPECT_EQ(response.unique_id, 2U);
@@ -172,7 +176,7 @@ void cyclone_sets_a_parameter(int domain, rcl_interfaces_msg_Parameter& paramete
   set.body.parameters._length = 1;
   set.body.parameters._buffer = &parameter;
   ask_cyclone<headed_SetParametersResponse>(
-      domain, set_parameters, headed_SetParametersRequest_desc, headed_SetParametersResponse_desc,
+      domain, set_parameters, {headed_SetParametersRequest_desc, headed_SetParametersResponse_desc},
       set, [](const auto& response) {
         ASSERT_EQ(response.results._length, 1U);
         EXPECT_TRUE(response.results._buffer[0].successful) << response.results._buffer[0].reason;
@@ -195,7 +199,7 @@ TEST(ContainerServices, AreAnsweredAsRmwCycloneddsAsks) {
   headed_ChangeStateRequest stop{};
   stop.body.transition.label = deactivate.data();
   ask_cyclone<headed_ChangeStateResponse>(
-      domain, change_state, headed_ChangeStateRequest_desc, headed_ChangeStateResponse_desc, stop,
+      domain, change_state, {headed_ChangeStateRequest_desc, headed_ChangeStateResponse_desc}, stop,
       [](const auto& response) { EXPECT_TRUE(response.success); });
 }
 

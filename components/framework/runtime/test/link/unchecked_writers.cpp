@@ -23,6 +23,7 @@ std::atomic<bool> unchecked{false};
 UncheckedWriters::UncheckedWriters() { unchecked = true; }
 UncheckedWriters::~UncheckedWriters() { unchecked = false; }
 
+// NOLINTNEXTLINE(readability-function-size): the parameters are those of Fast DDS.
 extern "C" bool CHECK_CREATE_DATAWRITER(void* self, const void* handle, std::uint32_t domain,
                                         const void* topic, const void* partitions, void* error) {
   using Check = bool (*)(void*, const void*, std::uint32_t, const void*, const void*, void*);

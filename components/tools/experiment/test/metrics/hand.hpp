@@ -30,10 +30,9 @@ class Hand {
   }
   /// Sample `sequence` of a topic, sent at `sent_s`, that took `latency_s`.
   Hand& arrives(const report::LinkClass& link_class, const char* topic, std::uint64_t sequence,
-                double sent_s, double latency_s, const char* writer = "1") {
+                double sent_s, double latency_s) {
     const double at_s = begin_s + sent_s;
-    recording_.arrivals[link_class].push_back(
-        {at_s, at_s + latency_s, topic, writer, sequence, 50});
+    recording_.arrivals[link_class].push_back({at_s, at_s + latency_s, topic, "1", sequence, 50});
     return *this;
   }
   Hand& written(const report::LinkClass& link_class, std::uint64_t count) {
