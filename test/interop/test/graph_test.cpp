@@ -11,6 +11,7 @@
 #include "cyclone.hpp"
 #include "rmw_dds_common.h"
 #include "ros_idl/std_msgs.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "within.hpp"
 
@@ -43,7 +44,7 @@ class Process {
     readers_.push_back(bus_->subscribe(of("listener"), unheard_));
   }
   /// What a container does now and then.
-  void update() { bus_->update_graph(); }
+  void update() { bus_->host_control().update_graph(); }
 
  private:
   static BusOptions options(int domain) {

@@ -14,6 +14,7 @@
 
 #include "cyclone.hpp"
 #include "qos_cases.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "std_msgs.h"
 #include "within.hpp"
@@ -147,7 +148,7 @@ std::unique_ptr<Bus> make_bus(const std::vector<Case>& cases) {
 
 std::map<std::string, EndpointHealth> health_of(const Bus& bus) {
   std::map<std::string, EndpointHealth> by_topic;
-  for (EndpointHealth& one : bus.health()) by_topic[one.topic] = std::move(one);
+  for (EndpointHealth& one : bus.host_control().health()) by_topic[one.topic] = std::move(one);
   return by_topic;
 }
 

@@ -9,8 +9,8 @@
 #include "cyclone.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "headed_services.h"
-#include "link/relay.hpp"
 #include "runtime/middleware/host_graph.hpp"
+#include "runtime/testing/relay.hpp"
 #include "within.hpp"
 
 namespace tocsin::interop {

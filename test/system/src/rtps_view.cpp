@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "link/rtps_message.hpp"
+#include "runtime/middleware/rtps_message.hpp"
 
 namespace tocsin {
 namespace {

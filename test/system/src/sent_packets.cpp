@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "link/rtps_message.hpp"
 #include "rtps_view.hpp"
+#include "runtime/middleware/rtps_message.hpp"
 
 namespace tocsin {
 namespace {

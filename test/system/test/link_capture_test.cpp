@@ -13,14 +13,11 @@
 #include <set>
 
 #include "crossing.hpp"
-#include "fast_dds/fast_dds_participant.hpp"
 #include "foundation/temporary_folder.hpp"
-#include "idl_support/encode.hpp"
-#include "link/flow_ends.hpp"
-#include "link/raw_type.hpp"
 #include "packet_tap.hpp"
 #include "ros_idl/std_msgs.hpp"
 #include "runtime/middleware/link_permissions.hpp"
+#include "runtime/testing/large_writer.hpp"
 #include "sent_packets.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -128,26 +125,6 @@ struct Largest : Receiver {
   std::atomic<std::size_t> bytes{0};
 };
 
-/// Writes a String of 8 kB over and over, each in one datagram.
-void write_large(const std::string& topic) {
-  FastDdsParticipant participant({"other", standing_domain + 2, "10.77.0.2", {"10.77.0.1"}});
-  String message;
-  message.data(std::string(8000, 'x'));
-  const TypeInfo& type = type_info<String>();
-  const auto encoded = std::make_shared<EncodedMessage>(EncodedMessage{encode(type, &message)});
-  QosProfile profile;
-  profile.reliability = Reliability::best_effort;
-  FlowWriter writer(participant, topic, type.name, profile, [](const auto&) {});
-  CarriedSample sample;
-  sample.content = encoded;
-  sample.bytes = static_cast<std::uint32_t>(encoded->bytes.size());
-  for (sample.sequence = 1;; ++sample.sequence) {
-    sample.sent_wall_ns = wall_now_ns();
-    (void)writer.write(sample);
-    std::this_thread::sleep_for(milliseconds(50));
-  }
-}
-
 TEST(LinkCapture, ADatagramOfEightKilobytesFromAnotherParticipantArrives) {
   const TemporaryFolder folder;
   const Stack stack({standing_mission(folder.path()), "--seed", "1", "--without", "uxv/payload"});
@@ -160,7 +137,10 @@ TEST(LinkCapture, ADatagramOfEightKilobytesFromAnotherParticipantArrives) {
         {{"crossing/large", "sensor", Scope::host}, &type_info<String>()}, *arrived.operator->());
     for (;;) pause();
   });
-  const Peer writer(stack.pid("gcs/recorder"), [] { write_large("rt/crossing/large"); });
+  const Peer writer(stack.pid("gcs/recorder"), [] {
+    write_large({standing_domain + 2, "10.77.0.2", "10.77.0.1", "rt/crossing/large"}, 8000,
+                milliseconds(50));
+  });
   ASSERT_TRUE(Stack::eventually(seconds(20), [&] { return arrived->bytes == 8000; }))
       << stack.output();
   const auto packets = gcs.packets();

@@ -14,15 +14,16 @@
 #include "report_link.hpp"
 #include "router_stop.hpp"
 #include "runtime/component_entry.hpp"
+#include "runtime/middleware/link_bus.hpp"
 #include "store_places.hpp"
 
 namespace tocsin {
 namespace {
 
 std::unique_ptr<LinkBus> open_link(Component& owner) {
-  auto link = owner.bus().open_link([&owner] { owner.schedule().input_arrived(); });
-  if (!link) throw ConfigError("link_router: this process has no address on the link");
-  return link;
+  LinkAccess* const access = owner.bus().link_access();
+  if (access == nullptr) throw ConfigError("link_router: this process has no address on the link");
+  return access->open_link([&owner] { owner.schedule().input_arrived(); });
 }
 
 }  // namespace

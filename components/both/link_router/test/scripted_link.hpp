@@ -140,15 +140,16 @@ class ScriptedLinkBus final : public LinkBus {
 };
 
 /// The bus of a host whose router has a scripted link.
-class RoutedSimBus final : public SimBus {
+class RoutedSimBus final : public SimBus, private LinkAccess {
  public:
   explicit RoutedSimBus(ScriptedLink& script) : script_(script) {}
+  [[nodiscard]] LinkAccess* link_access() override { return this; }
+
+ private:
   std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override {
     script_.on_event = on_event;
     return std::make_unique<ScriptedLinkBus>(script_);
   }
-
- private:
   ScriptedLink& script_;
 };
 

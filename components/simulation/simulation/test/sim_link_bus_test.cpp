@@ -268,7 +268,7 @@ TEST_F(LinkBusTest, AnUnknownFlowIsIgnored) {
 
 TEST_F(LinkBusTest, AProcessOpensTheLinkOfItsHost) {
   int told = 0;
-  const auto sut = drive_.open_link([&told] { ++told; });
+  const auto sut = drive_.link_access()->open_link([&told] { ++told; });
   write<topic::Location>(payload_);
   EXPECT_EQ(uxv_.router(), sut.get());
   EXPECT_EQ(&sut->rules(), &uxv_.rules());

@@ -9,6 +9,7 @@
 #include "listening_socket.hpp"
 #include "operator_server/parameter_value.hpp"
 #include "runtime/component_entry.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
 #include "server_settings.hpp"
 #include "web_server.hpp"
@@ -29,15 +30,15 @@ constexpr std::size_t longest_operator = 60;  ///< of a name, as the vehicle rep
 constexpr TopicInfo parameter_events{"/parameter_events", "event", Scope::host};
 
 /// Looks at the host's domain by a participant of its own, which is made at the first look.
-foxglove::LookAtHost look_at(const Bus& bus) {
-  return [&bus, graph = std::shared_ptr<HostGraph>()]() mutable {
+foxglove::LookAtHost look_at(Bus& bus) {
+  return [&host = bus.host_control(), graph = std::shared_ptr<HostGraph>()]() mutable {
     try {
-      if (!graph) graph = open_host_graph(bus);
+      if (!graph) graph = host.open_graph();
     } catch (const EnvironmentError&) {
       return foxglove::HostPicture{};  // the next look tries again
     }
-    if (!graph) return foxglove::stated_picture(bus.ros_namespace());
-    return foxglove::picture_of(graph->ends(), graph->nodes(), bus.ros_namespace());
+    if (!graph) return foxglove::stated_picture(host.ros_namespace());
+    return foxglove::picture_of(graph->ends(), graph->nodes(), host.ros_namespace());
   };
 }
 

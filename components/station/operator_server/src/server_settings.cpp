@@ -9,7 +9,7 @@
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/read_file.hpp"
-#include "runtime/middleware/component_index.hpp"
+#include "runtime/middleware/component_library.hpp"
 
 namespace tocsin::foxglove {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "foundation/ros_names.hpp"
 #include "ros_idl/std_srvs.hpp"
-#include "runtime/middleware/parameter_service.hpp"
 #include "runtime/middleware/ros_parameters.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "runtime/service_port.hpp"
 #include "served.hpp"
 #include "tocsin_idl/actions.hpp"

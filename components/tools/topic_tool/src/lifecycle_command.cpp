@@ -16,7 +16,7 @@
 #include "foundation/ros_names.hpp"
 #include "lifecycle_text.hpp"
 #include "running_names.hpp"
-#include "runtime/middleware/lifecycle_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {

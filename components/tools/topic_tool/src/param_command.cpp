@@ -14,7 +14,7 @@
 #include "foundation/ros_names.hpp"
 #include "param_text.hpp"
 #include "running_names.hpp"
-#include "runtime/middleware/parameter_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "command_line/run_to_end.hpp"
-#include "runtime/middleware/lifecycle_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "runtime/service_port.hpp"
 #include "ticked_neighbour.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "command_line/run_to_end.hpp"
 #include "ros_idl/std_msgs.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin::topic_tool {
@@ -30,7 +31,7 @@ class Neighbour {
     const TypeInfo& string = type_info<std_msgs::msg::String>();
     talker_ = bus_->advertise({chatter, &string, Writers::needed, "", "talker"});
     listener_ = bus_->subscribe({chatter, &string, Writers::needed, "", "listener"}, unheard_);
-    bus_->update_graph();
+    bus_->host_control().update_graph();
   }
 
  private:

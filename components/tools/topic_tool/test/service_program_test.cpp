@@ -11,8 +11,8 @@
 #include "command_line/run_to_end.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "ros_idl/std_srvs.hpp"
-#include "runtime/middleware/parameter_service.hpp"
 #include "runtime/middleware/ros_parameters.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "runtime/service_port.hpp"
 #include "ticked_neighbour.hpp"
 

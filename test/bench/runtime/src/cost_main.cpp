@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "bench_bus.hpp"
-#include "runner/runner.hpp"
+#include "runtime/middleware/runner.hpp"
 #include "start_cost.hpp"
 
 namespace tocsin::bench {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "bench_bus.hpp"
-#include "runner/runner.hpp"
+#include "runtime/middleware/runner.hpp"
 
 namespace tocsin::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "foundation/time.hpp"
-#include "runtime/middleware/fetch_rule.hpp"
+#include "runtime/middleware/traffic_rules.hpp"
 #include "runtime/port.hpp"
 
 namespace tocsin {

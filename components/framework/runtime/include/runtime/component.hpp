@@ -16,8 +16,8 @@
 #include "foundation/time.hpp"
 #include "ros_idl/builtin_interfaces.hpp"
 #include "runtime/bus.hpp"
+#include "runtime/detail/schedule.hpp"
 #include "runtime/logger.hpp"
-#include "runtime/middleware/schedule.hpp"
 
 namespace tocsin {
 

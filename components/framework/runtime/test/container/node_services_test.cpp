@@ -5,8 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "idl_support/encode.hpp"
-#include "runtime/middleware/composition_service.hpp"
-#include "runtime/middleware/parameter_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 
 namespace tocsin {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runner/runner.hpp"
+#include "runtime/middleware/runner.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

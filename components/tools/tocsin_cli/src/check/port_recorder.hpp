@@ -8,21 +8,19 @@
 
 #include "devices/absent_devices.hpp"
 #include "graph.hpp"
+#include "idle_link_bus.hpp"
 #include "runtime/bus.hpp"
-#include "runtime/middleware/idle_link_bus.hpp"
 
 namespace tocsin::check {
 
 /// A bus without a wire: it only writes down which ports a component makes.
-class PortRecorder final : public Bus {
+class PortRecorder final : public Bus, private LinkAccess {
  public:
   std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
   [[nodiscard]] Time now() const override { return {}; }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override { return t.time_since_epoch().count(); }
-  std::unique_ptr<LinkBus> open_link(const std::function<void()>&) override {
-    return std::make_unique<IdleLinkBus>(TrafficRules());
-  }
+  [[nodiscard]] LinkAccess* link_access() override { return this; }
 
   /// What the writer of a topic expects to write.
   void expect(const std::string& topic, const ExpectedLoad& load);
@@ -31,6 +29,9 @@ class PortRecorder final : public Bus {
   [[nodiscard]] const std::vector<Port>& ports() const { return ports_; }
 
  private:
+  std::unique_ptr<LinkBus> open_link(const std::function<void()>&) override {
+    return std::make_unique<IdleLinkBus>(TrafficRules());
+  }
   void record(const Endpoint& endpoint, bool writes);
   std::vector<Port> ports_;
 };
