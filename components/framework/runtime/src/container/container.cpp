@@ -8,6 +8,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/free_space.hpp"
+#include "graph/ros_graph.hpp"
 #include "runtime/middleware/component_library.hpp"
 #include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
