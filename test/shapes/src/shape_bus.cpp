@@ -89,7 +89,7 @@ void tell(const EndpointHealth& end, const Event& event) {
 
 }  // namespace
 
-void EventPrinter::look(const Bus& bus) {
+void EventPrinter::look(Bus& bus) {
   for (const EndpointHealth& one : bus.host_control().health()) {
     Seen& seen = seen_[one.topic];
     tell(one, {one.matched != seen.matched, "on_publication_matched", "on_subscription_matched",

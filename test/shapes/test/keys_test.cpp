@@ -76,7 +76,7 @@ class Keys : public ::testing::Test {
     options.qos.history = History::keep_all;
     return options;
   }
-  static bool is_matched(const Bus& bus) {
+  static bool is_matched(Bus& bus) {
     const auto health = bus.host_control().health();
     return std::any_of(health.begin(), health.end(),
                        [](const EndpointHealth& one) { return one.matched > 0; });

@@ -23,7 +23,7 @@ class LiveQos : public ::testing::Test {
   }
   static QosChange writers(const std::string& settings) { return {"text", true, false, settings}; }
   static QosChange readers(const std::string& settings) { return {"text", false, true, settings}; }
-  static int matched(const Bus& bus, bool writer) { return health_of(bus, "text", writer).matched; }
+  static int matched(Bus& bus, bool writer) { return health_of(bus, "text", writer).matched; }
 };
 
 std::shared_ptr<const void> said(const std::string& words) {

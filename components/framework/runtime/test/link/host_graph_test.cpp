@@ -101,22 +101,15 @@ TEST_F(HostGraphTest, KnowsTheEndsOfOthersWithWhatTheyOfferUntilTheyLeave) {
   EXPECT_TRUE(eventually([&] { return !end_of("rt/state", true); }));
 }
 
-TEST_F(HostGraphTest, DoesNotShowItsOwnEnds) {
-  const auto reading = read(raw_event);
-  const auto writing = graph_->write(raw_event);
-  EXPECT_TRUE(graph_->ends().empty());
-  EXPECT_EQ(writing->readers(), 0);
-}
-
 TEST_F(HostGraphTest, KnowsTheNodesOfAProcessWithTheirEndsUntilItLeaves) {
   auto bus = process();
   Samples unread;
   Endpoint of_talker = state;
   of_talker.node = "talker";
   Endpoint of_both = event;
-  const auto writer = bus->advertise(of_talker);
+  auto writer = bus->advertise(of_talker);
   of_both.node = "talker";
-  const auto reader = bus->subscribe(of_both, unread);
+  auto reader = bus->subscribe(of_both, unread);
   of_both.node = "listener";
   auto other_reader = bus->subscribe(of_both, unread);
   bus->host_control().update_graph();
@@ -130,26 +123,10 @@ TEST_F(HostGraphTest, KnowsTheNodesOfAProcessWithTheirEndsUntilItLeaves) {
   other_reader.reset();
   bus->host_control().update_graph();
   EXPECT_TRUE(eventually([&] { return graph_->nodes().size() == 1; }));
-}
-
-TEST_F(HostGraphTest, ForgetsTheNodesOfAProcessThatHasLeft) {
-  auto bus = process();
-  Endpoint of_talker = state;
-  of_talker.node = "talker";
-  auto writer = bus->advertise(of_talker);
-  bus->host_control().update_graph();
-  ASSERT_TRUE(eventually([&] { return graph_->nodes().size() == 1; }));
+  reader.reset();
   writer.reset();
   bus.reset();
   EXPECT_TRUE(eventually([&] { return graph_->nodes().empty(); }));
-}
-
-TEST_F(HostGraphTest, AProcessWithoutNodesHasNoEndForThem) {
-  const auto bus = process();
-  const auto writer = bus->advertise(state);
-  bus->host_control().update_graph();
-  ASSERT_TRUE(eventually([&] { return end_of("rt/state", true).has_value(); }));
-  EXPECT_FALSE(end_of(discovery_topic, true));
 }
 
 // A reader as of Humble announces no type hash; one as of Iron does.
@@ -256,15 +233,9 @@ TEST(Readable, IsReliableWithTheLastSamplesWhereAllWritersOfferIt) {
   EXPECT_TRUE(readable({&mode, &events}).reliable);
   EXPECT_FALSE(readable({&mode, &events}).transient_local);
   EXPECT_EQ(readable({&mode, &events}).type, "std_msgs::msg::dds_::String_");
+  stream.qos.durability = Durability::transient_local;  // which it cannot keep: it repairs nothing
   EXPECT_FALSE(readable({&mode, &stream}).reliable);
-}
-
-TEST(Readable, AsksForNoLastSamplesOfAWriterThatRepairsNothing) {
-  GraphEnd odd;
-  odd.qos.reliability = Reliability::best_effort;
-  odd.qos.durability = Durability::transient_local;
-  EXPECT_FALSE(readable({&odd}).reliable);
-  EXPECT_FALSE(readable({&odd}).transient_local);
+  EXPECT_FALSE(readable({&stream}).transient_local);
 }
 
 TEST_F(HostGraphTest, OfABusHearsThatBusAndItsNeighbours) {
