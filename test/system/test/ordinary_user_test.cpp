@@ -14,6 +14,7 @@
 #include "fast_dds/udp_sockets.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "operator_process.hpp"
+#include "recorded.hpp"
 #include "stack.hpp"
 
 namespace tocsin {
@@ -97,7 +98,8 @@ TEST(RootsLaunch, DrivesAMissionAsAnOrdinaryUserWhomRootAsksAndStops) {
                           "--user", std::to_string(user), "--run-dir", folder.path("run")},
                          log.path("launch"));
   const auto drives = [&] {
-    const auto states = column(folder.read("run/uxv/navigation_status.csv"), "state");
+    const auto states =
+        column(recorded_fields(folder.path("run/uxv"), "navigation_status"), "state");
     return std::find(states.begin(), states.end(), "driving") != states.end();
   };
   ASSERT_TRUE(Stack::eventually(seconds(60), drives)) << log.read("launch");

@@ -80,8 +80,7 @@ WebSettings web_settings(const Context& context, const OperatorServerComponent::
   settings.bags = params.bags.empty() ? context.run_dir : params.bags;
   if (!context.run_dir.empty()) {
     settings.tables = context.run_dir + "/" + to_string(context.role);
-    settings.what_if = {installed("decision_tools", "bin/tocsin-decide").string(),
-                        settings.tables + "/transmission_state.csv"};
+    settings.what_if = {installed("decision_tools", "bin/tocsin-decide").string(), settings.tables};
   }
   settings.certificate = params.certificate;
   settings.key = params.key;

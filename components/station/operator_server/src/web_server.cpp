@@ -121,7 +121,9 @@ class WebServer::Core final : public Home {
       return bag_answer(core.settings_.bags, wanted.path, request);
     }
     Answer operator()(const ServeTable& wanted) const {
-      return table_answer(core.settings_.tables, wanted.file, request);
+      return SlowResponse([&settings = core.settings_, topic = wanted.topic, asked = request] {
+        return table_answer(settings.tables, topic, asked);
+      });
     }
     Answer operator()(const AskWhatIf& question) const {
       return SlowResponse([&self = core, query = question.query, asked = request] {

@@ -4,12 +4,17 @@
 
 #include <gmock/gmock.h>
 
+#include "bag/bag_writer.hpp"
+#include "idl_support/encode.hpp"
+#include "tocsin_idl/tocsin_msgs.hpp"
 #include "web_fixture.hpp"
 
 namespace tocsin::foxglove {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 TEST_F(WebServerTest, SendsAndReceivesMessages) {
   start();
@@ -68,10 +73,16 @@ TEST_F(WebServerTest, AnswersSeveralRequestsOnOneConnection) {
   }
 }
 
-TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderAndNoOthers) {
-  settings_.tables =
-      std::filesystem::path(folder_.write("location.csv", "a,b\n1,2\n")).parent_path();
-  std::filesystem::create_symlink("/etc/passwd", settings_.tables + "/transmission_state.csv");
+TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderWhileItRecords) {
+  settings_.tables = folder_.path();
+  bag::BagWriter writer(folder_.path("bag"), {});
+  using State = tocsin_msgs::msg::TransmissionState;
+  const auto number = writer.add(bag::make_topic("rt/transmission_state", type_info<State>().name));
+  State state;
+  state.role("uxv");
+  const auto bytes = encode(type_info<State>(), &state);
+  (void)writer.write(number, {1, 2'000'000'000, 1'000'000'000, bytes.data(), bytes.size()});
+  (void)writer.flush();
   settings_.request_s = 10;
   start();
   tcp::socket socket = connect();
@@ -82,8 +93,9 @@ TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderAndNoOthers) {
     http::read(socket, buffer, response);
     return response;
   };
-  EXPECT_EQ(answer("/tables/location.csv").body(), "a,b\n1,2\n");
-  EXPECT_EQ(answer("/tables/transmission_state.csv").body(), "");
+  EXPECT_THAT(answer("/tables/transmission_state.csv").body(),
+              AllOf(StartsWith("receive_s,send_s,"), HasSubstr("\n2.000000000,1.000000000,1,")));
+  EXPECT_EQ(answer("/tables/location.csv").body(), "") << "none was recorded";
 }
 
 TEST_F(WebServerTest, WhoAsksNothingIsClosed) {
