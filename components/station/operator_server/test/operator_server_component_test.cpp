@@ -58,23 +58,6 @@ TEST(OperatorServerTest, AMessageReachesItsSubscribersAsTheBytesOfItsWriter) {
   EXPECT_TRUE(other->frames(1).empty());
 }
 
-TEST(OperatorServerTest, WhoSubscribesLateGetsTheLastStateAndNoOldSample) {
-  Served sut;
-  const auto first = sut.client();
-  sut.subscribe(*first, "/mission_status", 1);
-  sut.subscribe(*first, "/goal", 2);
-  sut.bus.publish<topic::MissionStatus>({});
-  sut.bus.publish<topic::Goal>({});
-  ASSERT_TRUE(sut.until([&] { return first->frames(1).size() == 2; }));
-  const auto second = sut.client();
-  sut.subscribe(*second, "/mission_status", 3);
-  sut.subscribe(*second, "/goal", 4);
-  ASSERT_TRUE(sut.until([&] { return !second->frames(1).empty(); }));
-  sut.settle(*second);
-  ASSERT_EQ(second->frames(1).size(), 1U);
-  EXPECT_EQ(second->frames(1).front().id, 3U);
-}
-
 TEST(OperatorServerTest, ReadsATopicOnlyWhileSomebodyHearsIt) {
   Served sut;
   const auto ports = [&] {
@@ -109,21 +92,6 @@ TEST(OperatorServerTest, AGoalOfAClientIsPublished) {
     ASSERT_TRUE(sut.until([&] { return !(came = goals.take()).empty(); })) << encoding;
     EXPECT_EQ(came.front().id(), 42U);
   }
-}
-
-TEST(OperatorServerTest, BadMessagesOfAClientAreAnsweredAndNotPublished) {
-  Served sut;
-  SimReader<topic::Goal> goals(sut.bus);
-  const auto client = sut.client();
-  client->say(advertise_goal("json"));
-  client->say_bytes("\x01" + bytes_of(5) + R"({"ident": 42})");
-  EXPECT_TRUE(sut.until([&] { return client->was_told("/goal: there is no field 'ident'"); }));
-  client->say_bytes("\x01" + bytes_of(6) + "{}");
-  EXPECT_TRUE(sut.until([&] { return client->was_told("there is no channel 6"); }));
-  client->say_text("{");
-  EXPECT_TRUE(sut.until([&] { return client->was_told("is not JSON"); }));
-  EXPECT_TRUE(goals.take().empty());
-  EXPECT_TRUE(client->is_open());
 }
 
 }  // namespace

@@ -43,36 +43,6 @@ TEST_F(WebServerTest, SendsAndReceivesMessages) {
   EXPECT_TRUE(heard_.wait_for("sent"));
 }
 
-TEST_F(WebServerTest, SaysWhyItClosesAClient) {
-  start();
-  websocket::stream<tcp::socket> client(connect());
-  client.set_option(websocket::stream_base::decorator([](websocket::request_type& request) {
-    request.set(http::field::sec_websocket_protocol, "foxglove.sdk.v1");
-  }));
-  client.handshake(host(), "/");
-  sut_->close(heard_.wait_for("opened").value_or(0), "it does not read");
-  beast::flat_buffer buffer;
-  boost::system::error_code error;
-  client.read(buffer, error);
-  EXPECT_EQ(error, websocket::error::closed);
-  EXPECT_EQ(std::string(client.reason().reason.c_str()), "it does not read");
-  EXPECT_TRUE(heard_.wait_for("closed"));
-}
-
-TEST_F(WebServerTest, AnswersSeveralRequestsOnOneConnection) {
-  (void)folder_.write("page/index.html", "page");
-  settings_.page = folder_.path("page");
-  start();
-  tcp::socket socket = connect();
-  beast::flat_buffer buffer;
-  for (int i = 0; i < 3; ++i) {
-    http::write(socket, request_for(host(), "/"));
-    http::response<http::string_body> response;
-    http::read(socket, buffer, response);
-    EXPECT_EQ(response.body(), "page");
-  }
-}
-
 TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderWhileItRecords) {
   settings_.tables = folder_.path();
   bag::BagWriter writer(folder_.path("bag"), {});

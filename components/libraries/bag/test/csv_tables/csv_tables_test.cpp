@@ -37,13 +37,6 @@ TEST_F(CsvTablesTest, ATopicHasItsOwnFileFromItsFirstMessageOn) {
   EXPECT_EQ(sut.lost(), 0U);
 }
 
-TEST_F(CsvTablesTest, OfAnUnknownTypeOnlyTheMessageIsARow) {
-  CsvTables sut(folder_.path());
-  sut.write({"scan", 0, 0, 1, 2, 3}, nullptr, nullptr);
-  EXPECT_THAT(folder_.read("messages.csv"), HasSubstr(",scan,1,2,3\n"));
-  EXPECT_FALSE(std::filesystem::exists(folder_.path("scan.csv")));
-}
-
 TEST_F(CsvTablesTest, AFileThatCannotBeMadeCostsItsRowsOnly) {
   std::filesystem::create_directory(folder_.path("a.csv"));
   CsvTables sut(folder_.path());
