@@ -81,15 +81,6 @@ TEST_F(HubTest, OnlySubscribersGetAMessage) {
   EXPECT_TRUE(told(2).empty());
 }
 
-TEST_F(HubTest, WrongSubscriptionsAreToldAndChangeNothing) {
-  subscribe(1, 7, 1);
-  subscribe(1, 7, 2);
-  subscribe(1, 8, 99);
-  EXPECT_THAT(told(1), ElementsAre(HasSubstr("subscription 7 is there already"),
-                                   HasSubstr("there is no channel 99")));
-  EXPECT_THAT(sut_.heard(), ElementsAre("/a"));
-}
-
 TEST_F(HubTest, ALateSubscriberGetsTheLastStateWhileAnotherHearsIt) {
   subscribe(1, 7, 2);
   sut_.on_message("/state", 5, bytes("last"));
@@ -134,21 +125,6 @@ TEST_F(HubTest, AClientThatReadsNothingHasToGo) {
   sut_.remove_client(2);
   EXPECT_TRUE(sut_.overflown().empty());
   EXPECT_TRUE(sut_.take(2, all).empty());
-}
-
-TEST_F(HubTest, AClientPublishesOnWhatIsWritable) {
-  const auto opened = open(1, "/goal", "json");
-  ASSERT_EQ(opened.size(), 1U);
-  EXPECT_EQ(std::get<OpenTopic>(opened[0]).channel.topic, "/goal");
-  EXPECT_THAT(sut_.written(), ElementsAre("/goal"));
-  const auto written = publish(1, "{}");
-  ASSERT_EQ(written.size(), 1U);
-  EXPECT_EQ(std::get<WriteMessage>(written[0]).encoding, "json");
-  EXPECT_EQ(std::get<WriteMessage>(written[0]).payload, "{}");
-  (void)say(1, {{"op", "unadvertise"}, {"channelIds", {1}}});
-  EXPECT_TRUE(sut_.written().empty());
-  EXPECT_TRUE(publish(1, "{}").empty());
-  EXPECT_THAT(told(1), ElementsAre(HasSubstr("there is no channel 1 of this client")));
 }
 
 TEST_F(HubTest, RefusesWhatAClientMayNotPublish) {
