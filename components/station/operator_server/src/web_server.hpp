@@ -16,7 +16,7 @@ namespace tocsin::foxglove {
 /// How a recording is decided again.
 struct WhatIfTool {
   std::string program = {};    ///< `tocsin-decide`; empty: it is not installed
-  std::string recording = {};  ///< of the run's decisions, CSV; empty: there is none
+  std::string recording = {};  ///< folder of this host's recorder; empty: there is none
 };
 
 struct WebSettings {
