@@ -23,24 +23,6 @@ json advertise_goal(const std::string& encoding) {
              {"schemaName", "tocsin_msgs/msg/Goal"}}}}};
 }
 
-TEST(OperatorServerTest, SaysWhatItIsAndWhichTopicsThereAre) {
-  Served sut;
-  const auto client = sut.client();
-  EXPECT_EQ(client->protocol(), "foxglove.sdk.v1");
-  const auto info = client->heard("serverInfo");
-  ASSERT_EQ(info.size(), 1U);
-  EXPECT_EQ(info[0].at("metadata").at("host"), "gcs");
-  EXPECT_THAT(info[0].at("capabilities"), Contains("clientPublish"));
-  ASSERT_TRUE(client->channel("/location"));
-  const auto advertised = client->heard("advertise");
-  for (const json& channel : advertised.front().at("channels")) {
-    if (channel.at("topic") != "/location") continue;
-    EXPECT_EQ(channel.at("schemaName"), "geometry_msgs/msg/PoseWithCovarianceStamped");
-    EXPECT_EQ(channel.at("schemaEncoding"), "ros2msg");
-    EXPECT_THAT(channel.at("schema").get<std::string>(), HasSubstr("MSG: geometry_msgs/Pose"));
-  }
-}
-
 TEST(OperatorServerTest, AMessageReachesItsSubscribersAsTheBytesOfItsWriter) {
   Served sut;
   const auto client = sut.client();
@@ -56,24 +38,6 @@ TEST(OperatorServerTest, AMessageReachesItsSubscribersAsTheBytesOfItsWriter) {
   EXPECT_EQ(frame.bytes.substr(12), std::string(wanted.begin(), wanted.end()));
   sut.settle(*other);
   EXPECT_TRUE(other->frames(1).empty());
-}
-
-TEST(OperatorServerTest, ReadsATopicOnlyWhileSomebodyHearsIt) {
-  Served sut;
-  const auto ports = [&] {
-    std::size_t count = 0;
-    for (const PortHealth& port : sut.sut->port_health()) count += port.topic == "goal" ? 1 : 0;
-    return count;
-  };
-  EXPECT_EQ(ports(), 0U);
-  auto client = sut.client();
-  const auto other = sut.client();
-  sut.subscribe(*client, "/goal", 1);
-  sut.subscribe(*other, "/goal", 1);
-  EXPECT_EQ(ports(), 1U);
-  client.reset();
-  other->say({{"op", "unsubscribe"}, {"subscriptionIds", {1}}});
-  EXPECT_TRUE(sut.until([&] { return ports() == 0; }));
 }
 
 TEST(OperatorServerTest, AGoalOfAClientIsPublished) {

@@ -16,33 +16,6 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-TEST_F(WebServerTest, SendsAndReceivesMessages) {
-  start();
-  websocket::stream<tcp::socket> client(connect());
-  client.set_option(websocket::stream_base::decorator([](websocket::request_type& request) {
-    request.set(http::field::sec_websocket_protocol, "foxglove.websocket.v1");
-  }));
-  client.handshake(host(), "/any/path");
-  const auto id = heard_.wait_for("opened");
-  ASSERT_TRUE(id);
-  client.write(asio::buffer(std::string("hello")));
-  EXPECT_TRUE(heard_.wait_for("received hello"));
-  client.write(asio::buffer(std::string("again")));
-  sut_->read_on(*id);
-  EXPECT_TRUE(heard_.wait_for("received again"));
-  const auto payload = std::make_shared<const std::vector<std::uint8_t>>(3, std::uint8_t{'x'});
-  sut_->send(*id, {{Frame::Kind::text, "one", nullptr}, {Frame::Kind::binary, "two ", payload}});
-  beast::flat_buffer buffer;
-  client.read(buffer);
-  EXPECT_TRUE(client.got_text());
-  EXPECT_EQ(beast::buffers_to_string(buffer.data()), "one");
-  buffer.clear();
-  client.read(buffer);
-  EXPECT_TRUE(client.got_binary());
-  EXPECT_EQ(beast::buffers_to_string(buffer.data()), "two xxx");
-  EXPECT_TRUE(heard_.wait_for("sent"));
-}
-
 TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderWhileItRecords) {
   settings_.tables = folder_.path();
   bag::BagWriter writer(folder_.path("bag"), {});
@@ -82,21 +55,6 @@ TEST_F(WebServerTest, WhatIsNoHttpIsClosed) {
   tcp::socket socket = connect();
   asio::write(socket, asio::buffer(std::string("\x16\x03\x01 no request\r\n\r\n")));
   EXPECT_EQ(rest_of(socket), "");
-}
-
-TEST_F(WebServerTest, EndsWithConnectionsOpen) {
-  start();
-  tcp::socket socket = connect();
-  websocket::stream<tcp::socket> client(connect());
-  client.set_option(websocket::stream_base::decorator([](websocket::request_type& request) {
-    request.set(http::field::sec_websocket_protocol, "foxglove.sdk.v1");
-  }));
-  client.handshake(host(), "/");
-  sut_.reset();
-  beast::flat_buffer buffer;
-  boost::system::error_code error;
-  client.read(buffer, error);
-  EXPECT_TRUE(error);
 }
 
 TEST_F(WebServerTest, SpeaksTls) {
