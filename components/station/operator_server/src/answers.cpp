@@ -101,18 +101,20 @@ Response table_answer(const std::string& folder, const std::string& topic, const
   return respond(request, 200, "text/csv; charset=utf-8", std::move(table));
 }
 
-Response what_if_answer(const WhatIfTool& tool, const std::string& query, const Request& request,
-                        const std::atomic<bool>& cancelled) {
+Response what_if_answer(const WebSettings& settings, const std::string& query,
+                        const Request& request, const std::atomic<bool>& cancelled) {
   const auto question = parse_what_if(query);
   if (const auto* const fault = std::get_if<std::string>(&question)) {
     return respond(request, Refuse{400, *fault});
   }
-  if (tool.program.empty()) return respond(request, Refuse{404, "tocsin decide is not installed"});
-  if (recorded_bags(tool.recording).empty()) {
+  if (settings.decide.empty())
+    return respond(request, Refuse{404, "tocsin decide is not installed"});
+  if (recorded_bags(settings.recorded).empty()) {
     return respond(request, Refuse{404, "this run has no recorded decisions: no recorder"});
   }
-  const ToolOutcome outcome = run_tool(
-      what_if_command(tool.program, tool.recording, std::get<WhatIf>(question)), {}, cancelled);
+  const ToolOutcome outcome =
+      run_tool(what_if_command(settings.decide, settings.recorded, std::get<WhatIf>(question)), {},
+               cancelled);
   if (outcome.end != ToolOutcome::End::success) {
     const bool is_done = outcome.end == ToolOutcome::End::failure;
     return respond(request, Refuse{is_done ? 400U : 503U,

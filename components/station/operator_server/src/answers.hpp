@@ -40,7 +40,7 @@ using Answer = std::variant<OpenSocket, Response, FileResponse, SlowResponse>;
 [[nodiscard]] Response table_answer(const std::string& folder, const std::string& topic,
                                     const Request& request);
 /// Runs the tool, and blocks until it has ended or `cancelled`.
-[[nodiscard]] Response what_if_answer(const WhatIfTool& tool, const std::string& query,
+[[nodiscard]] Response what_if_answer(const WebSettings& settings, const std::string& query,
                                       const Request& request, const std::atomic<bool>& cancelled);
 
 }  // namespace tocsin::foxglove

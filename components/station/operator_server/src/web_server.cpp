@@ -122,12 +122,12 @@ class WebServer::Core final : public Home {
     }
     Answer operator()(const ServeTable& wanted) const {
       return SlowResponse([&settings = core.settings_, topic = wanted.topic, asked = request] {
-        return table_answer(settings.tables, topic, asked);
+        return table_answer(settings.recorded, topic, asked);
       });
     }
     Answer operator()(const AskWhatIf& question) const {
       return SlowResponse([&self = core, query = question.query, asked = request] {
-        return what_if_answer(self.settings_.what_if, query, asked, self.ends_);
+        return what_if_answer(self.settings_, query, asked, self.ends_);
       });
     }
   };

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderWhileItRecords) {
-  settings_.tables = folder_.path();
+  settings_.recorded = folder_.path();
   bag::BagWriter writer(folder_.path("bag"), {});
   using State = tocsin_msgs::msg::TransmissionState;
   const auto number = writer.add(bag::make_topic("rt/transmission_state", type_info<State>().name));
