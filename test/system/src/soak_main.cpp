@@ -38,7 +38,7 @@ struct Figures {
 };
 
 bool is_driving(const Stack& stack) {
-  const auto states = column(stack.read("uxv/navigation_status.csv"), "state");
+  const auto states = column(stack.recorded("uxv", "navigation_status"), "state");
   return std::find(states.begin(), states.end(), "driving") != states.end();
 }
 

@@ -21,6 +21,7 @@
 
 #include "foundation/csv_table.hpp"
 #include "foundation/datagram_socket.hpp"
+#include "recorded.hpp"
 
 namespace tocsin {
 namespace {
@@ -140,6 +141,10 @@ std::string Stack::path(const std::string& name) const {
 }
 
 std::string Stack::read(const std::string& name) const { return text_of(path(name)); }
+
+std::string Stack::recorded(const std::string& side, const std::string& topic) const {
+  return recorded_fields(path(side), topic);
+}
 
 std::string Stack::output() const { return text_of(top_ + "/launch.out"); }
 

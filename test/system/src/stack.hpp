@@ -48,6 +48,8 @@ class Stack {
 
   /// Whole text of a file in the run folder, empty when there is none.
   [[nodiscard]] std::string read(const std::string& name) const;
+  /// The fields of a topic that the recorder of a side has written so far, as a CSV text.
+  [[nodiscard]] std::string recorded(const std::string& side, const std::string& topic) const;
   [[nodiscard]] bool logged(const std::string& text) const;
   /// Everything that the launcher printed.
   [[nodiscard]] std::string output() const;

@@ -33,12 +33,12 @@ class MissionTest : public ::testing::Test {
     return static_cast<std::size_t>(std::count(cells.begin(), cells.end(), wanted));
   }
   static bool driving(const Stack& stack) {
-    return count(column(stack.read("uxv/navigation_status.csv"), "state"), "driving") > 0;
+    return count(column(stack.recorded("uxv", "navigation_status"), "state"), "driving") > 0;
   }
   /// The decisions of the vehicle as the vehicle recorded them.
   static std::vector<std::string> vehicle_states(const Stack& stack) {
-    const auto roles = column(stack.read("uxv/transmission_state.csv"), "role");
-    const auto active = column(stack.read("uxv/transmission_state.csv"), "active");
+    const auto roles = column(stack.recorded("uxv", "transmission_state"), "role");
+    const auto active = column(stack.recorded("uxv", "transmission_state"), "active");
     std::vector<std::string> states;
     for (std::size_t i = 0; i < std::min(roles.size(), active.size()); ++i) {
       if (roles[i] == "uxv") states.push_back(active[i]);
@@ -46,7 +46,7 @@ class MissionTest : public ::testing::Test {
     return states;
   }
   static void expect_done(const Stack& stack) {
-    const auto states = column(stack.read("gcs/mission_status.csv"), "state");
+    const auto states = column(stack.recorded("gcs", "mission_status"), "state");
     EXPECT_GT(count(states, "done"), 0U) << "recorded: " << ::testing::PrintToString(states) << '\n'
                                          << stack.output();
   }

@@ -62,7 +62,7 @@ TEST(OperatorPageTest, ClientsReadPublishSetAndCallFromOutsideOfTheEmulatedNetwo
   if (output_of("node --version 2>/dev/null").empty()) GTEST_SKIP() << "there is no node";
   const TemporaryFolder folder;
   const Stack stack({bringup_in(folder), "--seed", "1", "--without", "gcs/view"});
-  const auto is_there = [&] { return !stack.read("gcs/location.csv").empty(); };
+  const auto is_there = [&] { return !stack.recorded("gcs", "location").empty(); };
   ASSERT_TRUE(Stack::eventually(seconds(40), is_there)) << stack.output();
   EXPECT_THAT(stack.output(), HasSubstr(served));
   const std::string text = output_of("node " + peer + "/client.mjs " + port + " 3");
@@ -83,7 +83,7 @@ TEST(OperatorPageTest, ClientsReadPublishSetAndCallFromOutsideOfTheEmulatedNetwo
   EXPECT_THAT(said.at("service").at("result").at("names"), Contains("text")) << text;
   EXPECT_THAT(said.at("page").get<std::string>(), HasSubstr("<!doctype html>"));
   const auto goal_came = [&](const std::string& id) {
-    const std::string goals = stack.read("gcs/goal.csv");
+    const std::string goals = stack.recorded("gcs", "goal");
     const auto ids = column(goals, "id");
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
@@ -100,7 +100,7 @@ TEST(OperatorPageTest, OneOfTwentyClientsThatReadsNothingHoldsUpNobody) {
   if (output_of("node --version 2>/dev/null").empty()) GTEST_SKIP() << "there is no node";
   const TemporaryFolder folder;
   const Stack stack({bringup_in(folder), "--without", "gcs/view"});
-  const auto is_there = [&] { return !stack.read("gcs/location.csv").empty(); };
+  const auto is_there = [&] { return !stack.recorded("gcs", "location").empty(); };
   ASSERT_TRUE(Stack::eventually(seconds(60), is_there)) << stack.output();
   const std::string text = output_of("node " + peer + "/crowd.mjs " + port + " 5 --pid " +
                                      std::to_string(stack.pid("gcs/page")));
@@ -125,7 +125,7 @@ TEST(OperatorPageTest, ASecondRunOnTheSamePortSaysSoAndRuns) {
   })) << first.output();
   const Stack second(arguments);
   EXPECT_TRUE(Stack::eventually(seconds(40), [&] {
-    return !second.read("gcs/location.csv").empty();
+    return !second.recorded("gcs", "location").empty();
   })) << second.output();
   EXPECT_THAT(second.output(), HasSubstr("gcs/page cannot serve http://127.0.0.1:18765/: Address "
                                          "already in use; all else goes on"));

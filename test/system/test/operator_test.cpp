@@ -44,7 +44,7 @@ class OperatorTest : public ::testing::Test {
   }
   /// Where the vehicle itself said it was, [m] along x, with the instants.
   static std::vector<std::pair<double, double>> way(const Stack& stack) {
-    const std::string csv = stack.read("uxv/location.csv");
+    const std::string csv = stack.recorded("uxv", "location");
     const auto times = column(csv, "send_s");
     const auto xs = column(csv, "pose.pose.position.x");
     std::vector<std::pair<double, double>> all;

@@ -13,6 +13,7 @@
 
 #include "foundation/temporary_folder.hpp"
 #include "operator_process.hpp"
+#include "recorded.hpp"
 #include "runtime/testing/kernel.hpp"
 #include "stack.hpp"
 
@@ -97,7 +98,8 @@ TEST(RootsLaunch, DrivesAMissionAsAnOrdinaryUserWhomRootAsksAndStops) {
                           "--user", std::to_string(user), "--run-dir", folder.path("run")},
                          log.path("launch"));
   const auto drives = [&] {
-    const auto states = column(folder.read("run/uxv/navigation_status.csv"), "state");
+    const auto states =
+        column(recorded_fields(folder.path("run/uxv"), "navigation_status"), "state");
     return std::find(states.begin(), states.end(), "driving") != states.end();
   };
   ASSERT_TRUE(Stack::eventually(seconds(60), drives)) << log.read("launch");

@@ -16,14 +16,15 @@
 #include <vector>
 
 #include "bag/bag_reader.hpp"
-#include "foundation/csv_table.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "recorded.hpp"
 
 namespace tocsin {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 struct Ended {
   int code;
@@ -74,6 +75,12 @@ class SimulationTest : public ::testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
+  /// The fields of a topic that a side of the nth run has recorded.
+  [[nodiscard]] std::string recorded(int run, const std::string& side,
+                                     const std::string& topic) const {
+    return recorded_fields(folder_ + "/" + std::to_string(run) + "/" + side, topic);
+  }
+
   const TemporaryFolder temporary_;
   const std::string folder_ = temporary_.path();
   int runs_ = 0;
@@ -84,27 +91,26 @@ TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("exit code 0"));
   EXPECT_THAT(read("errors"), HasSubstr("mission mission_a: done"));
-  for (const char* file : {"1/uxv/location.csv", "1/gcs/location.csv", "1/gcs/network_quality.csv",
-                           "1/gcs/camera.image_raw.compressed.csv", "1/uxv/goal.csv"}) {
-    EXPECT_GT(read(file).size(), 200U) << file;
+  for (const auto& [side, topic] : {std::pair("uxv", "location"),
+                                    {"gcs", "location"},
+                                    {"gcs", "network_quality"},
+                                    {"gcs", "camera/image_raw/compressed"},
+                                    {"uxv", "goal"}}) {
+    EXPECT_GT(recorded(1, side, topic).size(), 200U) << side << topic;
   }
 }
 
-TEST_F(SimulationTest, TheBagOfEachSideHoldsEveryMessageOfItsCsvFiles) {
+TEST_F(SimulationTest, TheBagOfEachSideSaysWhatItsTypesAre) {
   const Ended run = sim("mission.yaml --seed 1");
   ASSERT_EQ(run.code, 0) << run.output;
   for (const std::string side : {"uxv", "gcs"}) {
-    const CsvTable rows = CsvTable::load(folder_ + "/1/" + side + "/messages.csv");
-    std::map<std::string, std::uint64_t> in_csv;
-    for (std::size_t i = 0; i < rows.rows(); ++i) ++in_csv["/" + rows.text(i, "topic")];
     const bag::BagReader bag(folder_ + "/1/" + side + "/bag");
-    std::map<std::string, std::uint64_t> in_bag;
+    std::map<std::string, std::uint64_t> counts;
     for (const auto& [topic, count] : bag.topics()) {
       EXPECT_EQ(topic.definition_encoding, "ros2msg") << topic.name;
-      if (count > 0) in_bag[topic.name] = count;
+      counts[topic.name] = count;
     }
-    EXPECT_EQ(in_bag, in_csv) << side;
-    EXPECT_GT(in_bag["/camera/image_raw/compressed"], 100U) << side;
+    EXPECT_GT(counts["/camera/image_raw/compressed"], 100U) << side;
     EXPECT_TRUE(bag.damaged().empty());
   }
 }
@@ -125,15 +131,16 @@ TEST_F(SimulationTest, TheRecorderRecordsTheTopicsThatItIsToldByNameAndByPattern
   const Ended run =
       sim("mission.yaml --duration 5 --set 'recorder.topics=[odom, sensors/core, \"events/*\"]'");
   ASSERT_EQ(run.code, 0) << read("errors");
-  EXPECT_THAT(read("1/uxv/odom.csv"), HasSubstr(",odom,base_footprint,"));
-  EXPECT_GT(read("1/uxv/sensors.core.csv").size(), 1000U);
-  EXPECT_FALSE(read("1/uxv/events.robot_state.csv").empty());
-  EXPECT_TRUE(read("1/uxv/imu_data.csv").empty()) << "nobody asked for it";
+  EXPECT_THAT(recorded(1, "uxv", "odom"), HasSubstr(",odom,base_footprint,"));
+  const std::string messages = recorded_messages(folder_ + "/1/uxv");
+  EXPECT_THAT(messages, HasSubstr(",sensors/core,"));
+  EXPECT_THAT(messages, HasSubstr(",events/robot_state,"));
+  EXPECT_THAT(messages, Not(HasSubstr(",imu_data,"))) << "nobody asked for it";
 }
 
 TEST_F(SimulationTest, ARunOfTheMainJobLosesNothingOfClassCritical) {
   ASSERT_EQ(sim("mission.yaml --seed 7").code, 0) << read("errors");
-  const std::string state = read("1/gcs/link_state.csv");
+  const std::string state = recorded(1, "gcs", "link_state");
   const auto last = state.rfind("\"traffic_class\"\":\"\"critical\"\"");
   ASSERT_NE(last, std::string::npos);
   const auto number = [&](const std::string& key) {
@@ -151,17 +158,13 @@ TEST_F(SimulationTest, DecidingARecordedRunAgainGivesItsOwnDecisionsSampleBySamp
             0)
       << read("errors");
   for (const char* role : {"uxv", "gcs"}) {
-    const auto decided =
-        decide("1/" + std::string(role) + "/transmission_state.csv", "--host " + std::string(role));
+    const auto decided = decide("1/" + std::string(role), "--host " + std::string(role));
     EXPECT_EQ(decided["recorded"]["pauses"], 2) << role;
     EXPECT_EQ(decided["pauses"], 2) << role;
     EXPECT_GT(decided["recorded"]["decisions"], 50) << role;
     EXPECT_EQ(decided["recorded"]["same"], decided["recorded"]["decisions"]) << role;
   }
-  EXPECT_EQ(execute(program("decision_tools", "tocsin-decide") + " " + folder_ +
-                    "/1/uxv/transmission_state.csv")
-                .code,
-            2);
+  EXPECT_EQ(execute(program("decision_tools", "tocsin-decide") + " " + folder_ + "/1/uxv").code, 2);
   EXPECT_THAT(read("errors"), HasSubstr("of the roles uxv and gcs; choose one by --host"));
 }
 
@@ -174,9 +177,12 @@ TEST_F(SimulationTest, SameSeedGivesTheSameSamplesOnTwoThreadsAndInAnotherProces
   ASSERT_EQ(other.digests.size(), 1U);
   EXPECT_EQ(twice.digests[0], twice.digests[1]);
   EXPECT_EQ(twice.digests[0], other.digests[0]);
-  for (const char* file : {"uxv/messages.csv", "gcs/messages.csv", "gcs/location.csv"}) {
-    EXPECT_EQ(read(std::string("1/first/") + file), read(std::string("2/") + file)) << file;
+  for (const char* side : {"uxv", "gcs"}) {
+    const std::string first = recorded_messages(folder_ + "/1/first/" + side);
+    EXPECT_GT(first.size(), 1000U);
+    EXPECT_EQ(first, recorded_messages(folder_ + "/2/" + side)) << side;
   }
+  EXPECT_EQ(recorded_fields(folder_ + "/1/first/gcs", "location"), recorded(2, "gcs", "location"));
 }
 
 /// A recorder reads there what the operator's page reads, from the station's own copies.
@@ -187,9 +193,9 @@ TEST_F(SimulationTest, WhoeverReadsAtTheStationCostsTheRadioNotAByte) {
   ASSERT_EQ(without.digests.size(), 1U) << without.output;
   EXPECT_EQ(with.digests, without.digests);
   for (const char* side : {"uxv", "gcs"}) {  // with the bytes of each class that left the router
-    const std::string told = read("1/" + std::string(side) + "/link_state.csv");
+    const std::string told = recorded(1, side, "link_state");
     EXPECT_GT(told.size(), 1000U);
-    EXPECT_EQ(read("2/" + std::string(side) + "/link_state.csv"), told) << side;
+    EXPECT_EQ(recorded(2, side, "link_state"), told) << side;
   }
   EXPECT_TRUE(fs::exists(folder_ + "/2/gcs/operator/bag")) << "it has read";
 }
@@ -253,7 +259,7 @@ TEST_F(SimulationTest, RefusesAnUnknownParameter) {
 
 TEST_F(SimulationTest, RefusesAFolderThatHoldsAnotherRun) {
   fs::create_directories(folder_ + "/1");
-  std::ofstream(folder_ + "/1/messages.csv") << "old\n";
+  std::ofstream(folder_ + "/1/summary.txt") << "old\n";
   EXPECT_EQ(sim("mission.yaml --duration 1").code, 2);
   EXPECT_THAT(read("errors"), HasSubstr("is not empty"));
 }

@@ -17,10 +17,7 @@ namespace {
 /// A recorder that is told when to record.
 class RecordNowTest : public ::testing::Test {
  protected:
-  RecordNowTest() {
-    params_.recording = false;
-    params_.csv = false;
-  }
+  RecordNowTest() { params_.recording = false; }
   void make() {
     sut_ = std::make_unique<RecorderComponent>(context_, params_);
     bus_.add(*sut_);

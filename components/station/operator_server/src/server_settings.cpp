@@ -79,9 +79,8 @@ WebSettings web_settings(const Context& context, const OperatorServerComponent::
           : params.page;
   settings.bags = params.bags.empty() ? context.run_dir : params.bags;
   if (!context.run_dir.empty()) {
-    settings.tables = context.run_dir + "/" + to_string(context.role);
-    settings.what_if = {installed("decision_tools", "bin/tocsin-decide").string(),
-                        settings.tables + "/transmission_state.csv"};
+    settings.recorded = context.run_dir + "/" + to_string(context.role);
+    settings.decide = installed("decision_tools", "bin/tocsin-decide").string();
   }
   settings.certificate = params.certificate;
   settings.key = params.key;

@@ -154,14 +154,6 @@ TEST_F(CallsTest, AServiceIsCalledInCdr) {
             "docked\x00"s);
 }
 
-TEST_F(CallsTest, WhatIsNoRequestFails) {
-  call("json", R"({"date": true})");
-  ASSERT_TRUE(served_.until([&] { return !client_->heard("serviceCallFailure").empty(); }));
-  const json failure = client_->heard("serviceCallFailure").front();
-  EXPECT_EQ(failure.at("callId"), 77);
-  EXPECT_THAT(failure.at("message").get<std::string>(), HasSubstr("no field 'date'"));
-}
-
 TEST_F(CallsTest, ALyingClientsMissionsAreRefusedEachWithItsReason) {
   const std::pair<const char*, const char*> lies[] = {
       {"{", "is not a JSON object"},

@@ -126,20 +126,5 @@ TEST_F(RealHostTest, CallsAServiceOfAnotherProcess) {
   EXPECT_THAT(client_->frames(3).front().bytes, HasSubstr(R"("success":true)"));
 }
 
-TEST_F(RealHostTest, TheGraphShowsWhoWritesAndServes) {
-  client_->say({{"op", "subscribeConnectionGraph"}});
-  const auto shows = [&](const char* list, const char* name) {
-    for (const json& update : client_->heard("connectionGraphUpdate")) {
-      for (const json& one : update.at(list)) {
-        if (one.at("name") == name) return true;
-      }
-    }
-    return false;
-  };
-  EXPECT_TRUE(until([&] { return shows("publishedTopics", "/mission_status"); }));
-  EXPECT_TRUE(until([&] { return shows("subscribedTopics", "/goal"); }));
-  EXPECT_TRUE(until([&] { return shows("advertisedServices", "/dock"); }));
-}
-
 }  // namespace
 }  // namespace tocsin

@@ -4,74 +4,28 @@
 
 #include <gmock/gmock.h>
 
+#include "bag/bag_writer.hpp"
+#include "idl_support/encode.hpp"
+#include "tocsin_idl/tocsin_msgs.hpp"
 #include "web_fixture.hpp"
 
 namespace tocsin::foxglove {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
-TEST_F(WebServerTest, SendsAndReceivesMessages) {
-  start();
-  websocket::stream<tcp::socket> client(connect());
-  client.set_option(websocket::stream_base::decorator([](websocket::request_type& request) {
-    request.set(http::field::sec_websocket_protocol, "foxglove.websocket.v1");
-  }));
-  client.handshake(host(), "/any/path");
-  const auto id = heard_.wait_for("opened");
-  ASSERT_TRUE(id);
-  client.write(asio::buffer(std::string("hello")));
-  EXPECT_TRUE(heard_.wait_for("received hello"));
-  client.write(asio::buffer(std::string("again")));
-  sut_->read_on(*id);
-  EXPECT_TRUE(heard_.wait_for("received again"));
-  const auto payload = std::make_shared<const std::vector<std::uint8_t>>(3, std::uint8_t{'x'});
-  sut_->send(*id, {{Frame::Kind::text, "one", nullptr}, {Frame::Kind::binary, "two ", payload}});
-  beast::flat_buffer buffer;
-  client.read(buffer);
-  EXPECT_TRUE(client.got_text());
-  EXPECT_EQ(beast::buffers_to_string(buffer.data()), "one");
-  buffer.clear();
-  client.read(buffer);
-  EXPECT_TRUE(client.got_binary());
-  EXPECT_EQ(beast::buffers_to_string(buffer.data()), "two xxx");
-  EXPECT_TRUE(heard_.wait_for("sent"));
-}
-
-TEST_F(WebServerTest, SaysWhyItClosesAClient) {
-  start();
-  websocket::stream<tcp::socket> client(connect());
-  client.set_option(websocket::stream_base::decorator([](websocket::request_type& request) {
-    request.set(http::field::sec_websocket_protocol, "foxglove.sdk.v1");
-  }));
-  client.handshake(host(), "/");
-  sut_->close(heard_.wait_for("opened").value_or(0), "it does not read");
-  beast::flat_buffer buffer;
-  boost::system::error_code error;
-  client.read(buffer, error);
-  EXPECT_EQ(error, websocket::error::closed);
-  EXPECT_EQ(std::string(client.reason().reason.c_str()), "it does not read");
-  EXPECT_TRUE(heard_.wait_for("closed"));
-}
-
-TEST_F(WebServerTest, AnswersSeveralRequestsOnOneConnection) {
-  (void)folder_.write("page/index.html", "page");
-  settings_.page = folder_.path("page");
-  start();
-  tcp::socket socket = connect();
-  beast::flat_buffer buffer;
-  for (int i = 0; i < 3; ++i) {
-    http::write(socket, request_for(host(), "/"));
-    http::response<http::string_body> response;
-    http::read(socket, buffer, response);
-    EXPECT_EQ(response.body(), "page");
-  }
-}
-
-TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderAndNoOthers) {
-  settings_.tables =
-      std::filesystem::path(folder_.write("location.csv", "a,b\n1,2\n")).parent_path();
-  std::filesystem::create_symlink("/etc/passwd", settings_.tables + "/transmission_state.csv");
+TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderWhileItRecords) {
+  settings_.recorded = folder_.path();
+  bag::BagWriter writer(folder_.path("bag"), {});
+  using State = tocsin_msgs::msg::TransmissionState;
+  const auto number = writer.add(bag::make_topic("rt/transmission_state", type_info<State>().name));
+  State state;
+  state.role("uxv");
+  const auto bytes = encode(type_info<State>(), &state);
+  (void)writer.write(number, {1, 2'000'000'000, 1'000'000'000, bytes.data(), bytes.size()});
+  (void)writer.flush();
   settings_.request_s = 10;
   start();
   tcp::socket socket = connect();
@@ -82,8 +36,9 @@ TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderAndNoOthers) {
     http::read(socket, buffer, response);
     return response;
   };
-  EXPECT_EQ(answer("/tables/location.csv").body(), "a,b\n1,2\n");
-  EXPECT_EQ(answer("/tables/transmission_state.csv").body(), "");
+  EXPECT_THAT(answer("/tables/transmission_state.csv").body(),
+              AllOf(StartsWith("receive_s,send_s,"), HasSubstr("\n2.000000000,1.000000000,1,")));
+  EXPECT_EQ(answer("/tables/location.csv").body(), "") << "none was recorded";
 }
 
 TEST_F(WebServerTest, WhoAsksNothingIsClosed) {
@@ -100,21 +55,6 @@ TEST_F(WebServerTest, WhatIsNoHttpIsClosed) {
   tcp::socket socket = connect();
   asio::write(socket, asio::buffer(std::string("\x16\x03\x01 no request\r\n\r\n")));
   EXPECT_EQ(rest_of(socket), "");
-}
-
-TEST_F(WebServerTest, EndsWithConnectionsOpen) {
-  start();
-  tcp::socket socket = connect();
-  websocket::stream<tcp::socket> client(connect());
-  client.set_option(websocket::stream_base::decorator([](websocket::request_type& request) {
-    request.set(http::field::sec_websocket_protocol, "foxglove.sdk.v1");
-  }));
-  client.handshake(host(), "/");
-  sut_.reset();
-  beast::flat_buffer buffer;
-  boost::system::error_code error;
-  client.read(buffer, error);
-  EXPECT_TRUE(error);
 }
 
 TEST_F(WebServerTest, SpeaksTls) {

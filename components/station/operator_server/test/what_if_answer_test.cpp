@@ -13,9 +13,13 @@ using ::testing::HasSubstr;
 
 class WhatIfAnswerTest : public WebServerTest {
  protected:
+  WhatIfAnswerTest() {
+    (void)folder_.write("gcs/bag/bag_0.mcap", "");
+    settings_.recorded = folder_.path("gcs");
+  }
   /// The answer of a server whose tool is this script; status and body.
   std::pair<unsigned, std::string> ask(const std::string& script, const std::string& query) {
-    settings_.what_if = {folder_.write_program("decide", script), folder_.write("a.csv", "")};
+    settings_.decide = folder_.write_program("decide", script);
     start();
     tcp::socket client(connect());
     http::write(client, request_for(host(), ("/what_if?" + query).c_str()));
@@ -40,7 +44,7 @@ TEST_F(WhatIfAnswerTest, IsTheToolsReasonWhenItRefuses) {
 }
 
 TEST_F(WhatIfAnswerTest, AToolThatStillRunsEndsWithTheServer) {
-  settings_.what_if = {folder_.write_program("decide", "sleep 600"), folder_.write("a.csv", "")};
+  settings_.decide = folder_.write_program("decide", "sleep 600");
   start();
   tcp::socket client(connect());
   http::write(client, request_for(host(), "/what_if?host=uxv"));

@@ -61,11 +61,6 @@ class TeleopGamepadComponentTest : protected WithPad, public TeleopFixture<Teleo
   }
 };
 
-TEST_F(TeleopGamepadComponentTest, SendsNothingWhileNothingIsHeld) {
-  EXPECT_TRUE(run(5).empty());
-  EXPECT_EQ(sut_->schedule().due(), never);
-}
-
 TEST_F(TeleopGamepadComponentTest, RepeatsWhatIsHeldAndSendsZeroAtRelease) {
   EXPECT_EQ(drive(0.25), Speeds(3, 0.5));
   pad_.events = {{EV_KEY, BTN_TL, 0}};

@@ -59,11 +59,6 @@ class TeleopKeyboardComponentTest : protected WithTerminal,
   }
 };
 
-TEST_F(TeleopKeyboardComponentTest, SendsNothingWhileNothingIsPressed) {
-  EXPECT_TRUE(run(5).empty());
-  EXPECT_EQ(sut_->schedule().due(), never);
-}
-
 TEST_F(TeleopKeyboardComponentTest, SendsAPressAtOnceAndZeroWhenNoRepeatComes) {
   EXPECT_EQ(type("w", 0.05), (Speeds{0.3}));
   EXPECT_EQ(run(0.6), Speeds(6, 0.3));

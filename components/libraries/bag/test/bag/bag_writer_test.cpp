@@ -127,13 +127,6 @@ TEST(BagWriter, TellsTopicsThatCameLateInEveryFileFromThenOn) {
   EXPECT_THAT(folder.read("run/metadata.yaml"), HasSubstr("message_count: 3"));
 }
 
-TEST(BagWriter, CanBeReadAsSoonAsItIsThere) {
-  const TemporaryFolder folder;
-  const BagWriter sut(folder.path("run"), {});
-  EXPECT_GT(fs::file_size(folder.path("run/run_0.mcap")), 0U);
-  EXPECT_EQ(BagReader(folder.path("run")).about().count, 0U);
-}
-
 TEST(BagWriter, CanBeReadWhileItIsWritten) {
   const TemporaryFolder folder;
   BagWriter sut(folder.path("run"), {});
@@ -197,15 +190,6 @@ TEST(BagWriter, BeginsOnAFullDiskAndWritesItsMetadataWhenThereIsRoom) {
   EXPECT_EQ(sut.flush(), mcap::Kept::all);
   EXPECT_TRUE(fs::exists(folder.path("run/metadata.yaml")));
   EXPECT_EQ(BagReader(folder.path("run")).about().files.size(), 1U);
-}
-
-TEST(BagWriter, TakesNothingAfterItsEnd) {
-  const TemporaryFolder folder;
-  BagWriter sut(folder.path("run"), {});
-  const std::size_t topic = sut.add(text_topic("/a"));
-  EXPECT_EQ(sut.close(), mcap::Kept::all);
-  EXPECT_EQ(sut.write(topic, message_of(1, t0, "x")), mcap::Kept::nothing);
-  EXPECT_EQ(sut.flush(), mcap::Kept::nothing);
 }
 
 }  // namespace

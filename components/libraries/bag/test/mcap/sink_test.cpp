@@ -38,14 +38,6 @@ Span span_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-TEST(FileSink, AppendsAllPartsInTheirOrder) {
-  const TemporaryFolder folder;
-  FileSink sut(folder.path("a.mcap"));
-  EXPECT_EQ(sut.append({span_of("one "), {}, span_of("two")}), Kept::all);
-  EXPECT_EQ(sut.append({span_of(" three")}), Kept::all);
-  EXPECT_EQ(folder.read("a.mcap"), "one two three");
-}
-
 TEST(FileSink, RefusesAFileThatIsThere) {
   const TemporaryFolder folder;
   folder.write("a.mcap", "precious");
