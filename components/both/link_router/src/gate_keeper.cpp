@@ -8,10 +8,10 @@ void GateKeeper::on_state(bool active, Time now) {
   heard_ = now;
 }
 
-bool GateKeeper::open(Time now) const { return active_ || now - heard_ > silence_limit_; }
+bool GateKeeper::open(Time now) const { return active_ || now - heard_ > silence_limit; }
 
 Time GateKeeper::deadline(Time now) const {
-  return open(now) ? never : heard_ + silence_limit_ + Duration{1};
+  return open(now) ? never : heard_ + silence_limit + Duration{1};
 }
 
 }  // namespace tocsin::router

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "link_router/link_constants.hpp"
 namespace tocsin::router {
 namespace {
 
@@ -19,10 +20,8 @@ constexpr Duration contrary_for = std::chrono::milliseconds(500);
 
 }  // namespace
 
-LinkReceiver::LinkReceiver(const LinkRouterParams& params) : params_(params) { check(params); }
-
 void LinkReceiver::on_peer(const std::string& peer, InstanceId instance) {
-  Peer& known = peers_.try_emplace(peer, seconds(params_.clock_window_s)).first->second;
+  Peer& known = peers_.try_emplace(peer).first->second;
   if (known.instance == instance) return;
   known.instance = instance;
   known.streams.clear();
@@ -128,10 +127,10 @@ SourceMemory& LinkReceiver::memory_of(Peer& peer, const std::string& stream, Sou
   return place->second;
 }
 
-void LinkReceiver::ask_for_acknowledgement(Peer& peer, Time now) const {
-  Time due = now + seconds(params_.acknowledgement_delay_s);
+void LinkReceiver::ask_for_acknowledgement(Peer& peer, Time now) {
+  Time due = now + acknowledgement_delay;
   if (peer.acknowledgement_sent)
-    due = std::max(due, *peer.acknowledgement_sent + seconds(params_.acknowledgement_period_s));
+    due = std::max(due, *peer.acknowledgement_sent + acknowledgement_period);
   peer.acknowledgement_due = std::min(peer.acknowledgement_due, due);
 }
 
@@ -147,7 +146,7 @@ std::optional<LinkReceiver::Addressed> LinkReceiver::take_acknowledgement(Time n
   return std::nullopt;
 }
 
-LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) const {
+LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) {
   LinkAcknowledgement acknowledgement{++peer.acknowledgements, now, {}};
   // After a silence everything is told once more.
   const bool idle = !peer.acknowledgement_sent || now - *peer.acknowledgement_sent >= repeated_for;
@@ -156,7 +155,7 @@ LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) con
     acknowledgement.streams.push_back({id, stream.highest, now - stream.last, stream.before});
   }
   peer.acknowledgement_sent = now;
-  peer.acknowledgement_due = now + seconds(params_.acknowledgement_idle_s);
+  peer.acknowledgement_due = now + acknowledgement_idle;
   return acknowledgement;
 }
 

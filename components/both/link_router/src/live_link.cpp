@@ -8,8 +8,8 @@
 
 namespace tocsin {
 
-LiveLink::LiveLink(Component& owner, const LinkParts& parts, Role role, Duration silence_limit)
-    : state_(owner), parts_(parts), role_(role), keeper_(silence_limit) {}
+LiveLink::LiveLink(Component& owner, const LinkParts& parts, Role role)
+    : state_(owner), parts_(parts), role_(role) {}
 
 void LiveLink::begin(Instant at) {
   while (const auto state = state_.take()) {

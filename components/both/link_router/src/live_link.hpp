@@ -15,11 +15,11 @@ namespace tocsin {
 
 /// Live samples, both ways: what the host writes goes to the sender and onto the link, what peers
 /// send goes to the host once. While the transmission state of its role is passive, the sender is
-/// paused; when that state falls silent for longer than `silence_limit`, it is not.
+/// paused; when that state falls silent (GateKeeper), it is not.
 class LiveLink final : public LinkService {
  public:
   /// `role` of the host. All outlive it.
-  LiveLink(Component& owner, const LinkParts& parts, Role role, Duration silence_limit);
+  LiveLink(Component& owner, const LinkParts& parts, Role role);
   /// Once, before anything happens at the link.
   void set_deliveries(Deliveries& deliveries) { deliveries_ = &deliveries; }
 

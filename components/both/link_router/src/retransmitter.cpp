@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "link_router/link_constants.hpp"
 namespace tocsin::router {
 namespace {
 
@@ -68,7 +69,7 @@ void Retransmitter::schedule(SentSample& sent, Duration expected, Time now) cons
   const double growth = std::pow(params_.repair_backoff, sent.transmissions);
   ++sent.transmissions;
   sent.repair_at =
-      now + (expected + seconds(std::min(params_.repair_first_s * growth, params_.repair_max_s)));
+      now + (expected + seconds(std::min(params_.repair_first_s * growth, repair_max_s)));
 }
 
 void Retransmitter::spend(std::size_t bytes, Time now) {

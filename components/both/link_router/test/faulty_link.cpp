@@ -47,7 +47,7 @@ void FaultyLink::restart_sender() {
 }
 
 void FaultyLink::restart_receiver() {
-  receiver_ = std::make_unique<LinkReceiver>(params_);
+  receiver_ = std::make_unique<LinkReceiver>();
   ++receiver_instance_;
   for (auto& entry : streams_) entry.second.delivered.clear();
   introduce();

@@ -35,8 +35,7 @@ class LinkReceiverTest : public ::testing::Test {
     const auto acknowledgement = sut.take_acknowledgement(now);
     return acknowledgement ? acknowledgement->acknowledgement : LinkAcknowledgement{};
   }
-  LinkRouterParams params;
-  LinkReceiver sut{params};
+  LinkReceiver sut;
   Time now = t0;
 };
 
@@ -115,18 +114,18 @@ TEST_F(LinkReceiverTest, AForgedTransmissionNumberIsForgotten) {
 TEST_F(LinkReceiverTest, AcknowledgementComesSoonButNotTooOften) {
   now += 500 * ms;
   (void)arrive(1, 1);
-  EXPECT_EQ(sut.deadline(), now + seconds(params.acknowledgement_delay_s));
+  EXPECT_EQ(sut.deadline(), now + acknowledgement_delay);
   (void)next_acknowledgement();
   const Time first = now;
   now += ms;
   (void)arrive(2, 2);
-  EXPECT_EQ(sut.deadline(), first + seconds(params.acknowledgement_period_s));
+  EXPECT_EQ(sut.deadline(), first + acknowledgement_period);
 }
 
 TEST_F(LinkReceiverTest, RepeatsAAcknowledgementAndThenFallsSilentButForASignOfLife) {
   (void)arrive(1, 1);
   EXPECT_EQ(next_acknowledgement().streams.size(), 1U);
-  EXPECT_EQ(sut.deadline(), now + seconds(params.acknowledgement_idle_s));
+  EXPECT_EQ(sut.deadline(), now + acknowledgement_idle);
   const LinkAcknowledgement idle = next_acknowledgement();
   EXPECT_EQ(idle.streams.size(), 1U) << "after a silence everything is told once more";
   EXPECT_EQ(idle.count, 3U);

@@ -49,7 +49,7 @@ TEST(Peers, ARestartedPeerGetsTheStateAgain) {
   link.add(1, durable);
   link.offer(1, 1);
   link.run(200 * ms);
-  link.receiver = LinkReceiver(LinkRouterParams{});
+  link.receiver = LinkReceiver();
   link.receiver.on_peer("vehicle", 1);
   link.receiver.on_stream("vehicle", 1, durable);
   link.sender.on_peer("station", 3, link.now);

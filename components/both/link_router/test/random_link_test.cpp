@@ -67,7 +67,7 @@ class RandomLink {
     meet();
   }
   void restart_receiver() {
-    receiver_ = std::make_unique<LinkReceiver>(params_);
+    receiver_ = std::make_unique<LinkReceiver>();
     ++receiver_life_;
     receiver_->on_peer("vehicle", sender_life_);
     delivered_.clear();

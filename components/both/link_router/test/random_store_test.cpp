@@ -108,7 +108,7 @@ class RandomStore {
     meet();
   }
   void start_station() {
-    receiver_ = std::make_unique<LinkReceiver>(LinkRouterParams{});
+    receiver_ = std::make_unique<LinkReceiver>();
     ++station_life_;
     filled_ = std::make_unique<BackfillReceiver>();
     ledger_.reset();

@@ -94,6 +94,7 @@ TEST(Parameter, UserDataFits) {
 TEST(Parameter, SequencesCountWhatIsThere) {
   const Bytes two_names = Wire().u32(2).text("a").text("bc").bytes();
   EXPECT_EQ(drop_of_parameter(0x29, two_names), passes);
+  EXPECT_EQ(drop_of_parameter(0x29, Wire().u32(1).u32(0).bytes()), passes) << "an empty name";
   EXPECT_EQ(drop_of_parameter(0x29, Wire().u32(3).text("a").text("bc").bytes()),
             DropReason::parameter_content);
   for (const std::uint32_t id : {0x29U, 0x59U, 0x73U, 0x35U}) {

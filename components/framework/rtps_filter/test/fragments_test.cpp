@@ -86,6 +86,25 @@ TEST(Fragments, HideNothingFromTheFilter) {
             DropReason::foreign_identity);
 }
 
+TEST(Fragments, OfAKeyAreAKey) {
+  constexpr std::uint32_t key_of_fragment = 4;
+  const Wire qos = Wire().parameter(0x71, {0, 0, 0, 1}).sentinel();
+  const Wire content = data_head(spdp_writer, 2, 28)
+                           .u32(1)
+                           .u16(1)
+                           .u16(16)
+                           .u32(16)
+                           .raw(qos.bytes())
+                           .raw(guid_of('a'));
+  RtpsFilter sut{Limits{}};
+  (void)inspect(sut, announcement('a'));
+  const auto disposed_by = [&](char name) {
+    return drop_of(sut,
+                   Message(name).add(0x16, with_qos | key_of_fragment, content.bytes()).bytes());
+  };
+  EXPECT_EQ(disposed_by('m'), DropReason::foreign_identity);
+}
+
 TEST(Fragments, OfAuthenticationAreLookedAtToo) {
   constexpr std::uint32_t stateless_writer = 0x000201c3;
   const Wire head = Wire().raw({0, 1, 0, 0}).zeros(24 + 24 + 48).text("dds.sec.auth");

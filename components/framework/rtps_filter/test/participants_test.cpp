@@ -87,8 +87,9 @@ TEST(Participant, SpeaksFromOneAddressWhereThatIsFixed) {
   EXPECT_EQ(drop_of(sut, announcement('a', lease(10))), passes);
   EXPECT_EQ(drop_of(sut, heartbeat('a', 1, 5), other_port), passes);
   EXPECT_EQ(drop_of(sut, heartbeat('a', 1, 5), other_address), DropReason::forged_source);
+  EXPECT_EQ(drop_of(sut, announcement('a', lease(10)), alice, t0 + seconds(61)), passes);
   // Its lease is over, and Fast DDS has forgotten it.
-  EXPECT_EQ(drop_of(sut, heartbeat('a', 1, 5), other_address, t0 + seconds(11)), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 1, 5), other_address, t0 + seconds(72)), passes);
 }
 
 TEST(Participant, IsAdmittedWhileThereIsRoom) {

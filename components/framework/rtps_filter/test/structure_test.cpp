@@ -132,7 +132,9 @@ TEST(Data, PayloadHasAHeaderOfAKnownEncoding) {
   };
   EXPECT_EQ(with({0, 1, 0, 0}), passes);
   EXPECT_EQ(with({0, 0x0b, 0, 0, 1, 2, 3}), passes);
+  EXPECT_EQ(with({0, 0x1f, 0xff, 0}), passes);
   EXPECT_EQ(with({0x80, 1, 0, 0}), passes);  // a vendor's
+  EXPECT_EQ(with({0, 0x20, 0, 0}), DropReason::payload);
   EXPECT_EQ(with({0x12, 1, 0, 0}), DropReason::payload);
   EXPECT_EQ(with({0, 1, 0}), DropReason::payload);
 }

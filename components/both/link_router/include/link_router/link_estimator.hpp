@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "link_router/link_router_params.hpp"
+#include "link_router/link_constants.hpp"
 #include "link_router/transmission.hpp"
 
 namespace tocsin::router {
@@ -37,8 +37,6 @@ class WindowedMinimum {
 /// Pure; `now` never decreases.
 class LinkEstimator {
  public:
-  explicit LinkEstimator(const LinkRouterParams& params);
-
   /// Something goes to the radio. Returns when the model has it leave.
   Time on_sent(const WireCost& cost, Time now);
 
@@ -77,9 +75,9 @@ class LinkEstimator {
  private:
   void learn_capacity(const Received& received, Time arrived);
 
-  LinkRouterParams params_;
-  WindowedMinimum least_;  ///< of small samples: by the peer's clock, from sending to arrival
-  double capacity_bytes_per_s_;
+  WindowedMinimum least_{
+      clock_window};  ///< of small samples: by the peer's clock, from sending to arrival
+  double capacity_bytes_per_s_ = capacity_start_bytes_per_s;
   bool is_capacity_measured_ = false;
   bool measured_ = false;  ///< the capacity, since the last start_over()
   double loss_ = 0;

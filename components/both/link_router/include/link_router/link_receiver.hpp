@@ -10,7 +10,7 @@
 
 #include "link_router/least_age.hpp"
 #include "link_router/link_acknowledgement.hpp"
-#include "link_router/link_router_params.hpp"
+#include "link_router/link_constants.hpp"
 #include "link_router/source_memory.hpp"
 #include "link_router/transmission.hpp"
 
@@ -41,9 +41,6 @@ enum class Disposition : std::uint8_t {
 /// clocks differ. Pure; `now` never decreases.
 class LinkReceiver {
  public:
-  /// Throws ConfigError for parameters that do not fit each other.
-  explicit LinkReceiver(const LinkRouterParams& params);
-
   /// A peer, or its next instance: numbers start afresh. The same instance again changes nothing.
   void on_peer(const std::string& peer, InstanceId instance);
   /// It is gone; what was given of it is remembered.
@@ -76,11 +73,10 @@ class LinkReceiver {
     std::optional<std::pair<TransmissionNumber, Time>> low;
   };
   struct Peer {
-    explicit Peer(Duration clock_window) : age(clock_window) {}
     std::optional<InstanceId> instance;  ///< empty: it is gone
     std::map<StreamId, Stream> streams;
     std::map<std::pair<std::string, SourceId>, SourceMemory> delivered;  ///< by name of the stream
-    LeastAge age;
+    LeastAge age{clock_window};
     std::uint32_t acknowledgements = 0;
     std::optional<Time> acknowledgement_sent;
     Time acknowledgement_due = Time::min();
@@ -92,10 +88,9 @@ class LinkReceiver {
                                          Time now);
   [[nodiscard]] static SourceMemory& memory_of(Peer& peer, const std::string& stream,
                                                SourceId source);
-  void ask_for_acknowledgement(Peer& peer, Time now) const;
-  [[nodiscard]] LinkAcknowledgement make_acknowledgement(Peer& peer, Time now) const;
+  static void ask_for_acknowledgement(Peer& peer, Time now);
+  [[nodiscard]] static LinkAcknowledgement make_acknowledgement(Peer& peer, Time now);
 
-  LinkRouterParams params_;
   std::map<std::string, Peer> peers_;
 };
 

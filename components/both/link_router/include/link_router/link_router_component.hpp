@@ -16,9 +16,6 @@ class LinkRouterComponent final : public Component {
  public:
   struct Params {
     router::LinkRouterParams link;
-    double silence_limit_s = 5.0;
-    double report_period_s = 1.0;
-    double budget_period_s = 0.2;
     std::string store_directory;
     int store_bytes = 64'000'000;
     double store_age_s = 86'400;
@@ -28,10 +25,6 @@ class LinkRouterComponent final : public Component {
     template <class Visitor>
     void visit(Visitor& v) {
       link.visit(v);
-      v("silence_limit_s", silence_limit_s, {1, 600},
-        "[s] without a transmission state for longer the pause ends");
-      v("report_period_s", report_period_s, {0.1, 60}, "[s] between link states");
-      v("budget_period_s", budget_period_s, {0.02, 10}, "[s] between budgets of adaptive topics");
       v("store_directory", store_directory,
         "folder of stored topics, for this router alone; empty: run folder/role/store, which later "
         "runs do not see");

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "link_router/link_constants.hpp"
 #include "link_router/wire_cost.hpp"
 
 namespace tocsin::router {
@@ -212,7 +213,7 @@ BackfillSender::Sent BackfillSender::make_batch() {
     const Item& item = items_.at(order);
     if (item.id.stream != sent.batch.stream) continue;
     bytes += bytes_of(item.content);
-    const bool fits = bytes <= static_cast<std::size_t>(params_.backfill_bytes);
+    const bool fits = bytes <= backfill_bytes;
     if (!fits && !sent.orders.empty()) {
       bytes -= bytes_of(item.content);
       break;
