@@ -91,10 +91,8 @@ void declare_export(Verbs& verbs, Options& options) {
 }
 
 void declare_tune(Verbs& verbs, Options& options) {
-  CLI::App* const tune =
-      bare_verb(verbs, options, "tune",
-                "tries settings in simulation, ranks them, and checks the best on the real stack",
-                qos_verb::tune);
+  CLI::App* const tune = bare_verb(verbs, options, "tune",
+                                   "tries settings in simulation and ranks them", qos_verb::tune);
   need(*tune, "FILE", options.tune.file,
        "what to try; a bare name is also looked for among the shipped experiments");
   tune->add_option("--out", options.tune.out, "folder of the results [tuning/FILE]");

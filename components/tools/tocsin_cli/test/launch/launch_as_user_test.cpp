@@ -68,17 +68,6 @@ TEST_F(LaunchAsUser, WhoCalledSudoIsTheDefault) {
   expect_ordinary("p");
 }
 
-TEST_F(LaunchAsUser, StartsAgainWhatWasKilledAndStopsAll) {
-  launch_file(one_program("user: 65533\nrestart: {backoff_s: 0.01}\n"));
-  const int first = wait_for_pid("a/p");
-  ASSERT_EQ(::kill(first, SIGKILL), 0);
-  ASSERT_TRUE(eventually([&] { return pid_of("a/p") != 0 && pid_of("a/p") != first; })) << output();
-  const int second = pid_of("a/p");
-  send(SIGTERM);
-  EXPECT_EQ(exit_code(), 128 + SIGTERM);
-  EXPECT_FALSE(lives(second));
-}
-
 TEST_F(LaunchAsUser, NothingIsLeftWhenTheLauncherIsKilled) {
   launch_file(one_program("user: 65533\n"));
   ASSERT_TRUE(eventually([&] { return printed("[a/p] shown"); })) << output();
@@ -92,13 +81,6 @@ TEST_F(LaunchAsUser, WithoutAnybodyItSaysOnceThatItIsRoot) {
   ASSERT_TRUE(eventually([&] { return printed("[a/p] shown"); })) << output();
   if (owner_of("run") != 0) GTEST_SKIP() << "this computer has a user tocsin";
   EXPECT_THAT(output(), HasSubstr("WARN: all processes run as root; make a user for them"));
-}
-
-TEST_F(LaunchAsUser, RootThatIsWantedIsNoWarning) {
-  launch_file(one_program(), {}, {"--user", "root"});
-  ASSERT_TRUE(eventually([&] { return printed("[a/p] shown"); })) << output();
-  EXPECT_EQ(owner_of("run"), 0U);
-  EXPECT_THAT(output(), Not(HasSubstr("WARN")));
 }
 
 TEST_F(LaunchAsUser, AnUnknownUserIsRefusedBeforeAnythingStarts) {
