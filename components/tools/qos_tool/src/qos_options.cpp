@@ -75,8 +75,6 @@ void declare_lint(Verbs& verbs, Options& options) {
       ->take_all();
   lint->add_option("--outage", options.outage_s, "[s] the radio is away so long now and then [10]")
       ->check(CLI::Range(0.0, 3600.0));
-  lint->add_option("--mtu", options.mtu_bytes, "[byte] of the radio's IP packets [1500]")
-      ->check(CLI::Range(576, 65'535));
   lint->add_flag("--synchronised-clocks", options.clocks_are_synchronised,
                  "the clocks of all computers are kept together (PTP, chrony)");
   may_be_json(*lint, options);

@@ -56,7 +56,12 @@ class RunTuneTest : public ::testing::Test {
   }
   Ended tune(const std::string& text, std::vector<std::string> more = {}) {
     const std::string file = folder_.write("try.yaml", text);
-    std::vector<std::string> words{folder_.path("bin/tocsin-qos"), "tune", file, "--out",
+    std::vector<std::string> words{"/usr/bin/env",
+                                   "PATH=/usr/bin:/bin",  // no other experiment
+                                   folder_.path("bin/tocsin-qos"),
+                                   "tune",
+                                   file,
+                                   "--out",
                                    folder_.path("out")};
     words.insert(words.end(), more.begin(), more.end());
     return run_to_end(words);
