@@ -85,40 +85,6 @@ class Keys : public ::testing::Test {
 
 const Endpoint square = shape_endpoint("Square");
 
-TEST_F(Keys, ADisposedInstanceIsToldToOthersAndToReadersOfTheSameProcess) {
-  const ShapeOptions both = options();
-  const auto a = make_shape_bus(both);
-  const auto b = make_shape_bus(both);
-  Notes far;
-  Notes near;
-  const auto writer = a->advertise(square);
-  const auto reader = b->subscribe(square, far);
-  ASSERT_TRUE(eventually([&] { return is_matched(*a) && is_matched(*b); }));
-  const auto reader_beside = a->subscribe(square, near);
-  EXPECT_EQ(writer->write(shape("RED", 1)), Status::ok);
-  EXPECT_EQ(writer->write(shape("BLUE", 2)), Status::ok);
-  EXPECT_EQ(writer->end_instance(shape("RED", 0), InstanceState::disposed), Status::ok);
-  EXPECT_TRUE(eventually([&] { return far.seen().size() == 3; }));
-  EXPECT_THAT(far.seen(), Contains("RED disposed"));
-  EXPECT_THAT(far.seen(), Not(Contains("BLUE disposed")));
-  EXPECT_THAT(near.seen(), ElementsAre("RED1", "BLUE2", "RED disposed"));
-}
-
-TEST_F(Keys, AnInstanceHasNoWritersOnceAllHaveUnregisteredItOrAreGone) {
-  const ShapeOptions both = options();
-  const auto a = make_shape_bus(both);
-  const auto b = make_shape_bus(both);
-  Notes notes;
-  const auto one = a->advertise(square);
-  const auto reader = b->subscribe(square, notes);
-  ASSERT_TRUE(eventually([&] { return is_matched(*a) && is_matched(*b); }));
-  EXPECT_EQ(one->write(shape("RED", 1)), Status::ok);
-  EXPECT_EQ(one->write(shape("BLUE", 2)), Status::ok);
-  EXPECT_EQ(one->end_instance(shape("RED", 0), InstanceState::no_writers), Status::ok);
-  EXPECT_TRUE(eventually([&] { return notes.seen().size() == 3; }));
-  EXPECT_THAT(notes.seen(), Contains("RED no writers"));
-}
-
 TEST_F(Keys, AWriterThatIsGoneLeavesItsInstancesWithoutWriters) {
   const ShapeOptions both = options();
   auto a = make_shape_bus(both);

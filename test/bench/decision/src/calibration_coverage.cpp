@@ -16,6 +16,7 @@
 
 #include "decision/calibration.hpp"
 #include "foundation/csv_table.hpp"
+#include "recording.hpp"
 
 namespace tocsin::decision {
 namespace {
@@ -38,17 +39,10 @@ Link two_state(const std::string& name, const TwoStateLink& link) {
 
 /// A recorded quality, one a second (column qni), as a link of resampled blocks.
 Link trace(const std::string& path) {
-  const CsvTable table = CsvTable::read(path);
-  const std::vector<double> recording = table.numbers("qni");
-  double mean = 0;
-  double variance = 0;
-  for (const double x : recording) mean += x / static_cast<double>(recording.size());
-  for (const double x : recording) {
-    variance += (x - mean) * (x - mean) / static_cast<double>(recording.size());
-  }
-  const Normal good{mean, std::sqrt(variance)};
-  return {path.substr(path.find_last_of('/') + 1), BlockLink{recording, 30},
-          NormalLlr(good, {mean - 2 * good.sd, good.sd})};
+  const std::vector<double> recording = CsvTable::read(path).numbers("qni");
+  const Normal good = law_of(recording);
+  return {name_of(path), BlockLink{recording, 30},
+          NormalLlr(good, {good.mean - 2 * good.sd, good.sd})};
 }
 
 Link link_of(const std::string& name) {

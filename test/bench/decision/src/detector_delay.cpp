@@ -16,6 +16,7 @@
 
 #include "decision/link_model.hpp"
 #include "foundation/csv_table.hpp"
+#include "recording.hpp"
 
 namespace tocsin::decision {
 namespace {
@@ -126,14 +127,7 @@ void print(const Link& link, double samples, int runs) {
 
 Link trace(const std::string& path) {
   const std::vector<double> recording = CsvTable::read(path).numbers("qni");
-  const double n = static_cast<double>(recording.size());
-  double mean = 0;
-  double variance = 0;
-  for (const double x : recording) mean += x / n;
-  for (const double x : recording) variance += (x - mean) * (x - mean) / n;
-  return {path.substr(path.find_last_of('/') + 1),
-          BlockLink{recording, 30},
-          {mean, std::sqrt(variance)}};
+  return {name_of(path), BlockLink{recording, 30}, law_of(recording)};
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "decision/link_model.hpp"
 #include "decision/quality_index.hpp"
 #include "probing_vehicle.hpp"
+#include "recording.hpp"
 
 namespace tocsin::decision {
 namespace {
@@ -81,15 +82,10 @@ std::vector<double> qualities(const QualityIndex& index, const Measurements& all
   return values;
 }
 
-Normal law_of(const std::vector<double>& values) {
-  double sum = 0;
-  double squares = 0;
-  for (const double x : values) {
-    sum += x;
-    squares += x * x;
-  }
-  const double n = static_cast<double>(values.size());
-  return {sum / n, std::max(1.0, std::sqrt(squares / n - sum / n * (sum / n)))};
+/// With a spread of 1 at least.
+Normal broad_law_of(const std::vector<double>& values) {
+  const Normal law = law_of(values);
+  return {law.mean, std::max(1.0, law.sd)};
 }
 
 /// An index with a detector for its laws.
@@ -104,8 +100,8 @@ struct Entry {
 void add_entries(const char* name, const QualityIndexParams& params, const Training& training,
                  std::vector<Entry>& entries) {
   const QualityIndex index(params);
-  const Normal good = law_of(qualities(index, training.good));
-  const Normal bad = law_of(qualities(index, both(training)));
+  const Normal good = broad_law_of(qualities(index, training.good));
+  const Normal bad = broad_law_of(qualities(index, both(training)));
   std::printf("%s: good %.1f +-%.1f, bad %.1f +-%.1f\n", name, good.mean, good.sd, bad.mean,
               bad.sd);
   entries.push_back({name, "CUSUM", index, Detector::cusum(NormalLlr(good, bad)), 0});

@@ -22,8 +22,6 @@ class PortRecorder final : public Bus, private LinkAccess {
   [[nodiscard]] std::int64_t wall_ns(Time t) const override { return t.time_since_epoch().count(); }
   [[nodiscard]] LinkAccess* link_access() override { return this; }
 
-  /// What the writer of a topic expects to write.
-  void expect(const std::string& topic, const ExpectedLoad& load);
   /// The ports made so far, in the order of their making. Ends that say the same of a topic are
   /// one, with what the more demanding of them needs; ends that disagree stay apart, to be found.
   [[nodiscard]] const std::vector<Port>& ports() const { return ports_; }
