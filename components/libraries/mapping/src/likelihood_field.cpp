@@ -129,6 +129,26 @@ FieldBounds::FieldBounds(const LikelihoodField& field) : grid_(&field.grid()) {
   for (std::size_t i = 1; i < levels_.size(); ++i) levels_[i].cells = levels_[i].own.data();
 }
 
+int FieldBounds::sum(int level, const navigation::CellIndex* cells, std::size_t count,
+                     navigation::CellIndex offset, int needed) const {
+  constexpr std::size_t stretch = 32;  // cells between two looks at what is left
+  const Level& l = levels_[static_cast<std::size_t>(level)];
+  const int column = offset.column + (l.border << level);
+  const int row = offset.row + (l.border << level);
+  int sum = 0;
+  for (std::size_t begin = 0; begin < count; begin += stretch) {
+    if (sum + 255 * static_cast<int>(count - begin) <= needed) return sum;
+    const std::size_t end = std::min(begin + stretch, count);
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto x = static_cast<unsigned>((cells[i].column + column) >> level);
+      const auto y = static_cast<unsigned>((cells[i].row + row) >> level);
+      if (x >= static_cast<unsigned>(l.width) || y >= static_cast<unsigned>(l.height)) continue;
+      sum += l.cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(l.width) + x];
+    }
+  }
+  return sum;
+}
+
 FieldBounds::Level FieldBounds::pooled(const Level& finer) {
   Level pool;
   pool.width = (finer.width + 1) / 2;

@@ -98,4 +98,16 @@ void LocalMapper::finish() {
   }
 }
 
+void LocalMapper::rebuild(const std::vector<Pose>& poses) {
+  for (Submap& submap : submaps_) {
+    std::vector<const Scan*> scans;
+    std::vector<Pose> in_submap;
+    for (const std::size_t node : submap.nodes()) {
+      scans.push_back(&nodes_[node].scan);
+      in_submap.push_back(relative(poses[submap.first_node()], poses[node]));
+    }
+    submap.rebuild(scans, in_submap);
+  }
+}
+
 }  // namespace tocsin::mapping

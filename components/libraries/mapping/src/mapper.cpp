@@ -76,36 +76,48 @@ double Mapper::distance_to(const Submap& submap, std::size_t node) const {
   return nearest_m;
 }
 
-void Mapper::match_once(std::size_t index, std::size_t node, const SearchWindow& window) {
-  const Submap& submap = local_.submaps()[index];
-  if (!matched_.insert({index, node}).second) return;
-  const Pose guess = relative(poses()[submap.first_node()], poses()[node]);
-  const Points& points = nodes()[node].thin;
-  SearchParams search_params;
-  search_params.min_score = params_.near_min_score * 0.8;
-  search_params.guess_weight = params_.local.guess_weight;
-  const auto found = search(submap.bounds(), points, guess, window, search_params);
-  if (!found) return;
-  const Match match = refine(submap.field(), points, found->pose, found->pose);
-  const Agreement agreement = submap.agreement(points, match.pose);
-  if (match.score < params_.near_min_score || agreement.seen < params_.loop.min_seen ||
-      agreement.opposed > params_.loop.max_opposed) {
-    return;
-  }
-  graph_.add({submap.first_node(), node, match.pose, match.information, true});
-}
-
-bool Mapper::match_near(std::size_t node, const std::vector<double>& ways) {
-  const std::size_t before = graph_.constraints().size();
+std::vector<std::size_t> Mapper::near_submaps(std::size_t node, const std::vector<double>& ways,
+                                              std::size_t most) const {
+  std::vector<std::pair<double, std::size_t>> near;
   const auto& submaps = local_.submaps();
   for (std::size_t i = 0; i < submaps.size(); ++i) {
     const Submap& submap = submaps[i];
     const double way_m = ways[submap.first_node()];
     if (!submap.is_finished() || submap.contains(node) || way_m > 2 * params_.sure_way_m) continue;
-    if (distance_to(submap, node) > params_.near_m) continue;
-    match_once(i, node, {params_.near_window_m + params_.drift_share * way_m, 0.1});
+    const double distance_m = distance_to(submap, node);
+    if (distance_m <= params_.near_m) near.emplace_back(distance_m, i);
   }
-  return graph_.constraints().size() > before;
+  std::sort(near.begin(), near.end());
+  near.resize(std::min(near.size(), most));
+  std::vector<std::size_t> indices;
+  for (const auto& [distance_m, index] : near) indices.push_back(index);
+  return indices;
+}
+
+void Mapper::add_near(const Submap& submap, std::size_t node, const Pose& start) {
+  const Points& points = nodes()[node].thin;
+  const Match match = refine(submap.field(), points, start, start);
+  if (match.score < params_.near_min_score) return;
+  const Agreement agreement = submap.agreement(points, match.pose);
+  if (agreement.seen < params_.loop.min_seen || agreement.opposed > params_.loop.max_opposed) {
+    return;
+  }
+  graph_.add({submap.first_node(), node, match.pose, match.information, true});
+}
+
+void Mapper::match_near(std::size_t node, const std::vector<double>& ways) {
+  SearchParams search_params;
+  search_params.min_score = params_.near_min_score * 0.8;
+  search_params.guess_weight = params_.local.guess_weight;
+  for (const std::size_t index : near_submaps(node, ways, params_.most_near)) {
+    const Submap& submap = local_.submaps()[index];
+    const double way_m = ways[submap.first_node()];
+    const SearchWindow window{params_.near_window_m + params_.drift_share * way_m, 0.1};
+    const auto found =
+        search(submap.bounds(), nodes()[node].thin,
+               relative(poses()[submap.first_node()], poses()[node]), window, search_params);
+    if (found) add_near(submap, node, found->pose);
+  }
 }
 
 Points Mapper::recent_points(std::size_t node) const {
@@ -150,11 +162,28 @@ bool Mapper::accept(const LoopCandidate& candidate) {
   return !accepted.empty();
 }
 
+void Mapper::match_all_again() {
+  local_.rebuild(poses());
+  std::vector<std::vector<std::size_t>> near;
+  for (std::size_t node = 0; node < nodes().size(); ++node) {
+    near.push_back(near_submaps(node, ways_from(node), params_.most_near_again));
+  }
+  graph_.drop_doubtful();
+  for (std::size_t node = 0; node < nodes().size(); ++node) {
+    for (const std::size_t index : near[node]) {
+      const Submap& submap = local_.submaps()[index];
+      add_near(submap, node, relative(poses()[submap.first_node()], poses()[node]));
+    }
+  }
+  SolveParams solve;
+  solve.graduated = false;
+  graph_.solve(solve);
+}
+
 void Mapper::finish() {
   local_.finish();
   graph_.solve();
-  for (std::size_t node = 0; node < nodes().size(); ++node) match_near(node, ways_from(node));
-  graph_.solve();
+  for (int pass = 0; pass < params_.passes; ++pass) match_all_again();
 }
 
 navigation::OccupancyMap Mapper::map(double resolution_m) const {

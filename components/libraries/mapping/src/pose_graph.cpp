@@ -101,12 +101,10 @@ double PoseGraph::largest_doubtful_error() const {
   return largest;
 }
 
-std::size_t PoseGraph::drop_wrong(double error) {
-  const auto is_wrong = [&](const Constraint& c) { return c.may_be_wrong && error_of(c) > error; };
-  const auto kept = std::remove_if(constraints_.begin(), constraints_.end(), is_wrong);
-  const auto count = static_cast<std::size_t>(constraints_.end() - kept);
-  constraints_.erase(kept, constraints_.end());
-  return count;
+void PoseGraph::drop_doubtful() {
+  const auto is_doubtful = [](const Constraint& c) { return c.may_be_wrong; };
+  constraints_.erase(std::remove_if(constraints_.begin(), constraints_.end(), is_doubtful),
+                     constraints_.end());
 }
 
 double PoseGraph::step(Linear& linear, double doubted_error) {

@@ -9,10 +9,7 @@ namespace {
 
 using geometry::Pose;
 
-struct Cell {
-  int column;
-  int row;
-};
+using Cell = navigation::CellIndex;
 
 /// Poses that share a heading and lie in a square of 2^level cells, the corner's lowest.
 struct Node {
@@ -89,16 +86,14 @@ class Search {
     return dx * dx + dy * dy + turn * turn;
   }
 
+  /// Not more than `best_score_` when no pose of the node is better.
   [[nodiscard]] double bound_of(const Node& node) const {
-    const Cell* cell = &placed_[static_cast<std::size_t>(node.heading) * points_.size()];
-    int sum = 0;
-    for (std::size_t i = 0; i < points_.size(); ++i, ++cell) {
-      sum +=
-          bounds_.bound(node.level, cell->column + node.offset.column, cell->row + node.offset.row);
-    }
-    const double score = sum / (255.0 * static_cast<double>(points_.size()));
-    return params_.guess_weight > 0 ? score - params_.guess_weight * distance_from_guess(node)
-                                    : score;
+    const double off =
+        params_.guess_weight > 0 ? params_.guess_weight * distance_from_guess(node) : 0;
+    const double whole = 255.0 * static_cast<double>(points_.size());
+    const Cell* const cells = &placed_[static_cast<std::size_t>(node.heading) * points_.size()];
+    const int needed = static_cast<int>(whole * (best_score_ + off));
+    return bounds_.sum(node.level, cells, points_.size(), node.offset, needed) / whole - off;
   }
 
   [[nodiscard]] bool is_excluded(const Node& leaf) const {

@@ -33,6 +33,18 @@ void Submap::finish() {
   finished_ = true;
 }
 
+void Submap::rebuild(const std::vector<const Scan*>& scans,
+                     const std::vector<geometry::Pose>& poses) {
+  const std::vector<std::size_t> nodes = std::move(nodes_);
+  nodes_.clear();
+  poses_.clear();
+  const double resolution_m = field_.grid().resolution_m;
+  occupancy_ = OccupancyGrid(resolution_m);
+  field_ = LikelihoodField(resolution_m, sigma_m_);
+  for (std::size_t i = 0; i < nodes.size(); ++i) insert(nodes[i], *scans[i], poses[i]);
+  finish();
+}
+
 bool Submap::contains(std::size_t node) const {
   return std::binary_search(nodes_.begin(), nodes_.end(), node);
 }

@@ -54,15 +54,11 @@ class FieldBounds {
   FieldBounds& operator=(const FieldBounds&) = delete;
 
   [[nodiscard]] const navigation::Grid& grid() const { return *grid_; }
-  /// Of the cell at (column, row) of the field, [range 0,255]; 0 where it cannot reach the field.
-  [[nodiscard]] int bound(int level, int column, int row) const {
-    const Level& l = levels_[static_cast<std::size_t>(level)];
-    const int x = (column >> level) + l.border;
-    const int y = (row >> level) + l.border;
-    if (x < 0 || y < 0 || x >= l.width || y >= l.height) return 0;
-    return l.cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(l.width) +
-                   static_cast<std::size_t>(x)];
-  }
+  /// Sum over `count` cells of the field, each moved by `offset`, of their bounds [range 0,255 a
+  /// cell]; 0 for a cell that cannot reach the field. A smaller sum may come back when it could not
+  /// have become more than `needed`.
+  [[nodiscard]] int sum(int level, const navigation::CellIndex* cells, std::size_t count,
+                        navigation::CellIndex offset, int needed) const;
 
  private:
   struct Level {

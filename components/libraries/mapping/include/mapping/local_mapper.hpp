@@ -43,6 +43,9 @@ class LocalMapper {
   /// Finishes the submaps that still grow: the log has ended.
   void finish();
 
+  /// Makes all submaps anew, their scans at these poses (one for each node).
+  void rebuild(const std::vector<geometry::Pose>& poses);
+
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   /// All submaps in the order of their first nodes; the last two may still grow.
   [[nodiscard]] const std::deque<Submap>& submaps() const { return submaps_; }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -15,7 +14,10 @@ namespace tocsin::mapping {
 struct MapperParams {
   LocalParams local;
   LoopParams loop;
-  double near_m = 4.0;         ///< submaps with a node so near are matched with every scan
+  double near_m = 4.0;              ///< submaps with a node so near are matched with every scan,
+  std::size_t most_near = 2;        ///< the nearest ones while driving,
+  std::size_t most_near_again = 8;  ///< and in each pass of finish
+  int passes = 2;                   ///< of finish
   double near_window_m = 0.3;  ///< how far the graph may be off there, besides what the way adds
   double near_min_score = 0.45;
   double drift_share = 0.03;  ///< of the way through the graph: how far loops are looked for
@@ -59,8 +61,15 @@ class Mapper {
   [[nodiscard]] std::vector<double> ways_from(std::size_t node) const;
   [[nodiscard]] double distance_to(const Submap& submap, std::size_t node) const;
   [[nodiscard]] Points recent_points(std::size_t node) const;
-  bool match_near(std::size_t node, const std::vector<double>& ways);
-  void match_once(std::size_t submap, std::size_t node, const SearchWindow& window);
+  /// The finished submaps that a node is matched with, which its own are not; indices.
+  [[nodiscard]] std::vector<std::size_t> near_submaps(std::size_t node,
+                                                      const std::vector<double>& ways,
+                                                      std::size_t most) const;
+  void match_near(std::size_t node, const std::vector<double>& ways);
+  /// Adds the constraint of a scan that lies well in the submap at `start`.
+  void add_near(const Submap& submap, std::size_t node, const geometry::Pose& start);
+  /// One pass of finish.
+  void match_all_again();
   bool look_for_loops(std::size_t node, const std::vector<double>& ways);
   [[nodiscard]] bool accept(const LoopCandidate& candidate);
 
@@ -68,7 +77,6 @@ class Mapper {
   LocalMapper local_;
   PoseGraph graph_;
   LoopJury jury_;
-  std::set<std::pair<std::size_t, std::size_t>> matched_;  // submap and node
   std::size_t loops_ = 0;
   std::size_t solved_at_ = 0;  // number of nodes
 };

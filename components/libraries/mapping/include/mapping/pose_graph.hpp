@@ -48,9 +48,8 @@ class PoseGraph {
   [[nodiscard]] const std::vector<Constraint>& constraints() const { return constraints_; }
   /// Squared error of a constraint in units of its covariance.
   [[nodiscard]] double error_of(const Constraint& constraint) const;
-  /// Leaves out all constraints that may be wrong and whose error is larger than `error`; returns
-  /// how many.
-  std::size_t drop_wrong(double error);
+  /// Leaves out all constraints that may be wrong.
+  void drop_doubtful();
 
  private:
   struct Linear;

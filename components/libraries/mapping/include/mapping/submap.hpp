@@ -29,6 +29,9 @@ class Submap {
   /// memory that growing needs.
   void finish();
 
+  /// Makes a finished submap anew of the same scans at other poses.
+  void rebuild(const std::vector<const Scan*>& scans, const std::vector<geometry::Pose>& poses);
+
   [[nodiscard]] bool is_finished() const { return finished_; }
   [[nodiscard]] std::size_t first_node() const { return first_node_; }
   /// Nodes that are inserted, the first one among them, and their poses in the submap's frame.
