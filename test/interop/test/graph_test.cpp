@@ -13,6 +13,7 @@
 #include "ros_idl/std_msgs.hpp"
 #include "runtime/host_control.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
+#include "runtime/middleware/host_graph.hpp"
 #include "within.hpp"
 
 namespace tocsin::interop {
@@ -87,7 +88,9 @@ class DiscoveryReader {
     dds_qset_durability(qos.get(), DDS_DURABILITY_TRANSIENT_LOCAL);
     dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, 0);
     dds_qset_userdata(qos.get(), user_data.data(), user_data.size());
-    reader_ = cyclone.reader(cyclone.topic(type, discovery_topic, discovery_type), qos);
+    reader_ = cyclone.reader(cyclone.topic(type, "ros_discovery_info",
+                                           "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_"),
+                             qos);
   }
   /// Of the last sample.
   [[nodiscard]] Nodes nodes() {
