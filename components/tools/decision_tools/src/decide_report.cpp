@@ -104,25 +104,6 @@ std::string comparison_text(const DecidedTrace& decided) {
   return text;
 }
 
-std::string laws_text(const decision::LearnedLaw& law) {
-  std::string text = "laws: " + text_of(law);
-  if (law.applied > 0) text += fmt::format("; in force {}", text_of(law.in_force));
-  return text + "\n";
-}
-
-nlohmann::json laws_json(const decision::LearnedLaw& law) {
-  return {{"proposed", law.proposed},
-          {"good_mean", law.learned.mean},
-          {"good_sd", law.learned.sd},
-          {"in_force_mean", law.in_force.mean},
-          {"in_force_sd", law.in_force.sd},
-          {"evidence", law.evidence},
-          {"spread_evidence", law.spread_evidence},
-          {"effective_samples", law.effective_samples},
-          {"left_out_share", law.left_out_share},
-          {"applied", law.applied}};
-}
-
 nlohmann::json parameters_json(const PolicySettings& settings) {
   nlohmann::json all = nlohmann::json::array();
   for (const ParameterSource& source : settings.sources) {
@@ -162,7 +143,6 @@ std::string to_text(const DecidedTrace& decided) {
        << mean_text(s.mean_qni_active) << ", while passive " << mean_text(s.mean_qni_passive)
        << '\n';
   text << comparison_text(decided);
-  if (decided.learned) text << laws_text(*decided.learned);
   if (s.has_truth) {
     text << "cost " << s.cost << ", clairvoyant " << s.oracle_cost << ", regret "
          << s.cost - s.oracle_cost << '\n';
@@ -190,7 +170,6 @@ nlohmann::json to_json(const DecidedTrace& decided, bool rows) {
                      {"mean_qni_passive", number(s.mean_qni_passive)},
                      {rows ? "rows" : "changes", changes}};
   add_recording(decided, out);
-  if (decided.learned) out["laws"] = laws_json(*decided.learned);
   if (s.has_truth) out["cost"] = s.cost;
   if (s.has_truth) out["oracle_cost"] = s.oracle_cost;
   return out;

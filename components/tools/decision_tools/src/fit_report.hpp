@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "decision/fit.hpp"
+#include "decision/design/fit.hpp"
 #include "quality_trace.hpp"
 
 namespace tocsin::tools {

@@ -130,28 +130,6 @@ TEST_F(Programs, FitRefusesARecordingWithHardlyAnySpreadAndLeavesTheOldModel) {
   EXPECT_EQ(folder.read("m.yaml"), "alpha: 3\n");
 }
 
-TEST_F(Programs, FitWritesTheJointIndexOfRecordedReadings) {
-  const auto readings = [this](const char* name, double rtt_ms, double signal_dbm) {
-    std::string text = "receive_s,per_percent,rtt_mean_ms,signal_dbm\n";
-    for (int i = 0; i < 60; ++i) {
-      text += std::to_string(i) + ",0," + std::to_string(rtt_ms + i % 3) + "," +
-              std::to_string(signal_dbm - i % 4) + "\n";
-    }
-    folder.write(name, text);
-  };
-  readings("well.csv", 5, -60);
-  readings("weak.csv", 5, -80);
-  readings("slow.csv", 90, -60);
-  const std::string fit = FIT_PROGRAM " --joint well.csv weak.csv";
-  ASSERT_EQ(run(fit + " --other-bad slow.csv --model joint.yaml"), 0) << error;
-  EXPECT_THAT(output, HasSubstr("quality_index: joint\njoint_center: ["));
-  EXPECT_EQ(folder.read("joint.yaml"), output);
-  expect_error(FIT_PROGRAM " --joint well.csv well.csv", "a kind of bad link in which no reading");
-  expect_error(FIT_PROGRAM " --joint well.csv bad.csv", "bad.csv: has no column 'per_percent'");
-  expect_error(FIT_PROGRAM " well.csv weak.csv --other-bad slow.csv",
-               "--other-bad requires --joint");
-}
-
 TEST_F(Programs, DecidePrintsItsTableOrItsJson) {
   const std::string decide = DECIDE_PROGRAM " trace.csv --policy tocp";
   ASSERT_EQ(run(decide + " --table -"), 0) << error;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "decide_report.hpp"
-#include "decision/link_model.hpp"
+#include "decision/design/link_model.hpp"
 #include "design.hpp"
 #include "fit_report.hpp"
 #include "foundation/error.hpp"
@@ -97,19 +97,6 @@ TEST(DecideReport, HasARowPerSampleAndTheChanges) {
   EXPECT_THAT(decide_plot(sut), HasSubstr("$d << EOD"));
 }
 
-TEST(DecideReport, TellsWhatWasLearnedOfTheSite) {
-  const QualityTrace trace = normal_trace(70, 6, 10000);
-  const DecidedTrace fixed = decide_again(trace, "", with_policy("tocp"));
-  EXPECT_THAT(to_text(fixed), ::testing::Not(HasSubstr("laws:")));
-  EXPECT_FALSE(to_json(fixed, false).contains("laws"));
-  const auto apply = load_settings({{}, "", {"laws=apply"}, "tocp"});
-  const DecidedTrace sut = decide_again(trace, "", apply);
-  EXPECT_THAT(to_text(sut), HasSubstr("laws: proposes good_mean 70."));
-  EXPECT_THAT(to_text(sut), HasSubstr("; in force good_mean 7"));
-  EXPECT_TRUE(to_json(sut, false)["laws"]["proposed"]);
-  EXPECT_NEAR(to_json(sut, false)["laws"]["good_mean"], 70, 1);
-}
-
 DesignRequest request(double false_alarm_s) {
   DesignRequest r;
   r.false_alarm_s = false_alarm_s;
@@ -188,7 +175,7 @@ RecordingCalibration calibrated(const DesignRequest& wanted) {
 
 TEST(Design, CalibratesTheDetectorThatIsChosen) {
   DesignRequest wanted = request(300);
-  wanted.params.detector = "focus";
+  wanted.params.detector = decision::DetectorKind::focus;
   wanted.recording = ar1_trace(0.5, 3000);
   const RecordingCalibration sut = calibrated(wanted);
   EXPECT_EQ(sut.parameter, "detector_threshold");

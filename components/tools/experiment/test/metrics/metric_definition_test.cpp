@@ -261,26 +261,5 @@ TEST(LinkMetrics, HaveNoAnswerWithoutTwoReports) {
   EXPECT_TRUE(std::isnan(Hand().value(Metric::airtime)));
 }
 
-TEST(MetricTexts, AreAllDefinedWithAUnit) {
-  for (const MetricText& text : metric_texts()) {
-    EXPECT_GT(std::string(text.text).size(), 10U) << text.name;
-    EXPECT_FALSE(std::string(text.unit).empty()) << text.name;
-  }
-}
-
-TEST(MetricTexts, SayWhichWayIsBetter) {
-  const auto less = [](Metric metric) { return text_of(metric).less_is_better; };
-  for (const Metric metric : {Metric::qni_mean, Metric::qni_min, Metric::high_delivered,
-                              Metric::low_delivered, Metric::completed}) {
-    EXPECT_FALSE(less(metric)) << text_of(metric).name;
-  }
-  for (const Metric metric :
-       {Metric::telemetry_per_max, Metric::high_latency_p99, Metric::slot_cost, Metric::user_cost,
-        Metric::critical_late, Metric::location_age_mean, Metric::missed, Metric::airtime,
-        Metric::completion}) {
-    EXPECT_TRUE(less(metric)) << text_of(metric).name;
-  }
-}
-
 }  // namespace
 }  // namespace tocsin::experiment

@@ -17,12 +17,6 @@ double value(const report::Recording& recording, Metric metric,
   return measure(recording, timing).values[index_of(metric)];
 }
 
-TEST(MetricTexts, NameEachMetricOnce) {
-  std::set<std::string> names;
-  for (const MetricText& text : metric_texts()) EXPECT_TRUE(names.insert(text.name).second);
-  EXPECT_EQ(index_of(Metric::qni_mean), 0U);
-}
-
 TEST(Metrics, OfQuality) {
   const auto recording = toy_recording();
   EXPECT_DOUBLE_EQ(value(recording, Metric::qni_mean), 70);

@@ -24,7 +24,7 @@ TEST(ExperimentFile, ReadsEveryPart) {
   EXPECT_EQ(sut.missions[0].file, toy.path("a.yaml"));
   EXPECT_THAT(sut.missions[0].set, ElementsAre("navigator.speed_mps=0.1"));
   EXPECT_TRUE(sut.payloads[0].camera);
-  EXPECT_EQ(sut.sets[0].kind, "thesis");
+  EXPECT_EQ(sut.sets[0].kind, SetKind::thesis);
   EXPECT_EQ(sut.sets[0].seeds, 3);
 }
 
@@ -125,7 +125,7 @@ TEST(ExperimentFile, ShippedOnesFitOnSeedsThatAreNotCompared) {
   const std::string config = std::string(TOCSIN_REPOSITORY) + "/config/experiments/";
   int fitted = 0;
   for (const RunSet& set : load_experiment(config + "study.yaml").sets) {
-    if (set.kind != "fit") {
+    if (set.kind != SetKind::fit) {
       EXPECT_LT(set.first_seed + set.seeds, 1001) << set.name;
     } else {
       EXPECT_GE(set.first_seed, 1001) << set.name;
