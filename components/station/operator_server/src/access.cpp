@@ -81,7 +81,7 @@ bool is_own_page(const AccessRules& rules, const RequestFacts& request) {
   return request.origin.empty() || request.origin == own;
 }
 
-/// Desktop clients, and the pages that their makers serve; a page of the web cannot claim one of
+/// Desktop clients, and the pages that their vendors serve; a page of the web cannot claim one of
 /// these. "null" is none of them: any page gets it by a frame that it seals off.
 bool is_known_client(const AccessRules& rules, const std::string& origin) {
   constexpr std::array<const char*, 5> known{
