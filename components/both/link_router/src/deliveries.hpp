@@ -11,9 +11,9 @@ namespace tocsin {
 class Deliveries {
  public:
   virtual ~Deliveries() = default;
-  /// Samples of a peer's stored flow will come.
+  /// Samples of a peer's stored flow will follow.
   virtual void expect(Instant at) = 0;
-  /// A sample of a stored flow has crossed live. Whether the host was not delivered it before.
+  /// A sample of a stored flow was received live. Whether it is the first time.
   [[nodiscard]] virtual bool on_live(const LinkPeer& peer, const RemoteFlow& flow,
                                      const CarriedSample& sample) = 0;
   /// The host is delivered a sample of a peer's flow for the first time.

@@ -13,7 +13,7 @@ constexpr double deviation_weight = 1.0 / 4;
 constexpr double loss_weight = 1.0 / 16;
 constexpr double capacity_falls = 0.5;  ///< weight of a smaller measurement
 constexpr double capacity_rises = 0.2;
-/// A measured capacity is believed within these limits: one sample tells no more.
+/// A measured capacity is believed within these limits: one sample proves no more.
 constexpr double least_capacity_bytes_per_s = 4000;
 constexpr double most_capacity_bytes_per_s = 1e9;
 /// So many unanswered transmissions at least are a silence: one or two may be bad luck.

@@ -8,10 +8,10 @@
 namespace tocsin::router {
 namespace {
 
-/// Sources of all streams of a peer that are remembered; then the one unheard for longest goes.
+/// Sources of all streams of a peer that are remembered; then the one silent for longest goes.
 constexpr std::size_t most_memories = 256;
-/// A stream is in the acknowledgements of this time after something of it came, so that one of them
-/// comes through.
+/// A stream is in the acknowledgements of this time after something of it was received, so that one
+/// of them arrives.
 constexpr Duration repeated_for = std::chrono::milliseconds(500);
 /// What is not older than this was sent a moment ago.
 constexpr Duration fresh = std::chrono::milliseconds(500);
@@ -61,7 +61,7 @@ Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arr
   const Disposition disposition = judge(from, rule, arrived.origin, now);
   const bool in_vain =
       disposition == Disposition::superseded || disposition == Disposition::expired;
-  // Of a stored stream it follows in another way, unless an acknowledgement tells of it.
+  // Of a stored stream it follows in another way, unless an acknowledgement names it.
   if (!rule.stored || !in_vain) note(found->second, arrived.number, now);
   return disposition;
 }
@@ -118,7 +118,7 @@ SourceMemory& LinkReceiver::memory_of(Peer& peer, const std::string& stream, Sou
     auto oldest = peer.delivered.end();
     for (auto it = peer.delivered.begin(); it != peer.delivered.end(); ++it) {
       if (it == place) continue;
-      if (oldest == peer.delivered.end() || it->second.heard() < oldest->second.heard()) {
+      if (oldest == peer.delivered.end() || it->second.received() < oldest->second.received()) {
         oldest = it;
       }
     }
@@ -148,7 +148,7 @@ std::optional<LinkReceiver::Addressed> LinkReceiver::take_acknowledgement(Time n
 
 LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) {
   LinkAcknowledgement acknowledgement{++peer.acknowledgements, now, {}};
-  // After a silence everything is told once more.
+  // After a silence everything is reported once more.
   const bool idle = !peer.acknowledgement_sent || now - *peer.acknowledgement_sent >= repeated_for;
   for (const auto& [id, stream] : peer.streams) {
     if (stream.highest == 0 || (!idle && now - stream.noted > repeated_for)) continue;

@@ -10,7 +10,7 @@
 namespace tocsin::router {
 namespace {
 
-/// Sources of one stream that are remembered; then the one unheard for longest goes.
+/// Sources of one stream that are remembered; then the one silent for longest goes.
 constexpr std::size_t most_sources = 64;
 
 Time later(Time time, Duration by) { return by > never - time ? never : time + by; }

@@ -19,7 +19,7 @@ void Retransmitter::supersede(const SentSample& newer, std::size_t depth) {
         older->sample.origin.source != newer.sample.origin.source) {
       continue;
     }
-    // What is sent for a peer that came later is the newest one, or it is none.
+    // What is sent for a late peer is the newest one, or it is none.
     older->superseded = ++older->newer >= (older->counted ? depth : 1);
   }
 }

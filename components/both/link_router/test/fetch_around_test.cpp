@@ -13,7 +13,7 @@ using ::testing::IsEmpty;
 class FetchAroundTest : public HistoryLinkTest {
  protected:
   /// After a kill, and a meeting with the station.
-  void next_life(double fetch_around_stop_s) {
+  void next_instance(double fetch_around_stop_s) {
     start(fetch_around_stop_s);
     meet_station();
     (void)begin("odom");
@@ -55,14 +55,14 @@ TEST_F(FetchAroundTest, WhatIsWantedOutlivesTheRouterAndCrossesOnce) {
   stop.emergency_stop(true);
   host_->bus.publish<topic::SafetyStatus>(stop);
   for (std::uint64_t sequence = 1; sequence <= 20; ++sequence) write(sequence, host_flow, 900);
-  next_life(4);
+  next_instance(4);
   host_->bus.publish<topic::SafetyStatus>(stop);
   run(20);  // its clock begins with it
   ASSERT_GE(sent().size(), 5U) << "the event before the kill";
   const std::uint64_t confirmed = batches().at(1)->samples().back().sequence_number();
   confirm(1, 2);
   run(1);
-  next_life(4);
+  next_instance(4);
   run(20);
   ASSERT_FALSE(sent().empty());
   EXPECT_EQ(sent().front(), confirmed + 1) << "what was confirmed does not cross again";
@@ -72,7 +72,7 @@ TEST_F(FetchAroundTest, WhatIsWantedOutlivesTheRouterAndCrossesOnce) {
   }
   EXPECT_EQ(sent().back(), 20U);
   EXPECT_EQ(state().fetches().at(0).state(), "done");
-  next_life(4);
+  next_instance(4);
   run(20);
   EXPECT_THAT(sent(), IsEmpty());
   EXPECT_THAT(state().fetches(), IsEmpty()) << "what is done is not looked for again";
@@ -87,7 +87,7 @@ TEST_F(FetchAroundTest, AStopThatGoesOnOverARestartIsOneEvent) {
   stop.emergency_stop(true);
   host_->bus.publish<topic::SafetyStatus>(stop);
   run(1);
-  next_life(8);
+  next_instance(8);
   for (int i = 0; i < 20; ++i) {
     host_->bus.publish<topic::SafetyStatus>(stop);
     run(0.2);

@@ -42,12 +42,6 @@ TEST_F(AdaptiveScaleTest, ComesToTheShareOfTheCapacityThatIsLeft) {
   EXPECT_NEAR(run(in, std::chrono::seconds(20)), wanted, scale_step);
 }
 
-TEST_F(AdaptiveScaleTest, NeverFallsBelowItsLeast) {
-  const double scale = run(input(10e3, 300e3), std::chrono::seconds(30));
-  EXPECT_GE(scale, params.scale_min);
-  EXPECT_LE(scale, params.scale_min + scale_step);
-}
-
 TEST_F(AdaptiveScaleTest, FallsFasterThanItRises) {
   const double low = run(input(10e3, 300e3), std::chrono::seconds(2));
   EXPECT_LT(low, 0.35);

@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Delivery, peers and their lives, streams that come and go.
+// Delivery, peers and their instances, streams that come and go.
 #include "link_pair.hpp"
 
 namespace tocsin::router {
 namespace {
 
 using Sequences = std::vector<std::uint64_t>;
-
-TEST(Peers, SendsClassesInTheirOrder) {
-  LinkPair link;
-  const TrafficClass reversed[] = {TrafficClass::low, TrafficClass::normal, TrafficClass::high,
-                                   TrafficClass::critical};
-  for (StreamId stream = 0; stream < 4; ++stream) link.add(stream, rule_of(reversed[stream]));
-  for (StreamId stream = 0; stream < 4; ++stream) link.offer(stream, 1);
-  link.run(ms);
-  ASSERT_EQ(link.sent.size(), 4U);
-  for (StreamId i = 0; i < 4; ++i) EXPECT_EQ(link.sent[i].stream, 3 - i);
-}
 
 TEST(Peers, ALatePeerGetsTheNewestOfADurableStream) {
   LinkPair link;

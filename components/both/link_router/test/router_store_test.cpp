@@ -82,7 +82,7 @@ TEST_F(RouterStoreTest, NothingWaitsForTheDisk) {
   EXPECT_EQ(answers[0].read.at(0).id, id(1));
 }
 
-TEST_F(RouterStoreTest, TellsFirstWhatEarlierLivesLeft) {
+TEST_F(RouterStoreTest, AnswersFirstWhatEarlierInstancesLeft) {
   start(folder_.path("store"));
   append(1);
   append(2);
@@ -96,12 +96,12 @@ TEST_F(RouterStoreTest, TellsFirstWhatEarlierLivesLeft) {
   ASSERT_TRUE(first && std::holds_alternative<store_answer::Opened>(*first));
   const auto& opened = std::get<store_answer::Opened>(*first);
   EXPECT_THAT(opened.waiting, ElementsAre(id(2)));
-  EXPECT_TRUE(opened.given.contains({1, 2, 3}));
+  EXPECT_TRUE(opened.delivered.contains({1, 2, 3}));
   ASSERT_EQ(opened.streams.size(), 1U);
   EXPECT_EQ(opened.streams[0].name, "battery|");
 }
 
-TEST_F(RouterStoreTest, WhatWasGivenIsSafeWhenItsTokenIsAnswered) {
+TEST_F(RouterStoreTest, WhatWasDeliveredIsSafeWhenItsTokenIsAnswered) {
   start(folder_.path("store"));
   sut_->note_delivered({{1, 2, 3}}, 41);
   sut_->note_delivered({}, 42);
@@ -156,7 +156,7 @@ TEST_F(RouterStoreTest, AFolderThatCannotBeMadeIsOneProblemAndEverythingIsRefuse
     saved = saved || std::holds_alternative<store_answer::Saved>(*answer);
   }
   EXPECT_EQ(problems, 1U);
-  EXPECT_TRUE(saved) << "what comes is given all the same";
+  EXPECT_TRUE(saved) << "what comes is delivered all the same";
 }
 
 TEST_F(RouterStoreTest, AHistoryTellsWhatItHasAndFindsIt) {
@@ -189,7 +189,7 @@ TEST_F(RouterStoreTest, AHistoryTellsWhatItHasAndFindsIt) {
   EXPECT_TRUE(told && found);
 }
 
-TEST_F(RouterStoreTest, RequestsAreThereForTheNextLife) {
+TEST_F(RouterStoreTest, RequestsAreThereForTheNextInstance) {
   start(folder_.path("store"), sample_log::LogUse::history);
   sut_->keep_requests("7 1 2 stop odom\n");
   sut_->keep_requests("8 1 2 stop odom\n");

@@ -76,6 +76,18 @@ class SafetyControllerComponentTest : public ::testing::Test {
   std::unique_ptr<SafetyControllerComponent> sut_;
 };
 
+TEST_F(SafetyControllerComponentTest, AnEventOfASensorThatIsNotThereIsNoHazard) {
+  topic::WheelDropEvents::Message drop;
+  drop.wheel(2);
+  drop.state(1);
+  bus_.publish<topic::WheelDropEvents>(drop);
+  bump(3, true);
+  EXPECT_EQ(drive(0.3), 0.3);
+  const auto status = statuses_.take().back();
+  EXPECT_EQ(status.bumper(), 0);
+  EXPECT_EQ(status.wheel_drop(), 0);
+}
+
 TEST_F(SafetyControllerComponentTest, PassesAVelocityInTheSameTick) { EXPECT_EQ(drive(0.3), 0.3); }
 
 TEST_F(SafetyControllerComponentTest, SaysNothingOfItsOwn) {

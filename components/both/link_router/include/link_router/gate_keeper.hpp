@@ -24,7 +24,7 @@ class GateKeeper {
 
  private:
   bool active_ = true;
-  Time heard_{};
+  Time received_{};
 };
 
 }  // namespace tocsin::router

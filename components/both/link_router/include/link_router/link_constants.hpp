@@ -10,8 +10,8 @@
 
 namespace tocsin::router {
 
-/// A sample of at least so many packets is bulk: it waits for the radio's queue, and tells the
-/// capacity.
+/// A sample of at least so many packets is bulk: it waits for the radio's queue, and the
+/// capacity is measured on it.
 inline constexpr std::size_t bulk_packets = 4;
 /// What takes longer is counted as late.
 inline constexpr Duration late_after = std::chrono::milliseconds(250);

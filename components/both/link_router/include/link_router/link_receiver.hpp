@@ -16,7 +16,7 @@
 
 namespace tocsin::router {
 
-/// What came from the link.
+/// What was received from the link.
 struct Arrived {
   StreamId stream = 0;
   TransmissionNumber number = 0;  ///< of the link writer
@@ -25,17 +25,17 @@ struct Arrived {
 
 /// What to do with it.
 enum class Disposition : std::uint8_t {
-  deliver,         ///< give it to the host
+  deliver,         ///< to the host
   duplicate,       ///< the host has it
   superseded,      ///< the host has newer ones of its source, as many as the stream keeps
   expired,         ///< older than its lifespan
-  unknown_stream,  ///< of a peer or stream that was not told of
+  unknown_stream,  ///< of a peer or stream that is not known
 };
 
-/// Which transmissions are given to the host, and the acknowledgements for them.
+/// Which transmissions are delivered to the host, and the acknowledgements for them.
 ///
-/// Each sample is given once; of a stream of depth 1, in the order of its source. A stream of
-/// another depth gives a repaired sample when it comes, behind newer ones. What was given is
+/// Each sample is delivered once; of a stream of depth 1, in the order of its source. A stream of
+/// another depth delivers a repaired sample late, behind newer ones. What was delivered is
 /// remembered by the peer's and the stream's name over the instances of the peer's router, so that
 /// a restart repeats nothing. Ages are over the least one seen lately from the peer's host, since
 /// clocks differ. Pure; `now` never decreases.
@@ -43,7 +43,7 @@ class LinkReceiver {
  public:
   /// A peer, or its next instance: numbers start afresh. The same instance again changes nothing.
   void on_peer(const std::string& peer, InstanceId instance);
-  /// It is gone; what was given of it is remembered.
+  /// It is gone; what was delivered of it is remembered.
   void forget_peer(const std::string& peer);
   /// A link writer of a known peer. Of the rule, name, depth, lifespan and traffic_class count.
   void on_stream(const std::string& peer, StreamId stream, const StreamRule& rule);
@@ -51,7 +51,7 @@ class LinkReceiver {
 
   [[nodiscard]] Disposition on_arrived(const std::string& peer, const Arrived& arrived, Time now);
 
-  /// There is something to tell the peer besides.
+  /// There is something to report to the peer besides.
   void ask_for_acknowledgement(const std::string& peer, Time now);
   /// An acknowledgement that is due at `now`, and the peer that it is for.
   struct Addressed {
@@ -65,7 +65,7 @@ class LinkReceiver {
  private:
   struct Stream {
     StreamRule rule;
-    TransmissionNumber highest = 0;  ///< 0: nothing came yet
+    TransmissionNumber highest = 0;  ///< 0: nothing yet
     std::uint64_t before = 0;        ///< as in StreamAcknowledgement
     Time last{};                     ///< arrival of the highest
     Time noted{};                    ///< arrival of any

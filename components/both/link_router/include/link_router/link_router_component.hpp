@@ -10,8 +10,8 @@
 namespace tocsin {
 
 /// The one owner of the link on its host. What it does there are services: live samples, backfill,
-/// calls, acknowledgements, the emergency stop, reports. The component is told what happens at the
-/// link and tells each of them.
+/// calls, acknowledgements, the emergency stop, reports. The component passes what happens at the
+/// link to each of them.
 class LinkRouterComponent final : public Component {
  public:
   struct Params {

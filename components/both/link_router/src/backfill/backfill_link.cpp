@@ -142,7 +142,7 @@ void BackfillLink::take_answers(Instant at) {
   while (auto answer = store_.take()) {
     if (auto* const opened = std::get_if<store_answer::Opened>(&*answer)) {
       outgoing_.on_opened(*opened);
-      incoming_.recover(opened->given);
+      incoming_.recover(opened->delivered);
     } else if (auto* const appended = std::get_if<store_answer::Appended>(&*answer)) {
       for (const auto& [id, logged] : appended->logged) sender_.on_logged(id, logged);
     } else if (auto* const read = std::get_if<store_answer::Read>(&*answer)) {

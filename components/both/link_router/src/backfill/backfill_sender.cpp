@@ -100,7 +100,7 @@ bool BackfillSender::on_fate(const SampleId& id, LiveFate fate) {
   const Order order = known->second;
   Item& item = items_.at(order);
   const bool in_log = !item.refused;
-  if (fate == LiveFate::crossed) {
+  if (fate == LiveFate::delivered) {
     erase(order);
     return in_log;
   }
@@ -282,7 +282,7 @@ std::vector<BackfillSender::SampleId> BackfillSender::on_progress(const Backfill
     }
     for (const Order order : sent.orders) {
       const auto item = items_.find(order);
-      if (item == items_.end()) continue;  // it crossed live meanwhile
+      if (item == items_.end()) continue;  // it was delivered live meanwhile
       ++counts_[item->second.id.stream].backfilled;
       done.push_back(item->second.id);
       erase(order);

@@ -36,7 +36,7 @@ function ClassTable({ name, side, now }: { name: string; side: Side; now: number
           <th scope="col">lost</th>
           <th scope="col">repaired</th>
           <th scope="col">paused</th>
-          <th scope="col" class="minor" title="thinned, superseded, expired, overflow">not sent</th>
+          <th scope="col" class="minor" title="superseded, expired, overflow">not sent</th>
         </tr>
       </thead>
       <tbody>
