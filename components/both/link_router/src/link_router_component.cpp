@@ -57,7 +57,7 @@ LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& 
   auto acknowledgements = std::make_unique<AcknowledgementLink>(parts, services_);
   auto live =
       std::make_unique<LiveLink>(owner, parts, context.role, seconds(params.silence_limit_s));
-  auto backfill = std::make_unique<BackfillLink>(owner, parts, context.devices,
+  auto backfill = std::make_unique<BackfillLink>(owner, parts, context.computer,
                                                  backfill_params(context, params));
   live->set_deliveries(*backfill);
   const ReportLink::Periods periods{seconds(params.report_period_s),
