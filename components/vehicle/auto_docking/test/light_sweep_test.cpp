@@ -44,7 +44,7 @@ TEST(LightSweep, FindsTheMiddleOfTheLight) {
     int misses_every;
     double within_deg;
   } const lights[] = {
-      {90, 20, 0, 0.01}, {90, 5, 0, 0.01}, {90, 60, 0, 0.01}, {90, 20, 3, 1}, {179.9, 20, 0, 0.2}};
+      {90, 20, 0, 0.01}, {90, 5, 0, 0.01}, {90, 60, 0, 0.01}, {90, 20, 3, 1}, {180, 20, 0, 0.01}};
   for (const auto& [bearing_deg, half_view_deg, misses_every, within_deg] : lights) {
     Turning base;
     base.bearing_deg = bearing_deg;
