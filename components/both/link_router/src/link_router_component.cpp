@@ -56,7 +56,7 @@ LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& 
                         events_.peers(), events_.local(), events_.remote(), log};
   auto acknowledgements = std::make_unique<AcknowledgementLink>(parts, services_);
   auto live = std::make_unique<LiveLink>(owner, parts, context.role);
-  auto backfill = std::make_unique<BackfillLink>(owner, parts, context.devices,
+  auto backfill = std::make_unique<BackfillLink>(owner, parts, context.computer,
                                                  backfill_params(context, params));
   live->set_deliveries(*backfill);
   auto reports = std::make_unique<ReportLink>(owner, reports_, parts, services_, context.role);

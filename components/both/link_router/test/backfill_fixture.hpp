@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "devices/absent_devices.hpp"
+#include "devices/computer.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "link_router_fixture.hpp"
 #include "runtime/middleware/link_permissions.hpp"
@@ -155,7 +155,7 @@ class StoreTest : public LinkRouterTest {
   }
 
   TemporaryFolder folder_;
-  AbsentDevices computer_;
+  Computer computer_;
   std::uint64_t backfill_number_ = 0;
 };
 

@@ -34,7 +34,7 @@ class CallLinkTest : public LinkRouterTest {
     host_.reset();
     script_.opened.clear();
     script_.rules = TrafficRules(folder_.write("traffic.yaml", rules), role);
-    start({}, real_devices());
+    start({}, this_computer());
     meet();
     begin_peer_flow(link_services_topic, peer_services);
     begin_peer_flow("link_calls_uxv_high", peer_calls);

@@ -25,12 +25,12 @@ class LinkRouterTest : public ::testing::Test {
   LinkRouterTest() {
     script_.rules =
         TrafficRules(std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", Role::uxv);
-    start({}, real_devices());
+    start({}, this_computer());
   }
   /// An instance of the router; the one before has ended.
-  void start(const LinkRouterComponent::Params& params, Devices& devices) {
+  void start(const LinkRouterComponent::Params& params, const Computer& computer) {
     host_.reset();
-    host_.emplace(script_, params, devices);
+    host_.emplace(script_, params, computer);
     run(0);
   }
 
@@ -106,9 +106,9 @@ class LinkRouterTest : public ::testing::Test {
   void run(double s) { host_->bus.run_for(seconds(s)); }
 
   struct Host {
-    Host(ScriptedLink& script, const LinkRouterComponent::Params& params, Devices& devices)
+    Host(ScriptedLink& script, const LinkRouterComponent::Params& params, const Computer& computer)
         : bus(script),
-          context(Context(bus, "link_router", Role::uxv).with_devices(devices)),
+          context(Context(bus, "link_router", Role::uxv).with_computer(computer)),
           router(context, params) {
       bus.add(router);
     }

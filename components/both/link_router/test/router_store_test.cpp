@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "devices/absent_devices.hpp"
+#include "devices/computer.hpp"
 #include "foundation/temporary_folder.hpp"
 
 namespace tocsin {
@@ -24,8 +24,7 @@ using ::testing::HasSubstr;
 constexpr Time t0{std::chrono::hours(1)};
 
 /// A disk that does nothing until it is told to.
-class SlowDisk final : public AbsentDevices {
- public:
+struct SlowDisk {
   class Waiting final : public Background {
    public:
     explicit Waiting(SlowDisk& disk) : disk_(disk) {}
@@ -35,19 +34,17 @@ class SlowDisk final : public AbsentDevices {
    private:
     SlowDisk& disk_;
   };
-  std::unique_ptr<Background> open_background() override {
-    return std::make_unique<Waiting>(*this);
-  }
   void work() {
     for (auto& one : std::exchange(posted, {})) one();
   }
   std::vector<std::function<void()>> posted;
+  Computer computer{{}, false, false, [this] { return std::make_unique<Waiting>(*this); }};
 };
 
 class RouterStoreTest : public ::testing::Test {
  protected:
   void start(const std::string& folder, sample_log::LogUse use = sample_log::LogUse::queue) {
-    sut_.emplace(disk_, StorePlace{folder, {}, use}, [this] { ++told_; });
+    sut_.emplace(disk_.computer, StorePlace{folder, {}, use}, [this] { ++told_; });
     sut_->open({t0, 1000});
     sut_->add({"battery|", "/battery", {0, "Battery", "", ""}, {}});
   }

@@ -31,29 +31,19 @@ TEST_F(FullDiskTest, AppendsFailAndGoOnWhenThereIsRoom) {
     EXPECT_FALSE(file << "lost\n" << std::flush);
     EXPECT_EQ(errno, ENOSPC);
   }
-  std::ofstream(path_, std::ios::app) << "after\n";
+  file.clear();
+  file << "after\n" << std::flush;  // the descriptor is the file again
   EXPECT_EQ(text_of(path_), "before\nafter\n");
 }
 
-TEST_F(FullDiskTest, TheDescriptorIsTheFileAgainAfterwards) {
-  std::ofstream file(path_, std::ios::app);
-  { const FullDisk sut(temporary_.path()); }
-  file << "after\n" << std::flush;
-  EXPECT_EQ(text_of(path_), "after\n");
-}
-
-TEST_F(FullDiskTest, StateFilesGoOn) {
+TEST_F(FullDiskTest, StateFilesAndFilesElsewhereGoOn) {
   StateFile state(temporary_.path() + "/pose");
   ASSERT_TRUE(state.save("1"));
-  const FullDisk sut(temporary_.path());
-  EXPECT_TRUE(state.save("2"));
-  EXPECT_EQ(state.load(), "2");
-}
-
-TEST_F(FullDiskTest, FilesElsewhereGoOn) {
   const TemporaryFolder elsewhere;
   std::ofstream file(elsewhere.path() + "/rows.csv", std::ios::app);
   const FullDisk sut(temporary_.path());
+  EXPECT_TRUE(state.save("2"));
+  EXPECT_EQ(state.load(), "2");
   EXPECT_TRUE(file << "row\n" << std::flush);
 }
 

@@ -79,7 +79,7 @@ OperatorServerComponent::~OperatorServerComponent() = default;
 /// Where nobody can look, as in simulated time, nothing is served. A port that is taken is tried
 /// again: what else runs here does not depend on it.
 void OperatorServerComponent::serve(Time now) {
-  if (port_ != 0 || !context().devices.get().has_spectators()) return;
+  if (port_ != 0 || !context().computer.get().has_spectators) return;
   if (now < next_try_) return wake_at(next_try_);
   auto listening = foxglove::open_listening_socket(params_.address, params_.port);
   if (listening.socket) {

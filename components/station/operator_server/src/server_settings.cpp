@@ -23,6 +23,7 @@ std::string access_point_text(const Context& context,
                       " numbers are no place; x and y, or none");
   }
   if (!given.empty()) return shortest_text(given[0]) + " " + shortest_text(given[1]);
+  if (!context.computer.get().has_spectators) return {};
   const auto point = access_point_of(context.run_dir);
   return point ? shortest_text(point->x_m) + " " + shortest_text(point->y_m) : std::string();
 }

@@ -34,7 +34,7 @@ TEST(DockingRun, ArrivesFromEveryPartOfTheField) {
   }
 }
 
-// Issue 13. In the map of bringup/dock.yaml they are 1.64,-0.32,2.2816 and 2.12,-0.30,0.5216.
+// In the map of bringup/dock.yaml they are 1.64,-0.32,2.2816 and 2.12,-0.30,0.5216.
 TEST(DockingRun, ArrivesFromWhereItDroveOnWithoutLight) {
   for (const geometry::Pose& start :
        {geometry::Pose{0.86, 0.32, -0.86}, geometry::Pose{0.38, 0.30, -2.62}}) {
@@ -44,17 +44,18 @@ TEST(DockingRun, ArrivesFromWhereItDroveOnWithoutLight) {
 }
 
 // test/docking does the same with the whole stack, from 300 starts.
-TEST(DockingRun, ArrivesFromRandomStarts) {
+TEST(DockingRun, ArrivesFromRandomStartsWithLittleDrivingWithoutLight) {
   std::mt19937_64 random(seed);
   DockingRig rig;
   for (rig.seed = 1; rig.seed <= 60; ++rig.seed) {
     const geometry::Pose start = draw_start(random);
     const DockingRig::End run = rig.dock_from(start);
     EXPECT_EQ(run.result, DockingResult::docked) << to_string(run.result) << text_of(start);
+    // 2 s at 0.1 m/s, and what the window of 0.4 s and the dead time add
+    EXPECT_LT(run.dark_way_m, 0.27) << text_of(start);
   }
 }
 
-// Issue 34: the contacts met and parted every 0.9 s until the timeout.
 TEST(DockingRun, ComesAnewWhenTheContactsMeetOnlyAtTheirEdge) {
   const DockingRig::End run = DockingRig{}.dock_from({0.368, -0.172, 2.554});
   EXPECT_EQ(run.result, DockingResult::docked) << to_string(run.result);
@@ -75,20 +76,7 @@ int count_docked_nearby(int starts, double command_delay_s) {
 
 TEST(DockingRun, ArrivesFromRandomStartsNearTheDock) {
   EXPECT_EQ(count_docked_nearby(300, 0.1), 300);
-}
-
-TEST(DockingRun, ArrivesFromNearbyThoughCommandsTakeLong) {
-  EXPECT_EQ(count_docked_nearby(40, 0.3), 40);
-}
-
-TEST(DockingRun, DrivesNoFurtherWithoutLightThanTwoSeconds) {
-  std::mt19937_64 random(seed);
-  DockingRig rig;
-  for (rig.seed = 1; rig.seed <= 60; ++rig.seed) {
-    const geometry::Pose start = draw_start(random);
-    // 2 s at 0.1 m/s, and what the window of 0.4 s and the dead time add
-    EXPECT_LT(rig.dock_from(start).dark_way_m, 0.27) << text_of(start);
-  }
+  EXPECT_EQ(count_docked_nearby(40, 0.3), 40) << "commands take long";
 }
 
 /// A dock and receivers as they may well be in truth.

@@ -40,7 +40,8 @@ CameraComponent::CameraComponent(Context& context, const Params& params)
       walls_(geometry::load_walls(params.walls_file)),
       period_(seconds(1 / params.rate_hz)),
       pose_timeout_(seconds(params.pose_timeout_s)) {
-  const bool draws = context.devices.get().has_spectators() || params.in_simulated_time == "drawn";
+  const bool draws =
+      context.computer.get().has_spectators || params.in_simulated_time == Pictures::drawn;
   if (draws) renderer_.emplace(params.camera, walls_);
   image_.expect([this] { return ExpectedLoad{params_.rate_hz, expected_bytes()}; });
 }

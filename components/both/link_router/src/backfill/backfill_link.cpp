@@ -21,13 +21,13 @@ std::function<void()> wake(Component& owner) {
 
 }  // namespace
 
-BackfillLink::BackfillLink(Component& owner, const LinkParts& parts, Devices& devices,
+BackfillLink::BackfillLink(Component& owner, const LinkParts& parts, const Computer& computer,
                            const Params& params)
     : requests_(owner),
       owner_(owner),
       parts_(parts),
-      store_(devices, params.store, wake(owner)),
-      history_store_(devices, params.history, wake(owner)),
+      store_(computer, params.store, wake(owner)),
+      history_store_(computer, params.history, wake(owner)),
       arrivals_(parts.link, history_store_),
       sender_(params.link),
       history_({parts.link, history_store_, sender_, flows_, parts.log}),

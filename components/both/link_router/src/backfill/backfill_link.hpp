@@ -30,7 +30,8 @@ class BackfillLink final : public LinkService, public Deliveries {
     double fetch_around_stop_s = 0;
   };
   /// All outlive it.
-  BackfillLink(Component& owner, const LinkParts& parts, Devices& devices, const Params& params);
+  BackfillLink(Component& owner, const LinkParts& parts, const Computer& computer,
+               const Params& params);
 
   void begin(Instant at) override;
   void on_peer_gone(const LinkPeer& peer, Instant at) override;

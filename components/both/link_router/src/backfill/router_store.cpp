@@ -18,14 +18,15 @@ constexpr std::size_t longest_requests = 1'000'000;  // [byte]
 
 }  // namespace
 
-RouterStore::RouterStore(Devices& devices, StorePlace place, std::function<void()> on_answer)
-    : devices_(devices), place_(std::move(place)), on_answer_(std::move(on_answer)) {}
+RouterStore::RouterStore(const Computer& computer, StorePlace place,
+                         std::function<void()> on_answer)
+    : computer_(computer), place_(std::move(place)), on_answer_(std::move(on_answer)) {}
 
 RouterStore::~RouterStore() { background_.reset(); }
 
 void RouterStore::open(Instant at) {
   if (background_) return;
-  background_ = devices_.open_background();
+  background_ = computer_.open_background();
   post([this, at] { open_files(at); });
 }
 

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "devices/devices.hpp"
+#include "devices/computer.hpp"
 #include "foundation/instant.hpp"
 #include "sample_log/ledger.hpp"
 #include "sample_log/sample_log.hpp"
@@ -70,7 +70,7 @@ struct StorePlace {
 /// One thread calls everything. `on_answer` is called by any thread when `take` has something.
 class RouterStore {
  public:
-  RouterStore(Devices& devices, StorePlace place, std::function<void()> on_answer);
+  RouterStore(const Computer& computer, StorePlace place, std::function<void()> on_answer);
   /// Waits until all that was asked for is done.
   ~RouterStore();
   RouterStore(const RouterStore&) = delete;
@@ -112,7 +112,7 @@ class RouterStore {
   }
   void answer(StoreAnswer answer);
 
-  Devices& devices_;
+  const Computer& computer_;
   const StorePlace place_;
   const std::function<void()> on_answer_;
   bool is_behind_ = false;  ///< more waits than may

@@ -18,20 +18,6 @@ class NullPublication final : public Publication {
   }
 };
 
-class SilentLine final : public SerialDevice {
- public:
-  std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override {
-    (void)to;
-    (void)size;
-    return 0;
-  }
-  bool write(const std::uint8_t* bytes, std::size_t size) override {
-    (void)bytes;
-    (void)size;
-    return true;
-  }
-};
-
 }  // namespace
 
 void PortRecorder::record(const Endpoint& endpoint, bool writes) {
@@ -60,12 +46,6 @@ std::unique_ptr<Subscription> PortRecorder::subscribe(const Endpoint& endpoint,
 std::unique_ptr<Publication> PortRecorder::advertise(const Endpoint& endpoint) {
   record(endpoint, true);
   return std::make_unique<NullPublication>();
-}
-
-OpenedSerial SilentDevices::open_serial(const std::string& path, Readable readable) {
-  (void)path;
-  (void)readable;
-  return {OpenedSerial::Result::open, std::make_unique<SilentLine>(), {}, false};
 }
 
 }  // namespace tocsin::check

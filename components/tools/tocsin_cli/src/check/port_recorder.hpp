@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "devices/absent_devices.hpp"
 #include "graph.hpp"
 #include "idle_link_bus.hpp"
 #include "runtime/bus.hpp"
@@ -32,13 +31,6 @@ class PortRecorder final : public Bus, private LinkAccess {
   }
   void record(const Endpoint& endpoint, bool writes);
   std::vector<Port> ports_;
-};
-
-/// A computer whose devices say nothing: a check opens no port and sends no packet. There is a
-/// device at every serial port, so that nobody complains that he waits for his.
-class SilentDevices final : public AbsentDevices {
- public:
-  [[nodiscard]] OpenedSerial open_serial(const std::string& path, Readable readable) override;
 };
 
 }  // namespace tocsin::check

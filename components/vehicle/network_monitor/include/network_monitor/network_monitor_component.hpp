@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "devices/devices.hpp"
+#include "devices/echo_device.hpp"
 #include "foundation/traffic_class.hpp"
 #include "network_monitor/probe_window.hpp"
 #include "network_monitor/wireless_trend.hpp"

@@ -5,7 +5,7 @@
 
 #include "command_line/command.hpp"
 #include "control_client.hpp"
-#include "devices/devices.hpp"
+#include "devices/computer.hpp"
 #include "foundation/error.hpp"
 #include "terminal_wait.hpp"
 #include "verbs.hpp"
@@ -17,9 +17,9 @@ using tocsin::ConfigError;
 using tocsin::EnvironmentError;
 
 std::unique_ptr<tocsin::SerialDevice> open_port(const std::string& path) {
-  tocsin::OpenedSerial opened = tocsin::real_devices().open_serial(path, [] {});
-  if (!opened.port) throw EnvironmentError(opened.reason);
-  return std::move(opened.port);
+  auto opened = tocsin::this_computer().devices.try_open<tocsin::SerialDevice>(path);
+  if (!opened.device) throw EnvironmentError(opened.reason);
+  return std::move(opened.device);
 }
 
 int test_with(const std::string& port, const std::string& control, TerminalWait& wait) {

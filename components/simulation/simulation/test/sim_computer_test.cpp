@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_devices.hpp"
+#include "sim_computer.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
+#include "devices/device_files.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "kobuki_protocol/command.hpp"
@@ -13,9 +14,9 @@
 namespace tocsin::simulation {
 namespace {
 
-class SimDevicesTest : public ::testing::Test {
+class SimComputerTest : public ::testing::Test {
  protected:
-  SimDevicesTest() {
+  SimComputerTest() {
     sut_.add_base(base_);
     sut_.add_peer("10.77.0.2");
   }
@@ -48,13 +49,14 @@ class SimDevicesTest : public ::testing::Test {
   Core core_;
   RadioLink link_{core_, wire(), {}, 1};
   SimBase base_{core_, base_options()};
-  SimDevices sut_{core_, link_, {"uxv", radio::Direction::uplink}, "/run/wireless"};
+  SimComputer sut_{core_, link_, {"uxv", radio::Direction::uplink}, "/run/wireless"};
+  std::unique_ptr<DeviceFiles> files_ = sut_.devices.open<DeviceFiles>();
   int readable_ = 0;
   Devices::Readable count_ = [this] { ++readable_; };
 };
 
-TEST_F(SimDevicesTest, EchoComesBackAfterTheRoundTrip) {
-  const auto echo = sut_.open_echo({"10.77.0.2", 64}, count_);
+TEST_F(SimComputerTest, EchoComesBackAfterTheRoundTrip) {
+  const auto echo = sut_.devices.open<EchoDevice>({"10.77.0.2", 64}, count_);
   const Time sent = core_.now;
   EXPECT_EQ(echo->send(5).error, 0);
   EXPECT_FALSE(echo->receive());
@@ -74,11 +76,11 @@ class ChannelWatch : public Observer {
   radio::LinkReport last{};
 };
 
-TEST_F(SimDevicesTest, EchoesGoBothWaysWithTheDscpOfTheirTarget) {
+TEST_F(SimComputerTest, EchoesGoBothWaysWithTheDscpOfTheirTarget) {
   ChannelWatch watch;
   core_.observer = &watch;
-  (void)sut_.open_echo({"10.77.0.2", 64, 8}, count_)->send(5);
-  (void)sut_.open_echo({"10.77.0.2", 64}, count_)->send(6);
+  (void)sut_.devices.open<EchoDevice>({"10.77.0.2", 64, 8}, count_)->send(5);
+  (void)sut_.devices.open<EchoDevice>({"10.77.0.2", 64}, count_)->send(6);
   run_for(2);
   constexpr auto background = static_cast<std::size_t>(radio::AccessCategory::background);
   constexpr auto best_effort = static_cast<std::size_t>(radio::AccessCategory::best_effort);
@@ -88,38 +90,40 @@ TEST_F(SimDevicesTest, EchoesGoBothWaysWithTheDscpOfTheirTarget) {
   }
 }
 
-TEST_F(SimDevicesTest, EchoOfADeadLinkDoesNotComeBack) {
-  const auto echo = sut_.open_echo({"10.77.0.2", 64}, count_);
+TEST_F(SimComputerTest, EchoOfADeadLinkDoesNotComeBack) {
+  const auto echo = sut_.devices.open<EchoDevice>({"10.77.0.2", 64}, count_);
   run_for(11);
   (void)echo->send(5);
   run_for(9);
   EXPECT_FALSE(echo->receive());
 }
 
-TEST_F(SimDevicesTest, EchoToAnAddressThatNobodyHasDoesNotComeBack) {
-  const auto echo = sut_.open_echo({"10.77.0.3", 64}, count_);
+TEST_F(SimComputerTest, EchoToAnAddressThatNobodyHasDoesNotComeBack) {
+  const auto echo = sut_.devices.open<EchoDevice>({"10.77.0.3", 64}, count_);
   (void)echo->send(5);
   run_for(1);
   EXPECT_EQ(readable_, 0);
 }
 
-TEST_F(SimDevicesTest, ReplyToAnEchoThatWasClosedHarmsNobody) {
-  (void)sut_.open_echo({"10.77.0.2", 64}, count_)->send(5);
+TEST_F(SimComputerTest, ReplyToAnEchoThatWasClosedHarmsNobody) {
+  (void)sut_.devices.open<EchoDevice>({"10.77.0.2", 64}, count_)->send(5);
   run_for(1);
   EXPECT_EQ(readable_, 0);
 }
 
-TEST_F(SimDevicesTest, RefusesATargetThatIsNoAddress) {
-  EXPECT_THROW((void)sut_.open_echo({"", 64}, count_), ConfigError);
+TEST_F(SimComputerTest, RefusesATargetThatIsNoAddress) {
+  EXPECT_THROW((void)sut_.devices.open<EchoDevice>({"", 64}, count_), ConfigError);
 }
 
-TEST_F(SimDevicesTest, HasOnlyThePortsOfItsBases) {
-  EXPECT_EQ(sut_.open_serial("/dev/other", count_).result, OpenedSerial::Result::absent);
-  EXPECT_EQ(sut_.open_serial("/dev/kobuki", count_).result, OpenedSerial::Result::open);
+TEST_F(SimComputerTest, HasOnlyThePortsOfItsBases) {
+  EXPECT_EQ(sut_.devices.try_open<SerialDevice>("/dev/other", count_).result,
+            OpenedSerial::Result::absent);
+  EXPECT_EQ(sut_.devices.try_open<SerialDevice>("/dev/kobuki", count_).result,
+            OpenedSerial::Result::open);
 }
 
-TEST_F(SimDevicesTest, SerialPortGivesTheFramesOfTheBase) {
-  const auto port = sut_.open_serial("/dev/kobuki", count_).port;
+TEST_F(SimComputerTest, SerialPortGivesTheFramesOfTheBase) {
+  const auto port = sut_.devices.try_open<SerialDevice>("/dev/kobuki", count_).device;
   run_for(0.1);
   EXPECT_EQ(readable_, 4);  // the fifth is still on the wire
   std::array<std::uint8_t, 1024> bytes{};
@@ -129,8 +133,8 @@ TEST_F(SimDevicesTest, SerialPortGivesTheFramesOfTheBase) {
   EXPECT_EQ(port->read(bytes.data(), bytes.size()).value_or(9), 0U);
 }
 
-TEST_F(SimDevicesTest, SerialPortCarriesCommandsToTheBase) {
-  const auto port = sut_.open_serial("/dev/kobuki", count_).port;
+TEST_F(SimComputerTest, SerialPortCarriesCommandsToTheBase) {
+  const auto port = sut_.devices.try_open<SerialDevice>("/dev/kobuki", count_).device;
   // Base control: 100 mm/s straight on, with header, length and checksum (Kobuki protocol).
   std::array<std::uint8_t, 10> command{0xaa, 0x55, 0x06, 0x01, 0x04, 100, 0, 0, 0, 0};
   for (std::size_t i = 2; i < 9; ++i)
@@ -140,34 +144,36 @@ TEST_F(SimDevicesTest, SerialPortCarriesCommandsToTheBase) {
   EXPECT_NEAR(base_.model().pose().x_m, 0.18, 0.02);
 }
 
-TEST_F(SimDevicesTest, ClosedPortIsToldNothing) {
-  { const auto port = sut_.open_serial("/dev/kobuki", count_).port; }
+TEST_F(SimComputerTest, ClosedPortIsToldNothing) {
+  { const auto port = sut_.devices.try_open<SerialDevice>("/dev/kobuki", count_).device; }
   run_for(1);
   EXPECT_EQ(readable_, 0);
 }
 
-TEST_F(SimDevicesTest, TellsTheWirelessStateUnderBothPaths) {
-  const auto text = sut_.read_text("/proc/net/wireless");
+TEST_F(SimComputerTest, TellsTheWirelessStateUnderBothPaths) {
+  const auto text = files_->read("/proc/net/wireless");
   ASSERT_TRUE(text);
   EXPECT_NE(text->find("wlan0:"), std::string::npos);
-  EXPECT_EQ(text, sut_.read_text("/run/wireless"));
+  EXPECT_EQ(text, files_->read("/run/wireless"));
 }
 
-TEST_F(SimDevicesTest, RadioIsReadFromTheFileThatTellsOfIt) {
-  const auto reading = sut_.open_wireless("wlan0", "/run/wireless")->read();
+TEST_F(SimComputerTest, RadioIsReadFromTheFileThatTellsOfIt) {
+  const auto reading =
+      sut_.devices.open<network::WirelessDevice>({"wlan0", "/run/wireless"})->read();
   EXPECT_EQ(reading.source, network::WirelessSource::proc);
   EXPECT_TRUE(reading.signal_dbm.has_value());
-  EXPECT_EQ(sut_.open_wireless("wlan0", "/run/other")->read().note, "/run/other cannot be read");
+  EXPECT_EQ(sut_.devices.open<network::WirelessDevice>({"wlan0", "/run/other"})->read().note,
+            "/run/other cannot be read");
 }
 
-TEST_F(SimDevicesTest, CpuTimesGrowWithVirtualTime) {
-  const auto before = sut_.read_text("/proc/stat");
-  EXPECT_EQ(before, sut_.read_text("/proc/stat"));
+TEST_F(SimComputerTest, CpuTimesGrowWithVirtualTime) {
+  const auto before = files_->read("/proc/stat");
+  EXPECT_EQ(before, files_->read("/proc/stat"));
   run_for(1);
-  EXPECT_NE(before, sut_.read_text("/proc/stat"));
+  EXPECT_NE(before, files_->read("/proc/stat"));
 }
 
-TEST_F(SimDevicesTest, HasNoOtherFiles) { EXPECT_FALSE(sut_.read_text("/etc/passwd")); }
+TEST_F(SimComputerTest, HasNoOtherFiles) { EXPECT_FALSE(files_->read("/etc/passwd")); }
 
 TEST(BaseOptions, AreReadFromTheCommandLine) {
   const BaseOptions sut = read_base_options(

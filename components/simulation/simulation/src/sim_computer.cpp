@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_devices.hpp"
+#include "sim_computer.hpp"
 
 #include <arpa/inet.h>
 
@@ -7,6 +7,7 @@
 #include <deque>
 #include <utility>
 
+#include "devices/device_files.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin::simulation {
@@ -78,34 +79,57 @@ class SimEcho final : public EchoDevice {
 /// What a file of the simulated computer tells of an interface.
 class SimWireless final : public network::WirelessDevice {
  public:
-  SimWireless(Devices& devices, std::string interface, std::string file)
-      : devices_(devices), interface_(std::move(interface)), file_(std::move(file)) {}
+  SimWireless(const SimComputer& computer, network::WirelessAddress at)
+      : computer_(computer), at_(std::move(at)) {}
   network::WirelessReading read() override {
-    const auto text = devices_.read_text(file_);
-    return text ? network::parse_proc_wireless(*text, interface_)
-                : network::absent(file_ + " cannot be read");
+    const auto text = computer_.read_file(at_.file);
+    return text ? network::parse_proc_wireless(*text, at_.interface)
+                : network::absent(at_.file + " cannot be read");
   }
 
  private:
-  Devices& devices_;
-  std::string interface_;
-  std::string file_;
+  const SimComputer& computer_;
+  network::WirelessAddress at_;
+};
+
+class SimFiles final : public DeviceFiles {
+ public:
+  explicit SimFiles(const SimComputer& computer) : computer_(computer) {}
+  std::optional<std::string> read(const std::string& path) override {
+    return computer_.read_file(path);
+  }
+
+ private:
+  const SimComputer& computer_;
 };
 
 }  // namespace
 
-SimDevices::SimDevices(Core& core, RadioLink& link, const Place& place, std::string wireless_file)
-    : core_(core), link_(link), place_(place), wireless_file_(std::move(wireless_file)) {}
-
-OpenedSerial SimDevices::open_serial(const std::string& path, Readable readable) {
-  const auto base = std::find_if(bases_.begin(), bases_.end(),
-                                 [&](const SimBase* one) { return one->path() == path; });
-  auto port = base != bases_.end() ? (*base)->open(std::move(readable)) : nullptr;
-  if (!port) return AbsentDevices::open_serial(path, {});
-  return {OpenedSerial::Result::open, std::move(port), {}, false};
+SimComputer::SimComputer(Core& core, RadioLink& link, const Place& place, std::string wireless_file)
+    : core_(core), link_(link), place_(place), wireless_file_(std::move(wireless_file)) {
+  using Readable = Devices::Readable;
+  devices.add<SerialDevice>([this](const std::string& path, Readable readable) {
+    return open_serial(path, std::move(readable));
+  });
+  devices.add<EchoDevice>([this](const EchoTarget& target, Readable readable) {
+    return open_echo(target, std::move(readable));
+  });
+  devices.add<network::WirelessDevice>([this](const network::WirelessAddress& at, const Readable&) {
+    return std::make_unique<SimWireless>(*this, at);
+  });
+  devices.add<DeviceFiles>(
+      [this](const std::string&, const Readable&) { return std::make_unique<SimFiles>(*this); });
 }
 
-std::unique_ptr<EchoDevice> SimDevices::open_echo(const EchoTarget& target, Readable readable) {
+OpenedSerial SimComputer::open_serial(const std::string& path, Devices::Readable readable) {
+  const auto base = std::find_if(bases_.begin(), bases_.end(),
+                                 [&](const SimBase* one) { return one->path() == path; });
+  if (base == bases_.end()) return {};
+  return (*base)->open(std::move(readable));
+}
+
+std::unique_ptr<EchoDevice> SimComputer::open_echo(const EchoTarget& target,
+                                                   Devices::Readable readable) {
   in_addr address{};
   if (inet_pton(AF_INET, target.address.c_str(), &address) != 1) {
     throw ConfigError("target: '" + target.address + "' is not an IPv4 address");
@@ -116,19 +140,14 @@ std::unique_ptr<EchoDevice> SimDevices::open_echo(const EchoTarget& target, Read
   return std::make_unique<SimEcho>(core_, probe, std::move(readable));
 }
 
-std::unique_ptr<network::WirelessDevice> SimDevices::open_wireless(const std::string& interface,
-                                                                   const std::string& file) {
-  return std::make_unique<SimWireless>(*this, interface, file);
-}
-
-std::optional<std::string> SimDevices::read_text(const std::string& path) {
+std::optional<std::string> SimComputer::read_file(const std::string& path) const {
   if (path == wireless_file_ || path == "/proc/net/wireless") return link_.wireless_text();
   if (path == "/proc/meminfo") return "MemTotal: 1000000 kB\nMemAvailable: 600000 kB\n";
   if (path == "/proc/stat") return stat_text();
   return std::nullopt;
 }
 
-std::string SimDevices::stat_text() const {
+std::string SimComputer::stat_text() const {
   const auto ticks = (core_.now - start_time) / std::chrono::milliseconds(10);
   const std::string busy = std::to_string(1000 + ticks / 4);
   const std::string idle = std::to_string(3000 + ticks - ticks / 4);

@@ -43,7 +43,6 @@ TEST_F(AcceptanceList, PassesOnAGoodBase) {
   EXPECT_THAT(out, HasSubstr("15 passed, 0 failed, 0 skipped\n"));
 }
 
-// Issue 13: it said "13 passed, 0 failed" when the cable was pulled after 13 steps.
 TEST_F(AcceptanceList, IsNotGoodWheneverTheCableIsPulled) {
   (void)run();
   const double whole_s = rig->elapsed_s();

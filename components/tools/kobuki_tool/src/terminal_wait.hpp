@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+
+#include "devices/terminal_device.hpp"
 #include "event_wait.hpp"
-#include "keys.hpp"
 
 namespace tocsin::kobuki {
 
@@ -14,10 +16,10 @@ class TerminalWait final : public EventWait {
   std::optional<char> wait(std::optional<int> descriptor, Time until) override;
   [[nodiscard]] bool interrupted() const override;
   /// Whether anybody can press a key.
-  [[nodiscard]] bool has_keys() const { return keys_.descriptor() >= 0; }
+  [[nodiscard]] bool has_keys() const { return keys_ != nullptr; }
 
  private:
-  Keys keys_;
+  std::unique_ptr<TerminalDevice> keys_;  ///< null without a terminal
 };
 
 }  // namespace tocsin::kobuki

@@ -90,7 +90,6 @@ TEST(Watch, EndsByAKeyOrByCtrlC) {
   EXPECT_EQ(run(interrupted, watch_plainly).code, 0);
 }
 
-// Issue 13: it ended silently with "online" on its last screen.
 TEST(Watch, SaysThatTheCableWasPulled) {
   for (int ms = 100; ms < 1500; ms += 70) {
     SessionRig rig;
