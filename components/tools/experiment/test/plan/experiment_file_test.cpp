@@ -46,56 +46,57 @@ TEST(ExperimentFile, TakesWhatMayBeOtherwise) {
   for (const auto& [old, fresh] : rows) EXPECT_EQ(error_in(old, fresh), "none") << fresh;
 }
 
+/// Part of the toy file, what stands in its place, and what is said of it.
+const struct {
+  const char* old;
+  const char* fresh;
+  const char* error;
+  const char* place;
+} wrong[] = {
+    {"warm_up_s", "warmup_s", "warmup_s", ":2)"},
+    {"file: b.yaml", "path: b.yaml", "path", ":6)"},
+    {"seeds: 3", "seeds: 0", "sets[0].seeds: 0 is outside [", ":16)"},
+    {"seeds: 3", "seeds: 100001", "is outside [", ":16)"},
+    {"seeds: 3", "seeds: 2.5", "2.5 is not a whole number", ""},
+    {"duration_s: 100", "duration_s: 9.9", "is outside [", ":1)"},
+    {"duration_s: 100", "duration_s: 86401", "is outside [", ":1)"},
+    {"duration_s: 100", "duration_s: long", "duration_s: 'long' is not a number", ":1)"},
+    {"duration_s: 100", "duration_s: .nan", "duration_s", ""},
+    {"warm_up_s: 0", "warm_up_s: -0.1", "is outside [", ""},
+    {"warm_up_s: 0", "warm_up_s: 100", "less than duration_s", ""},
+    {"observation_s: 10", "observation_s: 0.9", "is outside [", ""},
+    {"observation_s: 10", "observation_s: 601", "is outside [", ""},
+    {"warm_up_s: 0", "poor_below_snr_db: 60.1", "experiment.poor_below_snr_db: ", ":2)"},
+    {"warm_up_s: 0", "vehicles: 2", "vehicles: 2 is not possible, a bringup file has one", ""},
+    {"warm_up_s: 0", "cost: {high_late: -1}", "experiment.cost.high_late: -1 is outside", ":2)"},
+    {"warm_up_s: 0", "cost: {hi: 1}", "experiment.cost.hi: unknown key", ""},
+    {"camera: true", "camera: maybe", "payloads[0].camera: 'maybe'", ":10)"},
+    {"kind: thesis", "kind: thorough", "sets[0].kind: 'thorough' is not one of", ""},
+    {"set: [navigator.speed_mps=0.1]", "set: navigator.speed_mps=0.1",
+     "missions[0].set: is not a list of texts", ":5)"},
+    {"payloads: [camera]", "payloads: [video]", "'video' is not one of [camera, plain]", ":16)"},
+    {"payloads: [camera]", "missions: [a, c]", "sets.main.missions: 'c' is not one of [a, b]",
+     ":16)"},
+    {"payloads: [camera]", "channels: [far]", "sets.main.channels: 'far' is not one of [near]", ""},
+    {"payloads: [camera]", "policies: [luck]", "'luck' is not one of [none, tocp_dsp]", ""},
+    {"{name: near,", "{name: near, seeds_of: far,", "seeds_of: 'far' is not a channel", ""},
+    {"name: b", "name: a", "a twice", ":6)"},
+    {"name: tocp_dsp", "name: none", "policies[1].name: none twice", ""},
+    {"{name: plain}", "{camera: false}", "payloads[1].name: '' is not a name", ""},
+    {"name: plain", "name: Plain", "is not a name", ""},
+    {"name: plain", "name: pl/ain", "is not a name", ""},
+    {"name: plain", "name: 'pl ain'", "is not a name", ""},
+    {"near_${mission}.yaml", "far.yaml", "channels[0].file: no file '", ""},
+    {"file: b.yaml", "file: c.yaml", "missions[1].file: no file '", ":6)"},
+    {"payloads:\n  - {name: camera, camera: true}\n  - {name: plain}\n", "",
+     "experiment.payloads: is not a list", ""},
+    {"payloads:\n  - {name: camera, camera: true}\n  - {name: plain}\n",
+     "payloads: {name: camera}\n", "payloads: is not a list with at least one entry", ""},
+    {"{name: plain}", "plain", "payloads[1]: must be a map", ""},
+    {"sets:", "sets: [", "toy.yaml", ""}};
+
 TEST(ExperimentFile, NamesWhatIsWrongAndItsLine) {
-  const struct {
-    const char* old;
-    const char* fresh;
-    const char* error;
-    const char* place;
-  } rows[] = {
-      {"warm_up_s", "warmup_s", "warmup_s", ":2)"},
-      {"file: b.yaml", "path: b.yaml", "path", ":6)"},
-      {"seeds: 3", "seeds: 0", "sets[0].seeds: 0 is outside [", ":16)"},
-      {"seeds: 3", "seeds: 100001", "is outside [", ":16)"},
-      {"seeds: 3", "seeds: 2.5", "2.5 is not a whole number", ""},
-      {"duration_s: 100", "duration_s: 9.9", "is outside [", ":1)"},
-      {"duration_s: 100", "duration_s: 86401", "is outside [", ":1)"},
-      {"duration_s: 100", "duration_s: long", "duration_s: 'long' is not a number", ":1)"},
-      {"duration_s: 100", "duration_s: .nan", "duration_s", ""},
-      {"warm_up_s: 0", "warm_up_s: -0.1", "is outside [", ""},
-      {"warm_up_s: 0", "warm_up_s: 100", "less than duration_s", ""},
-      {"observation_s: 10", "observation_s: 0.9", "is outside [", ""},
-      {"observation_s: 10", "observation_s: 601", "is outside [", ""},
-      {"warm_up_s: 0", "poor_below_snr_db: 60.1", "experiment.poor_below_snr_db: ", ":2)"},
-      {"warm_up_s: 0", "vehicles: 2", "vehicles: 2 is not possible, a bringup file has one", ""},
-      {"warm_up_s: 0", "cost: {high_late: -1}", "experiment.cost.high_late: -1 is outside", ":2)"},
-      {"warm_up_s: 0", "cost: {hi: 1}", "experiment.cost.hi: unknown key", ""},
-      {"camera: true", "camera: maybe", "payloads[0].camera: 'maybe'", ":10)"},
-      {"kind: thesis", "kind: thorough", "sets[0].kind: 'thorough' is not one of", ""},
-      {"set: [navigator.speed_mps=0.1]", "set: navigator.speed_mps=0.1",
-       "missions[0].set: is not a list of texts", ":5)"},
-      {"payloads: [camera]", "payloads: [video]", "'video' is not one of [camera, plain]", ":16)"},
-      {"payloads: [camera]", "missions: [a, c]", "sets.main.missions: 'c' is not one of [a, b]",
-       ":16)"},
-      {"payloads: [camera]", "channels: [far]", "sets.main.channels: 'far' is not one of [near]",
-       ""},
-      {"payloads: [camera]", "policies: [luck]", "'luck' is not one of [none, tocp_dsp]", ""},
-      {"{name: near,", "{name: near, seeds_of: far,", "seeds_of: 'far' is not a channel", ""},
-      {"name: b", "name: a", "a twice", ":6)"},
-      {"name: tocp_dsp", "name: none", "policies[1].name: none twice", ""},
-      {"{name: plain}", "{camera: false}", "payloads[1].name: '' is not a name", ""},
-      {"name: plain", "name: Plain", "is not a name", ""},
-      {"name: plain", "name: pl/ain", "is not a name", ""},
-      {"name: plain", "name: 'pl ain'", "is not a name", ""},
-      {"near_${mission}.yaml", "far.yaml", "channels[0].file: no file '", ""},
-      {"file: b.yaml", "file: c.yaml", "missions[1].file: no file '", ":6)"},
-      {"payloads:\n  - {name: camera, camera: true}\n  - {name: plain}\n", "",
-       "experiment.payloads: is not a list", ""},
-      {"payloads:\n  - {name: camera, camera: true}\n  - {name: plain}\n",
-       "payloads: {name: camera}\n", "payloads: is not a list with at least one entry", ""},
-      {"{name: plain}", "plain", "payloads[1]: must be a map", ""},
-      {"sets:", "sets: [", "toy.yaml", ""}};
-  for (const auto& row : rows) {
+  for (const auto& row : wrong) {
     const std::string error = error_in(row.old, row.fresh);
     EXPECT_THAT(error, HasSubstr(row.error)) << row.fresh;
     EXPECT_THAT(error, HasSubstr(row.place)) << row.fresh;
