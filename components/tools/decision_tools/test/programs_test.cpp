@@ -72,18 +72,18 @@ TEST_F(Programs, PrintJson) {
 }
 
 TEST_F(Programs, DrawPngAndSvg) {
-  if (std::system("command -v gnuplot >/dev/null") != 0) GTEST_SKIP() << "no gnuplot here";
-  ASSERT_EQ(run(FIT_PROGRAM " good.csv bad.csv --plot fit"), 0) << error;
-  ASSERT_EQ(run(DECIDE_PROGRAM " trace.csv --policy tocp --plot decisions"), 0) << error;
+  const std::string path = "env PATH=" TOCSIN_REPOSITORY "/components/tools/report/src:$PATH ";
+  ASSERT_EQ(run(path + FIT_PROGRAM " good.csv bad.csv --plot fit"), 0) << error;
+  ASSERT_EQ(run(path + DECIDE_PROGRAM " trace.csv --policy tocp --plot decisions"), 0) << error;
   for (const char* name : {"fit", "decisions"}) {
     EXPECT_EQ(folder.read(std::string(name) + ".png").substr(1, 3), "PNG");
     EXPECT_THAT(folder.read(std::string(name) + ".svg"), HasSubstr("</svg>"));
   }
 }
 
-TEST_F(Programs, SayInOneLineWhenGnuplotIsMissing) {
+TEST_F(Programs, SayInOneLineWhenNothingCanBeDrawn) {
   EXPECT_EQ(run("env PATH=/nonexistent " FIT_PROGRAM " good.csv bad.csv --plot fit"), 1);
-  EXPECT_THAT(error, HasSubstr("gnuplot"));
+  EXPECT_THAT(error, HasSubstr("nothing can be drawn: draw_panels is not installed"));
   EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
 }
 

@@ -2,52 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "decide_report.hpp"
+#include "decide.hpp"
 #include "decision/design/link_model.hpp"
 #include "design.hpp"
-#include "fit_report.hpp"
 #include "foundation/error.hpp"
-#include "foundation/temporary_folder.hpp"
-#include "model_file.hpp"
 #include "traces.hpp"
 
 namespace tocsin::tools {
 namespace {
 
 using ::testing::HasSubstr;
-
-TEST(FitReport, ChoosesTheBestOrTheFamilyThatIsWanted) {
-  const QualityTrace trace = normal_trace(60, 8, 300);
-  const FitReport best = fit_trace(trace, "");
-  EXPECT_EQ(best.chosen.family(), best.fits.front().density.family());
-  EXPECT_EQ(fit_trace(trace, "gamma").chosen.family(), decision::Family::gamma);
-  EXPECT_THROW((void)fit_trace(trace, "cauchy"), ConfigError);
-}
-
-TEST(FitReport, TellsEveryFamilyInTextAndJson) {
-  const FitReport sut = fit_trace(normal_trace(60, 8, 300), "normal");
-  EXPECT_THAT(to_text(sut), HasSubstr("* normal"));
-  EXPECT_THAT(to_text(sut), HasSubstr("birnbaum_saunders"));
-  EXPECT_EQ(to_json(sut)["fits"].size(), 19U);
-  EXPECT_EQ(to_json(sut)["chosen"], "normal");
-}
-
-TEST(FitReport, PlotsHistogramsAgainstDensities) {
-  const FitReport sut = fit_trace(normal_trace(60, 8, 300), "normal");
-  const std::string script = fit_plot(sut, sut);
-  EXPECT_THAT(script, HasSubstr("$good_data << EOD"));
-  EXPECT_THAT(script, HasSubstr("$bad_law with lines"));
-  EXPECT_THAT(script, ::testing::Not(HasSubstr("inf")));
-}
-
-TEST(ModelFile, MakesAPolicy) {
-  const TemporaryFolder folder;
-  const decision::Density good(decision::Family::beta, {10.9, 2.66, 0});
-  const decision::Density bad(decision::Family::normal, {36.5, 7.25, 0});
-  const std::string path = folder.write("m.yaml", model_text(good, bad, "a test"));
-  const decision::PolicyParams sut = load_settings({{}, path, {}, ""}).params;
-  EXPECT_NO_THROW((void)decision::make_policy(sut));
-}
 
 TEST(DecideAgain, PausesInTheDip) {
   const DecidedTrace decided = decide_again(dip(), "", with_policy("tocp_reverse"));
@@ -59,15 +23,6 @@ TEST(DecideAgain, PausesInTheDip) {
   EXPECT_LT(sut.mean_qni_passive, 40);
   EXPECT_TRUE(sut.has_truth);
   EXPECT_GE(sut.cost, sut.oracle_cost);
-}
-
-TEST(DecideAgain, OracleCostsWhatTheClairvoyantCosts) {
-  const DecisionSummary sut = summarize(decide_again(dip(), "oracle", {}));
-  EXPECT_DOUBLE_EQ(sut.cost, sut.oracle_cost);
-}
-
-TEST(DecideAgain, OracleNeedsTheTruth) {
-  EXPECT_THROW((void)decide_again(normal_trace(80, 5, 10), "oracle", {}), ConfigError);
 }
 
 TEST(DecideAgain, EndsAPauseAtItsDeadlineBetweenTwoRows) {
@@ -83,18 +38,6 @@ TEST(DecideAgain, EndsAPauseAtItsDeadlineBetweenTwoRows) {
   EXPECT_EQ(sut.steps[3].evidence.reason, decision::Reason::cusum_alarm);
   EXPECT_EQ(summarize(sut).samples, 3U);
   EXPECT_EQ(summarize(sut).forced, 1U);
-}
-
-TEST(DecideReport, HasARowPerSampleAndTheChanges) {
-  const DecidedTrace sut = decide_again(dip(), "", with_policy("tocp"));
-  const std::string csv = to_csv(sut);
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 151);
-  EXPECT_THAT(csv, HasSubstr("50,30,0,cusum_alarm,"));
-  EXPECT_THAT(csv, HasSubstr(",age,state\n"));
-  EXPECT_THAT(to_text(sut), HasSubstr("cusum_alarm"));
-  EXPECT_EQ(to_json(sut, true)["rows"].size(), 150U);
-  EXPECT_EQ(to_json(sut, false)["changes"].size(), 4U);
-  EXPECT_THAT(decide_plot(sut), HasSubstr("$d << EOD"));
 }
 
 DesignRequest request(double false_alarm_s) {
@@ -122,10 +65,6 @@ TEST(Design, TradesDelayForFewerFalseAlarms) {
     EXPECT_GT(sut.table[i].delay_s, sut.table[i - 1].delay_s);
   }
   EXPECT_GT(sut.shifts.back().delay_s, sut.shifts.front().delay_s);
-}
-
-TEST(Design, RejectsATimeThatNoThresholdGives) {
-  EXPECT_THROW((void)design(request(100)), ConfigError);
 }
 
 QualityTrace ar1_trace(double correlation, int n) {
