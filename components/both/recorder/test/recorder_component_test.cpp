@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "bag/bag_reader.hpp"
 #include "csv_tables/bag_tables.hpp"
@@ -124,6 +125,94 @@ TEST_F(RecorderTest, SaysOnceThatTheDiskIsFullAndOnceThatItIsNot) {
 TEST_F(RecorderTest, AFolderThatCannotBeMadeIsAConfigError) {
   context_.run_dir = "/proc/nowhere";
   EXPECT_THROW(make(), ConfigError);
+}
+
+/// A recorder that is told when to record.
+class RecordNowTest : public RecorderTest {
+ protected:
+  RecordNowTest() {
+    params_.recording = false;
+    make();
+    bus_.run_for(seconds(1));
+  }
+  void tell(bool recording) {
+    params_.recording = recording;
+    sut_->post([this] { sut_->set_parameters(params_); });
+    bus_.run_for(seconds(1));
+  }
+  void publish(std::uint64_t id) {
+    publish_goal(id);
+    bus_.run_for(seconds(1));
+  }
+  [[nodiscard]] std::uint64_t messages_in(const std::string& bag) const {
+    const bag::BagReader reader(folder_.path("gcs/" + bag));
+    EXPECT_TRUE(reader.damaged().empty()) << bag;
+    return reader.about().count;
+  }
+  [[nodiscard]] std::size_t ports() const { return sut_->port_health().size(); }
+};
+
+TEST_F(RecordNowTest, BeforeItIsToldItReadsNothingAndMakesNoFile) {
+  publish(1);
+  EXPECT_EQ(ports(), 0U);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("gcs")));
+}
+
+TEST_F(RecordNowTest, RecordsFromWhenItIsToldUntilItIsToldOtherwise) {
+  publish(1);
+  tell(true);
+  publish(2);
+  publish(3);
+  tell(false);
+  publish(4);
+  EXPECT_EQ(ports(), 0U);
+  EXPECT_EQ(messages_in("bag"), 2U);
+}
+
+TEST_F(RecordNowTest, EachRecordingIsAWholeBagOfItsOwn) {
+  for (std::uint64_t id = 1; id <= 3; ++id) {
+    tell(true);
+    publish(id);
+    tell(false);
+  }
+  for (const char* bag : {"bag", "bag_2", "bag_3"}) EXPECT_EQ(messages_in(bag), 1U);
+}
+
+TEST_F(RecordNowTest, AStateOfBeforeIsInTheRecordingFromItsBeginning) {
+  bus_.publish<topic::MissionStatus>({});
+  bus_.run_for(seconds(60));
+  tell(true);
+  publish(1);
+  tell(false);
+  const bag::BagReader reader(folder_.path("gcs/bag"));
+  EXPECT_EQ(reader.about().count, 2U);
+  EXPECT_LT(reader.about().duration_ns, 5'000'000'000);
+}
+
+TEST_F(RecordNowTest, ToldTwiceTheRecordingGoesOn) {
+  tell(true);
+  publish(1);
+  tell(true);
+  publish(2);
+  tell(false);
+  EXPECT_EQ(messages_in("bag"), 2U);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("gcs/bag_2")));
+}
+
+TEST_F(RecordNowTest, WhatCannotBeginIsSaidOnceAndTriedAgain) {
+  std::ofstream(folder_.path("gcs")) << "a file where the folder would be";
+  ::testing::internal::CaptureStderr();
+  tell(true);
+  bus_.run_for(seconds(10));
+  const std::string log = ::testing::internal::GetCapturedStderr();
+  const auto first = log.find("does not record: ");
+  ASSERT_NE(first, std::string::npos) << log;
+  EXPECT_EQ(log.find("does not record: ", first + 1), std::string::npos);
+  std::filesystem::remove(folder_.path("gcs"));
+  bus_.run_for(seconds(3));
+  publish(1);
+  tell(false);
+  EXPECT_EQ(messages_in("bag"), 1U);
 }
 
 }  // namespace

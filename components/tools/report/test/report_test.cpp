@@ -28,8 +28,7 @@ class ReportTest : public ::testing::Test {
 };
 
 TEST_F(ReportTest, WritesSummaryAndPlotsOfAMissionWhoseNameIsNoFormula) {
-  std::ofstream(run_.path("gcs/mission_status.csv"), std::ios::app)
-      << "1101,1101,\"a$\\frac$ `touch made`\",done,8,9,12,99.5\n";
+  run_.append("gcs/mission_status.csv", "1101,1101,\"a$\\frac$ `touch made`\",done,8,9,12,99.5\n");
   EXPECT_EQ(run(run_.path(), drawing), 0) << output();
   EXPECT_THAT(output(), StartsWith("Mission   a$"));
   EXPECT_THAT(run_.read("summary.txt"), StartsWith("Mission   a$"));
