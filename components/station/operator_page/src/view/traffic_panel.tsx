@@ -62,7 +62,7 @@ const ofClass: readonly Column<ClassRow>[] = [
   ["lost", ({ lost }) => count(lost), ({ lost }) => lost > 0],
   ["repaired", ({ repaired }) => count(repaired)],
   ["paused", ({ paused }) => count(paused), ({ paused }) => paused > 0],
-  ["not sent", ({ otherDropped }) => count(otherDropped), "minor", "thinned, superseded, expired, overflow"],
+  ["not sent", ({ otherDropped }) => count(otherDropped), "minor", "superseded, expired, overflow"],
 ];
 
 const lostOf = ({ expired, refused }: StoredTopic): number => Number(expired + refused);
