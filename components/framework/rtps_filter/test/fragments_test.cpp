@@ -52,8 +52,7 @@ TEST(Fragments, OfAnAnnouncementAreHiddenUntilItIsWhole) {
   EXPECT_TRUE(first.before.empty());
   EXPECT_EQ(sut.participants(), 0U);
   const Inspection last = last_of(sut, messages);
-  Bytes expected =
-      Message('a').add(0x15, with_data, data_head(spdp_writer).raw(payload).bytes()).bytes();
+  Bytes expected = data_of(data_head(spdp_writer).raw(payload));
   expected[22] = expected[23] = 0;  // its length: until the end
   EXPECT_EQ(last.before, std::vector<Bytes>{expected});
   EXPECT_EQ(last.hide.size(), 1U);

@@ -6,10 +6,6 @@
 namespace tocsin::rtps_filter {
 namespace {
 
-Bytes data_of(const Wire& content, std::uint32_t flags = with_data) {
-  return Message().add(0x15, flags, content.bytes()).bytes();
-}
-
 TEST(Header, MustBeRtpsOfVersionTwo) {
   Bytes message = data_of(data_head(user_writer).raw(small_payload()));
   EXPECT_EQ(drop_of(message), passes);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <yaml-cpp/yaml.h>
 
 #include <cerrno>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "devices/computer.hpp"
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
+#include "runtime/component_entry.hpp"
 #include "runtime/sim_bus.hpp"
 
 namespace tocsin {
@@ -143,14 +145,6 @@ TEST_F(NetworkMonitorTest, SaysThatTheHardwareIsAbsent) {
   EXPECT_TRUE(std::isnan(sample.busy_percent()));
 }
 
-TEST_F(NetworkMonitorTest, InventsNoSignalWhileUnassociated) {
-  write_wireless("0 0 0 0 0 0 0 0 0");
-  const auto sample = run(3).back();
-  EXPECT_EQ(sample.wireless_source(), "proc");
-  EXPECT_TRUE(std::isnan(sample.signal_dbm()));
-  EXPECT_TRUE(std::isnan(sample.quality_percent()));
-}
-
 TEST_F(NetworkMonitorTest, FollowsTheInterfaceThroughALostAssociation) {
   write_wireless("35. -75. -256 0 0 0 0 0 0");
   EXPECT_EQ(run(3).back().signal_dbm(), -75.0F);
@@ -167,13 +161,6 @@ TEST_F(NetworkMonitorTest, ReportsAShortOutageAsItsShareOfTheWindow) {
   target_.alive = true;
   EXPECT_FLOAT_EQ(run(2.5).back().per_percent(), 25.0F);
   EXPECT_EQ(run(8).back().per_percent(), 0.0F);
-}
-
-TEST_F(NetworkMonitorTest, SurvivesADamagedWirelessFile) {
-  write_wireless("garbage");
-  const auto sample = run(3).back();
-  EXPECT_EQ(sample.wireless_source(), "absent");
-  EXPECT_EQ(sample.per_percent(), 0.0F);
 }
 
 /// A computer whose devices have no descriptors: replies come when the test says so.
@@ -275,6 +262,22 @@ TEST(NetworkMonitorOnAnotherComputer, AsksNoRadioWhenNoInterfaceIsConfigured) {
   ASSERT_FALSE(got.empty());
   EXPECT_EQ(got.back().wireless_source(), "absent");
   EXPECT_EQ(devices.asked, "");
+}
+
+TEST(NetworkMonitorLive, TakesAnotherWindowWhileItRunsAndKeepsItOnARefusal) {
+  SimBus bus;
+  ScriptedDevices devices(bus);
+  Context context = Context(bus, "network_monitor", Role::uxv).with_devices(devices);
+  const ComponentEntry entry = make_component_entry<NetworkMonitorComponent>();
+  const auto sut = entry.create(context, YAML::Load("{}"), {});
+  SimReader<topic::NetworkQuality> samples(bus);
+  bus.add(*sut);
+  entry.change(*sut, YAML::Load("{window: 3}"), {});
+  bus.run_for(seconds(10));
+  EXPECT_EQ(samples.take().back().probes_sent(), 3U);
+  EXPECT_THROW(entry.change(*sut, YAML::Load("{window: 0}"), {}), ConfigError);
+  bus.run_for(seconds(10));
+  EXPECT_EQ(samples.take().back().probes_sent(), 3U);
 }
 
 TEST(NetworkMonitor, RefusesATargetThatIsNoAddress) {
