@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 
 #include "command_line/command.hpp"
-#include "control_client.hpp"
 #include "devices/computer.hpp"
 #include "foundation/error.hpp"
 #include "terminal_wait.hpp"

@@ -13,8 +13,8 @@
 
 namespace tocsin {
 
-/// The devices of a computer: one maker for each type of them. A component cannot tell whose
-/// makers they are. One thread at a time.
+/// The devices of a computer: one maker for each type. A component cannot tell whose makers they
+/// are. Any thread may open once no maker is added any more, as far as the makers allow it.
 class Devices {
  public:
   /// What is at an address of a type without a maker.
