@@ -94,13 +94,7 @@ class DiscoveryReader {
   }
   /// Of the last sample.
   [[nodiscard]] Nodes nodes() {
-    void* sample = nullptr;
-    dds_sample_info_t info{};
-    while (dds_take(reader_, &sample, &info, 1, 1) == 1) {
-      if (info.valid_data) last_ = read(*static_cast<const Info*>(sample));
-      (void)dds_return_loan(reader_, &sample, 1);
-      sample = nullptr;
-    }
+    take_all<Info>(reader_, [this](const Info& info) { last_ = read(info); });
     return last_;
   }
 
@@ -139,19 +133,12 @@ std::optional<Heard> heard_end(const CycloneParticipant& cyclone, dds_entity_t k
                                const std::string& topic) {
   const dds_entity_t reader = checked(dds_create_reader(cyclone.entity(), kind, nullptr, nullptr));
   std::optional<Heard> found;
-  void* sample = nullptr;
-  dds_sample_info_t info{};
-  while (dds_take(reader, &sample, &info, 1, 1) == 1) {
-    const auto& end = *static_cast<const dds_builtintopic_endpoint_t*>(sample);
-    if (info.valid_data && topic == end.topic_name) {
-      Heard heard;
-      std::copy_n(end.key.v, heard.gid.size(), heard.gid.begin());
-      heard.user_data = user_data_of(end.qos);
-      found = heard;
-    }
-    (void)dds_return_loan(reader, &sample, 1);
-    sample = nullptr;
-  }
+  take_all<dds_builtintopic_endpoint_t>(reader, [&](const auto& end) {
+    if (topic != end.topic_name) return;
+    found.emplace();
+    std::copy_n(end.key.v, found->gid.size(), found->gid.begin());
+    found->user_data = user_data_of(end.qos);
+  });
   (void)dds_delete(reader);
   return found;
 }
@@ -161,14 +148,8 @@ std::vector<std::string> heard_participants(const CycloneParticipant& cyclone) {
   const dds_entity_t reader = checked(
       dds_create_reader(cyclone.entity(), DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, nullptr, nullptr));
   std::vector<std::string> all;
-  void* sample = nullptr;
-  dds_sample_info_t info{};
-  while (dds_take(reader, &sample, &info, 1, 1) == 1) {
-    const auto& participant = *static_cast<const dds_builtintopic_participant_t*>(sample);
-    if (info.valid_data) all.push_back(user_data_of(participant.qos));
-    (void)dds_return_loan(reader, &sample, 1);
-    sample = nullptr;
-  }
+  take_all<dds_builtintopic_participant_t>(
+      reader, [&](const auto& participant) { all.push_back(user_data_of(participant.qos)); });
   (void)dds_delete(reader);
   return all;
 }

@@ -70,63 +70,38 @@ Code judged(const std::vector<Stamped>& all, Check check, int limit) {
   return code_of_subscriber(lines, check, limit);
 }
 
+struct Judged {
+  Check check;
+  int limit;
+  Code code;
+};
+constexpr Judged apart{Check::separated, 1000, Code::ok};
+constexpr Judged not_apart{Check::separated, 1000, Code::data_not_correct};
+constexpr Judged brief{Check::short_lived, 250, Code::ok};
+constexpr Judged not_brief{Check::short_lived, 250, Code::data_not_correct};
+constexpr Judged newest{Check::newest_kept, 2, Code::ok};
+constexpr Judged not_newest{Check::newest_kept, 2, Code::data_not_correct};
+
+struct Row {
+  const char* what;
+  Judged as;
+  std::vector<Stamped> seen;
+};
+const Row rows[] = {
+    {"late writer", apart, {{1, 0, 1}, {2, 9, 9}, {11, 1009, 1009}, {14, 2500, 2501}}},
+    {"too close", not_apart, {{1, 0, 1}, {2, 9, 9}, {11, 1008, 1009}}},
+    {"nothing dropped", not_apart, {{1, 0, 1}, {2, 9, 9}, {3, 1009, 1009}}},
+    {"a run of one", brief, {{1, 0, 90}, {5, 400, 500}, {8, 800, 1000}, {9, 900, 1000}}},
+    {"too old", not_brief, {{1, 0, 90}, {5, 400, 500}, {8, 624, 1000}, {9, 900, 1000}}},
+    {"none expired", not_brief, {{1, 0, 90}, {2, 80, 90}, {3, 380, 500}, {4, 480, 500}}},
+    {"never two", not_brief, {{1, 0, 90}, {5, 400, 500}, {8, 900, 1000}}},
+    {"a full history", newest, {{1, 0, 1}, {2, 50, 51}, {5, 200, 400}, {6, 250, 400}}},
+    {"a loss", not_newest, {{1, 0, 1}, {2, 50, 51}, {5, 200, 400}}},
+};
+
 TEST(ShapeCases, CasesOfTimeAreJudgedByStamps) {
-  struct Row {
-    const char* what;
-    std::vector<Stamped> seen;
-    Check check;
-    int limit;
-    Code code;
-  };
-  const Row rows[] = {
-      {"late writer",
-       {{1, 0, 1}, {2, 9, 9}, {11, 1009, 1009}, {14, 2500, 2501}},
-       Check::separated,
-       1000,
-       Code::ok},
-      {"too close",
-       {{1, 0, 1}, {2, 9, 9}, {11, 1008, 1009}},
-       Check::separated,
-       1000,
-       Code::data_not_correct},
-      {"nothing dropped",
-       {{1, 0, 1}, {2, 9, 9}, {3, 1009, 1009}},
-       Check::separated,
-       1000,
-       Code::data_not_correct},
-      {"a run of one",
-       {{1, 0, 90}, {5, 400, 500}, {8, 800, 1000}, {9, 900, 1000}},
-       Check::short_lived,
-       250,
-       Code::ok},
-      {"too old",
-       {{1, 0, 90}, {5, 400, 500}, {8, 624, 1000}, {9, 900, 1000}},
-       Check::short_lived,
-       250,
-       Code::data_not_correct},
-      {"nothing has expired",
-       {{1, 0, 90}, {2, 80, 90}, {3, 380, 500}, {4, 480, 500}},
-       Check::short_lived,
-       250,
-       Code::data_not_correct},
-      {"never two",
-       {{1, 0, 90}, {5, 400, 500}, {8, 900, 1000}},
-       Check::short_lived,
-       250,
-       Code::data_not_correct},
-      {"a full history",
-       {{1, 0, 1}, {2, 50, 51}, {5, 200, 400}, {6, 250, 400}},
-       Check::newest_kept,
-       2,
-       Code::ok},
-      {"a loss",
-       {{1, 0, 1}, {2, 50, 51}, {5, 200, 400}},
-       Check::newest_kept,
-       2,
-       Code::data_not_correct},
-  };
   for (const Row& row : rows) {
-    EXPECT_EQ(judged(row.seen, row.check, row.limit), row.code) << row.what;
+    EXPECT_EQ(judged(row.seen, row.as.check, row.as.limit), row.as.code) << row.what;
   }
 }
 
