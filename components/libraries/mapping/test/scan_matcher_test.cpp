@@ -20,12 +20,23 @@ LikelihoodField field_of(const std::vector<Segment>& walls, const Pose& pose) {
   return field;
 }
 
-Points seen_from(const std::vector<Segment>& walls, const Pose& pose) {
+Points seen_from(const std::vector<Segment>& walls, const Pose& pose, double range_m = 30) {
   std::mt19937 random(2);
-  return thinned(scan_of(walls, pose, {}, random).hits, 0.1);
+  return thinned(scan_of(walls, pose, {180, pi, 0.01, range_m}, random).hits, 0.1);
 }
 
 std::vector<Segment> corridor() { return {{{-50, -1}, {50, -1}}, {{-50, 1}, {50, 1}}}; }
+
+/// Of a drive along it, so that its walls have no gaps.
+LikelihoodField corridor_field() {
+  std::mt19937 random(1);
+  LikelihoodField field(0.05, 0.1);
+  for (double x_m = -4; x_m < 4; x_m += 0.37) {
+    const Scan scan = scan_of(corridor(), {x_m, 0, 0}, {720, 2 * pi, 0.005, 30}, random);
+    field.stamp(transformed(joined(scan.hits, 0.05), {x_m, 0, 0}));
+  }
+  return field;
+}
 
 double off_m(const Pose& a, const Pose& b) { return geometry::distance(position(a), position(b)); }
 double off_rad(const Pose& a, const Pose& b) {
@@ -104,9 +115,9 @@ TEST(Search, LooksForTheSecondBestBesideWhatIsExcluded) {
 }
 
 TEST(Search, HoldsToTheGuessWhereThePointsTellNothing) {
-  const auto field = field_of(corridor(), {0, 0, 0});
+  const auto field = corridor_field();
   const FieldBounds bounds(field);
-  const Points points = seen_from(corridor(), {0, 0.2, 0});
+  const Points points = seen_from(corridor(), {0, 0.2, 0}, 6);
   SearchParams params;
   params.guess_weight = 0.05;
   for (const double x_m : {-0.3, 0.0, 0.25}) {
@@ -136,8 +147,8 @@ TEST(Refine, DoesNotFindItFromFarAway) {
 }
 
 TEST(Refine, KnowsWhichDirectionItCannotTell) {
-  const auto across = refine(field_of(corridor(), {0, 0, 0}), seen_from(corridor(), {0, 0, 0}),
-                             {0, 0, 0}, {0, 0, 0});
+  const auto across =
+      refine(corridor_field(), seen_from(corridor(), {0, 0, 0}, 6), {0, 0, 0}, {0, 0, 0});
   EXPECT_GT(across.information(1, 1), 100 * across.information(0, 0));
   const auto both = refine(field_of(room(), {3.5, 2.2, 0}), seen_from(room(), truth), truth, truth);
   EXPECT_LT(both.information(1, 1), 20 * both.information(0, 0));
@@ -145,17 +156,19 @@ TEST(Refine, KnowsWhichDirectionItCannotTell) {
 
 TEST(Refine, IsHeldByTheGuessAlongACorridor) {
   const Pose guess{0.07, 0, 0};
-  const Match match = refine(field_of(corridor(), {0, 0, 0}), seen_from(corridor(), {0, 0, 0}),
-                             {0, 0, 0}, guess, {0.05, 0.05});
+  const Match match =
+      refine(corridor_field(), seen_from(corridor(), {0, 0, 0}, 6), {0, 0, 0}, guess, {0.05, 0.05});
   EXPECT_NEAR(match.pose.x_m, guess.x_m, 0.03);
 }
 
 TEST(Refine, TakesBeamsThatLieFarApartForMoreWhenTheyAreNotJoined) {
-  LikelihoodField field(0.05, 0.1);
-  const Points points = seen_from(corridor(), {0, 0, 0});
-  field.stamp(points);
-  const Match match = refine(field, points, {0, 0, 0}, {0, 0, 0});
-  EXPECT_GT(match.information(0, 0), match.information(1, 1));
+  const Points points = seen_from(corridor(), {0, 0, 0}, 6);
+  const auto along = [&](const Points& stamped) {
+    LikelihoodField field(0.05, 0.1);
+    field.stamp(stamped);
+    return refine(field, points, {0, 0, 0}, {0, 0, 0}).information(0, 0);
+  };
+  EXPECT_GT(along(points), 3 * along(joined(points, 0.05)));
 }
 
 TEST(Refine, OfNoPointsStaysAndKnowsNothing) {
