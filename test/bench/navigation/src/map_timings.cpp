@@ -11,6 +11,7 @@
 
 #include "mapping/local_mapper.hpp"
 #include "mapping/loop_finder.hpp"
+#include "mapping/mapper.hpp"
 #include "mapping/relative_pose.hpp"
 #include "planted_loops.hpp"
 
@@ -143,7 +144,7 @@ Timing time_loop_searches() {
                                                mapping::relative(pose, way()[k]));
       points.insert(points.end(), part.begin(), part.end());
     }
-    points = mapping::thinned(points, 2 * mapping::LocalParams{}.thin_m);
+    points = mapping::thinned(points, mapping::MapperParams{}.loop_thin_m);
     const Pose guess{pose.x_m + 4 * off(random), pose.y_m + 4 * off(random),
                      pose.heading_rad + 0.78 * off(random)};
     times_ms.push_back(time_ms([&] { (void)find_loop(submap, points, guess, {4, 0.785}); }));
