@@ -34,7 +34,8 @@ std::size_t index(int width, int column, int row) {
 }  // namespace
 
 LikelihoodField::LikelihoodField(double resolution_m, double sigma_m)
-    : reach_(static_cast<int>(std::ceil(kernel_reach * sigma_m / resolution_m))) {
+    : sigma_m_(sigma_m),
+      reach_(static_cast<int>(std::ceil(kernel_reach * sigma_m / resolution_m))) {
   grid_.resolution_m = resolution_m;
   for (int y = 0; y < places; ++y) {
     for (int x = 0; x < places; ++x) {

@@ -15,6 +15,7 @@ std::optional<Match> find_loop(const Submap& submap, const Points& points, const
                                const SearchWindow& window, const LoopParams& params) {
   SearchParams search_params;
   search_params.min_score = params.min_score * 0.9;  // the grid's steps cost some of the score
+  search_params.resolved_range_m = params.resolved_range_m;
   const auto best = search(submap.bounds(), points, guess, window, search_params);
   if (!best) return std::nullopt;
   Match match = refine(submap.field(), points, best->pose, best->pose);

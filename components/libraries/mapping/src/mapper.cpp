@@ -127,7 +127,7 @@ Points Mapper::recent_points(std::size_t node) const {
     const Points part = transformed(nodes()[i].thin, relative(nodes()[node].pose, nodes()[i].pose));
     points.insert(points.end(), part.begin(), part.end());
   }
-  return thinned(points, 2 * params_.local.thin_m);
+  return thinned(points, params_.loop_thin_m);
 }
 
 bool Mapper::look_for_loops(std::size_t node, const std::vector<double>& ways) {

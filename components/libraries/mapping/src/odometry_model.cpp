@@ -11,7 +11,7 @@ namespace {
 using geometry::Pose;
 
 constexpr double forgetting = 0.995;        // a step
-constexpr double largest_turn_error = 0.2;  // [rad/m, rad/rad] more is no wheel's fault
+constexpr double largest_turn_error = 0.1;  // [rad/m, rad/rad] more is no wheel's fault
 
 double length_of(const Pose& step) { return std::hypot(step.x_m, step.y_m); }
 
@@ -28,7 +28,7 @@ Pose OdometryModel::corrected(const Pose& step) const {
 void OdometryModel::learn(const Pose& step, const Pose& found) {
   const Eigen::Vector2d cause(length_of(step), step.heading_rad);
   const double error_rad = geometry::wrap_angle(found.heading_rad - step.heading_rad);
-  normal_ = forgetting * normal_ + (1 - forgetting) * 2.0 * Eigen::Matrix2d::Identity() +
+  normal_ = forgetting * normal_ + (1 - forgetting) * hold * Eigen::Matrix2d::Identity() +
             cause * cause.transpose();
   right_ = forgetting * right_ + cause * error_rad;
   turn_error_ =
@@ -37,8 +37,8 @@ void OdometryModel::learn(const Pose& step, const Pose& found) {
 
 SearchWindow OdometryModel::window(const Pose& step) {
   const double length_m = length_of(step);
-  return {std::min(0.1 + 0.3 * length_m, 0.6),
-          std::min(0.1 + 0.15 * length_m + 0.25 * std::abs(step.heading_rad), 0.6)};
+  return {std::min(0.15 + 0.35 * length_m, 0.8),
+          std::min(0.2 + 0.2 * length_m + 0.3 * std::abs(step.heading_rad), 0.9)};
 }
 
 GuessTrust OdometryModel::trust(const Pose& step) {

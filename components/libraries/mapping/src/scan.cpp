@@ -7,6 +7,22 @@
 #include <utility>
 
 namespace tocsin::mapping {
+namespace {
+
+using geometry::Point;
+
+constexpr double longest_gap_m = 1.5;  // farther apart, two hits are of two things
+constexpr double straight = 0.2;       // [rad] within it three hits are of one wall
+
+bool is_straight(const Point& a, const Point& b, const Point& c) {
+  if (geometry::distance(a, b) > longest_gap_m || geometry::distance(b, c) > longest_gap_m) {
+    return false;
+  }
+  const double turn_rad = geometry::bearing(b, c) - geometry::bearing(a, b);
+  return std::abs(geometry::wrap_angle(turn_rad)) < straight;
+}
+
+}  // namespace
 
 Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams, const ScanParams& params) {
   Scan scan;
@@ -36,6 +52,24 @@ Points transformed(const Points& points, const geometry::Pose& pose) {
     moved.push_back({pose.x_m + c * p.x_m - s * p.y_m, pose.y_m + s * p.x_m + c * p.y_m});
   }
   return moved;
+}
+
+Points joined(const Points& hits, double spacing_m) {
+  Points filled;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    filled.push_back(hits[i]);
+    if (i + 1 == hits.size()) break;
+    const double gap_m = geometry::distance(hits[i], hits[i + 1]);
+    if (gap_m <= spacing_m || gap_m > longest_gap_m) continue;
+    const bool goes_on = i > 0 && is_straight(hits[i - 1], hits[i], hits[i + 1]);
+    const bool begins = i + 2 < hits.size() && is_straight(hits[i], hits[i + 1], hits[i + 2]);
+    if (!goes_on && !begins) continue;
+    const double parts = std::ceil(gap_m / spacing_m);
+    for (double k = 1; k < parts; ++k) {
+      filled.push_back(geometry::between(hits[i], hits[i + 1], k / parts));
+    }
+  }
+  return filled;
 }
 
 Points thinned(const Points& points, double cell_m) {

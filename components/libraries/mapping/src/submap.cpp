@@ -7,14 +7,14 @@ namespace tocsin::mapping {
 
 Submap::Submap(std::size_t first_node, double resolution_m, double sigma_m)
     : first_node_(first_node),
-      sigma_m_(sigma_m),
+
       occupancy_(resolution_m),
       field_(resolution_m, sigma_m) {}
 
 void Submap::insert(std::size_t node, const Scan& scan, const geometry::Pose& pose) {
   nodes_.push_back(node);
   poses_.push_back(pose);
-  const Points hits = transformed(scan.hits, pose);
+  const Points hits = transformed(joined(scan.hits, field_.sigma_m()), pose);
   points_.insert(points_.end(), hits.begin(), hits.end());
   occupancy_.insert(scan, pose);
   bounds_.reset();
@@ -27,7 +27,7 @@ void Submap::finish() {
   };
   points_.erase(std::remove_if(points_.begin(), points_.end(), has_gone), points_.end());
   bounds_.reset();
-  field_ = LikelihoodField(field_.grid().resolution_m, sigma_m_);
+  field_ = LikelihoodField(field_.grid().resolution_m, field_.sigma_m());
   field_.stamp(points_);
   points_ = {};
   finished_ = true;
@@ -40,7 +40,7 @@ void Submap::rebuild(const std::vector<const Scan*>& scans,
   poses_.clear();
   const double resolution_m = field_.grid().resolution_m;
   occupancy_ = OccupancyGrid(resolution_m);
-  field_ = LikelihoodField(resolution_m, sigma_m_);
+  field_ = LikelihoodField(resolution_m, field_.sigma_m());
   for (std::size_t i = 0; i < nodes.size(); ++i) insert(nodes[i], *scans[i], poses[i]);
   finish();
 }

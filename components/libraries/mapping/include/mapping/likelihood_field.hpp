@@ -24,6 +24,7 @@ class LikelihoodField {
   /// Adds points, given in the frame of the field.
   void stamp(const Points& points);
 
+  [[nodiscard]] double sigma_m() const { return sigma_m_; }
   [[nodiscard]] const navigation::Grid& grid() const { return grid_; }
   [[nodiscard]] const std::vector<std::uint8_t>& cells() const { return cells_; }
   /// Bilinear between the centres of cells; 0 outside.
@@ -33,6 +34,7 @@ class LikelihoodField {
   void cover(const Points& points);
   void stamp(const geometry::Point& p);
 
+  double sigma_m_;
   navigation::Grid grid_;
   int reach_;  // cells from the centre of a kernel to its border
   /// One kernel for each place of a point within its cell, row by row.

@@ -13,10 +13,10 @@ namespace tocsin::mapping {
 
 struct LocalParams {
   double resolution_m = 0.05;
-  double sigma_m = 0.1;           ///< how far a reading may lie from a wall that it belongs to
+  double sigma_m = 0.05;          ///< how far a reading may lie from a wall that it belongs to
   double step_m = 0.1;            ///< a scan is used when the vehicle has moved so far,
   double step_rad = 0.1;          ///< or turned so much
-  std::size_t submap_scans = 30;  ///< of a finished submap; the next one begins at its half
+  std::size_t submap_scans = 20;  ///< of a finished submap; the next one begins at its half
   double thin_m = 0.1;            ///< readings nearer to each other than this count once
   double min_score = 0.3;         ///< worse is no match: odometry decides
   double guess_weight = 0.05;     ///< of SearchParams

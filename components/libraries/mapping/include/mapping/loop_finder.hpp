@@ -14,8 +14,9 @@ struct LoopParams {
   double max_second = 0.9;  ///< of the best score: as good a place elsewhere is ambiguous
   double min_seen = 0.6;    ///< of Agreement
   double max_opposed = 0.15;
-  double second_from_m = 0.8;    ///< the second best place is one as far away as this,
-  double second_from_rad = 0.3;  ///< or turned as much
+  double resolved_range_m = 5.0;  ///< of SearchParams: refining bridges what is coarser
+  double second_from_m = 0.8;     ///< the second best place is one as far away as this,
+  double second_from_rad = 0.3;   ///< or turned as much
 };
 
 /// Looks for points that were seen just now in a finished submap. Empty when they do not lie there,

@@ -25,6 +25,7 @@ struct MapperParams {
   double largest_window_m = 8.0;
   double loop_reach_m = 8.0;  ///< a loop is looked for in submaps with a node so near, window added
   std::size_t loop_every = 4;    ///< nodes between two looks for loops
+  double loop_thin_m = 0.25;     ///< readings nearer to each other than this count once
   std::size_t loop_nodes = 8;    ///< whose readings are looked for together
   std::size_t solve_every = 20;  ///< nodes between two solves without a loop
 };

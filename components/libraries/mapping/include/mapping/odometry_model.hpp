@@ -25,8 +25,10 @@ class OdometryModel {
   [[nodiscard]] static Eigen::Matrix3d information(const geometry::Pose& step);
 
  private:
-  // Least squares with forgetting; the initial values hold both parameters near 0.
-  Eigen::Matrix2d normal_ = Eigen::Matrix2d::Identity() * 2.0;
+  /// Holds both parameters near 0 until about so many [m^2, rad^2] have been seen.
+  static constexpr double hold = 10.0;
+  // Least squares with forgetting.
+  Eigen::Matrix2d normal_ = Eigen::Matrix2d::Identity() * hold;
   Eigen::Vector2d right_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d turn_error_ = Eigen::Vector2d::Zero();  // [rad/m, rad/rad]
 };

@@ -28,7 +28,7 @@ struct SolveParams {
   /// Yang et al., RA-L 2020): for constraints that move the graph far. Else it doubts at once.
   bool graduated = true;
   int most_steps = 60;
-  double small_step = 1e-4;  ///< [m, rad] ends when no node moves more
+  double small_step = 5e-4;  ///< [m, rad] ends when no node moves more
 };
 
 /// Poses that agree best with what is believed of pairs of them: Gauss-Newton with a sparse

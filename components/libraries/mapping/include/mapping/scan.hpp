@@ -39,6 +39,12 @@ struct Beams {
 /// `points`, given in the frame of `pose`, in the frame that `pose` is given in.
 [[nodiscard]] Points transformed(const Points& points, const geometry::Pose& pose);
 
+/// `hits`, in the order of their beams, and points at most `spacing_m` apart on the straight walls
+/// between them. Where a wall is met at a low angle the beams lie far apart; without the points
+/// between, a matcher would lay the next beams onto the last ones, and the vehicle would stand
+/// still in a corridor.
+[[nodiscard]] Points joined(const Points& hits, double spacing_m);
+
 /// One point of each square of side `cell_m` that has any, the first of each, in their order.
 [[nodiscard]] Points thinned(const Points& points, double cell_m);
 

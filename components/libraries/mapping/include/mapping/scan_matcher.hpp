@@ -51,8 +51,9 @@ struct GuessTrust {
   double turn_rad = infinity;
 };
 
-/// Climbs from `start` to the nearest best pose by damped Gauss-Newton on the interpolated field;
-/// good from starts within about two sigma of the field. Always ends after a bounded time.
+/// Climbs from `start` to the nearest pose with the best sum of the field, by damped Gauss-Newton
+/// of the points' distances to the walls with the weight of Welsch, which the field is; good from
+/// starts within about two sigma of the field. Always ends after a bounded time.
 [[nodiscard]] Match refine(const LikelihoodField& field, const Points& points,
                            const geometry::Pose& start, const geometry::Pose& guess,
                            const GuessTrust& trust = {});

@@ -45,7 +45,6 @@ class Submap {
 
  private:
   std::size_t first_node_;
-  double sigma_m_;
   bool finished_ = false;
   std::vector<std::size_t> nodes_;
   std::vector<geometry::Pose> poses_;
