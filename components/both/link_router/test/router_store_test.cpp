@@ -38,7 +38,7 @@ struct SlowDisk {
     for (auto& one : std::exchange(posted, {})) one();
   }
   std::vector<std::function<void()>> posted;
-  Computer computer{{}, false, false, [this] { return std::make_unique<Waiting>(*this); }};
+  Computer computer{Devices(), false, false, [this] { return std::make_unique<Waiting>(*this); }};
 };
 
 class RouterStoreTest : public ::testing::Test {
