@@ -94,34 +94,6 @@ TEST_F(CameraTest, IgnoresALocationThatIsNotFinite) {
   EXPECT_TRUE(run(1).empty());
 }
 
-TEST_F(CameraTest, TellsHowMuchItWillWriteWhenItIsAsked) {
-  class Asking : public Bus {
-   public:
-    struct Asked final : Publication {
-      explicit Asked(std::optional<ExpectedLoad>& its) : load(its) {}
-      Status write(const std::shared_ptr<const void>&) override { return Status::ok; }
-      void expect(const std::function<ExpectedLoad()>& wanted) override { load = wanted(); }
-      std::optional<ExpectedLoad>& load;
-    };
-    std::unique_ptr<Subscription> subscribe(const Endpoint&, Receiver&) override {
-      return std::make_unique<Subscription>();
-    }
-    std::unique_ptr<Publication> advertise(const Endpoint&) override {
-      return std::make_unique<Asked>(load);
-    }
-    [[nodiscard]] Time now() const override { return {}; }
-    [[nodiscard]] std::int64_t wall_ns(Time) const override { return 0; }
-    std::optional<ExpectedLoad> load;
-  } bus;
-  Context context{bus, "camera", Role::uxv};
-  CameraComponent::Params params;
-  params.walls_file = walls_file_;
-  const CameraComponent sut(context, params);
-  ASSERT_TRUE(bus.load);
-  EXPECT_EQ(bus.load->rate_hz, 8);
-  EXPECT_NEAR(bus.load->bytes, 38'000, 8'000);
-}
-
 TEST_F(CameraTest, ShowsTheNewestOfSeveralLocations) {
   bus_.publish<topic::Location>(location(0, 0));
   const auto first = run(0).at(0).data();

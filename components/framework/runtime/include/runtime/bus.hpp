@@ -28,12 +28,6 @@ struct WriterInfo {
   double lifespan_s = std::numeric_limits<double>::infinity();  ///< of its samples
 };
 
-/// What a component expects to write to a topic.
-struct ExpectedLoad {
-  double rate_hz;
-  double bytes;  ///< mean size of a sample
-};
-
 /// What became of a write.
 enum class [[nodiscard]] Status{
     ok,      ///< Handed to every reader on this host, its link_router among them.
@@ -99,8 +93,6 @@ class Publication {
   }
   /// False: nobody would notice a write, now or as a late joiner. Thread-safe.
   [[nodiscard]] virtual bool has_readers() const { return true; }
-  /// Asks `load` what will be written, if this bus wants to know.
-  virtual void expect(const std::function<ExpectedLoad()>& load) { (void)load; }
 };
 
 /// The only seam between components and the middleware.

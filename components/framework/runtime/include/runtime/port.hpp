@@ -106,9 +106,6 @@ class Output {
   }
   /// False: nobody would get it now, nor later, so that a message may as well not be made.
   [[nodiscard]] bool wanted() const { return publication_->has_readers(); }
-  /// For writers of much data, in their constructor: lets `tocsin check` know how much. `load` is
-  /// called at once or never.
-  void expect(const std::function<ExpectedLoad()>& load) { publication_->expect(load); }
 
  private:
   std::unique_ptr<Publication> publication_;

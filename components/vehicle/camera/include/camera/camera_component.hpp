@@ -53,7 +53,6 @@ class CameraComponent final : public Component {
   void tick(Time now) override;
 
  private:
-  [[nodiscard]] double expected_bytes() const;
   void take_location(Time now);
   void take_budget(Time now);
   void publish(double size, Time now);
