@@ -96,7 +96,7 @@ TEST(GoalTableCancel, CancelsThoseThatAreMeantByIdByStampOrByNeither) {
                                                                   {{GoalId{}, 6}, {id(1), id(2)}},
                                                                   {{id(3), 5}, {id(1), id(3)}}}) {
     GoalTable sut{std::chrono::seconds(10)};
-    for (const std::uint8_t goal : {1, 2, 3, 4}) {
+    for (std::uint8_t goal = 1; goal <= 4; ++goal) {
       ASSERT_TRUE(sut.add(id(goal), 4 + goal));
       ASSERT_TRUE(sut.apply(id(goal), GoalEvent::execute, t0));
     }

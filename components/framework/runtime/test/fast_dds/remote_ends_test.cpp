@@ -38,7 +38,8 @@ TEST_F(RemoteEndsTest, AnEndOfAnotherTypeOrLayoutIsNamedWithItsParticipantWhileI
   for (const auto& [remote, own, other_type, other_layout] : cases) {
     sut.add(guid(7, 1), remote);
     EXPECT_EQ(sut.other_type(own), other_type);
-    if (remote.type == own.type) EXPECT_EQ(sut.has_other_layout(guid(7, 1), own), other_layout);
+    const bool asked = remote.type == own.type && remote.topic == own.topic;
+    EXPECT_EQ(asked && sut.has_other_layout(guid(7, 1), own), other_layout);
     sut.remove(guid(7, 1));
     EXPECT_EQ(sut.other_type(own), "") << other_type;
     EXPECT_FALSE(sut.has_other_layout(guid(7, 1), own));
