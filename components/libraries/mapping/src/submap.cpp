@@ -2,6 +2,7 @@
 #include "mapping/submap.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace tocsin::mapping {
 
@@ -30,7 +31,22 @@ void Submap::finish() {
   field_ = LikelihoodField(field_.grid().resolution_m, field_.sigma_m());
   field_.stamp(points_);
   points_ = {};
+  keep_free_cells();
   finished_ = true;
+}
+
+void Submap::keep_free_cells() {
+  const navigation::OccupancyMap known = occupancy_.map();
+  free_grid_ = known.grid();
+  free_.clear();
+  free_.reserve(free_grid_.size());
+  for (const auto cell : known.cells()) free_.push_back(cell == navigation::Cell::free);
+  occupancy_ = OccupancyGrid(field_.grid().resolution_m);
+}
+
+bool Submap::is_free(const geometry::Point& p) const {
+  const auto cell = free_grid_.cell_of(p);
+  return cell && free_[free_grid_.offset(*cell)];
 }
 
 void Submap::rebuild(const std::vector<const Scan*>& scans,
@@ -56,13 +72,14 @@ const FieldBounds& Submap::bounds() const {
 
 Agreement Submap::agreement(const Points& points, const geometry::Pose& pose) const {
   constexpr double explained = 0.1;  // within about two sigma of a point
+  assert(finished_);
   double seen = 0;
   double opposed = 0;
   for (const auto& p : transformed(points, pose)) {
     const bool is_explained = field_.at(p.x_m, p.y_m).value > explained;
-    const bool is_free = occupancy_.at(p) == navigation::Cell::free;
-    if (is_explained || is_free) ++seen;
-    if (is_free && !is_explained) ++opposed;
+    const bool nothing_is_there = is_free(p);
+    if (is_explained || nothing_is_there) ++seen;
+    if (nothing_is_there && !is_explained) ++opposed;
   }
   if (seen == 0) return {};
   return {seen / static_cast<double>(points.size()), opposed / seen};

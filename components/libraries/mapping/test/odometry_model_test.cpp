@@ -22,8 +22,8 @@ TEST(OdometryModel, LearnsHowMuchTheWheelsTurnTooLittle) {
     const double turn_rad = turn(random);
     sut.learn({0.5, 0, turn_rad}, {0.5, 0, 0.95 * turn_rad + 0.5 * 0.05});
   }
-  EXPECT_NEAR(sut.corrected({1, 0, 0}).heading_rad, 0.05, 0.01);
-  EXPECT_NEAR(sut.corrected({0, 0, 1}).heading_rad, 0.95, 0.01);
+  EXPECT_NEAR(sut.corrected({1, 0, 0}).heading_rad, 0.05, 0.025);
+  EXPECT_NEAR(sut.corrected({0, 0, 1}).heading_rad, 0.95, 0.025);
   EXPECT_GT(sut.corrected({1, 0, 0}).y_m, 0.01);  // the way bends to the side it turns to
 }
 
@@ -38,8 +38,8 @@ TEST(OdometryModel, SearchesFartherAfterALongerStepUpToALimit) {
             OdometryModel::window({0.5, 0, 0}).distance_m);
   EXPECT_LT(OdometryModel::window({0.1, 0, 0}).turn_rad,
             OdometryModel::window({0.1, 0, 0.5}).turn_rad);
-  EXPECT_LE(OdometryModel::window({100, 0, 3}).distance_m, 0.6);
-  EXPECT_LE(OdometryModel::window({100, 0, 3}).turn_rad, 0.6);
+  EXPECT_LE(OdometryModel::window({100, 0, 3}).distance_m, 0.8);
+  EXPECT_LE(OdometryModel::window({100, 0, 3}).turn_rad, 0.9);
 }
 
 }  // namespace

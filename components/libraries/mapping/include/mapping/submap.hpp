@@ -41,15 +41,20 @@ class Submap {
   [[nodiscard]] const LikelihoodField& field() const { return field_; }
   /// For searches; made when it is asked for after an insertion.
   [[nodiscard]] const FieldBounds& bounds() const;
+  /// Asserts that it is finished.
   [[nodiscard]] Agreement agreement(const Points& points, const geometry::Pose& pose) const;
 
  private:
+  void keep_free_cells();
+  [[nodiscard]] bool is_free(const geometry::Point& p) const;
   std::size_t first_node_;
   bool finished_ = false;
   std::vector<std::size_t> nodes_;
   std::vector<geometry::Pose> poses_;
-  Points points_;  // all hits; empty when finished
-  OccupancyGrid occupancy_;
+  Points points_;            // all hits; empty when finished
+  OccupancyGrid occupancy_;  // empty when finished: a bit a cell is left of it
+  navigation::Grid free_grid_;
+  std::vector<bool> free_;
   LikelihoodField field_;
   mutable std::unique_ptr<FieldBounds> bounds_;
 };
