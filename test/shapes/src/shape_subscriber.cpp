@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>

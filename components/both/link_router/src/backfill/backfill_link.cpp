@@ -2,6 +2,7 @@
 #include "backfill/backfill_link.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <variant>
 
