@@ -190,6 +190,11 @@ int Stack::exit_code(std::chrono::seconds limit) {
   return code_;
 }
 
+bool is_driving(const Stack& stack) {
+  const auto states = column(stack.recorded("uxv", "navigation_status"), "state");
+  return std::find(states.begin(), states.end(), "driving") != states.end();
+}
+
 std::vector<std::string> column(const std::string& csv, const std::string& name) {
   const CsvTable table(csv);
   std::vector<std::string> cells;

@@ -81,6 +81,9 @@ class Stack {
   bool keep_ = false;
 };
 
+/// Whether the vehicle has driven, by what it has recorded.
+[[nodiscard]] bool is_driving(const Stack& stack);
+
 /// Rows of a CSV text as cells of the named column; quoted cells may hold commas.
 [[nodiscard]] std::vector<std::string> column(const std::string& csv, const std::string& name);
 

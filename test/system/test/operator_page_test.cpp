@@ -6,12 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "foundation/temporary_folder.hpp"
@@ -27,15 +23,7 @@ using ::testing::HasSubstr;
 const std::string peer = std::string(TOCSIN_REPOSITORY) + "/test/foxglove_peer";
 constexpr const char* port = "18765";
 
-std::string output_of(const std::string& command) {
-  const std::unique_ptr<FILE, decltype(&pclose)> pipe(popen(command.c_str(), "r"), pclose);
-  std::string text;
-  std::array<char, 4096> part{};
-  while (pipe && fgets(part.data(), static_cast<int>(part.size()), pipe.get()) != nullptr) {
-    text += part.data();
-  }
-  return text;
-}
+std::string output_of(const std::string& command) { return run_to_end(command, "").output; }
 
 /// The mission with a talker beside it, whose text can be set, and a port of the test's own.
 std::string bringup_in(const TemporaryFolder& folder) {

@@ -2,9 +2,6 @@
 // The main job in simulated time: done, repeatable, with every policy.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <sys/wait.h>
 
 #include <filesystem>
 #include <fstream>
@@ -18,6 +15,7 @@
 #include "bag/bag_reader.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "recorded.hpp"
+#include "stack.hpp"
 
 namespace tocsin {
 namespace {
@@ -26,9 +24,7 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-struct Ended {
-  int code;
-  std::string output;
+struct Simulated : Ended {
   std::vector<std::string> digests;
 };
 
@@ -43,32 +39,26 @@ std::vector<std::string> digests_in(const std::string& text) {
 
 class SimulationTest : public ::testing::Test {
  protected:
-  static std::string program(const std::string& package, const std::string& name) {
-    const fs::path own = TOCSIN_INSTALL;
-    const fs::path together = own / "bin" / name;
-    return fs::exists(together) ? together : own.parent_path() / package / "bin" / name;
-  }
   /// Runs `tocsin sim` with a run folder of its own; what it logs is left out.
-  Ended sim(const std::string& arguments) {
+  Simulated sim(const std::string& arguments) {
     return run(arguments + " --run-dir " + folder_ + "/" + std::to_string(++runs_));
   }
-  [[nodiscard]] Ended run(const std::string& arguments) const {
-    return execute(program("simulation", "tocsin-sim") + " " + arguments);
+  [[nodiscard]] Simulated run(const std::string& arguments) const {
+    Ended ended = execute("simulation", "tocsin-sim", arguments);
+    auto digests = digests_in(ended.output);
+    return {std::move(ended), std::move(digests)};
   }
   /// What `tocsin decide` says of a recorded file, in JSON.
   [[nodiscard]] nlohmann::json decide(const std::string& file, const std::string& arguments) const {
-    const Ended ended = execute(program("decision_tools", "tocsin-decide") + " " + folder_ + "/" +
-                                file + " --json " + arguments);
+    const Ended ended =
+        execute("decision_tools", "tocsin-decide", folder_ + "/" + file + " --json " + arguments);
     EXPECT_EQ(ended.code, 0) << read("errors");
     return nlohmann::json::parse(ended.output, nullptr, false);
   }
-  [[nodiscard]] Ended execute(const std::string& program_and_arguments) const {
-    const std::string command = program_and_arguments + " 2>" + folder_ + "/errors";
-    FILE* pipe = popen(command.c_str(), "r");
-    std::string output;
-    for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) output += static_cast<char>(c);
-    const int status = pclose(pipe);
-    return {WEXITSTATUS(status), output, digests_in(output)};
+  [[nodiscard]] Ended execute(const std::string& package, const std::string& name,
+                              const std::string& arguments) const {
+    const std::string quiet = "sh -c '\"$0\" \"$@\" 2>" + folder_ + "/errors' ";
+    return run_to_end(quiet + Stack::program(package, name), arguments);
   }
   [[nodiscard]] std::string read(const std::string& name) const {
     std::ifstream file(folder_ + "/" + name);
@@ -87,7 +77,7 @@ class SimulationTest : public ::testing::Test {
 };
 
 TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
-  const Ended run = sim("mission.yaml --seed 1");
+  const Simulated run = sim("mission.yaml --seed 1");
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("exit code 0"));
   EXPECT_THAT(read("errors"), HasSubstr("mission mission_a: done"));
@@ -101,7 +91,7 @@ TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
 }
 
 TEST_F(SimulationTest, TheBagOfEachSideSaysWhatItsTypesAre) {
-  const Ended run = sim("mission.yaml --seed 1");
+  const Simulated run = sim("mission.yaml --seed 1");
   ASSERT_EQ(run.code, 0) << run.output;
   for (const std::string side : {"uxv", "gcs"}) {
     const bag::BagReader bag(folder_ + "/1/" + side + "/bag");
@@ -116,7 +106,7 @@ TEST_F(SimulationTest, TheBagOfEachSideSaysWhatItsTypesAre) {
 }
 
 TEST_F(SimulationTest, LogLinesCarryTheSimulatedTime) {
-  const Ended run = sim("mission.yaml --seed 1 --without uxv/payload");
+  const Simulated run = sim("mission.yaml --seed 1 --without uxv/payload");
   ASSERT_EQ(run.code, 0) << run.output;
   const int s = std::atoi(run.output.c_str());  // "91.196 s simulated"
   char time[40];
@@ -128,7 +118,7 @@ TEST_F(SimulationTest, LogLinesCarryTheSimulatedTime) {
 }
 
 TEST_F(SimulationTest, TheRecorderRecordsTheTopicsThatItIsToldByNameAndByPattern) {
-  const Ended run =
+  const Simulated run =
       sim("mission.yaml --duration 5 --set 'recorder.topics=[odom, sensors/core, \"events/*\"]'");
   ASSERT_EQ(run.code, 0) << read("errors");
   EXPECT_THAT(recorded(1, "uxv", "odom"), HasSubstr(",odom,base_footprint,"));
@@ -164,15 +154,15 @@ TEST_F(SimulationTest, DecidingARecordedRunAgainGivesItsOwnDecisionsSampleBySamp
     EXPECT_GT(decided["recorded"]["decisions"], 50) << role;
     EXPECT_EQ(decided["recorded"]["same"], decided["recorded"]["decisions"]) << role;
   }
-  EXPECT_EQ(execute(program("decision_tools", "tocsin-decide") + " " + folder_ + "/1/uxv").code, 2);
+  EXPECT_EQ(execute("decision_tools", "tocsin-decide", folder_ + "/1/uxv").code, 2);
   EXPECT_THAT(read("errors"), HasSubstr("of the roles uxv and gcs; choose one by --host"));
 }
 
 TEST_F(SimulationTest, SameSeedGivesTheSameSamplesOnTwoThreadsAndInAnotherProcess) {
   const std::string arguments = "mission.yaml --seed 3 --duration 60";
-  const Ended twice = sim(arguments + " --verify");
+  const Simulated twice = sim(arguments + " --verify");
   EXPECT_EQ(twice.code, 0) << twice.output;
-  const Ended other = sim(arguments);
+  const Simulated other = sim(arguments);
   ASSERT_EQ(twice.digests.size(), 2U);
   ASSERT_EQ(other.digests.size(), 1U);
   EXPECT_EQ(twice.digests[0], twice.digests[1]);
@@ -188,8 +178,8 @@ TEST_F(SimulationTest, SameSeedGivesTheSameSamplesOnTwoThreadsAndInAnotherProces
 /// A recorder reads there what the operator's page reads, from the station's own copies.
 TEST_F(SimulationTest, WhoeverReadsAtTheStationCostsTheRadioNotAByte) {
   const std::string mission = "mission.yaml --seed 3 --duration 60";
-  const Ended without = sim(mission);
-  const Ended with = sim(mission + " --set operator_recorder.recording=true");
+  const Simulated without = sim(mission);
+  const Simulated with = sim(mission + " --set operator_recorder.recording=true");
   ASSERT_EQ(without.digests.size(), 1U) << without.output;
   EXPECT_EQ(with.digests, without.digests);
   for (const char* side : {"uxv", "gcs"}) {  // with the bytes of each class that left the router
@@ -203,7 +193,7 @@ TEST_F(SimulationTest, WhoeverReadsAtTheStationCostsTheRadioNotAByte) {
 TEST_F(SimulationTest, EverySeedGivesARunOfItsOwn) {
   std::set<std::string> digests;
   for (const char* seed : {"1", "2", "3", "4"}) {
-    const Ended run =
+    const Simulated run =
         sim(std::string("mission.yaml --without uxv/payload --duration 20 --seed ") + seed);
     ASSERT_EQ(run.digests.size(), 1U) << read("errors");
     digests.insert(run.digests[0]);
@@ -213,21 +203,22 @@ TEST_F(SimulationTest, EverySeedGivesARunOfItsOwn) {
 
 TEST_F(SimulationTest, MissionAIsDoneWithEveryPolicy) {
   for (const char* policy : {"none", "threshold", "tocp", "tocp_dsp"}) {
-    const Ended run = sim(std::string("mission.yaml --without uxv/payload --duration 600 --set ") +
-                          "transmission_controller.policy=" + policy);
+    const Simulated run =
+        sim(std::string("mission.yaml --without uxv/payload --duration 600 --set ") +
+            "transmission_controller.policy=" + policy);
     EXPECT_EQ(run.code, 0) << policy << "\n" << read("errors");
     EXPECT_THAT(run.output, HasSubstr("exit code 0")) << policy;
   }
 }
 
 TEST_F(SimulationTest, EndsAtTheDurationWhenTheMissionIsNotOver) {
-  const Ended run = sim("mission.yaml --without uxv/payload --duration 5");
+  const Simulated run = sim("mission.yaml --without uxv/payload --duration 5");
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.output, HasSubstr("5.000 s simulated (not over)"));
 }
 
 TEST_F(SimulationTest, TenSeedsOfRandomFaultsBreakNoPromise) {
-  const Ended ten = run("mission.yaml --faults random --seeds 1..10 --jobs 2");
+  const Simulated ten = run("mission.yaml --faults random --seeds 1..10 --jobs 2");
   EXPECT_EQ(ten.code, 0) << ten.output;
   EXPECT_THAT(ten.output, HasSubstr("10 runs, "));
   EXPECT_THAT(ten.output, HasSubstr("0 runs broke a promise"));
@@ -236,23 +227,23 @@ TEST_F(SimulationTest, TenSeedsOfRandomFaultsBreakNoPromise) {
 TEST_F(SimulationTest, SeedsOfRandomFaultsLoseNothingOfStoredTopics) {
   std::ofstream(folder_ + "/local.yaml") << "extends: traffic_store.yaml\n";
   std::ofstream(folder_ + "/store.yaml") << "extends: mission.yaml\ntraffic: local.yaml\n";
-  const Ended some = run(folder_ + "/store.yaml --faults random --seeds 1..8 --jobs 2");
+  const Simulated some = run(folder_ + "/store.yaml --faults random --seeds 1..8 --jobs 2");
   EXPECT_EQ(some.code, 0) << some.output;
   EXPECT_THAT(some.output, HasSubstr("0 runs broke a promise"));
 }
 
 TEST_F(SimulationTest, SeedsOfRandomFaultsBreakNoPromiseWhileTopicsAreLoggedAndStopsAreFetched) {
-  std::ofstream(folder_ + "/local.yaml") << "extends: traffic_log.yaml\n";
+  std::ofstream(folder_ + "/local.yaml") << "extends: traffic_log.yaml\nuxv:\n  fetch:\n"
+                                            "    - {when: safety_status, field: emergency_stop, "
+                                            "topics: ['*'], before_s: 10, after_s: 10}\n";
   std::ofstream(folder_ + "/log.yaml") << "extends: mission.yaml\ntraffic: local.yaml\n";
-  const Ended some = run(folder_ +
-                         "/log.yaml --faults random --seeds 1..2 --jobs 2 "
-                         "--set uxv/link_router.fetch_around_stop_s=10");
+  const Simulated some = run(folder_ + "/log.yaml --faults random --seeds 1..2 --jobs 2");
   EXPECT_EQ(some.code, 0) << some.output;
   EXPECT_THAT(some.output, HasSubstr("0 runs broke a promise"));
 }
 
 TEST_F(SimulationTest, RefusesAnUnknownParameter) {
-  const Ended run = sim("mission.yaml --set navigator.speeed=1");
+  const Simulated run = sim("mission.yaml --set navigator.speeed=1");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(read("errors"), HasSubstr("navigator.speeed"));
 }

@@ -58,7 +58,7 @@ LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& 
   auto live = std::make_unique<LiveLink>(owner, parts, context.role);
   auto backfill = std::make_unique<BackfillLink>(owner, parts, context.computer,
                                                  backfill_params(context, params));
-  live->set_deliveries(*backfill);
+  live->set_backfill(*backfill);
   auto reports = std::make_unique<ReportLink>(owner, reports_, parts, services_, context.role);
   services_.push_back(std::make_unique<RouterStop>(owner, context, *link_, log));
   services_.push_back(std::move(live));

@@ -28,14 +28,13 @@ class StoreTest : public LinkRouterTest {
     start();
   }
   /// An instance of the router, the one before being over.
-  void start(double fetch_around_stop_s = 0, const std::string& directory = "store") {
+  void start(const std::string& directory = "store") {
     host_.reset();
     script_.opened.clear();
     script_.sent.clear();
     script_.offered_here.clear();
     LinkRouterComponent::Params params;
     params.store_directory = folder_.path(directory);
-    params.fetch_around_stop_s = fetch_around_stop_s;
     LinkRouterTest::start(params, computer_);
   }
   [[nodiscard]] FlowId backfills() const { return script_.opened_for(backfill_topic); }

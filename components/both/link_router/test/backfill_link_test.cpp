@@ -49,7 +49,7 @@ TEST_F(BackfillLinkTest, WhatTheNextInstanceFindsInTheLogIsBackfilledThoughNobod
 }
 
 TEST_F(BackfillLinkTest, AFolderThatCannotBeUsedCostsOnlyWhatWouldHaveBeenStored) {
-  start(0, "traffic.yaml/store");
+  start("traffic.yaml/store");
   meet_station();
   const FlowId on_link = begin("battery_state");
   listen(on_link);

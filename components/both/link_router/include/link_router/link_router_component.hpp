@@ -21,7 +21,6 @@ class LinkRouterComponent final : public Component {
     double store_age_s = 86'400;
     int history_bytes = 256'000'000;
     double history_age_s = 86'400;
-    double fetch_around_stop_s = 0;
     template <class Visitor>
     void visit(Visitor& v) {
       link.visit(v);
@@ -33,9 +32,6 @@ class LinkRouterComponent final : public Component {
       v("history_bytes", history_bytes, {100'000, 2e9},
         "[B] of the log of what crosses when it is asked for, folder history of store_directory");
       v("history_age_s", history_age_s, {1, 1e8}, "[s] what is older goes there");
-      v("fetch_around_stop_s", fetch_around_stop_s, {0, 600},
-        "[s] before and after an emergency stop, of which all that is logged crosses by itself; 0: "
-        "none; other events: list fetch of the traffic file");
     }
   };
 

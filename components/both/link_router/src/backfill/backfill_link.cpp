@@ -34,8 +34,7 @@ BackfillLink::BackfillLink(Component& owner, const LinkParts& parts, const Compu
       history_({parts.link, history_store_, sender_, flows_, parts.log}),
       outgoing_({parts.link, parts.sender, store_, sender_, history_, flows_, parts.log}),
       incoming_({parts.link, parts.receiver, store_, arrivals_, parts.log}),
-      triggers_(make_triggers(owner, parts.link.rules().fetches(),
-                              history_.logs_any() ? params.fetch_around_stop_s : 0)) {}
+      triggers_(make_triggers(owner, parts.link.rules().fetches())) {}
 
 void BackfillLink::begin(Instant at) {
   if (at.now >= next_keep_) keep_stores(at);

@@ -3,7 +3,6 @@
 
 #include <netinet/in.h>
 
-#include <algorithm>
 #include <cstring>
 
 #include "runtime/middleware/rtps_message.hpp"
@@ -59,27 +58,6 @@ std::optional<SamplePart> part_of(const Submessage& one) {
   return part;
 }
 
-/// What a sample of SEDP's publications says.
-std::optional<AnnouncedWriter> announced_in(const SamplePart& part) {
-  constexpr std::uint16_t topic_name = 0x0005;
-  constexpr std::uint16_t endpoint_guid = 0x005a;
-  AnnouncedWriter writer{};
-  bool has_guid = false;
-  std::size_t at = 4;  // encapsulation
-  while (at + 4 <= part.bytes) {
-    const auto id = little<std::uint16_t>(part.payload + at);
-    const std::size_t length = little<std::uint16_t>(part.payload + at + 2);
-    const std::uint8_t* const value = part.payload + at + 4;
-    at += 4 + length;
-    if (at > part.bytes) break;
-    if (id == topic_name && length > 4) writer.topic = reinterpret_cast<const char*>(value) + 4;
-    if (id != endpoint_guid || length < writer.guid.size()) continue;
-    std::copy_n(value, writer.guid.size(), writer.guid.begin());
-    has_guid = true;
-  }
-  return has_guid && !writer.topic.empty() ? std::optional(writer) : std::nullopt;
-}
-
 }  // namespace
 
 std::optional<RtpsPacket> rtps_in(const std::vector<std::uint8_t>& packet) {
@@ -91,32 +69,11 @@ std::optional<RtpsPacket> rtps_in(const std::vector<std::uint8_t>& packet) {
     return std::nullopt;
   }
   RtpsPacket view;
-  view.dscp = packet[1] >> 2U;
-  for (std::size_t i = 12; i < 16; ++i) view.source = view.source << 8U | packet[i];
   view.destination_port = static_cast<std::uint16_t>(packet[ip + 2] << 8U | packet[ip + 3]);
   view.message = packet.data() + ip + udp;
   view.bytes = packet.size() - ip - udp;
   if (std::memcmp(view.message, "RTPS", 4) != 0) return std::nullopt;
   return view;
-}
-
-EndpointGuid RtpsPacket::guid_of(const eprosima::fastrtps::rtps::EntityId_t& entity) const {
-  constexpr std::size_t prefix = 12;
-  constexpr std::size_t place = 8;  // after the protocol, its version and the vendor
-  EndpointGuid guid{};
-  std::copy_n(message + place, prefix, guid.begin());
-  std::copy_n(entity.value, 4, guid.begin() + prefix);
-  return guid;
-}
-
-std::vector<AnnouncedWriter> announced_writers_in(const RtpsPacket& packet) {
-  constexpr std::uint32_t publications_writer = 0x000003c2;
-  std::vector<AnnouncedWriter> writers;
-  for (const SamplePart& part : samples_in(packet)) {
-    const auto writer = part.writer == publications_writer ? announced_in(part) : std::nullopt;
-    if (writer) writers.push_back(*writer);
-  }
-  return writers;
 }
 
 std::vector<SamplePart> samples_in(const RtpsPacket& packet) {

@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/EntityId_t.hpp>
-
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace tocsin {
 
-/// GUID of an endpoint.
-using EndpointGuid = std::array<std::uint8_t, 16>;
-
 /// The RTPS message in an IP packet. Points into the packet.
 struct RtpsPacket {
-  int dscp = 0;
-  std::uint32_t source = 0;  ///< IPv4 address
   std::uint16_t destination_port = 0;
   const std::uint8_t* message = nullptr;
   std::size_t bytes = 0;
-  /// One of the sender's endpoints.
-  [[nodiscard]] EndpointGuid guid_of(const eprosima::fastrtps::rtps::EntityId_t& entity) const;
 };
 
 /// Nothing when the packet is no UDP packet that begins with RTPS, or a later IP fragment.
@@ -41,12 +30,5 @@ struct SamplePart {
 
 /// Each DATA and DATA_FRAG of a message that has little endian numbers.
 [[nodiscard]] std::vector<SamplePart> samples_in(const RtpsPacket& packet);
-
-/// A writer that discovery announces (SEDP).
-struct AnnouncedWriter {
-  EndpointGuid guid;
-  std::string topic;  ///< DDS name
-};
-[[nodiscard]] std::vector<AnnouncedWriter> announced_writers_in(const RtpsPacket& packet);
 
 }  // namespace tocsin
