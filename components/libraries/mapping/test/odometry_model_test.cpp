@@ -30,7 +30,7 @@ TEST(OdometryModel, LearnsHowMuchTheWheelsTurnTooLittle) {
 TEST(OdometryModel, AWheelThatSlipsForLongTeachesItOnlySoMuch) {
   OdometryModel sut;
   for (int i = 0; i < 50; ++i) sut.learn({0.5, 0, 0}, {0.5, 0, 2.5});
-  EXPECT_LE(sut.corrected({1, 0, 0}).heading_rad, 0.2);
+  EXPECT_LE(sut.corrected({1, 0, 0}).heading_rad, 0.1);
 }
 
 TEST(OdometryModel, SearchesFartherAfterALongerStepUpToALimit) {

@@ -19,6 +19,7 @@ using geometry::Pose;
 
 constexpr double most_readings = 100'000;
 constexpr double farthest_m = 1e6;
+constexpr double farthest_jump_m = 100;
 constexpr double latest_s = 1e12;
 constexpr double largest_angle_rad = 1000;  // headings that were never wrapped grow
 
@@ -162,8 +163,18 @@ std::optional<LogReading> CarmenLog::next() {
     const auto end = std::min(text_.find('\n'), text_.size());
     const std::string_view line = text_.substr(0, end);
     text_.remove_prefix(std::min(end + 1, text_.size()));
-    auto reading = reading_of(line, fmt::format("{}:{}: ", name_, line_));
-    if (reading) return reading;
+    const std::string place = fmt::format("{}:{}: ", name_, line_);
+    auto reading = reading_of(line, place);
+    if (!reading) continue;
+    const auto here = position(reading->odometry);
+    const double jump_m = last_ ? geometry::distance(*last_, here) : 0;
+    if (jump_m > farthest_jump_m) {
+      throw ConfigError(
+          fmt::format("{}odometry: jumps by {:g} m from the reading before it; {:g} m are allowed",
+                      place, jump_m, farthest_jump_m));
+    }
+    last_ = here;
+    return reading;
   }
   return std::nullopt;
 }

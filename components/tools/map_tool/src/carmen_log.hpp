@@ -43,6 +43,7 @@ class CarmenLog {
   std::string_view text_;
   std::string name_;
   std::size_t line_ = 0;
+  std::optional<geometry::Point> last_;  // the odometry of the last reading
 };
 
 }  // namespace tocsin::map_tool

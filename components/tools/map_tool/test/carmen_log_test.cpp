@@ -79,6 +79,13 @@ TEST(CarmenLog, PassesOverCommentsOtherMessagesAndEmptyLines) {
             0U);
 }
 
+TEST(CarmenLog, RefusesAnOdometryThatJumps) {
+  const std::string first = "ODOM 0 0 0 0 0 0 1 h 1\n";
+  EXPECT_EQ(read(first + "ODOM 100 0 0 0 0 0 2 h 2\n").size(), 2U);
+  EXPECT_EQ(error_of(first + "ODOM 101 0 0 0 0 0 2 h 2\n"),
+            "log:2: odometry: jumps by 101 m from the reading before it; 100 m are allowed");
+}
+
 TEST(CarmenLog, HasOneClearErrorForEveryBadLine) {
   const std::vector<std::pair<std::string, std::string>> table{
       {"ODOM 1 2", "log:2: pose: is missing, the line ends before it"},
