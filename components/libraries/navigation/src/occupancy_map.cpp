@@ -4,10 +4,28 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace tocsin::navigation {
 namespace {
+
+/// One axis of a walk from cell to cell along a ray (Amanatides and Woo 1987).
+struct Axis {
+  int step;
+  double next;   // ray length at the next cell border [m]
+  double delta;  // ray length across one cell [m]
+};
+
+Axis axis_of(double position_in_cells, double direction, double resolution_m) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (direction == 0) return {0, infinity, infinity};
+  const double floor = std::floor(position_in_cells);
+  const double to_border =
+      direction > 0 ? floor + 1 - position_in_cells : position_in_cells - floor;
+  const double delta = resolution_m / std::abs(direction);
+  return {direction > 0 ? 1 : -1, to_border * delta, delta};
+}
 
 double distance_to_interval(double value, double low, double high) {
   return std::max({low - value, 0.0, value - high});
@@ -54,6 +72,26 @@ std::vector<std::uint16_t> OccupancyMap::count_occupied(const Grid& grid,
 Cell OccupancyMap::at(const geometry::Point& p) const {
   const auto cell = grid_.cell_of(p);
   return cell ? at(*cell) : Cell::unknown;
+}
+
+std::optional<double> OccupancyMap::raycast(const geometry::Point& from, double bearing_rad,
+                                            double range_m) const {
+  auto start = grid_.cell_of(from);
+  if (!start || !std::isfinite(bearing_rad)) return std::nullopt;
+  CellIndex cell = *start;
+  Axis x = axis_of((from.x_m - grid_.origin.x_m) / grid_.resolution_m, std::cos(bearing_rad),
+                   grid_.resolution_m);
+  Axis y = axis_of((from.y_m - grid_.origin.y_m) / grid_.resolution_m, std::sin(bearing_rad),
+                   grid_.resolution_m);
+  double length_m = 0;
+  while (grid_.contains(cell) && length_m <= range_m) {
+    if (at(cell) == Cell::occupied) return length_m;
+    Axis& nearer = x.next < y.next ? x : y;
+    (x.next < y.next ? cell.column : cell.row) += nearer.step;
+    length_m = nearer.next;
+    nearer.next += nearer.delta;
+  }
+  return std::nullopt;
 }
 
 bool OccupancyMap::may_have_occupied(const Window& window) const {

@@ -46,6 +46,44 @@ TEST(OccupancyMap, TellsWhatIsAtAPlace) {
   EXPECT_EQ(room.at(geometry::Point{-1, 1}), Cell::unknown) << "outside";
 }
 
+TEST(Raycast, MeasuresTheDistanceToTheWallInAllDirections) {
+  EXPECT_NEAR(room.raycast({2.5, 1.5}, 0, 10).value(), 2.5, 1e-9);
+  EXPECT_NEAR(room.raycast({2.5, 1.5}, -pi / 2, 10).value(), 0.5, 1e-9);
+  EXPECT_NEAR(room.raycast({2.5, 1.75}, -pi / 4, 10).value(), 0.75 * std::sqrt(2), 1e-9);
+  for (double bearing_rad = -3.1; bearing_rad < 3.1; bearing_rad += 0.1) {
+    double walked_m = 0;
+    const auto at = [&] {
+      return geometry::Point{1.3 + walked_m * std::cos(bearing_rad),
+                             2.2 + walked_m * std::sin(bearing_rad)};
+    };
+    while (room.at(at()) != Cell::occupied) walked_m += 1e-4;
+    EXPECT_NEAR(room.raycast({1.3, 2.2}, bearing_rad, 10).value(), walked_m, 2e-4) << bearing_rad;
+  }
+}
+
+TEST(Raycast, EndsAtItsRangeAndAtTheBorderOfTheMap) {
+  EXPECT_TRUE(room.raycast({2.5, 1.5}, 0, 2.51));
+  EXPECT_FALSE(room.raycast({2.5, 1.5}, 0, 2.49));
+  EXPECT_FALSE(drawn_map({"...", "..."}).raycast({1.5, 0.5}, 0.3, 1e9));
+  EXPECT_DOUBLE_EQ(room.raycast({0.5, 0.5}, 1, 10).value(), 0) << "inside of a wall";
+  EXPECT_NEAR(room.raycast({2.5, 2.5}, 0, 10).value(), 2.5, 1e-9) << "unknown does not stop it";
+}
+
+TEST(Raycast, SeesNothingFromOutsideOrWithNan) {
+  EXPECT_FALSE(room.raycast({-5, 1.5}, 0, 100));
+  EXPECT_FALSE(room.raycast({2.5, 1.5}, nan, 10));
+  EXPECT_FALSE(room.raycast({nan, 1.5}, 0, 10));
+  EXPECT_FALSE(room.raycast({2.5, 1.5}, 0, nan));
+}
+
+TEST(Collides, TouchesWallAndCornerAtExactlyTheRadius) {
+  EXPECT_FALSE(room.collides(1.5, 2.5, 0.49));
+  EXPECT_TRUE(room.collides(1.5, 2.5, 0.51));
+  const auto sut = drawn_map({"...", ".#.", "..."});
+  EXPECT_FALSE(sut.collides(0.5, 0.5, 0.70));
+  EXPECT_TRUE(sut.collides(0.5, 0.5, 0.71));
+}
+
 TEST(Collides, IgnoresUnknownCellsAndTheOutside) {
   EXPECT_FALSE(drawn_map({"?.?"}).collides(1.5, 0.5, 3));
   EXPECT_FALSE(room.collides(-50, 80, 1));

@@ -51,6 +51,11 @@ class OccupancyMap {
   /// Outside the map everything is unknown.
   [[nodiscard]] Cell at(const geometry::Point& p) const;
 
+  /// Distance to the first occupied cell [m], seen from `from` in direction `bearing_rad`.
+  /// Empty when there is none within `range_m`; unknown cells do not stop the ray.
+  [[nodiscard]] std::optional<double> raycast(const geometry::Point& from, double bearing_rad,
+                                              double range_m) const;
+
   /// Whether a disc of radius `radius_m` at (x, y) touches an occupied cell.
   [[nodiscard]] bool collides(double x, double y, double radius_m) const;
   /// Whether no disc that lies within `reach_m` of (x, y) touches an occupied cell, which takes no
