@@ -10,7 +10,7 @@ namespace {
 using geometry::Point;
 
 constexpr int places = 4;           // of a point within its cell, along each axis
-constexpr int spare_cells = 64;     // by which a field that must grow grows more than it must
+constexpr int field_margin = 64;     // by which a field that must grow grows more than it must
 constexpr double kernel_reach = 3;  // [sigma]
 
 std::vector<std::uint8_t> kernel(int reach, double x_cells, double y_cells, double sigma_cells) {
@@ -57,10 +57,10 @@ void LikelihoodField::cover(const Points& points) {
     const double row = std::floor((p.y_m - grid_.origin.y_m) / r);
     fits = fits && column - reach_ >= 0 && row - reach_ >= 0 && column + reach_ < grid_.width &&
            row + reach_ < grid_.height;
-    low_x = std::min(low_x, column - reach_ - spare_cells);
-    low_y = std::min(low_y, row - reach_ - spare_cells);
-    high_x = std::max(high_x, column + reach_ + spare_cells);
-    high_y = std::max(high_y, row + reach_ + spare_cells);
+    low_x = std::min(low_x, column - reach_ - field_margin);
+    low_y = std::min(low_y, row - reach_ - field_margin);
+    high_x = std::max(high_x, column + reach_ + field_margin);
+    high_y = std::max(high_y, row + reach_ + field_margin);
   }
   if (fits || points.empty()) return;
   navigation::Grid grown = grid_;

@@ -9,14 +9,14 @@ namespace {
 
 using geometry::Pose;
 
-using Cell = navigation::CellIndex;
+using navigation::CellIndex;
 
 /// Poses that share a heading and lie in a square of 2^level cells, the corner's lowest.
 struct Node {
   int heading;  // index
   int level;
-  Cell offset;   // from the guess
-  double bound;  // no pose of it has a better score
+  CellIndex offset;  // from the guess
+  double bound;      // no pose of it has a better score
 };
 
 class Search {
@@ -91,7 +91,8 @@ class Search {
     const double off =
         params_.guess_weight > 0 ? params_.guess_weight * distance_from_guess(node) : 0;
     const double whole = 255.0 * static_cast<double>(points_.size());
-    const Cell* const cells = &placed_[static_cast<std::size_t>(node.heading) * points_.size()];
+    const CellIndex* const cells =
+        &placed_[static_cast<std::size_t>(node.heading) * points_.size()];
     const int needed = static_cast<int>(whole * (best_score_ + off));
     return bounds_.sum(node.level, cells, points_.size(), node.offset, needed) / whole - off;
   }
@@ -143,7 +144,8 @@ class Search {
   [[nodiscard]] std::vector<Node> children(const Node& node) const {
     const int half = 1 << (node.level - 1);
     std::vector<Node> nodes;
-    for (const Cell step : {Cell{0, 0}, Cell{half, 0}, Cell{0, half}, Cell{half, half}}) {
+    for (const CellIndex step :
+         {CellIndex{0, 0}, CellIndex{half, 0}, CellIndex{0, half}, CellIndex{half, half}}) {
       Node child{node.heading,
                  node.level - 1,
                  {node.offset.column + step.column, node.offset.row + step.row},
@@ -166,7 +168,7 @@ class Search {
   int reach_;         // cells from the guess to the border of the window
   int headings_ = 0;  // on each side of the guess
   double step_rad_ = 0;
-  std::vector<Cell> placed_;
+  std::vector<CellIndex> placed_;
   bool found_ = false;
   double best_score_;
   Node best_{};

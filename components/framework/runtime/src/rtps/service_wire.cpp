@@ -20,7 +20,7 @@ void append(std::vector<std::uint8_t>& bytes, std::uint64_t value) {
   }
 }
 
-std::uint64_t number_at(const std::vector<std::uint8_t>& bytes, std::size_t at) {
+std::uint64_t identity_part(const std::vector<std::uint8_t>& bytes, std::size_t at) {
   const bool little = is_little_endian(bytes);
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < sizeof value; ++i) {
@@ -51,9 +51,9 @@ std::vector<std::uint8_t> with_header(const std::vector<std::uint8_t>& bytes,
 std::optional<HeadedMessage> take_header(const std::vector<std::uint8_t>& bytes) {
   if (bytes.size() < encapsulation_bytes + call_header_bytes) return std::nullopt;
   HeadedMessage message;
-  message.header.client = number_at(bytes, encapsulation_bytes);
+  message.header.client = identity_part(bytes, encapsulation_bytes);
   message.header.number =
-      static_cast<std::int64_t>(number_at(bytes, encapsulation_bytes + sizeof(std::uint64_t)));
+      static_cast<std::int64_t>(identity_part(bytes, encapsulation_bytes + sizeof(std::uint64_t)));
   const auto begin = bytes.begin();
   message.bytes.assign(begin, begin + static_cast<std::ptrdiff_t>(encapsulation_bytes));
   message.bytes.insert(message.bytes.end(),
