@@ -267,7 +267,7 @@ TEST(NetworkMonitorOnAnotherComputer, AsksNoRadioWhenNoInterfaceIsConfigured) {
 TEST(NetworkMonitorLive, TakesAnotherWindowWhileItRunsAndKeepsItOnARefusal) {
   SimBus bus;
   ScriptedDevices devices(bus);
-  Context context = Context(bus, "network_monitor", Role::uxv).with_devices(devices);
+  Context context = Context(bus, "network_monitor", Role::uxv).with_computer(devices.computer);
   const ComponentEntry entry = make_component_entry<NetworkMonitorComponent>();
   const auto sut = entry.create(context, YAML::Load("{}"), {});
   SimReader<topic::NetworkQuality> samples(bus);
