@@ -10,7 +10,7 @@ namespace {
 using geometry::Point;
 
 constexpr int places = 4;           // of a point within its cell, along each axis
-constexpr int field_margin = 64;     // by which a field that must grow grows more than it must
+constexpr int field_margin = 64;    // by which a field that must grow grows more than it must
 constexpr double kernel_reach = 3;  // [sigma]
 
 std::vector<std::uint8_t> kernel(int reach, double x_cells, double y_cells, double sigma_cells) {
